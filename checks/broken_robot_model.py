@@ -69,41 +69,50 @@ def limits(description: Description, joint: Joint) -> Iterator[tuple[str, Findin
     limit = joint.limit
     if limit is None:
         if joint.type in _LIMITED and description.robot.is_whole:
-            yield "no limit", finding(
-                description,
-                joint.location,
-                (
-                    f"the {joint.type} {about} has no <limit>: urdfdom rejects the whole robot; add <limit>, or make the "
-                    "joint continuous or fixed"
+            yield (
+                "no limit",
+                finding(
+                    description,
+                    joint.location,
+                    (
+                        f"the {joint.type} {about} has no <limit>: urdfdom rejects the whole robot; add <limit>, or make the "
+                        "joint continuous or fixed"
+                    ),
+                    about,
+                    joint,
                 ),
-                about,
-                joint,
             )
         return
     missing = [name for name in ("effort", "velocity") if getattr(limit, name) is None]
     if missing and description.robot.is_whole:
-        yield f"without {missing}", finding(
-            description,
-            limit.location,
-            (
-                f"the <limit> of {about} has no {' and no '.join(missing)}: urdfdom rejects the whole robot; add the "
-                "attribute"
+        yield (
+            f"without {missing}",
+            finding(
+                description,
+                limit.location,
+                (
+                    f"the <limit> of {about} has no {' and no '.join(missing)}: urdfdom rejects the whole robot; add the "
+                    "attribute"
+                ),
+                about,
+                joint,
             ),
-            about,
-            joint,
         )
     lower, upper = number(limit.lower), number(limit.upper)
     if joint.type in _LIMITED and lower is not None and upper is not None and lower > upper:
-        yield "inverted", finding(
-            description,
-            limit.location,
-            (
-                f"the lower limit of {about} ({lower:g}) is greater than the upper limit ({upper:g}): no position is "
-                f"allowed; {_mended(joint, lower, upper, description)}"
+        yield (
+            "inverted",
+            finding(
+                description,
+                limit.location,
+                (
+                    f"the lower limit of {about} ({lower:g}) is greater than the upper limit ({upper:g}): no position is "
+                    f"allowed; {_mended(joint, lower, upper, description)}"
+                ),
+                about,
+                joint,
+                Level.WARNING,
             ),
-            about,
-            joint,
-            Level.WARNING,
         )
 
 

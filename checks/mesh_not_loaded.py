@@ -48,22 +48,25 @@ def _found(project: Project) -> Iterator[tuple[str, Finding]]:
                     continue
                 disguised.add(mesh.path)
             if said:
-                yield "" if mesh.is_missing else mesh.filename or "", Finding(
-                    at=mesh.location,
-                    message=said,
-                    about=(description.package or description.robot.path, mesh.filename or ""),
-                    related=tuple(
-                        (each.location, _also(each, mesh, is_literal))
-                        for each in others
-                        if each.location != mesh.location
-                    )[:_SHOWN],
-                    flow=lead(description, mesh.way),
-                    apart=(mesh.filename or "",),
-                    level=Level.NOTE
-                    if not mesh.is_missing or _is_left_over(description, project)
-                    else Level.ERROR
-                    if mesh.certain
-                    else None,
+                yield (
+                    "" if mesh.is_missing else mesh.filename or "",
+                    Finding(
+                        at=mesh.location,
+                        message=said,
+                        about=(description.package or description.robot.path, mesh.filename or ""),
+                        related=tuple(
+                            (each.location, _also(each, mesh, is_literal))
+                            for each in others
+                            if each.location != mesh.location
+                        )[:_SHOWN],
+                        flow=lead(description, mesh.way),
+                        apart=(mesh.filename or "",),
+                        level=Level.NOTE
+                        if not mesh.is_missing or _is_left_over(description, project)
+                        else Level.ERROR
+                        if mesh.certain
+                        else None,
+                    ),
                 )
 
 

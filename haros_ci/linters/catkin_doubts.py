@@ -46,6 +46,12 @@ _OUTSIDE = re.compile(
 _MODULES = re.compile(
     r"\b(?:packages|package_dir|package_data|py_modules|scripts|find_packages|find_namespace_packages|data_files|ext_modules|entry_points)\b"
 )
+#: ``package_dir={'': 'src'}``, the directories in it, and what else setup.py can install.
+_PACKAGE_DIR = re.compile(r"\bpackage_dir['\"]?\s*[=:]\s*\{([^{}]{0,1000})\}")
+_FOLDER = re.compile(r":\s*['\"]([^'\"]{1,200})['\"]")
+_OTHERS = re.compile(
+    r"\b(?:scripts|py_modules|data_files|ext_modules|entry_points|package_data|find_packages|find_namespace_packages)['\"]?\]?\s*[=:(]"
+)
 #: Characters of a statement that are looked at.
 _LONGEST = 2000
 
@@ -68,8 +74,8 @@ def is_refuted(
     if rule == "EXTERNAL_SUBDIR":
         return _is_shared(at, workspace)
     if rule == "MISSING_PYTHON_SETUP":
-        setup = workspace.text(join(directory, "setup.py"))
-        return "setup" in setup and _MODULES.search(re.sub(r"#[^\n]*", "", setup)) is None
+        setup = re.sub(r"#[^\n]*", "", workspace.text(join(directory, "setup.py")))
+        return "setup" in setup and (_MODULES.search(setup) is None or _has_no_module(setup, directory, workspace))
     named = _FILE.search(message)
     if named is None:
         return False
@@ -86,6 +92,15 @@ def is_refuted(
     if rule == "EXTERNAL_FILE" and not named[1].startswith("/"):
         return any(file.path in (here, beside) for file in workspace.files)
     return False
+
+
+def _has_no_module(setup: str, directory: str, workspace: Workspace) -> bool:
+    """Whether the directories that setup.py names for its packages have no Python file, and it installs nothing else: a call would fail."""
+    folders = [folder for each in _PACKAGE_DIR.finditer(setup) for folder in _FOLDER.findall(each[1])]
+    if not folders or _OTHERS.search(setup):
+        return False
+    below = tuple(f"{normpath(join(directory, folder))}/".removeprefix("./") for folder in folders)
+    return not any(name.endswith(".py") and name.startswith(below) for name in workspace.names)
 
 
 def _is_shared(at: Location, workspace: Workspace) -> bool:
