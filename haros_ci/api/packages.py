@@ -82,7 +82,7 @@ from haros_ci.checking.provision import (
     last_dependency,
     others_of,
 )
-from haros_ci.checking.requirements import distributions_of, normal, pinned
+from haros_ci.checking.requirements import distributions_of, left_to_pip, normal, pinned
 from haros_ci.checking.unbuilt import SUFFIXES, loose
 from haros_ci.checking.undeclared import (
     asks_what_is_installed,
@@ -106,6 +106,7 @@ from haros_ci.checking.uninstalled import (
     plugin_library,
     uninstalled,
 )
+from haros_ci.checking.unreached import unreached
 from haros_ci.checking.using import Using
 from haros_ci.checking.whole import repositories_named
 from haros_ci.checking.worlds import dependency_tag, serves_both
@@ -208,6 +209,7 @@ __all__ = [
     "knowledge",
     "landings",
     "last_dependency",
+    "left_to_pip",
     "left_out_on_purpose",
     "loaders",
     "lookups",
@@ -238,6 +240,7 @@ __all__ = [
     "set_attribute",
     "set_text",
     "uninstalled",
+    "unreached",
     "used_by_launch_files",
     "variant",
     "word",
