@@ -26,6 +26,7 @@ from haros_ci.api.packages import (
     normal,
     others_of,
     pinned,
+    said_misplaced,
     unreached,
 )
 
@@ -154,7 +155,7 @@ def _finding(package: ProjectPackage, group: list[_Missing]) -> Finding:
     return Finding(
         at=last_dependency(package),
         message=f"{package.name} imports {listed(modules)}, but package.xml declares no package that provides {them}: "
-        f"{fails}; add {listed(lines)}{_by_choice(group)}{_aside(group)}",
+        f"{fails}; add {listed(lines)}{_by_choice(group)}{_aside(group)}{said_misplaced(package, (each.name for each in group))}",
         about=(package.name, *modules),
         related=tuple(place for each in group for place in _places(each)),
         apart=modules,

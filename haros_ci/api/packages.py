@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from haros_ci.checking.appearing import is_ignored, is_told_of, may_appear
+from haros_ci.checking.boost import boost_keys
 from haros_ci.checking.cmake import OF_TARGETS, CMake, Install, Link
 from haros_ci.checking.counterparts import COUNTERPARTS
 from haros_ci.checking.devel_spaces import DevelSpaces
@@ -45,6 +46,7 @@ from haros_ci.checking.manifests import (
     needs,
     place,
     reaches,
+    said_misplaced,
     word,
 )
 from haros_ci.checking.needs import Need, needs_of
@@ -169,6 +171,7 @@ __all__ = [
     "add_export",
     "applying",
     "asks_what_is_installed",
+    "boost_keys",
     "brings",
     "brought_by",
     "build_types",
@@ -236,6 +239,7 @@ __all__ = [
     "registrations",
     "rename_element",
     "repositories_named",
+    "said_misplaced",
     "serves_both",
     "set_attribute",
     "set_text",
