@@ -84,3 +84,20 @@ def test_limits_of_a_macro(tmp_path: Path) -> None:
     text = f'{HEAD}<link name="palm"/>\n{macro}<xacro:finger name="a"/>\n<xacro:finger name="b"/>\n</robot>\n'
     (result,) = results("broken-robot-model", {"urdf/hand.urdf.xacro": text}, tmp_path)
     assert "; the same is true of joint b_joint, by other calls" in result.message
+
+
+def test_a_file_that_a_macro_includes(tmp_path: Path) -> None:
+    macro = '<xacro:macro name="part" params="name">\n<xacro:include filename="$(find demo)/urdf/${name}.xacro"/>\n</xacro:macro>\n'
+    calls = '<xacro:part name="arm"/>\n<xacro:part name="hand"/>\n'
+    launch = '<launch><param name="robot_description" command="xacro $(find demo)/urdf/a.urdf.xacro"/></launch>\n'
+    files = {"urdf/a.urdf.xacro": f'{HEAD}{macro}{calls}<link name="l"/>\n</robot>\n', "launch/a.launch": launch}
+    found = results("undefined-in-xacro", files, tmp_path)
+    assert len(found) == 1 and "the same is true of" in found[0].message and "hand.xacro" in found[0].message
+
+
+def test_two_names_in_one_line_are_two_findings(tmp_path: Path) -> None:
+    text = f'{HEAD}<xacro:macro name="part" params="n">\n<link name="${{a}}${{n}}"/><link name="${{b}}${{n}}"/>\n</xacro:macro>\n'
+    text += '<xacro:part n="1"/>\n<xacro:part n="2"/>\n<link name="c"/><joint name="j"/>\n</robot>\n'
+    launch = '<launch><param name="robot_description" command="xacro $(find demo)/urdf/a.urdf.xacro"/></launch>\n'
+    found = results("undefined-in-xacro", {"urdf/a.urdf.xacro": text, "launch/a.launch": launch}, tmp_path)
+    assert len(found) == 2 and not any("the same is true" in each.message for each in found)
