@@ -31,7 +31,7 @@ _MAKES_NAMES = re.compile(
 #: What ends the program, and what makes another thing of the name.
 _EXIT = re.compile(r"^[ \t]*(?:exit|quit|sys\.exit|os\._exit)[ \t]*\(", re.MULTILINE)
 _OWN_EXIT = re.compile(
-    r"\bdef[ \t]+(?:exit|quit)\b|\bimport[ \t]+[\w, \t]*\b(?:exit|quit)\b|\bas[ \t]+(?:exit|quit|sys)\b|^[ \t]*(?:exit|quit)[ \t]*=",
+    r"\bdef[ \t]+(?:exit|quit)\b|\bimport[ \t][\w, \t]{0,300}\b(?:exit|quit)\b|\bas[ \t]+(?:exit|quit|sys)\b|^[ \t]*(?:exit|quit)[ \t]*=",
     re.MULTILINE,
 )
 

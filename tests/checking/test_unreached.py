@@ -156,3 +156,19 @@ def test_a_change_alone_leaves_nothing_to_pip(tmp_path: Path) -> None:
     for number, (before, expected) in enumerate(((SETUP.format(""), Level.ERROR), (setup, Level.NOTE))):
         found = results({**NODE, "setup.py": setup}, tmp_path / str(number), {**NODE, "setup.py": before})
         assert [level for level, _ in found] == [expected]
+
+
+def test_a_package_in_a_directory(tmp_path: Path) -> None:
+    files = {
+        "src/demo/package.xml": ROS2,
+        "src/demo/setup.py": SETUP.format('install_requires=["cv2"], '),
+        "src/demo/demo/__init__.py": "",
+        "src/demo/demo/main.py": MAIN.format("from demo.tools import plots"),
+        "src/demo/demo/old/filters.py": USE,
+        "src/demo/demo/tools/plots.py": "import matplotlib\n",
+        "src/demo/demo/tools/filters.py": USE,
+    }
+    check = next(check for check in checks() if check.id == "undeclared-import")
+    found = {result.level: result.message for result in said(check, Example("", True, files), tmp_path)}
+    assert set(found) == {Level.ERROR, Level.NOTE}
+    assert "imports matplotlib" in found[Level.ERROR] and "imports scipy" in found[Level.NOTE]
