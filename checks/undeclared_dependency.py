@@ -79,7 +79,7 @@ def check(project: Project) -> Iterator[Finding]:
             else:
                 proposed[package.name] = proposed.get(package.name, frozenset()) | {name}
                 others = [said[each] for each, by in brought.items() if by == providers]
-                yield _finding(package, providers, uses, others, _closure(name, package.ros, provisions))
+                yield _finding(package, providers, uses, others, provisions)
         if provided is not None and not provided.is_open and not _has_environment(package, provisions):
             yield from _environment(package)
 
@@ -139,9 +139,9 @@ def _finding(
     providers: frozenset[str],
     uses: list[Need],
     brought: Sequence[list[Need]],
-    comes: frozenset[str],
+    provisions: Provisions,
 ) -> Finding:
-    """*brought* is what else is needed and comes with the same package, *comes* all that comes with it."""
+    """*brought* is what else is needed and comes with the same package."""
     tested = sorted(providers & package.declared)
     if tested:
         return _only_tested(package, tested[0], uses)
@@ -150,7 +150,7 @@ def _finding(
     others = others_of(providers, name, package) if name != HEADERS else []
     is_tool = name.startswith(_TOOLS) and not any(use.is_header for use in uses)
     kind = "buildtool_depend" if is_tool else "depend"
-    is_idle = not brought and _is_idle(package, name, uses) and not _leads_to_headers(package, name, comes)
+    is_idle = not brought and _is_idle(package, name, uses) and not _leads_to_headers(package, name, provisions)
     is_certain = not others and is_of_ros(name, package.project) and not is_idle
     fix = add_dependency(package, kind, name) if is_certain else None
     tags = listed([dependency_tags(package, kind, key) for key in keys])
@@ -197,14 +197,15 @@ def _is_idle(package: ProjectPackage, name: str, uses: list[Need]) -> bool:
     return True
 
 
-def _leads_to_headers(package: ProjectPackage, name: str, comes: frozenset[str]) -> bool:
-    """Whether sources include headers of what *comes* with *name*, and find_package() names nothing else that brings them: the path to them
+def _leads_to_headers(package: ProjectPackage, name: str, provisions: Provisions) -> bool:
+    """Whether sources include headers of what comes with *name*, and find_package() names nothing else that brings them: the path to them
     may come with *name* alone, as that of Eigen does.
     """
     known = package.project.knowledge
     found = {word for command in package.commands("find_package") for word in command.arguments} - {name}
     by_others = found.union(*(known.provider_of_cmake(word) or () for word in found))
-    inner = comes - {name}
+    by_others = by_others.union(*(_closure(word, package.ros, provisions) for word in sorted(by_others)))
+    inner = _closure(name, package.ros, provisions) - {name}
     for file in package.files if inner else ():
         if file.language == "cpp":
             for included in _INCLUDE.finditer(package.project.text(file.path)):

@@ -147,7 +147,7 @@ def _finding(package: ProjectPackage, group: list[_Missing]) -> Finding:
     """One finding for all modules of which the same is at stake: they are declared in one place."""
     kind = "exec_depend" if package.raw.format > 1 else "run_depend"
     modules = tuple(module for each in group for module in each.modules)
-    lines = [f"{dependency_tags(package, kind, each.name)}{_alternative(each)}" for each in group]
+    lines = [f"{dependency_tags(package, kind, each.name)}{_alternative(each, _is_told(group))}" for each in group]
     if len(group) == 1:
         them, fails = "it", f"the import fails on a machine without {group[0].name}"
     else:
@@ -165,13 +165,18 @@ def _finding(package: ProjectPackage, group: list[_Missing]) -> Finding:
 
 
 def _by_choice(group: list[_Missing]) -> str:
-    """Where the package leaves them to pip, if that is no version."""
-    left = {each.name: each.left for each in group if each.left is not None and each.pin is None}
-    if not left:
+    """Where the package leaves them to pip, if that is not only by a version."""
+    left = {each.name: each.left or each.pin for each in group if each.left is not None or each.pin is not None}
+    if not _is_told(group):
         return ""
     what = ("it" if len(left) == 1 else "them") if len(left) == len(group) else listed(list(left))
-    places = list(dict.fromkeys(line_of(place) for place in left.values()))
+    places = list(dict.fromkeys(line_of(place) for place in left.values() if place is not None))
     return f", unless pip is to install {what}, as {listed(places)} say{'' if len(places) > 1 else 's'}"
+
+
+def _is_told(group: list[_Missing]) -> bool:
+    """Whether one of them is left to pip by more than a version: then all that pip may install is told at once."""
+    return any(each.left is not None and each.pin is None for each in group)
 
 
 def _aside(group: list[_Missing]) -> str:
@@ -204,8 +209,11 @@ def _circular(package: ProjectPackage, group: list[_Missing]) -> Finding:
     )
 
 
-def _alternative(each: _Missing) -> str:
-    pin = f", unless pip is to install it: {line_of(each.pin)} asks for a version" if each.pin is not None else ""
+def _alternative(each: _Missing, is_told: bool) -> str:
+    """What would do as well; *is_told* where the message says for all together that pip may install them."""
+    pin = ""
+    if each.pin is not None and not is_told:
+        pin = f", unless pip is to install it: {line_of(each.pin)} asks for a version"
     return (f" (or {', '.join(each.others)})" if each.others else "") + pin
 
 

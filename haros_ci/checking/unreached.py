@@ -25,7 +25,7 @@ def unreached(package: ProjectPackage, paths: Iterable[str]) -> frozenset[str]:
     """Those of *paths*, Python files of *package*, that no entry point, install rule or launch file names and no file that is reached imports.
 
     They lie in a directory called ``old``, ``prototype`` and the like, or outside of the packages that setup.py names, or nothing of the
-    workspace names them beside the programs that there are. An import in a comment is none.
+    workspace names them beside the programs that there are. An import in a comment is none. A script lies aside by its directory alone.
     """
     wanted = {each.path for each in package.build.entry_points}
     wanted |= {each.path for each in package.build.installed if each.kind != "directory"}
@@ -34,7 +34,8 @@ def unreached(package: ProjectPackage, paths: Iterable[str]) -> frozenset[str]:
     if not candidates or len(python) > _MOST_FILES:
         return frozenset()
     loose = {path for path in python if path not in wanted and _is_loose(package, path)}
-    found = {path for path in candidates - loose if wanted and is_unstarted(package.project, path)}
+    scripts = set(package.build.scripts)  # people start them by hand
+    found = {path for path in candidates - loose - scripts if wanted and is_unstarted(package.project, path)}
     if not candidates & loose:
         return frozenset(found)
     started = frozenset(_started(package))
@@ -54,6 +55,8 @@ def _is_loose(package: ProjectPackage, path: str) -> bool:
     inner = path[len(package.inside("")) :]
     if any(_ASIDE.fullmatch(part) for part in inner.split("/")[:-1]):
         return True
+    if path in package.build.scripts:
+        return False
     named = {name for name, _ in package.build.python_packages}
     roots = dict(package.build.python_roots)
     if not named or not roots or "launch" in inner:

@@ -48,7 +48,9 @@ _MODULES = re.compile(
 )
 #: ``package_dir={'': 'src'}``, the directories in it, and what else setup.py can install.
 _PACKAGE_DIR = re.compile(r"\bpackage_dir['\"]?\s*[=:]\s*\{([^{}]{0,1000})\}")
-_FOLDER = re.compile(r":\s*['\"]([^'\"]{1,200})['\"]")
+_FOLDER = re.compile(r"['\"]([\w.]{0,200})['\"]\s*:\s*['\"]([^'\"]{1,200})['\"]")
+_PACKAGES = re.compile(r"\bpackages['\"]?\s*[=:]\s*\[([^\[\]]{0,1000})\]")
+_QUOTED = re.compile(r"['\"]([\w.]{1,200})['\"]")
 _OTHERS = re.compile(
     r"\b(?:scripts|py_modules|data_files|ext_modules|entry_points|package_data|find_packages|find_namespace_packages)['\"]?\]?\s*[=:(]"
 )
@@ -96,11 +98,15 @@ def is_refuted(
 
 def _has_no_module(setup: str, directory: str, workspace: Workspace) -> bool:
     """Whether the directories that setup.py names for its packages have no Python file, and it installs nothing else: a call would fail."""
-    folders = [folder for each in _PACKAGE_DIR.finditer(setup) for folder in _FOLDER.findall(each[1])]
+    folders = [pair for each in _PACKAGE_DIR.finditer(setup) for pair in _FOLDER.findall(each[1])]
+    named = [name for each in _PACKAGES.finditer(setup) for name in _QUOTED.findall(each[1])]
     if not folders or _OTHERS.search(setup):
         return False
-    below = tuple(f"{normpath(join(directory, folder))}/".removeprefix("./") for folder in folders)
-    return not any(name.endswith(".py") and name.startswith(below) for name in workspace.names)
+    below: list[str] = []
+    for key, folder in folders:
+        inner = [name.replace(".", "/") for name in named] if named and not key else [""]
+        below += [f"{normpath(join(directory, folder, each))}/" for each in inner]
+    return not any(name.endswith(".py") and name.startswith(tuple(below)) for name in workspace.names)
 
 
 def _is_shared(at: Location, workspace: Workspace) -> bool:

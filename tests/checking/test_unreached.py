@@ -70,6 +70,8 @@ def results(files: dict[str, str], tmp_path: Path, base: dict[str, str] | None =
         ({"demo/main.py": MAIN.format(""), "demo/filters.py": USE}, Level.NOTE),
         ({"demo/main.py": MAIN.format(""), "demo/filters.py": USE, "README.md": "Import filters.\n"}, Level.ERROR),
         ({"demo/main.py": MAIN.format("from demo import filters"), "demo/filters.py": USE}, Level.ERROR),
+        ({"demo/main.py": MAIN.format(""), "demo/filters.py": f"#!/usr/bin/env python3\n{USE}"}, Level.ERROR),
+        ({"demo/main.py": MAIN.format(""), "demo/old/filters.py": f"#!/usr/bin/env python3\n{USE}"}, Level.NOTE),
         ({"demo/main.py": MAIN.format("import scipy"), "demo/old/filters.py": USE}, Level.ERROR),
         ({"demo/old/main.py": USE, "demo/main.py": MAIN.format("import scipy")}, Level.ERROR),
     ],
@@ -172,3 +174,20 @@ def test_a_package_in_a_directory(tmp_path: Path) -> None:
     found = {result.level: result.message for result in said(check, Example("", True, files), tmp_path)}
     assert set(found) == {Level.ERROR, Level.NOTE}
     assert "imports matplotlib" in found[Level.ERROR] and "imports scipy" in found[Level.NOTE]
+
+
+@pytest.mark.parametrize(
+    ("requirements", "expected"),
+    [
+        ("scipy\nmatplotlib\n", ", unless pip is to install them, as requirements.txt:1 and requirements.txt:2 say"),
+        (
+            "scipy==1.9\nmatplotlib\n",
+            ", unless pip is to install them, as requirements.txt:1 and requirements.txt:2 say",
+        ),
+        ("scipy==1.9\nmatplotlib==3.5\n", ", unless pip is to install it: requirements.txt:2 asks for a version"),
+    ],
+)
+def test_what_pip_may_install_is_told_once(requirements: str, expected: str, tmp_path: Path) -> None:
+    files = {"requirements.txt": requirements, "README.md": "pip install -r requirements.txt\n"}
+    ((level, message),) = results({"demo/main.py": MAIN.format("import scipy\nimport matplotlib"), **files}, tmp_path)
+    assert level is Level.NOTE and expected in message and ("asks for" in message) == ("asks for" in expected)
