@@ -45,6 +45,7 @@ from haros_ci.registry import checks
             "",
             "meshes/base_link_2.dae",
         ),
+        ("config/drive_param.yaml", ["config/drive.param.yaml"], "", "config/drive.param.yaml"),
         ("config/navigation.yaml", ["config/navigaton.yaml"], "", "config/navigaton.yaml"),
         # weak: the directory, the ending and a word are the same
         ("launch/inc/start_cameras.launch.xml", ["launch/inc/start_compass_driver.launch.xml"], "", None),

@@ -56,7 +56,7 @@ def _rank(base: str, stem: str, other: str, name: str, owner: str) -> tuple[int,
     """How near a file's name is, 0 for the same one; None for another one."""
     if other == base:
         return 0, 1.0
-    if _squeezed(stem) == _squeezed(name):
+    if _squeezed(stem) == _squeezed(name) or _squeezed(base) == _squeezed(other):
         return 1, float(_squeezed(other) == _squeezed(base))
     if owner and _squeezed(name) in (_squeezed(owner + stem), _squeezed(stem + owner)):
         return 2, 1.0
@@ -91,4 +91,4 @@ def _words(name: str) -> list[str]:
 
 
 def _squeezed(name: str) -> str:
-    return re.sub(r"[-_ ]", "", name).lower()
+    return re.sub(r"[-_ .]", "", name).lower()
