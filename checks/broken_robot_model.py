@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, Project
-from haros_ci.api.robots import Description, Joint, RobotLink, descriptions, lead, place_of
+from haros_ci.api.robots import Description, Joint, RobotLink, descriptions, lead, place_of, together
 
 #: Joints that urdfdom refuses without a <limit> (parseJoint).
 _LIMITED = ("revolute", "prismatic")
@@ -20,6 +20,12 @@ MAX_LINES = 200
 
 
 def check(project: Project) -> Iterator[Finding]:
+    yield from together(_found(project))
+
+
+def _found(project: Project) -> Iterator[tuple[str, Finding]]:
+    """The findings, each with what makes those at one place one: limits of the joints that one macro makes."""
+    count = 0
     for description in descriptions(project):
         robot = description.robot
         if robot.root != "robot" or any(fault.certain and fault.kind != "unprefixed" for fault in robot.faults):
@@ -28,10 +34,12 @@ def check(project: Project) -> Iterator[Finding]:
             if joint.certain:
                 yield from limits(description, joint)
         twice = list(doubles(description, project))
-        yield from twice
+        for each in twice:
+            yield f"{(count := count + 1)}", each
         is_part = not description.is_named and not robot.path.endswith(".urdf")
         if robot.is_whole and robot.links and not (twice or is_part) and all(link.name for link in robot.links):
-            yield from tree(description)
+            for each in tree(description):
+                yield f"{(count := count + 1)}", each
 
 
 def finding(
@@ -55,48 +63,74 @@ def finding(
     )
 
 
-def limits(description: Description, joint: Joint) -> Iterator[Finding]:
+def limits(description: Description, joint: Joint) -> Iterator[tuple[str, Finding]]:
     """A ``<limit>`` that is missing, that lacks what it has to say, or that is the wrong way round."""
     about = f"joint {joint.name or '?'}"
     limit = joint.limit
     if limit is None:
         if joint.type in _LIMITED and description.robot.is_whole:
-            yield finding(
-                description,
-                joint.location,
-                (
-                    f"the {joint.type} {about} has no <limit>: urdfdom rejects the whole robot; add <limit>, or make the "
-                    "joint continuous or fixed"
+            yield (
+                "no limit",
+                finding(
+                    description,
+                    joint.location,
+                    (
+                        f"the {joint.type} {about} has no <limit>: urdfdom rejects the whole robot; add <limit>, or make the "
+                        "joint continuous or fixed"
+                    ),
+                    about,
+                    joint,
                 ),
-                about,
-                joint,
             )
         return
     missing = [name for name in ("effort", "velocity") if getattr(limit, name) is None]
     if missing and description.robot.is_whole:
-        yield finding(
-            description,
-            limit.location,
-            (
-                f"the <limit> of {about} has no {' and no '.join(missing)}: urdfdom rejects the whole robot; add the "
-                "attribute"
+        yield (
+            f"without {missing}",
+            finding(
+                description,
+                limit.location,
+                (
+                    f"the <limit> of {about} has no {' and no '.join(missing)}: urdfdom rejects the whole robot; add the "
+                    "attribute"
+                ),
+                about,
+                joint,
             ),
-            about,
-            joint,
         )
     lower, upper = number(limit.lower), number(limit.upper)
     if joint.type in _LIMITED and lower is not None and upper is not None and lower > upper:
-        yield finding(
-            description,
-            limit.location,
-            (
-                f"the lower limit of {about} ({lower:g}) is greater than the upper limit ({upper:g}): no position is "
-                "allowed; swap the two values"
+        yield (
+            "inverted",
+            finding(
+                description,
+                limit.location,
+                (
+                    f"the lower limit of {about} ({lower:g}) is greater than the upper limit ({upper:g}): no position is "
+                    f"allowed; {_mended(joint, lower, upper, description)}"
+                ),
+                about,
+                joint,
+                Level.WARNING,
             ),
-            about,
-            joint,
-            Level.WARNING,
         )
+
+
+def _mended(joint: Joint, lower: float, upper: float, description: Description) -> str:
+    """What to write instead of *lower* and *upper*; for a joint that follows another one backwards that one's range, turned."""
+    factor = 1.0 if joint.factor is None else number(joint.factor)
+    if joint.mimic is None or (factor is not None and factor >= 0):
+        return "swap the two values"
+    if factor is None:
+        return f"the joint mimics {joint.mimic}: write the range that this gives it, the smaller value first"
+    names = [each for each in description.robot.joints if each.name == joint.mimic and each.limit is not None]
+    limit, offset = names[0].limit if len(names) == 1 else None, number(joint.offset)
+    low, high = (number(limit.lower), number(limit.upper)) if limit is not None else (None, None)
+    what = f"the joint mimics {joint.mimic} times {factor:g}"
+    if low is None or high is None or offset is None or low > high:
+        return f"{what}: write the range of {joint.mimic} times {factor:g}, the smaller value first"
+    ends = sorted((low * factor + offset + 0.0, high * factor + offset + 0.0))
+    return f'{what}: write lower="{ends[0]:g}" upper="{ends[1]:g}"'
 
 
 def number(text: str | None) -> float | None:

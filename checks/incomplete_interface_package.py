@@ -20,6 +20,7 @@ from haros_ci.api.packages import (
     needs,
     place,
     reaches,
+    said_misplaced,
     set_attribute,
     word,
 )
@@ -141,7 +142,7 @@ def _missing(package: ProjectPackage, call: CMakeCommand, name: str, kind: str, 
     fix = add_dependency(package, kind, name)
     return Finding(
         at=place(package, None),
-        message=f"{package} generates interfaces, but does not depend on {name}: {effect}; add {dependency_tags(package, kind, name)}",
+        message=f"{package} generates interfaces, but does not depend on {name}: {effect}; add {dependency_tags(package, kind, name)}{said_misplaced(package, (name,))}",
         about=(package.name, name),
         related=((call.location, "interfaces are generated here"),),
         fixes=() if fix is None else (fix,),

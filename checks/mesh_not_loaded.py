@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 
 from haros_ci.api import Check, Finding, Level, Project
 from haros_ci.api.launch import meant
-from haros_ci.api.robots import Description, Mesh, descriptions, lead
+from haros_ci.api.robots import Description, Mesh, descriptions, lead, together
 
 #: Places of other meshes in the same directory.
 _SHOWN = 40
@@ -23,6 +23,11 @@ _SUFFIXES = (".stl", ".dae", ".obj", ".glb", ".gltf", ".ply", ".fbx", ".3ds", ".
 
 
 def check(project: Project) -> Iterator[Finding]:
+    yield from together(_found(project))
+
+
+def _found(project: Project) -> Iterator[tuple[str, Finding]]:
+    """The findings, each with what makes those at one place one: files that do not exist; each that is there is to be exported anew."""
     meshes = [path for path in project.workspace.names if path.lower().endswith(_SUFFIXES)]
     disguised: set[str] = set()
     for description in descriptions(project):
@@ -43,22 +48,25 @@ def check(project: Project) -> Iterator[Finding]:
                     continue
                 disguised.add(mesh.path)
             if said:
-                yield Finding(
-                    at=mesh.location,
-                    message=said,
-                    about=(description.package or description.robot.path, mesh.filename or ""),
-                    related=tuple(
-                        (each.location, _also(each, mesh, is_literal))
-                        for each in others
-                        if each.location != mesh.location
-                    )[:_SHOWN],
-                    flow=lead(description, mesh.way),
-                    apart=(mesh.filename or "",),
-                    level=Level.NOTE
-                    if not mesh.is_missing or _is_left_over(description, project)
-                    else Level.ERROR
-                    if mesh.certain
-                    else None,
+                yield (
+                    "" if mesh.is_missing else mesh.filename or "",
+                    Finding(
+                        at=mesh.location,
+                        message=said,
+                        about=(description.package or description.robot.path, mesh.filename or ""),
+                        related=tuple(
+                            (each.location, _also(each, mesh, is_literal))
+                            for each in others
+                            if each.location != mesh.location
+                        )[:_SHOWN],
+                        flow=lead(description, mesh.way),
+                        apart=(mesh.filename or "",),
+                        level=Level.NOTE
+                        if not mesh.is_missing or _is_left_over(description, project)
+                        else Level.ERROR
+                        if mesh.certain
+                        else None,
+                    ),
                 )
 
 

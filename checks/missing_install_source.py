@@ -6,10 +6,10 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator
-from difflib import get_close_matches
 
 from haros_ci.api import Check, Finding, Level, Project, ProjectPackage
-from haros_ci.api.packages import CMakeCommand, is_told_of, may_appear
+from haros_ci.api.launch import similar_files
+from haros_ci.api.packages import CMakeCommand, exports, is_told_of, may_appear
 
 _KINDS = ("FILES", "PROGRAMS", "DIRECTORY")
 #: Words that end what install() and its like are told to install.
@@ -70,11 +70,11 @@ def _finding(project: Project, package: ProjectPackage, command: CMakeCommand, w
     beside = {
         name[len(prefix) :].partition("/")[0] for name in project.workspace.names if name.startswith(prefix or "")
     }
-    near = get_close_matches(posixpath.basename(path), sorted(beside), 1, 0.7)
+    near = _exported(package, path) or similar_files(path, sorted(f"{prefix}{name}" for name in beside), package.name)
     if "*" in word or "?" in word:
         hint = "install() does not expand patterns; list the files with file(GLOB), or install the directory"
     elif near:
-        hint = f"did you mean {near[0]}?"
+        hint = f"did you mean {near[0].removeprefix(prefix)}?"
     else:
         hint = "git does not store empty directories; remove the line, or add the missing file"
     return Finding(
@@ -83,6 +83,17 @@ def _finding(project: Project, package: ProjectPackage, command: CMakeCommand, w
         about=(package.name, shown),
         apart=(shown,),
     )
+
+
+def _exported(package: ProjectPackage, path: str) -> list[str]:
+    """The one file of the same kind that the manifest exports and that is there: what is installed has to have it."""
+    suffix = posixpath.splitext(path)[1]
+    named = {value for each in exports(package) for value in each.attributes.values() if value.startswith("${prefix}/")}
+    found = [
+        package.inside(value.removeprefix("${prefix}/")) for value in sorted(named) if suffix and value.endswith(suffix)
+    ]
+    installed = {command.place(word) for command in package.build.commands for word in command.arguments}
+    return found if len(found) == 1 and package.project.exists(found[0]) and found[0] not in installed else []
 
 
 CHECK = Check(

@@ -7,9 +7,9 @@ import posixpath
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from difflib import get_close_matches
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api.launch import similar_files
 from haros_ci.api.packages import landings, may_appear
 
 #: What gives the directory of a package: ament_index_cpp, ament_index_python, roslib, rospkg.
@@ -117,8 +117,7 @@ def _finding(package: ProjectPackage, use: _Use) -> Iterator[Finding]:
     else:
         prefix = "" if package.path == "." else f"{package.path}/"
         own = sorted(name[len(prefix) :] for name in project.workspace.names if name.startswith(prefix))[:2000]
-        same = [name for name in own if posixpath.basename(name) == posixpath.basename(use.inner)]
-        near = same or get_close_matches(use.inner, own, 1, 0.8)
+        near = similar_files(use.inner, own, package.name)
         said = f"but {package.name} does not have this file: opening it fails" + (
             f"; did you mean {near[0]!r}?" if near else ""
         )

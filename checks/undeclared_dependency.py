@@ -13,6 +13,7 @@ from haros_ci.api.packages import (
     Provisions,
     Sources,
     add_dependency,
+    boost_keys,
     closes_a_cycle,
     dependency_tags,
     first_provider,
@@ -21,8 +22,11 @@ from haros_ci.api.packages import (
     needs_of,
     others_of,
     repositories_named,
+    said_misplaced,
 )
 
+#: Boost without its libraries.
+HEADERS = "libboost-dev"
 #: The beginnings of names of packages that only the build needs.
 _TOOLS = (
     "ament_cmake",
@@ -74,9 +78,8 @@ def check(project: Project) -> Iterator[Finding]:
                 yield _circular(package, name, uses)
             else:
                 proposed[package.name] = proposed.get(package.name, frozenset()) | {name}
-                yield _finding(
-                    package, providers, uses, [said[each] for each, by in brought.items() if by == providers]
-                )
+                others = [said[each] for each, by in brought.items() if by == providers]
+                yield _finding(package, providers, uses, others, provisions)
         if provided is not None and not provided.is_open and not _has_environment(package, provisions):
             yield from _environment(package)
 
@@ -132,26 +135,33 @@ def _put(missing: dict[frozenset[str], list[Need]], need: Need) -> None:
 
 
 def _finding(
-    package: ProjectPackage, providers: frozenset[str], uses: list[Need], brought: Sequence[list[Need]] = ()
+    package: ProjectPackage,
+    providers: frozenset[str],
+    uses: list[Need],
+    brought: Sequence[list[Need]],
+    provisions: Provisions,
 ) -> Finding:
     """*brought* is what else is needed and comes with the same package."""
     tested = sorted(providers & package.declared)
     if tested:
         return _only_tested(package, tested[0], uses)
-    name = first_provider(providers, package)
-    others = others_of(providers, name, package)
+    name = HEADERS if HEADERS in providers else first_provider(providers, package)
+    keys = boost_keys(package) if name == HEADERS else (name,)
+    others = others_of(providers, name, package) if name != HEADERS else []
     is_tool = name.startswith(_TOOLS) and not any(use.is_header for use in uses)
     kind = "buildtool_depend" if is_tool else "depend"
-    is_idle = _is_idle(package, name, uses)
+    is_idle = not brought and _is_idle(package, name, uses) and not _leads_to_headers(package, name, provisions)
     is_certain = not others and is_of_ros(name, package.project) and not is_idle
     fix = add_dependency(package, kind, name) if is_certain else None
+    tags = listed([dependency_tags(package, kind, key) for key in keys])
+    said = listed(keys)
     alternative = f" (or {', '.join(others)})" if others else ""
     if brought:
         alternative += f", which brings {listed([each[0].what.removeprefix('#include ') for each in brought])}, too"
     return Finding(
         at=last_dependency(package),
-        message=f"{package.name} needs {name} to build ({uses[0].what}), but package.xml does not declare it: the build "
-        f"fails on a machine without {name}; {_REMOVE if is_idle else ''}add {dependency_tags(package, kind, name)}{alternative}",
+        message=f"{package.name} needs {said} to build ({uses[0].what}), but package.xml does not declare {'it' if len(keys) == 1 else 'them'}: the build "
+        f"fails on a machine without {said}; {_REMOVE if is_idle else ''}add {tags}{alternative}{said_misplaced(package, providers)}",
         about=(package.name, name),
         related=tuple(
             (use.location, f"needs {name}: {use.what}") for each in (uses, *brought) for use in each[:_SHOWN]
@@ -185,6 +195,24 @@ def _is_idle(package: ProjectPackage, name: str, uses: list[Need]) -> bool:
         ):
             return False
     return True
+
+
+def _leads_to_headers(package: ProjectPackage, name: str, provisions: Provisions) -> bool:
+    """Whether sources include headers of what comes with *name*, and find_package() names nothing else that brings them: the path to them
+    may come with *name* alone, as that of Eigen does.
+    """
+    known = package.project.knowledge
+    found = {word for command in package.commands("find_package") for word in command.arguments} - {name}
+    by_others = found.union(*(known.provider_of_cmake(word) or () for word in found))
+    by_others = by_others.union(*(_closure(word, package.ros, provisions) for word in sorted(by_others)))
+    inner = _closure(name, package.ros, provisions) - {name}
+    for file in package.files if inner else ():
+        if file.language == "cpp":
+            for included in _INCLUDE.finditer(package.project.text(file.path)):
+                providers = known.provider_of_header(included[1]) or frozenset()
+                if providers & inner and not providers & by_others:
+                    return True
+    return False
 
 
 def _is_built_from_source(project: Project, providers: frozenset[str]) -> bool:

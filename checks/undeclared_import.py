@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, line_of, listed
 from haros_ci.api.packages import (
@@ -21,10 +21,13 @@ from haros_ci.api.packages import (
     is_called_after,
     is_of_ros,
     last_dependency,
+    left_to_pip,
     needs_of,
     normal,
     others_of,
     pinned,
+    said_misplaced,
+    unreached,
 )
 
 #: So many places of one module are related.
@@ -37,7 +40,8 @@ _KEY = re.compile(r"^python3?-|-pip$")
 class _Missing:
     """A package that is not declared: what to declare, *others* that would do as well, and the modules of it that are imported.
 
-    *pin* is where pip is asked for a version of it.
+    *pin* is where pip is asked for a version of it, *left* where the package leaves it to pip on purpose. *is_idle* says that nothing which runs
+    imports it.
     """
 
     name: str
@@ -45,6 +49,8 @@ class _Missing:
     uses: tuple[Need, ...]
     is_certain: bool
     pin: Location | None
+    left: Location | None = None
+    is_idle: bool = False
 
     @property
     def modules(self) -> tuple[str, ...]:
@@ -54,7 +60,7 @@ class _Missing:
     def level(self) -> Level | None:
         """bloom takes no keys of pip, and the system has one version only: many have their users install such by hand."""
         is_pip = all(key.endswith("-pip") for key in (self.name, *self.others))
-        return Level.NOTE if is_pip or self.pin is not None else None
+        return Level.NOTE if is_pip or self.is_idle or self.pin is not None or self.left is not None else None
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -75,8 +81,9 @@ def check(project: Project) -> Iterator[Finding]:
         if not missing:
             continue
         built = _for_building(package, provisions, sources)
-        pins = pinned(package)
-        groups: dict[tuple[Level | None, bool], list[_Missing]] = {}
+        pins, left = pinned(package), left_to_pip(package)
+        aside = unreached(package, {use.location.path for uses in missing.values() for use in uses})
+        groups: dict[tuple[Level | None, bool, bool], list[_Missing]] = {}
         for providers, uses in missing.items():
             tested = sorted(providers & package.declared)
             if providers & built:
@@ -84,12 +91,13 @@ def check(project: Project) -> Iterator[Finding]:
             if tested:
                 yield _only_tested(package, tested[0], uses)
             else:
-                each = _missing(package, uses, pins)
+                running = [use for use in uses if use.location.path not in aside]
+                each = replace(_missing(package, running or uses, pins, left), is_idle=not running)
                 is_circular = closes_a_cycle(package.name, each.name, project.manifests, proposed)
-                groups.setdefault((each.level, is_circular), []).append(each)
+                groups.setdefault((each.level, is_circular, each.is_idle), []).append(each)
                 if not is_circular:
                     proposed[package.name] = proposed.get(package.name, frozenset()) | {each.name}
-        for (_, is_circular), group in groups.items():
+        for (_, is_circular, _), group in groups.items():
             yield _circular(package, group) if is_circular else _finding(package, group)
 
 
@@ -105,14 +113,20 @@ def _is_named(need: Need, package: ProjectPackage) -> bool:
     return any(is_called_after(each.name, module) for each in package.raw.dependencies if each.kind != "test_depend")
 
 
-def _missing(package: ProjectPackage, uses: list[Need], pins: Mapping[str, Location]) -> _Missing:
+def _missing(
+    package: ProjectPackage, uses: list[Need], pins: Mapping[str, Location], left: Mapping[str, Location]
+) -> _Missing:
     name = first_provider(uses[0].providers, package)
     others = others_of(uses[0].providers, name, package)
     is_certain = not others and is_of_ros(name, package.project)
     if name.startswith(("python3-", "python-")) and not name.endswith("-pip"):
         others = []  # of the other Python, of pip, or with more than the module
-    pin = next((pins[each] for use in uses for each in sorted(_called(use)) if each in pins), None)
-    return _Missing(name, tuple(others), tuple(uses), is_certain, pin)
+    called = [each for use in uses for each in sorted(_called(use))]
+    pin = next((pins[each] for each in called if each in pins), None)
+    by_pip = next((left[each] for each in called if each in left), None)
+    if any(is_of_ros(each, package.project) for each in uses[0].providers):
+        by_pip = None  # pip has no packages of ROS
+    return _Missing(name, tuple(others), tuple(uses), is_certain, pin, by_pip)
 
 
 def _for_building(package: ProjectPackage, provisions: Provisions, sources: Sources) -> frozenset[str]:
@@ -133,7 +147,7 @@ def _finding(package: ProjectPackage, group: list[_Missing]) -> Finding:
     """One finding for all modules of which the same is at stake: they are declared in one place."""
     kind = "exec_depend" if package.raw.format > 1 else "run_depend"
     modules = tuple(module for each in group for module in each.modules)
-    lines = [f"{dependency_tags(package, kind, each.name)}{_alternative(each)}" for each in group]
+    lines = [f"{dependency_tags(package, kind, each.name)}{_alternative(each, _is_told(group))}" for each in group]
     if len(group) == 1:
         them, fails = "it", f"the import fails on a machine without {group[0].name}"
     else:
@@ -141,13 +155,41 @@ def _finding(package: ProjectPackage, group: list[_Missing]) -> Finding:
     return Finding(
         at=last_dependency(package),
         message=f"{package.name} imports {listed(modules)}, but package.xml declares no package that provides {them}: "
-        f"{fails}; add {listed(lines)}",
+        f"{fails}; add {listed(lines)}{_by_choice(group)}{_aside(group)}{said_misplaced(package, (each.name for each in group))}",
         about=(package.name, *modules),
         related=tuple(place for each in group for place in _places(each)),
         apart=modules,
         level=group[0].level,
         fixes=_fixes(package, group),
     )
+
+
+def _by_choice(group: list[_Missing]) -> str:
+    """Where the package leaves them to pip, if that is not only by a version."""
+    left = {each.name: each.left or each.pin for each in group if each.left is not None or each.pin is not None}
+    if not _is_told(group):
+        return ""
+    what = ("it" if len(left) == 1 else "them") if len(left) == len(group) else listed(list(left))
+    places = list(dict.fromkeys(line_of(place) for place in left.values() if place is not None))
+    return f", unless pip is to install {what}, as {listed(places)} say{'' if len(places) > 1 else 's'}"
+
+
+def _is_told(group: list[_Missing]) -> bool:
+    """Whether one of them is left to pip by more than a version: then all that pip may install is told at once."""
+    return any(each.left is not None and each.pin is None for each in group)
+
+
+def _aside(group: list[_Missing]) -> str:
+    """That only files import it which nothing starts or imports."""
+    files = (
+        sorted({use.location.path for each in group for use in each.uses})
+        if all(each.is_idle for each in group)
+        else []
+    )
+    if not files:
+        return ""
+    shown = listed([path.rpartition("/")[2] for path in files[:_SHOWN]] + ["others"] * (len(files) > _SHOWN))
+    return f" (nothing here starts or imports {shown}, which may as well go)"
 
 
 def _circular(package: ProjectPackage, group: list[_Missing]) -> Finding:
@@ -167,8 +209,11 @@ def _circular(package: ProjectPackage, group: list[_Missing]) -> Finding:
     )
 
 
-def _alternative(each: _Missing) -> str:
-    pin = f", unless pip is to install it: {line_of(each.pin)} asks for a version" if each.pin is not None else ""
+def _alternative(each: _Missing, is_told: bool) -> str:
+    """What would do as well; *is_told* where the message says for all together that pip may install them."""
+    pin = ""
+    if each.pin is not None and not is_told:
+        pin = f", unless pip is to install it: {line_of(each.pin)} asks for a version"
     return (f" (or {', '.join(each.others)})" if each.others else "") + pin
 
 
@@ -177,6 +222,8 @@ def _places(each: _Missing) -> Iterator[tuple[Location, str]]:
         yield use.location, f"needs {each.name}: {use.what}"
     if each.pin is not None:
         yield each.pin, "pip is asked for a version here"
+    elif each.left is not None:
+        yield each.left, "pip is asked for it here"
 
 
 def _fixes(package: ProjectPackage, group: list[_Missing]) -> tuple[Fix, ...]:

@@ -14,6 +14,7 @@ from haros_ci.api.packages import (
     last_dependency,
     lookups,
     meant_here,
+    said_misplaced,
 )
 
 #: So many places of one package are related.
@@ -57,7 +58,7 @@ def _finding(package: ProjectPackage, missing: dict[str, list[Lookup]]) -> Findi
     return Finding(
         at=last_dependency(package),
         message=f"programs of {package.name} look up the directory of {listed(names)}, but package.xml does not declare {them}: "
-        f"they fail on a machine without {without}; add {listed([dependency_tags(package, tag, name) for name in names])}",
+        f"they fail on a machine without {without}; add {listed([dependency_tags(package, tag, name) for name in names])}{said_misplaced(package, names)}",
         about=(package.name, *names),
         related=tuple((use.location, f"needs {name}") for name, uses in missing.items() for use in uses[:_SHOWN]),
         apart=names,

@@ -19,6 +19,7 @@ from haros_ci.api.packages import (
     last_dependency,
     needs_of,
     others_of,
+    said_misplaced,
 )
 
 _SHOWN = 3
@@ -54,7 +55,7 @@ def _finding(package: ProjectPackage, uses: list[Need]) -> Finding:
     return Finding(
         at=last_dependency(package),
         message=f"the tests of {package.name} need {name} ({uses[0].what}), but package.xml does not declare it: they "
-        f"fail on a machine without {name}; add {dependency_tags(package, 'test_depend', name)}{alternative}",
+        f"fail on a machine without {name}; add {dependency_tags(package, 'test_depend', name)}{alternative}{said_misplaced(package, (name,))}",
         about=(package.name, name),
         related=tuple((use.location, f"needs {name}: {use.what}") for use in uses[:_SHOWN]),
         apart=(name,),

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from haros_ci.api import Check, Finding, Level, Location, Project
 from haros_ci.api.launch import meant
 from haros_ci.api.packages import Element
-from haros_ci.api.robots import Description, Fault, descriptions, is_by_itself, lead
+from haros_ci.api.robots import Description, Fault, descriptions, is_by_itself, lead, together
 
 #: What whoever includes a file may define.
 _FROM_OUTSIDE = ("property", "argument", "macro", "block")
@@ -26,10 +26,16 @@ _DEFAULT = re.compile(r"'[^']*'|\"[^\"]*\"|\$\{[^}]*\}|\$\([^)]*\)")
 
 def check(project: Project) -> Iterator[Finding]:
     told: set[Location] = set()
-    for finding in _expanded(project):
+    for finding in together(_told_apart(_expanded(project))):
         told.add(finding.at)
         yield finding
     yield from (each for each in _uncalled(project) if each.at not in told)
+
+
+def _told_apart(findings: Iterator[Finding]) -> Iterator[tuple[str, Finding]]:
+    """The *findings*, each with what makes those at one place one: an include with a parameter of its macro; names that stand in one line are several."""
+    for number, finding in enumerate(findings):
+        yield "include" if finding.apart[:1] == ("include",) else f"{number}", finding
 
 
 def _uncalled(project: Project) -> Iterator[Finding]:

@@ -43,7 +43,8 @@ def check(system: System) -> Iterator[Finding]:
 def _instead(use: ProgramUse) -> str:
     if use.similar:
         return meant(use.similar)
-    return "; name a program that links it, or load its component into a container"
+    or_load = ", or load its component into a container" if use.ros == 2 else ""
+    return f"; name a program that links it{or_load}"
 
 
 CHECK = Check(

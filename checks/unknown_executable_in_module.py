@@ -6,11 +6,10 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator
-from difflib import get_close_matches
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, syntax
 from haros_ci.api.code import calls_of, dotted
-from haros_ci.api.launch import ProgramUse, meant
+from haros_ci.api.launch import ProgramUse, meant, similar_names
 
 #: What makes a node in a launch file, wherever the call stands.
 _NODES = re.compile(r"launch_ros\.actions\.(?:node\.|lifecycle_node\.)?(?:Lifecycle)?Node")
@@ -30,7 +29,7 @@ def check(project: Project) -> Iterator[Finding]:
         package, program = project.package(given.get("package", "")), given.get("executable", "")
         if package is None or not program or not _lacks(package, program):
             continue
-        similar = tuple(get_close_matches(program, sorted(_programs(package)), 1, 0.6))
+        similar = similar_names(program, _programs(package), package.name)
         yield Finding(
             at=Location(routine.path, call.line, call.column),
             message=f"package {package} builds or installs no program {program!r}: this node cannot start{meant(similar)}",

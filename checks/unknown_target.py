@@ -235,6 +235,8 @@ def _finding(package: ProjectPackage, command: CMakeCommand, name: str, what: st
     if command.name == "ament_export_dependencies":
         names = sorted({word for each in package.commands("find_package") for word in each.arguments[:1]})
     near = [] if is_made else [each for each in names if _squeezed(each) == _squeezed(name)]
+    if is_library and not (near or is_made):
+        near = _only_installed(package, names)
     near = near or ([] if is_made else get_close_matches(name[:100], names[:MAX_NAMES], 1, 0.75))
     is_only_exported = is_made or command.name == "ament_export_dependencies"
     hint = f"; did you mean {near[0]}?" if near else "" if is_only_exported else _instead(names)
@@ -255,6 +257,24 @@ def _finding(package: ProjectPackage, command: CMakeCommand, name: str, what: st
         apart=(name,),
         level=Level.WARNING if command.name in _OF_USERS else None,  # this package builds
     )
+
+
+def _only_installed(package: ProjectPackage, libraries: list[str]) -> list[str]:
+    """The one of *libraries* that the package installs; none where there are several, or what it installs is not known."""
+    keywords = (
+        "ARCHIVE",
+        "LIBRARY",
+        "RUNTIME",
+        "EXPORT",
+        "DESTINATION",
+        "PUBLIC_HEADER",
+        "INCLUDES",
+        "OBJECTS",
+        "COMPONENT",
+    )
+    words = {word for command in package.commands("install") for word in command.after("TARGETS", *keywords)}
+    found = [name for name in libraries if name in words]
+    return found if len(found) == 1 and not any("$" in word for word in words) else []
 
 
 def _squeezed(name: str) -> str:

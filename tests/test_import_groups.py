@@ -35,7 +35,7 @@ from haros_ci.results.rule import Level
         ("other/requirements.txt", "scipy==1.9\n", Level.ERROR),
         (
             "demo/setup.py",
-            "from setuptools import setup\nsetup(install_requires=['scipy'], python_requires='>=3.8')\n",
+            "from setuptools import setup\nsetup(extras_require={'plots': ['scipy']}, python_requires='>=3.8')\n",
             Level.ERROR,
         ),
         ("pyproject.toml", '[tool.black]\nscipy = "1"\n', Level.ERROR),

@@ -26,6 +26,7 @@ from haros_ci.model.launch_facts import (
     PathUse,
     ProgramUse,
 )
+from haros_ci.model.similar_files import similar_files, similar_names
 
 __all__ = [
     "ArgumentDeclaration",
@@ -52,6 +53,8 @@ __all__ = [
     "owner",
     "renamed_keyword",
     "said_by",
+    "similar_files",
+    "similar_names",
     "told_of",
     "yaml_fault",
 ]

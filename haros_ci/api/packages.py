@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from haros_ci.checking.appearing import is_ignored, is_told_of, may_appear
+from haros_ci.checking.boost import boost_keys
 from haros_ci.checking.cmake import OF_TARGETS, CMake, Install, Link
 from haros_ci.checking.counterparts import COUNTERPARTS
 from haros_ci.checking.devel_spaces import DevelSpaces
@@ -46,6 +47,7 @@ from haros_ci.checking.manifests import (
     needs,
     place,
     reaches,
+    said_misplaced,
     word,
 )
 from haros_ci.checking.needs import Need, needs_of
@@ -83,7 +85,7 @@ from haros_ci.checking.provision import (
     last_dependency,
     others_of,
 )
-from haros_ci.checking.requirements import distributions_of, normal, pinned
+from haros_ci.checking.requirements import distributions_of, left_to_pip, normal, pinned
 from haros_ci.checking.unbuilt import SUFFIXES, loose
 from haros_ci.checking.undeclared import (
     asks_what_is_installed,
@@ -107,6 +109,7 @@ from haros_ci.checking.uninstalled import (
     plugin_library,
     uninstalled,
 )
+from haros_ci.checking.unreached import unreached
 from haros_ci.checking.using import Using
 from haros_ci.checking.whole import repositories_named
 from haros_ci.checking.worlds import dependency_tag, serves_both
@@ -170,6 +173,7 @@ __all__ = [
     "add_export",
     "applying",
     "asks_what_is_installed",
+    "boost_keys",
     "brings",
     "brought_by",
     "build_types",
@@ -212,6 +216,7 @@ __all__ = [
     "knowledge",
     "landings",
     "last_dependency",
+    "left_to_pip",
     "left_out_on_purpose",
     "loaders",
     "lookups",
@@ -238,10 +243,12 @@ __all__ = [
     "registrations",
     "rename_element",
     "repositories_named",
+    "said_misplaced",
     "serves_both",
     "set_attribute",
     "set_text",
     "uninstalled",
+    "unreached",
     "used_by_launch_files",
     "variant",
     "word",

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from haros_ci.checking.robots import descriptions, is_by_itself, lead, place_of
+from haros_ci.checking.robots import descriptions, is_by_itself, lead, place_of, together
 from haros_ci.checking.transforms import Broadcast, broadcasts
 from haros_ci.model.robot import (
     Description,
@@ -29,4 +29,5 @@ __all__ = [
     "is_by_itself",
     "lead",
     "place_of",
+    "together",
 ]

@@ -180,12 +180,12 @@ def _unused(package: ProjectPackage, wanted: set[str], python: list[str]) -> fro
         modules.setdefault(_name_of(path), []).append(path)
     every = {file.path for file in project.workspace.files if file.path.endswith(".py")} | {*python}
     imports = {
-        path: {each for word in _imported_words(project.text(path)) for each in modules.get(word, ()) if each != path}
+        path: {each for word in imported_words(project.text(path)) for each in modules.get(word, ()) if each != path}
         for path in every
     }
     imported = {each for found in imports.values() for each in found}
-    used = _reached((every - {*below}) | ({*below} - imported - scripts), imports)
-    return _reached(scripts - used, imports) - used
+    used = reached_from((every - {*below}) | ({*below} - imported - scripts), imports)
+    return reached_from(scripts - used, imports) - used
 
 
 def _test_code(package: ProjectPackage, wanted: Set[str], python: list[str]) -> frozenset[str]:
@@ -199,7 +199,7 @@ def _test_code(package: ProjectPackage, wanted: Set[str], python: list[str]) -> 
     words = {_name_of(path): path for path in found}
     for file in project.workspace.files:
         if file.path.endswith(".py") and file.path not in found and not _TEST.search(file.path):
-            for word in words.keys() & _imported_words(project.text(file.path)):
+            for word in words.keys() & imported_words(project.text(file.path)):
                 found.discard(words[word])
     return frozenset(found)
 
@@ -209,7 +209,7 @@ def _is_in_package(path: str, package: ProjectPackage) -> bool:
     return f"{path.rpartition('/')[0]}/__init__.py" in package.project.workspace.names
 
 
-def _reached(start: Set[str], imports: Mapping[str, Set[str]]) -> frozenset[str]:
+def reached_from(start: Set[str], imports: Mapping[str, Set[str]]) -> frozenset[str]:
     """The files of *start* and all that these import."""
     found, todo = set(start), list(start)
     while todo:
@@ -225,7 +225,7 @@ def _name_of(path: str) -> str:
     return folder.rpartition("/")[2] if base == "__init__.py" else base.removesuffix(".py")
 
 
-def _imported_words(text: str) -> frozenset[str]:
+def imported_words(text: str) -> frozenset[str]:
     """All names in the imports of a file: modules, and what may be one."""
     found: set[str] = set()
     for match in _IMPORTS.finditer(text):

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from haros_ci.checking.project import ProjectPackage
+from haros_ci.checking.wording import listed
 from haros_ci.model.condition import evaluate
 from haros_ci.model.element import Element
 from haros_ci.model.location import Location
@@ -109,3 +110,23 @@ def brings(package: ProjectPackage, names: Iterable[str], *wanted: str) -> bool 
             is_known = is_known and brought is not None and project.knowledge.is_whole(name)
             rest += sorted(brought or ())
     return False if is_known else None
+
+
+def said_misplaced(package: ProjectPackage, names: Iterable[str]) -> str:
+    """Where the manifest has the packages *names* inside of another element, in which no tool reads them; "" where it has none so."""
+    wanted = frozenset(names)
+    found: list[tuple[str, Element, Element]] = []
+    waiting = list(package.manifest.children) if package.manifest is not None else []
+    while waiting:
+        element = waiting.pop()
+        waiting += element.children
+        for child in element.children:
+            if (child.tag == "depend" or child.tag.endswith("_depend")) and child.text.strip() in wanted:
+                found.append((child.text.strip(), child, element))
+    if not found:
+        return ""
+    _, first, outer = min(found, key=lambda each: each[1].line)
+    if len({name for name, _, _ in found}) == 1:
+        return f" (line {first.line} has it inside <{outer.tag}>, where no tool reads it: move it out)"
+    there = listed(sorted({name for name, _, _ in found}))
+    return f" (package.xml has {there} inside <{outer.tag}>, from line {first.line} on, where no tool reads them: move them out)"

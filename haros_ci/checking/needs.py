@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 
+from haros_ci.checking.boost import HEADERS, brings_boost
 from haros_ci.checking.includes import reached
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.checking.provision import Sources, exists
@@ -71,7 +72,7 @@ def _found(package: ProjectPackage, sources: Sources, tests: bool) -> Iterator[N
             names = project.knowledge.provider_of_cmake(name) or frozenset()
             if project.package(name) is not None:
                 names |= {name}
-            names |= _of_qt(name, project.knowledge)
+            names |= _of_qt(name, project.knowledge) | (brings_boost(package) if name == "Boost" else frozenset())
             if exists(names, package):
                 names |= _alike(name)
                 yield Need(names, command.location, f"find_package({name})", False)
@@ -139,7 +140,8 @@ def _included(package: ProjectPackage, sources: Sources, tests: bool) -> Iterato
     for include in reached(package, sources, tests=tests):
         header = include.header
         if header not in asked:
-            asked[header] = _providers(header, package, sources)
+            names = _providers(header, package, sources)
+            asked[header] = names | brings_boost(package) if HEADERS in names else names
         names = asked[header]
         if _may_be_of_a_part(header, names, package):
             continue

@@ -29,8 +29,13 @@ _OLDER = re.compile(r"\b(?:groovy|hydro|indigo|jade|kinetic|lunar|melodic)\b", r
 def pages(project: Project) -> Iterator[str]:
     """The texts of README files and other pages, Dockerfiles, scripts, services and settings of CI; no changelogs."""
     for path in sorted(project.workspace.names):
-        if _TELLING.search(path) and not _CHANGES.search(path):
+        if is_page(path):
             yield project.text(path)[:_MAX]
+
+
+def is_page(path: str) -> bool:
+    """Whether the file at *path* is one of :func:`pages`."""
+    return _TELLING.search(path) is not None and not _CHANGES.search(path)
 
 
 def is_for_noetic(project: Project) -> bool:

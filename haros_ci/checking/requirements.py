@@ -7,7 +7,8 @@ import re
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
 
-from haros_ci.checking.project import ProjectPackage
+from haros_ci.checking.pages import is_page
+from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.model.location import Location
 
 _NAME = r"([A-Za-z0-9][\w.-]{0,100}?)[ \t]{0,9}(?:\[[\w ,.-]{0,200}\])?"
@@ -26,6 +27,20 @@ _POETRY_PART = re.compile(
 _REQUIREMENTS = re.compile(r"requirements?(?:[-_.][\w.-]+)?\.(?:txt|in)")
 _FILES = ("setup.py", "setup.cfg", "pyproject.toml")
 _MAX = 200_000
+
+#: A line of requirements.txt or setup.cfg, whatever its version, and the items of a list in setup.py and pyproject.toml.
+_PLAIN = re.compile(rf"^[ \t]*{_NAME}[ \t]{{0,9}}(?:$|[#;<>=!~(@])", re.MULTILINE)
+_ITEM = re.compile(rf"""["']{_NAME}[ \t]{{0,9}}(?=["';<>=!~(@])""")
+_REQUIRES = re.compile(
+    r"(?:\binstall_requires[\"']?[ \t]*[=:]|^dependencies[ \t]*=)\s*[\[(]((?:[^\[\]()]|\[[^\[\]\n]{0,200}\]|\([^()\n]{0,200}\)){0,5000})[\])]",
+    re.MULTILINE,
+)
+_CFG_PART = re.compile(r"^install_requires[ \t]*=([^\n]*(?:\n(?:[ \t]+[^\n]*)?(?=\n|\Z))*)", re.MULTILINE)
+_POETRY_NAME = re.compile(r"^([A-Za-z0-9][\w.-]{0,100})[ \t]{0,9}=", re.MULTILINE)
+_REMARK = re.compile(r"^[ \t]*#[^\n]*", re.MULTILINE)
+#: What installs a file of requirements.
+_PIP_INSTALL = re.compile(r"\bpip[23]?[ \t]+install\b((?:[^\n;&|\\]|\\\n){0,400})")
+_REQUIREMENTS_FILE = re.compile(r"(?:-r|--requirement)[ \t=]{0,9}[\"']?([\w./${}~-]{1,200}\.(?:txt|in))")
 
 #: What pip calls the distribution of a module that has another name (its own page in the package index).
 _CALLED = {
@@ -108,3 +123,61 @@ def _pins(path: str, text: str) -> Iterator[tuple[str, int]]:
 def _matches(pattern: re.Pattern[str], part: str, start: int, text: str) -> Iterator[tuple[str, int]]:
     for match in pattern.finditer(part):
         yield normal(match[1]), text.count("\n", 0, start + match.start(1)) + 1
+
+
+def left_to_pip(package: ProjectPackage) -> Mapping[str, Location]:
+    """The distributions that *package* leaves to pip on purpose, each with the first place; at the base revision, too, if there is one.
+
+    Its setup.py, setup.cfg or pyproject.toml depends on them; or a file of requirements names them, and a page, script or Dockerfile
+    installs what that file names.
+    """
+    found = _left(package)
+    base = package.project.base if found else None
+    if base is None:
+        return found
+    before = base.package(package.name)
+    known = _left(before) if before is not None else {}
+    return {name: place for name, place in found.items() if name in known}
+
+
+def _left(package: ProjectPackage) -> dict[str, Location]:
+    found: dict[str, Location] = {}
+    project = package.project
+    names = project.workspace.names
+    installed = _installed(project)
+    folder, is_own = ("" if package.path == "." else package.path), True
+    while True:
+        for path in _listed(names).get(folder, ()):
+            text = project.text(path)[:_MAX]
+            if path.endswith((".txt", ".in")):
+                pairs = _matches(_PLAIN, text, 0, text) if path.rpartition("/")[2] in installed else iter(())
+            else:
+                pairs = _depended(path, text) if is_own else iter(())
+            for name, line in pairs:
+                found.setdefault(name, Location(path, line))
+        if not folder:
+            return found
+        folder, is_own = folder.rpartition("/")[0], False
+
+
+def _depended(path: str, text: str) -> Iterator[tuple[str, int]]:
+    """What setup.py, setup.cfg or pyproject.toml depends on, with the lines."""
+    if path.endswith(".cfg"):
+        for part in _CFG_PART.finditer(text):
+            yield from _matches(_PLAIN, part[1], part.start(1), text)
+        return
+    for part in _REQUIRES.finditer(_REMARK.sub(lambda found: " " * len(found[0]), text)):
+        yield from _matches(_ITEM, part[1], part.start(1), text)
+    for part in _POETRY_PART.finditer(text) if path.endswith(".toml") else ():
+        yield from _matches(_POETRY_NAME, part[1], part.start(1), text)
+
+
+def _installed(project: Project) -> frozenset[str]:
+    """The files of requirements that pages, scripts and Dockerfiles of the workspace install."""
+    return frozenset(
+        each.rpartition("/")[2]
+        for path in project.workspace.names
+        if is_page(path)
+        for command in _PIP_INSTALL.findall(project.text(path)[:_MAX])
+        for each in _REQUIREMENTS_FILE.findall(command)
+    )

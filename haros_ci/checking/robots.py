@@ -3,12 +3,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
+from haros_ci.checking.check import Finding
 from haros_ci.checking.project import Project
+from haros_ci.checking.wording import listed
 from haros_ci.model.location import Location
 from haros_ci.model.robot import Description, Thing, Way
+from haros_ci.results.rule import Level
 
+#: Names that a message lists, and places that a finding relates.
+_NAMED = 3
+_SHOWN = 40
 _TRIALS = ("test", "tests", "testdata", "test_data")
 
 
@@ -45,3 +52,43 @@ def is_by_itself(description: Description) -> bool:
     children = {joint.child for joint in robot.joints}
     ends = {end for joint in robot.joints for end in (joint.parent, joint.child)}
     return bool(robot.joints) and None not in links | ends and ends <= links and len(links - children) == 1
+
+
+def together(findings: Iterable[tuple[str, Finding]]) -> Iterator[Finding]:
+    """The *findings*, each with its kind; those of one kind at one place, where a macro that is called several times makes each, are one.
+
+    Each is told apart by its first word *apart*. The others' calls are related places.
+    """
+    found: dict[tuple[str, Location], list[Finding]] = {}
+    for kind, finding in findings:
+        found.setdefault((kind, finding.at), []).append(finding)
+    for same in found.values():
+        if len({each.apart for each in same}) < 2:
+            yield from same
+        else:
+            yield _merged(same)
+
+
+def _merged(same: list[Finding]) -> Finding:
+    levels = {each.level for each in same}
+    first = same[0]
+    names = list(dict.fromkeys(name for each in same for name in each.apart))
+    owners = {each.about[0] for each in same if each.about}
+    owner = next(iter(owners)) if len(owners) == 1 else first.at.path
+    others = [name for name in names if name not in first.apart]
+    shown = [*others[:_NAMED], f"{len(others) - _NAMED} more"] if len(others) > _NAMED + 1 else others
+    end = "" if first.message.endswith(("?", ".")) else ";"
+    the = "The" if first.message.endswith(("?", ".")) else "the"
+    places = dict.fromkeys(first.related)
+    for each in same:
+        call = next((at for at, _ in reversed(each.flow) if at != first.at), None)
+        if each is not first and call is not None and each.apart != first.apart:
+            places.setdefault((call, f"{', '.join(each.apart)}, too"))
+    return replace(
+        first,
+        message=f"{first.message}{end} {the} same is true of {listed(shown)}, by other calls of this macro",
+        about=(owner, *names),
+        related=tuple(places)[:_SHOWN],
+        apart=tuple(names),
+        level=next((level for level in (Level.ERROR, None, Level.WARNING, Level.NOTE) if level in levels), None),
+    )

@@ -46,6 +46,14 @@ _OUTSIDE = re.compile(
 _MODULES = re.compile(
     r"\b(?:packages|package_dir|package_data|py_modules|scripts|find_packages|find_namespace_packages|data_files|ext_modules|entry_points)\b"
 )
+#: ``package_dir={'': 'src'}``, the directories in it, and what else setup.py can install.
+_PACKAGE_DIR = re.compile(r"\bpackage_dir['\"]?\s*[=:]\s*\{([^{}]{0,1000})\}")
+_FOLDER = re.compile(r"['\"]([\w.]{0,200})['\"]\s*:\s*['\"]([^'\"]{1,200})['\"]")
+_PACKAGES = re.compile(r"\bpackages['\"]?\s*[=:]\s*\[([^\[\]]{0,1000})\]")
+_QUOTED = re.compile(r"['\"]([\w.]{1,200})['\"]")
+_OTHERS = re.compile(
+    r"\b(?:scripts|py_modules|data_files|ext_modules|entry_points|package_data|find_packages|find_namespace_packages)['\"]?\]?\s*[=:(]"
+)
 #: Characters of a statement that are looked at.
 _LONGEST = 2000
 
@@ -68,8 +76,8 @@ def is_refuted(
     if rule == "EXTERNAL_SUBDIR":
         return _is_shared(at, workspace)
     if rule == "MISSING_PYTHON_SETUP":
-        setup = workspace.text(join(directory, "setup.py"))
-        return "setup" in setup and _MODULES.search(re.sub(r"#[^\n]*", "", setup)) is None
+        setup = re.sub(r"#[^\n]*", "", workspace.text(join(directory, "setup.py")))
+        return "setup" in setup and (_MODULES.search(setup) is None or _has_no_module(setup, directory, workspace))
     named = _FILE.search(message)
     if named is None:
         return False
@@ -86,6 +94,19 @@ def is_refuted(
     if rule == "EXTERNAL_FILE" and not named[1].startswith("/"):
         return any(file.path in (here, beside) for file in workspace.files)
     return False
+
+
+def _has_no_module(setup: str, directory: str, workspace: Workspace) -> bool:
+    """Whether the directories that setup.py names for its packages have no Python file, and it installs nothing else: a call would fail."""
+    folders = [pair for each in _PACKAGE_DIR.finditer(setup) for pair in _FOLDER.findall(each[1])]
+    named = [name for each in _PACKAGES.finditer(setup) for name in _QUOTED.findall(each[1])]
+    if not folders or _OTHERS.search(setup):
+        return False
+    below: list[str] = []
+    for key, folder in folders:
+        inner = [name.replace(".", "/") for name in named] if named and not key else [""]
+        below += [f"{normpath(join(directory, folder, each))}/" for each in inner]
+    return not any(name.endswith(".py") and name.startswith(tuple(below)) for name in workspace.names)
 
 
 def _is_shared(at: Location, workspace: Workspace) -> bool:

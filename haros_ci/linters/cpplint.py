@@ -14,6 +14,7 @@ from haros_ci.model.digits import whole_number
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
+from haros_ci.results.comments import comments
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
 
@@ -28,6 +29,9 @@ LINE_LENGTH = {1: 120, 2: 100, None: 100}
 HEADERS = "h,hh,hpp,hxx,h++,cuh"
 SUFFIXES = frozenset("c cc cpp cxx c++ h hh hpp hxx h++ ipp tpp txx inl cu cuh".split())
 
+#: What stands for a letter that could not be read.
+LOST = "\ufffd"
+
 #: Suffixes of files that are there to be included: templates apart from their header, tables, CUDA.
 _PARTS = (".cu", ".cuh", ".ipp", ".tpp", ".txx", ".ixx", ".inl", ".impl", ".inc", ".def", ".icc")
 _LINE = re.compile(r"(\d+|None):  (.*)  \[([\w/+]+)\] \[(\d)\]$", re.DOTALL)
@@ -38,7 +42,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return "2"
+    return "3"
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -104,6 +108,8 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
             place = Location(match[1], whole_number(said[1]) or None)
             if _is_part(match[1], said[3], said[2], batch.workspace, place.line):
                 continue
+            if said[3] == "readability/utf8" and _is_lost_remark(batch.workspace, place):
+                continue
             yield Finding(match[1], Result(NAME, said[3], Level.WARNING, said[2], place))
 
 
@@ -119,6 +125,23 @@ def _is_part(path: str, category: str, message: str, workspace: Workspace, line:
     lines = workspace.text(path).split("\n") if line else []
     text = lines[line - 1] if line and line <= len(lines) else ""
     return re.match(r'\s*#\s*include\s*"[^"/]+"', text) is not None
+
+
+def _is_lost_remark(workspace: Workspace, at: Location) -> bool:
+    """Whether the line is valid UTF-8 with replacement characters in comments alone: some editor has lost letters, which no compiler reads."""
+    data = workspace.data(at.path)
+    if data is None or not at.line:
+        return False
+    raw = data.split(b"\n")[at.line - 1 : at.line]
+    try:
+        lost = b"".join(raw).decode("utf-8").count(LOST)
+    except UnicodeDecodeError:
+        return False
+    told = 0
+    for comment in comments(data.decode("utf-8", "replace"), "c", LOST):
+        lines = comment.text.split("\n")
+        told += sum(line.count(LOST) for line in lines[max(at.line - comment.line, 0) :][:1] if at.line >= comment.line)
+    return 0 < lost <= told
 
 
 def _settings(workspace: Workspace, directory: str) -> Iterator[str]:

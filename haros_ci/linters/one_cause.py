@@ -54,8 +54,8 @@ OF_A_THROW = frozenset(("cppcheck:exceptThrowInDestructor", "cppcheck:throwInNoe
 #: Rules that speak once of each variable of a declaration (``int a, b;``): those of one statement have one cause.
 OF_A_DECLARATION = frozenset(("cppcheck:unusedVariable",))
 
-#: Rules that speak once of each item of ``__all__``, which a file has once.
-OF_A_FILE = frozenset(("pylint:invalid-all-object",))
+#: Rules that speak once of each item of ``__all__``, which a file has once, or of each line of a file in another encoding.
+OF_A_FILE = frozenset(("pylint:invalid-all-object", "cpplint:readability/utf8"))
 
 #: A finding names no more other places than this; the rest of a cause follows in another finding.
 MOST = 40

@@ -49,7 +49,7 @@ def fingerprint(workspace: Workspace, options: LintOptions) -> str:
 
     own = options.arguments.get(NAME, ()) if options.trust_config else ()
     astroid = installed.distribution("astroid")
-    return json.dumps(["10", sys.version_info[:2], astroid and astroid.version, options.trust_config, own])
+    return json.dumps(["11", sys.version_info[:2], astroid and astroid.version, options.trust_config, own])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:

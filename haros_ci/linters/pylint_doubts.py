@@ -19,7 +19,7 @@ from haros_ci.linters.pylint_idioms import (
     is_stub,
     is_to_fail,
 )
-from haros_ci.linters.pylint_statements import is_of_another, is_surplus, is_test_for_nan, is_text
+from haros_ci.linters.pylint_statements import is_of_another, is_one_text, is_surplus, is_test_for_nan, is_text
 from haros_ci.linters.python2 import runs_only_on_python2
 from haros_ci.linters.python_defaults import is_only_read
 from haros_ci.results.scope import scopes
@@ -76,6 +76,8 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
         return is_call or is_stub(text, line) or _is_on_purpose(text, line)
     if rule == "unreachable":
         return _is_unwritten(text, line) or is_text(text, line)
+    if rule == "implicit-str-concat":
+        return is_one_text(text, line)
     if rule == "too-many-format-args":
         return is_surplus(text, line, column)
     if rule == "bad-super-call":

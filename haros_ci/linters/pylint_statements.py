@@ -4,7 +4,9 @@
 from __future__ import annotations
 
 import ast
+import io
 import re
+import tokenize
 from collections.abc import Iterator
 from typing import TypeGuard
 
@@ -23,6 +25,45 @@ def is_text(text: str, line: int) -> bool:
             if rest and rest[0].lineno == line and rest[0] is not body[0]:
                 return all(_is_string(each) for each in rest)
     return False
+
+
+def is_one_text(text: str, line: int) -> bool:
+    """Whether the literals side by side on *line* are words of a text, and all that a call is given: no comma was forgotten between them."""
+    found = False
+    for node in nodes(text):
+        given: list[ast.expr] = []
+        if isinstance(node, ast.Call):
+            given = node.args
+        elif isinstance(node, ast.List | ast.Tuple | ast.Set):
+            given = node.elts
+        for each in given:
+            if each.lineno != line or not _is_joined(text, each):
+                continue
+            if not isinstance(node, ast.Call) or len(node.args) > 1 or node.keywords or " " not in ast.unparse(each):
+                return False
+            found = each.end_lineno == line
+            if not found:
+                return False
+    return found
+
+
+def _is_joined(text: str, node: ast.expr) -> bool:
+    """Whether *node* is a string of several literals."""
+    if not isinstance(node, ast.JoinedStr) and not (isinstance(node, ast.Constant) and isinstance(node.value, str)):
+        return False
+    source = ast.get_source_segment(text, node) or ""
+    try:
+        tokens = list(tokenize.generate_tokens(io.StringIO(f"({source})").readline))
+    except (tokenize.TokenError, SyntaxError, ValueError):
+        return False
+    start = getattr(
+        tokenize, "FSTRING_START", -1
+    )  # since Python 3.12; those inside of another are no literals of this one
+    depth = count = 0
+    for token in tokens:
+        count += token.type in (tokenize.STRING, start) and depth == 0
+        depth += (token.type == start) - (token.type == getattr(tokenize, "FSTRING_END", -1))
+    return count > 1
 
 
 def is_surplus(text: str, line: int, column: int) -> bool:

@@ -10,6 +10,15 @@ CHANGE: tuple[tuple[tuple[str, ...], str, str], ...] = (
         "tests/test_checks.py::test_a_page_is_true",
     ),
     (
+        (
+            "Python files that import a module or name it",
+            "launch files that start it",
+            "names of directories such as `old`",
+        ),
+        "undeclared-import of what only modules import that nothing reaches is a note",
+        "tests/checking/test_unreached.py::test_levels",
+    ),
+    (
         ("pages and scripts that show `name:=…`",),
         "unset-launch-argument of that argument is a note",
         "tests/test_check_levels.py::test_a_launch_configuration_that_the_command_line_can_give",

@@ -284,6 +284,13 @@ OTHERS: tuple[Row, ...] = (
     ),
     Row(
         OWN,
+        ("setup.py", "setup.cfg", "pyproject.toml", "requirements*.txt that pages and scripts install"),
+        "undeclared-import of a module that the package leaves to pip is a note",
+        Origin.BASE,
+        "tests/checking/test_unreached.py::test_a_change_alone_leaves_nothing_to_pip",
+    ),
+    Row(
+        OWN,
         ("pages and scripts that are for ROS Noetic and no older distribution",),
         "script-not-runnable of a .cfg file of dynamic_reconfigure is a note",
         Origin.BASE,

@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+import ast
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
+from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
 
@@ -24,6 +26,13 @@ _ASKS_FOR_VERSION = re.compile(r"\bversion_info\b|\bPY[23]\b|\bpython_version|\b
 #: What makes names that no reader of the text can know.
 _MAKES_NAMES = re.compile(
     r"\b(?:globals|vars|locals)\(\)[ \t]*(?:\[|\.(?:update|setdefault)\b)|(?<![\w.])exec(?:file)?\("
+)
+
+#: What ends the program, and what makes another thing of the name.
+_EXIT = re.compile(r"^[ \t]*(?:exit|quit|sys\.exit|os\._exit)[ \t]*\(", re.MULTILINE)
+_OWN_EXIT = re.compile(
+    r"\bdef[ \t]+(?:exit|quit)\b|\bimport[ \t][\w, \t]{0,300}\b(?:exit|quit)\b|\bas[ \t]+(?:exit|quit|sys)\b|^[ \t]*(?:exit|quit)[ \t]*=",
+    re.MULTILINE,
 )
 
 _LATE = re.compile(r"^from __future__ import [^\n]*\bannotations\b", re.MULTILINE)
@@ -48,7 +57,8 @@ def weighed_names(
     in a string, where annotations stand that are not evaluated; any name where the file makes names of strings, and one whose import
     is in a comment: what uses it may be switched off like it. *text* reads
     a path, *is_ros1* tells of one whether it is of a package of ROS 1; where the level *is_given* by the settings it stands.
-    In a file that another one loads by its path (*is_loaded*) any name may have been put there.
+    In a file that another one loads by its path (*is_loaded*) any name may have been put there. Below an ``exit()`` of the module nothing
+    is evaluated.
     """
     weighed = []
     for result in results:
@@ -57,6 +67,8 @@ def weighed_names(
             if is_loaded(result.location.path):
                 continue
             whole = text(result.location.path)
+            if _is_behind_exit(result, whole):
+                continue
             if name[1] in _BROUGHT or (name[1] in OF_PYTHON_2 and _ASKS_FOR_VERSION.search(whole)):
                 continue
             old = name[1] in OF_PYTHON_2 and is_ros1(result.location.path)
@@ -68,6 +80,29 @@ def weighed_names(
                 result = replace(result, level=max(result.level, Level.WARNING, key=lambda level: level.rank))
         weighed.append(result)
     return tuple(weighed)
+
+
+def _is_behind_exit(result: Result, text: str) -> bool:
+    """Whether a statement before the place of *result*, of the module itself or of the same branch of it, ends the program."""
+    line = result.location.line
+    if not line or not _EXIT.search(text) or _OWN_EXIT.search(text):
+        return False
+    tree = next(iter(nodes(text)), None)
+    blocks = [tree.body] if isinstance(tree, ast.Module) else []
+    while blocks:
+        for statement in (block := blocks.pop()):
+            if _ends(statement) and statement.end_lineno and statement.end_lineno < line <= (block[-1].end_lineno or 0):
+                return True
+            if isinstance(statement, ast.If):
+                blocks += [statement.body, statement.orelse]
+    return False
+
+
+def _ends(statement: ast.stmt) -> bool:
+    """Whether the statement is ``exit()``, ``sys.exit()`` or the like."""
+    if not isinstance(statement, ast.Expr) or not isinstance(statement.value, ast.Call):
+        return False
+    return ast.unparse(statement.value.func) in ("exit", "quit", "sys.exit", "os._exit")
 
 
 def _is_in_annotation(result: Result, text: str) -> bool:

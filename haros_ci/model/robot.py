@@ -60,7 +60,10 @@ class Limit:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Joint(Thing):
-    """A joint. *type*, *parent* and *child* are None where they are not known, "" where they are not given."""
+    """A joint. *type*, *parent* and *child* are None where they are not known, "" where they are not given.
+
+    *mimic* is the joint that it follows, *factor* how often, *offset* what is added: None where one is not given, ``?`` where it is not known.
+    """
 
     name: str | None
     type: str | None
@@ -68,6 +71,8 @@ class Joint(Thing):
     child: str | None
     limit: Limit | None = None
     mimic: str | None = None
+    factor: str | None = None
+    offset: str | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -74,6 +74,8 @@ def _joint(node: Node) -> Joint:
         child=_end(node, "child"),
         limit=None if limit is None else _limit(limit),
         mimic=None if mimic is None else mimic.given("joint"),
+        factor=None if mimic is None else _value(mimic, "multiplier"),
+        offset=None if mimic is None else _value(mimic, "offset"),
         location=node.location,
         way=node.way,
         certain=node.certain,
@@ -86,8 +88,12 @@ def _end(node: Node, tag: str) -> str | None:
 
 
 def _limit(node: Node) -> Limit:
-    values = {}
-    for name in ("lower", "upper", "effort", "velocity"):
-        value = node.attributes.get(name)
-        values[name] = "?" if value is UNKNOWN or not node.certain else value
-    return Limit(location=node.location, **{k: v if isinstance(v, str) else None for k, v in values.items()})
+    values = {name: _value(node, name) for name in ("lower", "upper", "effort", "velocity")}
+    return Limit(location=node.location, **values)
+
+
+def _value(node: Node, name: str) -> str | None:
+    """An attribute as it comes out; None where it is not given, ``?`` where it is not known."""
+    value = node.attributes.get(name)
+    known = value if isinstance(value, str) else None
+    return "?" if value is UNKNOWN or not node.certain else known

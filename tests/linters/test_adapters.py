@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 from types import ModuleType
 
@@ -23,7 +24,7 @@ PACKAGES = [Package("robot", "robot", ros=1)]
 def parse(
     adapter: ModuleType,
     root: Path,
-    files: dict[str, str],
+    files: Mapping[str, str | bytes],
     stdout: str = "",
     stderr: str = "",
     code: int = 0,
@@ -69,6 +70,30 @@ def test_cpplint_fires(tmp_path: Path, line: str, rule: str, number: int | None)
 @pytest.mark.parametrize("line", CPPLINT_QUIET)
 def test_cpplint_stays_quiet(tmp_path: Path, line: str) -> None:
     assert parse(cpplint, tmp_path, {"a b.cpp": ""}, DONE, line) == []
+
+
+UTF8 = "./a b.cpp:{}:  Line contains invalid UTF-8 (or Unicode replacement character).  [readability/utf8] [5]"
+
+
+@pytest.mark.parametrize(
+    ("data", "is_told"),
+    [
+        ("int a;\n// 3 \ufffd\n", False),
+        ("int a;\nint b;  // 3 \ufffd or 4 \ufffd\n", False),
+        ("/* a\n 3 \ufffd\n*/\n", False),
+        ('/* a\n 3 \ufffd\n*/\nchar c[] = "\xff";\n', False),
+        ('int a;\nchar b[] = "\ufffd";\n', True),
+        ('int a;\nchar b[] = "\ufffd";  // \ufffd\n', True),
+        (b"int a;\n// 3 \xb0\n", True),
+        (b"int a;\n// 3 \xb0 \xef\xbf\xbd\n", True),
+        (b'int a;\nchar b[] = "\xb0";\n', True),
+        ("int a;", True),
+        ("", True),
+    ],
+)
+def test_cpplint_on_letters_that_are_lost(tmp_path: Path, data: str | bytes, is_told: bool) -> None:
+    said = parse(cpplint, tmp_path, {"a b.cpp": data}, DONE, UTF8.format(2))
+    assert bool(said) == is_told
 
 
 INCLUDED = "./a b.cpp:{}:  Do not include {} files from other packages.  [build/include] [4]"

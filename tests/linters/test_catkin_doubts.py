@@ -175,6 +175,16 @@ SETUP = "from setuptools import setup\nsetup({})\n"
         (SETUP.format("name='robot'  # packages=['robot']\n"), True),
         (SETUP.format("packages=['robot']"), False),
         (SETUP.format("**generate_distutils_setup(package_dir={'': 'src'}, packages=[])"), False),
+        (SETUP.format("package_dir={'': 'scripts'}, packages=['robot']"), True),
+        (SETUP.format("package_dir={'robot': \"lib/robot\"}, packages=['robot']"), True),
+        (SETUP.format("package_dir={'': 'src'}, packages=['robots', 'arm.robot']"), True),
+        (SETUP.format("package_dir={'': 'src'}, packages=['robots', 'robot']"), False),
+        (SETUP.format("package_dir={'': 'src'}, packages=names"), False),
+        (SETUP.format("package_dir={'': ''}, packages=['robot']"), False),
+        (SETUP.format("package_dir={'': 'scripts', 'robot': 'src/robot'}, packages=['robot']"), False),
+        (SETUP.format("package_dir={'': 'scripts'}, packages=['robot'], scripts=['a']"), False),
+        (SETUP.format("package_dir={}, packages=['robot']"), False),
+        (SETUP.format("package_dir=folders, packages=['robot']"), False),
         (SETUP.format("scripts=['a']"), False),
         (SETUP.format("py_modules=['a']"), False),
         (SETUP.format("name='a'") + "d['packages'] = ['a']\n", False),
@@ -182,7 +192,7 @@ SETUP = "from setuptools import setup\nsetup({})\n"
     ],
 )
 def test_a_setup_that_installs_nothing(tmp_path: Path, text: str, expected: bool) -> None:
-    files = {"robot/package.xml": "", "robot/CMakeLists.txt": "", "robot/setup.py": text}
+    files = {"robot/package.xml": "", "robot/CMakeLists.txt": "", "robot/setup.py": text, "robot/src/robot/a.py": ""}
     here = replace(workspace(tmp_path, files, [Package("robot", "robot", ros=1)]), names=frozenset(files))
     said = "file setup.py found but no catkin_python_setup() call."
     at = Location("robot/CMakeLists.txt", None)

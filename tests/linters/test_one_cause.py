@@ -133,6 +133,7 @@ def test_other_tools_pass_through() -> None:
         ("ruff:F811", (1, 1, 1), 1),
         ("pylint:anomalous-backslash-in-string", (3, 3, 5), 2),
         ("pylint:invalid-all-object", (3, 4, 5), 1),
+        ("cpplint:readability/utf8", (3, 4, 5), 1),
         ("pylint:undefined-variable", (3, 3), 2),
         ("ruff:F401", (1, 1), 2),
         ("pylint:F811", (1, 1), 2),

@@ -368,3 +368,27 @@ MEANT = [
 @pytest.mark.parametrize(("rule", "text", "at", "expected"), MEANT)
 def test_what_is_meant_or_does_no_harm(rule: str, text: str, at: str, expected: bool) -> None:
     assert refuted(rule, text, at) is expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("log('Connected to a ' 'service!')\n", True),
+        ("log(\n    'Connected to a ' 'service!'\n)\n", True),
+        ("log(f'Connected to {a} ' 'service!')\n", True),
+        ("log(f'{a[\"b\"]} is ' f'there')\n", True),
+        ("log('a b ' 'c', 'd')\n", False),
+        ("log('a b ' 'c', end='')\n", False),
+        ("x = ['a b ' 'c']\n", False),
+        ("log(['a b ' 'c'])\n", False),
+        ("join('a' 'b')\n", False),
+        ("parser.add_argument('-f' '--file')\n", False),
+        ("log('a b ' 'c'); x = ['d' 'e']\n", False),
+        ("log('a b c')\n", False),
+        ("log('a b c'\n", False),
+        ("", False),
+    ],
+)
+def test_one_text_in_two_literals(text: str, expected: bool) -> None:
+    line = 2 if text.startswith("log(\n") else 1
+    assert is_refuted("implicit-str-concat", line, 0, text) is expected

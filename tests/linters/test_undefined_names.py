@@ -172,3 +172,41 @@ def test_names_whose_import_is_in_a_comment(comment: str) -> None:
 def test_names_that_only_a_sentence_tells_of(comment: str) -> None:
     said = Result("pylint", "undefined-variable", Level.ERROR, "Undefined variable 'plt'", Location("a.py", 1, 1))
     assert weighed_names([said], lambda path: f"plt.show()\n{comment}\n", lambda path: False) == (said,)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "run()\nexit()\nprint(corners)\n",
+        "import sys\nsys.exit(0)\ndef f():\n    return corners\n",
+        "exit()\nfor each in a:\n    if each:\n        print(corners)\n",
+        "if __name__ == '__main__':\n    run()\n    quit()\n    print(corners)\n",
+        "if a:\n    pass\nelse:\n    exit()\n    print(corners)\n",
+    ],
+)
+def test_behind_the_end_of_the_program(text: str) -> None:
+    assert level("corners", text) is level("corners", text, rule="ruff:F821") is None
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "print(corners)\nexit()\n",
+        "print('a'); exit(corners)\n",
+        "def f():\n    return corners\nf()\nexit()\n",
+        "if a:\n    exit()\nprint(corners)\n",
+        "if a:\n    exit()\nelse:\n    print(corners)\n",
+        "def f():\n    exit()\nprint(corners)\n",
+        "while a:\n    exit()\nprint(corners)\n",
+        "try:\n    exit()\nexcept SystemExit:\n    print(corners)\n",
+        "from tools import exit\nexit()\nprint(corners)\n",
+        "import tools as sys\nsys.exit()\nprint(corners)\n",
+        "def exit():\n    pass\nexit()\nprint(corners)\n",
+        "exit = run\nexit()\nprint(corners)\n",
+        "parser.exit()\nprint(corners)\n",
+        "exit\nprint(corners)\n",
+        "exit()\nprint(corners\n",
+    ],
+)
+def test_before_the_end_of_the_program(text: str) -> None:
+    assert level("corners", text) is Level.ERROR

@@ -7,11 +7,11 @@ import posixpath
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from difflib import get_close_matches
 from itertools import islice
 
 from haros_ci.model.build import Build, Installed
 from haros_ci.model.launch_facts import FileUse
+from haros_ci.model.similar_files import similar_files
 from haros_ci.model.submodules import absent, is_below
 from haros_ci.model.workspace import Workspace
 from haros_ci.substitutions.files import Files, files_of
@@ -28,6 +28,8 @@ _BY_HAND = (".launch", ".launch.py", ".launch.xml", "_launch.py", ".rviz", ".lau
 _BUILD_FILES = ("CMakeLists.txt", "setup.py", "setup.cfg", "pyproject.toml")
 MAX_SIMILAR = 3
 MAX_ALIKE = 2_000
+#: Shorter names say nothing outside of their package.
+MIN_NAME = 5
 #: Paths that may be looked at, all together.
 MAX_STEPS = 30_000_000
 
@@ -111,7 +113,7 @@ class Finder:
             return replace(made, path=self.files.real(path), is_found=True)
         if is_below(path, self.absent) or self._may_be_made(name, start, inner):
             return made
-        return replace(made, is_found=False, similar=self._similar(start, inner))
+        return replace(made, is_found=False, similar=self._similar(name, start, inner))
 
     def is_installed(self, path: str) -> bool | None:
         """Whether the package around the file installs it; None where nobody can tell."""
@@ -209,13 +211,23 @@ class Finder:
         self.steps -= len(self._listed[prefix])
         return self._listed[prefix]
 
-    def _similar(self, start: str, inner: str) -> tuple[str, ...]:
-        """Files of the package that may be meant: of the same name elsewhere, else of a similar one."""
+    def _similar(self, name: str, start: str, inner: str) -> tuple[str, ...]:
+        """Files of the package *name* that may be meant: of the same name elsewhere, else of a similar one, else the one of that name in the workspace."""
         prefix = "" if start == "." else f"{start}/"
         below = self.below(prefix)
         base = posixpath.basename(inner)
-        same = [path[len(prefix) :] for path in below if path.endswith(f"/{base}") or path == base]
-        suffix = posixpath.splitext(base)[1]
-        alike = [path[len(prefix) :] for path in islice((p for p in below if p.endswith(suffix)), MAX_ALIKE)]
-        self.steps -= 2 * len(below) + 200 * len(alike)
-        return tuple(dict.fromkeys((*same, *get_close_matches(inner, alike, MAX_SIMILAR, 0.8))))[:MAX_SIMILAR]
+        suffix = ".launch" if ".launch" in base else posixpath.splitext(base)[1]
+        alike = islice((path for path in below if suffix in path), MAX_ALIKE)
+        same = (path for path in below if path.endswith(f"/{base}") or path == base)
+        self.steps -= 2 * len(below) + 200 * min(len(below), MAX_ALIKE)
+        own = dict.fromkeys(path[len(prefix) :] for path in (*islice(same, MAX_ALIKE), *alike))
+        found = similar_files(inner, own, name, MAX_SIMILAR)
+        return found or self._elsewhere(base, prefix)
+
+    def _elsewhere(self, base: str, prefix: str) -> tuple[str, ...]:
+        """The one file of the name *base* that the workspace has outside of the package below *prefix*, as seen from there."""
+        if not prefix or len(base.partition(".")[0]) < MIN_NAME or self.steps < 0:
+            return ()
+        self.steps -= len(self.names)
+        found = [path for path in self.names if path.endswith(f"/{base}") and not path.startswith(prefix)]
+        return (posixpath.relpath(found[0], prefix),) if len(found) == 1 else ()

@@ -7,11 +7,11 @@ import posixpath
 import re
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
-from difflib import get_close_matches
 
 from haros_ci.launch.facts.files import Finder
 from haros_ci.model.build import Build
 from haros_ci.model.launch_facts import ProgramUse
+from haros_ci.model.similar_files import similar_names
 
 #: Commands of CMake that make programs under names of their own.
 _MAKERS = re.compile(
@@ -60,7 +60,7 @@ class Programs:
             return False, _running(build, use.program), True
         if self._may_be_made(use, start):
             return None, (), False
-        return False, tuple(get_close_matches(use.program, sorted(names), 3, 0.6)), False
+        return False, similar_names(use.program, names, use.package, 3), False
 
     def _is_library(self, use: ProgramUse, build: Build, start: str) -> bool:
         """Whether the package builds a library of this name, and nothing else of it: targets of CMake have one kind (add_library(7))."""

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which file is meant by a path that is not there: one of its name elsewhere first, then by its name, never by its directory alone."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterable
+from difflib import SequenceMatcher
+
+#: How alike two names are at least, and how much of the longer one the shorter one is where its words are among the other's.
+_ALIKE = 0.8
+_PART = 0.5
+_LONGEST = 200
+_LAUNCH = re.compile(r"[._]launch(?:\.\w+)?$")
+#: Words of which one is not meant by the other.
+_APART = ({"left", "right"}, {"front", "rear"}, {"front", "back"}, {"upper", "lower"}, {"min", "max"})
+
+
+def similar_files(wanted: str, paths: Iterable[str], owner: str = "", count: int = 1) -> tuple[str, ...]:
+    """Up to *count* of *paths* that may be meant by *wanted*, the likeliest first; none where all are rather other files.
+
+    *owner* is the package that has them: its name may stand before that of a file.
+    """
+    base = posixpath.basename(wanted)
+    stem, kind = _stem(base), _kind(base)
+    if not stem or len(base) > _LONGEST:
+        return ()
+    ranked: list[tuple[int, float, str]] = []
+    for path in paths:
+        other = posixpath.basename(path)
+        if path != wanted and len(other) <= _LONGEST and (other == base or _kind(other) == kind):
+            rank = _rank(base, stem, other, _stem(other), owner)
+            if rank is not None:
+                ranked.append((rank[0], -rank[1], path))
+    best = sorted(ranked)[: 4 * count + 20]
+    return tuple(
+        path for _, _, path in sorted(best, key=lambda each: (*each[:2], -_ratio(wanted, each[2]), each[2]))[:count]
+    )
+
+
+def similar_names(wanted: str, names: Iterable[str], owner: str = "", count: int = 1) -> tuple[str, ...]:
+    """Up to *count* of *names*, of programs and classes, that may be meant by *wanted*; what stands behind a dot counts for little."""
+    stem = _stem(wanted)
+    if not stem or len(wanted) > _LONGEST:
+        return ()
+    ranked = []
+    for name in names:
+        rank = _rank(wanted, stem, name, _stem(name), owner) if name != wanted and len(name) <= _LONGEST else None
+        if rank is not None:
+            ranked.append((rank[0], -rank[1], name))
+    return tuple(name for _, _, name in sorted(ranked)[:count])
+
+
+def _rank(base: str, stem: str, other: str, name: str, owner: str) -> tuple[int, float] | None:
+    """How near a file's name is, 0 for the same one; None for another one."""
+    if other == base:
+        return 0, 1.0
+    if _squeezed(stem) == _squeezed(name) or _squeezed(base) == _squeezed(other):
+        return 1, float(_squeezed(other) == _squeezed(base))
+    if owner and _squeezed(name) in (_squeezed(owner + stem), _squeezed(stem + owner)):
+        return 2, 1.0
+    if owner and _squeezed(name) == _squeezed(owner) and set(_words(stem)) <= set(_words(owner)):
+        return 2, 0.5
+    words, others = _words(stem), _words(name)
+    left, right = set(words) - set(others), set(others) - set(words)
+    if re.findall(r"\d+", stem) != re.findall(r"\d+", name) or any(left & pair and right & pair for pair in _APART):
+        return None
+    ratio = _ratio(stem.lower(), name.lower())
+    if ratio >= _ALIKE:
+        return 3, ratio
+    is_part = (not left or not right) and min(len(stem), len(name)) >= _PART * max(len(stem), len(name))
+    return (4, ratio) if is_part else None
+
+
+def _ratio(one: str, other: str) -> float:
+    matcher = SequenceMatcher(None, one, other)
+    return matcher.ratio() if matcher.quick_ratio() >= _PART else 0.0
+
+
+def _stem(base: str) -> str:
+    return re.sub(r"_launch$", "", base.lstrip(".").partition(".")[0])
+
+
+def _kind(base: str) -> str:
+    return "launch" if _LAUNCH.search(base) else posixpath.splitext(base)[1].lower()
+
+
+def _words(name: str) -> list[str]:
+    return [word.lower() for word in re.split(r"[^A-Za-z0-9]+|(?<=[a-z])(?=[A-Z])", name) if word]
+
+
+def _squeezed(name: str) -> str:
+    return re.sub(r"[-_ .]", "", name).lower()
