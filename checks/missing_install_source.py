@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from haros_ci.api import Check, Finding, Level, Project, ProjectPackage
 from haros_ci.api.launch import similar_files
@@ -29,6 +29,7 @@ def check(project: Project) -> Iterator[Finding]:
     if not project.workspace.names:
         return
     for package in project.packages:
+        exported = _exported(package)
         commands = package.build.commands
         if any(_MAKERS.match(c.name) or (c.name == "file" and "DOWNLOAD" in c.arguments[:1]) for c in commands):
             continue
@@ -41,7 +42,7 @@ def check(project: Project) -> Iterator[Finding]:
                 said.add(path)
                 if is_told_of(package, path):
                     continue
-                yield _finding(project, package, command, word, path)
+                yield _finding(project, package, command, word, path, exported)
 
 
 def _things(command: CMakeCommand) -> tuple[str, ...]:
@@ -63,14 +64,17 @@ def _things(command: CMakeCommand) -> tuple[str, ...]:
     return tuple(word for word in rest[:end] if "$" not in word.replace("${ROOT}", "") and word)
 
 
-def _finding(project: Project, package: ProjectPackage, command: CMakeCommand, word: str, path: str) -> Finding:
+def _finding(
+    project: Project, package: ProjectPackage, command: CMakeCommand, word: str, path: str, exported: Mapping[str, str]
+) -> Finding:
     shown = path.removeprefix(f"{package.path}/")
     folder = posixpath.dirname(path)
     prefix = f"{folder}/" if folder else ""
     beside = {
         name[len(prefix) :].partition("/")[0] for name in project.workspace.names if name.startswith(prefix or "")
     }
-    near = _exported(package, path) or similar_files(path, sorted(f"{prefix}{name}" for name in beside), package.name)
+    only = exported.get(posixpath.splitext(path)[1])
+    near = [only] if only else similar_files(path, sorted(f"{prefix}{name}" for name in beside), package.name)
     if "*" in word or "?" in word:
         hint = "install() does not expand patterns; list the files with file(GLOB), or install the directory"
     elif near:
@@ -85,15 +89,20 @@ def _finding(project: Project, package: ProjectPackage, command: CMakeCommand, w
     )
 
 
-def _exported(package: ProjectPackage, path: str) -> list[str]:
-    """The one file of the same kind that the manifest exports and that is there: what is installed has to have it."""
-    suffix = posixpath.splitext(path)[1]
+def _exported(package: ProjectPackage) -> Mapping[str, str]:
+    """By suffix, the one file that the manifest exports, that is there and not installed: what is installed has to have it."""
     named = {value for each in exports(package) for value in each.attributes.values() if value.startswith("${prefix}/")}
-    found = [
-        package.inside(value.removeprefix("${prefix}/")) for value in sorted(named) if suffix and value.endswith(suffix)
-    ]
+    by_suffix: dict[str, list[str]] = {}
+    for value in sorted(named):
+        if suffix := posixpath.splitext(value)[1]:
+            by_suffix.setdefault(suffix, []).append(package.inside(value.removeprefix("${prefix}/")))
+    only = {suffix: paths[0] for suffix, paths in by_suffix.items() if len(paths) == 1}
+    if not only:
+        return {}
     installed = {command.place(word) for command in package.build.commands for word in command.arguments}
-    return found if len(found) == 1 and package.project.exists(found[0]) and found[0] not in installed else []
+    return {
+        suffix: path for suffix, path in only.items() if package.project.exists(path) and path not in installed
+    }
 
 
 CHECK = Check(
