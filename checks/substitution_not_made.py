@@ -122,5 +122,6 @@ CHECK = Check(
     summary="Substitution in YAML that launch does not make.",
     level=Level.ERROR,
     tags=("launch", "parameters"),
+    profiles=("strict",),
     project=check,
 )

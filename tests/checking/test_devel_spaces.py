@@ -30,6 +30,7 @@ target_link_libraries(driver ${catkin_LIBRARIES})
 target_link_libraries(reader ${catkin_LIBRARIES})
 install(TARGETS arm driver ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
   LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+install(DIRECTORY launch DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 """
 NODE = '#include <ros/ros.h>\nint main(int argc, char ** argv) { ros::init(argc, argv, "n"); ros::spin(); }\n'
 LAUNCH = (

@@ -29,7 +29,7 @@ GROUPS: tuple[Group, ...] = (
             ("runtime/operator", "RG", "Overloaded unary operator &."),
             ("build/printf_format", "RG", "Unknown escape sequence in a format string."),
             ("readability/nul", "RG", "NUL byte in source text."),
-            ("readability/utf8", "RG", "Invalid UTF-8 in source text."),
+            ("readability/utf8", "SG", "Invalid UTF-8 in source text."),
         ),
     ),
     Group(

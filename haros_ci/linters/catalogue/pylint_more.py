@@ -14,7 +14,7 @@ GROUPS: tuple[Group, ...] = (
         (
             ("deprecated-argument", "RW", "Deprecated argument."),
             ("deprecated-attribute", "RW", "Deprecated attribute."),
-            ("deprecated-class", "RW", "Deprecated class."),
+            ("deprecated-class", "SW", "Deprecated class."),
             ("deprecated-decorator", "RW", "Deprecated decorator."),
             ("deprecated-method", "SW", "Deprecated method."),
             ("deprecated-module", "RW", "Deprecated module."),

@@ -63,7 +63,7 @@ GROUPS: tuple[Group, ...] = (
             ("too-many-function-args", "BE", "Too many positional arguments in a call."),
             ("unexpected-keyword-arg", "RE", "Unknown keyword argument in a call."),
             ("redundant-keyword-arg", "BE", "Argument passed both by position and by keyword."),
-            ("missing-kwoa", "BE", "Missing keyword-only argument in a call."),
+            ("missing-kwoa", "SE", "Missing keyword-only argument in a call."),
             ("repeated-keyword", "BE", "Repeated keyword argument in a call."),
             ("positional-only-arguments-expected", "BE", "Positional-only argument passed by keyword."),
             (
