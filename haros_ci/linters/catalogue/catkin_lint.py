@@ -40,7 +40,7 @@ GROUPS: tuple[Group, ...] = (
         "What is not installed is there in the development space and missing on the robot.",
         ("installation",),
         (
-            ("external_file", "Re", "File outside the package that is built or installed."),
+            ("external_file", "Se", "File outside the package that is built or installed."),
             ("missing_directory", "Sw", "Directory that does not exist."),
             ("missing_file", "Se", "File that does not exist."),
             ("missing_plugin", "Re", "Exported plug-in description that does not exist."),
@@ -55,7 +55,7 @@ GROUPS: tuple[Group, ...] = (
             ("uninstalled_target", "Sw", "Target that is not installed."),
             ("wrong_bin_install_destination", "Sw", "Program installed where rosrun does not find it."),
             ("wrong_install_destination", "Sw", "File installed outside the install prefix."),
-            ("missing_python_setup", "Re", "setup.py without catkin_python_setup()."),
+            ("missing_python_setup", "Se", "setup.py without catkin_python_setup()."),
         ),
     ),
     Group(

@@ -116,7 +116,7 @@ GROUPS: tuple[Group, ...] = (
         (
             ("legacyUninitvar", "Se", "Uninitialized variable."),
             ("selfInitialization", "Be", "Member initialized with itself."),
-            ("unassignedVariable", "Rs", "Variable that is read but never assigned."),
+            ("unassignedVariable", "Ss", "Variable that is read but never assigned."),
             ("uninitStructMember", "Se", "Uninitialized struct member."),
             ("uninitdata", "Bw", "Uninitialized allocated memory."),
             ("uninitvar", "Sw", "Uninitialized variable."),
@@ -243,7 +243,7 @@ GROUPS: tuple[Group, ...] = (
             ("mismatchingBitAnd", "Rs", "Bit masks in a row without common bits."),
             ("missingReturn", "Sw", "Missing return statement."),
             ("moduloAlwaysTrueFalse", "Bw", "Remainder compared with a number that it cannot reach."),
-            ("multiCondition", "Rs", "else if that is never reached."),
+            ("multiCondition", "Ss", "else if that is never reached."),
             ("multiplySizeof", "Rw", "Product of two sizes."),
             ("operatorEqMissingReturnStatement", "Be", "Assignment operator without a return statement."),
             ("oppositeExpression", "Rs", "Opposite expressions on both sides of an operator."),

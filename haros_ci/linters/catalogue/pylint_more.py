@@ -17,7 +17,7 @@ GROUPS: tuple[Group, ...] = (
             ("deprecated-class", "SW", "Deprecated class."),
             ("deprecated-decorator", "RW", "Deprecated decorator."),
             ("deprecated-method", "SW", "Deprecated method."),
-            ("deprecated-module", "RW", "Deprecated module."),
+            ("deprecated-module", "SW", "Deprecated module."),
         ),
     ),
     Group(
