@@ -17,6 +17,7 @@ from haros_ci.follow.twins import Twin
 from haros_ci.graph.names import clean
 from haros_ci.graph.ros2_process import NAMES, SPACES, RosNode, Rule
 from haros_ci.keeping.kept import Followed
+from haros_ci.systems.following import same
 from haros_ci.values.abstract import Known, Value
 from haros_ci.values.given import BEGIN, END, AsGiven, Unseen, filled, shape
 
@@ -64,11 +65,6 @@ def fits(asked: Mapping[str, Any], given: Callable[[str], Value | None]) -> bool
     return True
 
 
-def same(one: Value | None, other: Value | None) -> bool:
-    """Whether two values are the same, and not only equal as ``1`` and ``True`` are."""
-    return one is other or (one == other and repr(one) == repr(other))
-
-
 def put_under(
     followed: Followed, names: Mapping[str, str], rules: Mapping[Rule, Rule], given: Callable[[str], Value | None]
 ) -> Followed | None:
@@ -76,8 +72,6 @@ def put_under(
 
     None if two things that were made are one then.
     """
-    if not names and not any(map(_has_mark, followed.asked.values())):
-        return followed
     texts = dict(names)
     for number, (cell, before) in enumerate(followed.asked.items()):
         value = given(cell) if isinstance(before, Unseen) else before
@@ -133,10 +127,6 @@ def put_under(
         nodes=tuple(map(node, followed.nodes)),
         twins=tuple(Twin(name(twin.name), twin.first, twin.second) for twin in followed.twins),
     )
-
-
-def _has_mark(asked: Any) -> bool:
-    return isinstance(asked, Unseen) or (isinstance(asked, Known) and isinstance(asked.value, str))
 
 
 def _number(made: Iterable[Made]) -> int:

@@ -227,3 +227,10 @@ def test_a_program_that_is_started_too_often(monkeypatch: pytest.MonkeyPatch) ->
     assert kept() == whole
     monkeypatch.setattr(ros2_processes, "OF_ONE_PROGRAM", 20)
     assert kept() == cut
+
+
+@pytest.mark.parametrize("words", ("", "name='one', namespace='left'"))
+def test_a_number_that_is_looked_at_is_what_the_parameter_has(words: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    body = COUNT + 'if (count > 5) { create_publisher<String>("x", 1); }'
+    given = ", ".join(part for part in (words, "parameters=[{'count': 9}]") if part)
+    assert follows(ros2_files(program(body), started(given)), monkeypatch) == 1
