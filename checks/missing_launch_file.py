@@ -61,7 +61,7 @@ def _made(system: System, use: FileUse) -> str:
         return "; .gitignore names it, so that it may be made elsewhere"
     if use.kind == "include":
         return ""  # programs write no launch files
-    writer = writer_of(system.workspace, use.path)
+    writer = writer_of(system, use.path)
     return f"; {writer} writes a file of this name, so that it may be made at run time" if writer else ""
 
 

@@ -5,7 +5,11 @@ from __future__ import annotations
 
 import posixpath
 import re
+from collections.abc import Iterator
+from weakref import WeakKeyDictionary
 
+from haros_ci.checking.system import System
+from haros_ci.checking.whole import Whole
 from haros_ci.model.workspace import Workspace
 
 #: So much of a file is read.
@@ -23,25 +27,36 @@ _READS = re.compile(
 )
 
 
-def writer_of(workspace: Workspace, path: str) -> str:
+#: What stands in a string up to its end, behind its last slash.
+_STRING = re.compile(r"(?<=[\"'/])([^\"'/]{3,200})(?=[\"'])")
+#: What a shell writes to, and the names in it.
+_TARGET = re.compile(r">\s{0,9}[\"']?([^\s;&|<>\"']{1,300})")
+_NAME = re.compile(r"[\w.-]{3,}")
+
+_known: WeakKeyDictionary[Whole, dict[str, str]] = WeakKeyDictionary()
+
+
+def writer_of(system: System, path: str) -> str:
     """The first program, or script of a shell, that has the base name of *path* in a string and writes files; "" if there is none."""
-    base = posixpath.basename(path)
-    if len(base) < 3 or "$" in base or "?" in base:
-        return ""
-    literal = re.compile(rf"[\"'/]{re.escape(base)}[\"']")
-    shell = re.compile(rf">\s{{0,9}}[\"']?[^\s;&|<>\"']{{0,200}}(?<![\w.-]){re.escape(base)}(?![\w.-])")
-    for file in workspace.files:
-        if file.language not in ("cpp", "python") and not file.path.endswith((".sh", ".bash")):
-            continue
-        if _LAUNCH.search(file.path):
+    if system.whole not in _known:
+        _known[system.whole] = dict(_written(system.workspace)) if system.workspace is not None else {}
+    return _known[system.whole].get(posixpath.basename(path), "")
+
+
+def _written(workspace: Workspace) -> Iterator[tuple[str, str]]:
+    """Each name that may be written, and who writes it; the first of several comes last."""
+    for file in reversed(workspace.files):
+        is_shell = file.path.endswith((".sh", ".bash"))
+        if (file.language not in ("cpp", "python") and not is_shell) or _LAUNCH.search(file.path):
             continue
         text = workspace.text(file.path)[:_MOST]
-        if base not in text:
+        if not is_shell and not _WRITES.search(text):
             continue
-        lines = [line for line in text.splitlines() if base in line and not line.lstrip().startswith(("#", "//", "*"))]
-        if file.path.endswith((".sh", ".bash")):
-            if any(shell.search(line[:2_000]) for line in lines):
-                return file.path
-        elif _WRITES.search(text) and any(literal.search(line) and not _READS.search(line[:2_000]) for line in lines):
-            return file.path
-    return ""
+        for line in text.splitlines():
+            if line.lstrip().startswith(("#", "//", "*")):
+                continue
+            if is_shell:
+                targets = _TARGET.findall(line[:2_000])
+                yield from ((name, file.path) for target in targets for name in _NAME.findall(target))
+            elif not _READS.search(line[:2_000]):
+                yield from ((name, file.path) for name in _STRING.findall(line))

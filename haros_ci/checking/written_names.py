@@ -10,8 +10,9 @@ from weakref import WeakKeyDictionary
 from haros_ci.checking.system import System, SystemNode
 from haros_ci.checking.whole import Whole
 
-#: Of all systems that are seen together, by package the texts that _texts() found, none if nothing there inherits from a foreign class.
-_TEXTS: WeakKeyDictionary[Whole, dict[str, tuple[str, ...]]] = WeakKeyDictionary()
+#: Of all systems that are seen together, by package the strings and the parts of formats in what _texts() found, none if nothing there
+#: inherits from a foreign class.
+_STRINGS: WeakKeyDictionary[Whole, dict[str, tuple[frozenset[str], tuple[list[str], ...]]]] = WeakKeyDictionary()
 #: What is read of a file, of how many files, and how long a string may be.
 _MOST, _FILES = 400_000, 300
 _CLASS = re.compile(r"^[ \t]{0,40}class[ \t]+(\w+)[ \t]*\(([^()]{1,400})\)[ \t]*:", re.MULTILINE)
@@ -32,10 +33,14 @@ def is_written(node: SystemNode, names: set[str], system: System) -> bool:
 
     Its code is that of its package and of the packages of the workspace that its Python files import.
     """
-    kept = _TEXTS.setdefault(system.whole, {})
+    kept = _STRINGS.setdefault(system.whole, {})
     if node.package not in kept:
-        kept[node.package] = tuple(_texts(node.package, system))
-    return any(_has(text, names) for text in kept[node.package])
+        texts = _texts(node.package, system)
+        written = {found[3].lstrip("~/") for text in texts for found in _STRING.finditer(text)}
+        formats = tuple(_HOLE.split(each) for each in sorted(written) if "{" in each or "%" in each)
+        kept[node.package] = frozenset(written), formats
+    strings, formats = kept[node.package]
+    return not strings.isdisjoint(names) or any(_fits(parts, name) for parts in formats for name in names)
 
 
 def _texts(package: str, system: System) -> Iterator[str]:
@@ -73,16 +78,6 @@ def _defined(names: set[str], system: System) -> set[str]:
             text = system.workspace.text(file.path)[:_MOST]
             found |= {name for name in names - found if re.search(rf"^\s*class\s+{name}\b", text, re.MULTILINE)}
     return found
-
-
-def _has(text: str, names: set[str]) -> bool:
-    for match in _STRING.finditer(text):
-        written = match[3].removeprefix("~/").lstrip("~/")
-        if written in names:
-            return True
-        if ("{" in written or "%" in written) and any(_fits(_HOLE.split(written), name) for name in names):
-            return True
-    return False
 
 
 def _fits(parts: list[str], name: str) -> bool:
