@@ -8,6 +8,7 @@ import operator
 from collections.abc import Callable
 from typing import Any
 
+from haros_ci.bounded_python.language import ARITHMETIC, BITS, POWER
 from haros_ci.launch.python.formats import percent
 from haros_ci.launch.python.heap import LARGEST
 from haros_ci.launch.python.paths import joined_path
@@ -33,18 +34,11 @@ from haros_ci.model.launch_actions import Substitution
 from haros_ci.model.location import Location
 
 BINARY: dict[type, Callable[[Any, Any], Any]] = {
-    ast.Add: operator.add,
-    ast.Sub: operator.sub,
-    ast.Mult: operator.mul,
-    ast.Div: operator.truediv,
-    ast.FloorDiv: operator.floordiv,
-    ast.Mod: operator.mod,
-    ast.BitOr: operator.or_,
-    ast.BitAnd: operator.and_,
-    ast.BitXor: operator.xor,
+    **ARITHMETIC,
+    **POWER,
+    **BITS,
     ast.LShift: operator.lshift,
     ast.RShift: operator.rshift,
-    ast.Pow: operator.pow,
 }
 ORDER: dict[type, Callable[[Any, Any], Any]] = {
     ast.Lt: operator.lt,
