@@ -13,6 +13,8 @@ from haros_ci.api.packages import is_ignored, writer_of
 #: Files that nodes read; of others they may be the ones who write them.
 _READ = re.compile(r"\.(ya?ml|rviz|urdf|xacro|sdf|srdf|world|launch|launch\.\w+|py|lua|perspective|stl|dae|vcg)$", re.I)
 _WRITES = re.compile(r"output|save|write|dump|record|store|cache|result|calibrat|camera_info|log", re.I)
+#: A value of an environment variable stands at most so often in the name of a file.
+_VALUES = 3
 #: So many places of one finding are shown.
 _SHOWN = 10
 _WHAT = {
@@ -54,15 +56,26 @@ def check(system: System) -> Iterator[Finding]:
 
 
 def _made(system: System, use: FileUse) -> str:
-    """Why the file may be made elsewhere; "" if nothing says so."""
+    """Why another file may be used, or why this one may be made elsewhere; "" if nothing says so."""
     if system.workspace is None or use.path is None:
         return ""
+    if _is_chosen(system, use):
+        return f"; the environment variable {use.chosen.partition('=')[0]} names one that does where it is set"
     if is_ignored(system.workspace, use.path):
         return "; .gitignore names it, so that it may be made elsewhere"
     if use.kind == "include":
         return ""  # programs write no launch files
     writer = writer_of(system, use.path)
     return f"; {writer} writes a file of this name, so that it may be made at run time" if writer else ""
+
+
+def _is_chosen(system: System, use: FileUse) -> bool:
+    """Whether an environment variable names the file, and there is one for another value of it."""
+    default = use.chosen.partition("=")[2]
+    if not default or use.path is None or system.workspace is None or not 0 < use.path.count(default) <= _VALUES:
+        return False
+    other = re.compile("[^/]+".join(re.escape(part) for part in use.path.split(default)))
+    return any(other.fullmatch(name) for name in system.workspace.names)
 
 
 def _folders(system: System) -> frozenset[str]:

@@ -35,7 +35,8 @@ class FileUse(LaunchFact):
     (``$(find-pkg-share pkg)/launch/x.py``, or ``$(workspace dir)/x`` by the directory of the launch file itself), *package* the
     owner, "" where there is none; *inner* the path inside the package's share directory; *path* where it would lie, relative to the
     root. *name* says what it is the value of. *is_found* is None where that cannot be known: a package outside the workspace, a file that the build may make.
-    *similar* are the files of the package that may be meant instead, nearest first.
+    *similar* are the files of the package that may be meant instead, nearest first; *chosen*, ``NAME=default``, is the environment variable that may
+    name another file, where the default of its ``$(optenv)`` names this one.
     """
 
     kind: str
@@ -46,6 +47,7 @@ class FileUse(LaunchFact):
     path: str | None = None
     is_found: bool | None = None
     similar: tuple[str, ...] = ()
+    chosen: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -40,13 +40,15 @@ class Text:
     """A substituted text: *raw* holds one MARK per unknown part, *reasons* say in the same order why.
 
     *origin* says how it comes from launch arguments, if it does and that is asked for; *vacant* why it is empty, where an environment
-    variable that is not given may fill it. Texts are the same without these.
+    variable that is not given may fill it; *chosen*, ``NAME=default``, says which environment variable may put another text in for the
+    default of its ``$(optenv)``. Texts are the same without these.
     """
 
     raw: str
     reasons: tuple[str, ...] = ()
     origin: Origin | None = field(default=None, compare=False, repr=False)
     vacant: str = field(default="", compare=False, repr=False)
+    chosen: str = field(default="", compare=False, repr=False)
 
     @property
     def known(self) -> bool:
@@ -58,7 +60,7 @@ class Text:
         return self.raw.replace(MARK, "?")
 
     def stripped(self) -> Text:
-        return Text(self.raw.strip(), self.reasons)
+        return Text(self.raw.strip(), self.reasons, chosen=self.chosen)
 
     def unknown(self, field: str, location: Location) -> tuple[Unknown, ...]:
         """The entry for *field* whose value this is; none if all is known."""
@@ -94,7 +96,8 @@ def join_texts(parts: list[Text]) -> Text:
     reasons = tuple(reason for part in kept for reason in part.reasons)
     if len(reasons) > MAX_UNKNOWN:
         return unknown(reasons[0])
-    return Text("".join(part.raw for part in kept), reasons)
+    chosen = next((part.chosen for part in kept if part.chosen), "")
+    return Text("".join(part.raw for part in kept), reasons, chosen=chosen)
 
 
 def is_private(name: str) -> bool:

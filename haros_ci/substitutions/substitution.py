@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from haros_ci.substitutions.expression import Scopes, Undecided, Wrong, evaluate
 from haros_ci.substitutions.names import Text, join_texts, literal, quoted, unknown
@@ -17,7 +17,7 @@ _FILE = re.compile(
     r"\$\(find [^()]*\)|\.(?:launch|test|xml|ya?ml|urdf|xacro|srdf|sdf|world|rviz|py|lua|csv|bt|perspective)\Z"
 )
 #: An environment variable without a default, in an expression.
-_OPTIONAL = re.compile(r"\boptenv\s*\(\s*(?:'(\w+)'|\"(\w+)\")\s*\)")
+_OPTIONAL = re.compile(r"\boptenv\s*\(\s*(?P<a>['\"])(?P<name>\w+)(?P=a)\s*(?:,\s*(?P<b>['\"])(?P<default>[^'\"]*)(?P=b)\s*)?\)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,9 +109,12 @@ def _command(content: str, sources: Sources) -> Substituted:
         if not words:
             return _wrong("$(optenv NAME default) needs the name of an environment variable")
         value = sources.environment.get(words[0])
-        if value is None and len(words) == 1:
+        if value is not None:
+            return Substituted(literal(value))
+        if len(words) == 1:
             return Substituted(Text("", vacant=_not_given(words[0])))
-        return Substituted(literal(" ".join(words[1:]) if value is None else value))
+        default = " ".join(words[1:])
+        return Substituted(replace(literal(default), chosen=f"{words[0]}={default}"))
     if len(words) != 1:
         return _wrong(f"{quoted(f'$({content})')} needs exactly one word after {command}")
     name = words[0]
@@ -155,11 +158,12 @@ def _eval(expression: str, sources: Sources) -> Substituted:
             sources.compared,
         )
         made = literal(evaluate(expression, scopes))
-        names = [found[1] or found[2] for found in _OPTIONAL.finditer(expression)] if "optenv" in expression else []
-        vacant = [name for name in names if name not in sources.environment]
+        found = _OPTIONAL.finditer(expression) if "optenv" in expression else ()
+        unset = [(each["name"], each["default"]) for each in found if each["name"] not in sources.environment]
+        vacant = [name for name, default in unset if default is None]
         if vacant and _FILE.search(made.raw):
             return Substituted(unknown(_not_given(vacant[0])))
-        return Substituted(made)
+        return Substituted(replace(made, chosen="=".join(unset[0])) if unset and not vacant else made)
     except Undecided as err:
         return Substituted(unknown(str(err)))
     except Wrong as err:

@@ -82,7 +82,7 @@ def attribute(state: State, scope: Scope, tag: LaunchElement, name: str, text: T
             note(state, scope, PackageUse, at, kind="include", package=package, is_here=False)
     for path, is_whole in named_files(raw):
         if is_whole and is_file_name(path):
-            note(state, scope, FileUse, at, kind=kind, text=path, name=called)
+            note(state, scope, FileUse, at, kind=kind, text=path, name=called, chosen=text.chosen)
     for how, path in absolute_paths(raw, kind in ("include", "parameters", "text")):
         note(state, scope, PathUse, at, kind=how, text=path, name=called)
 
