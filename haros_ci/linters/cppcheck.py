@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from collections.abc import Iterable, Iterator
 from functools import lru_cache, partial
 from posixpath import join, relpath
@@ -35,6 +36,8 @@ GAVE_UP = frozenset({"syntaxError", "unknownMacro", "preprocessorErrorDirective"
 ABOUT_ITSELF = frozenset(
     {"checkersReport", "noValidConfiguration", "toomanyconfigs", "missingInclude", "missingIncludeSystem"}
 )
+#: What it writes when it begins a file.
+PROGRESS = re.compile(rb"^Checking (.+?) \.\.\.$", re.MULTILINE)
 SOURCES = frozenset("c cc cpp cxx c++ cu".split())
 
 
@@ -108,7 +111,7 @@ def command(program: Program, batch: Batch) -> Command:
     return Command(
         (
             *program.argv,
-            *("--quiet", "--xml", "--enable=warning,style,performance,portability", "--inline-suppr"),
+            *("--xml", "--enable=warning,style,performance,portability", "--inline-suppr"),
             *("--emit-duplicates", "--check-level=normal", f"--max-configs={MAX_CONFIGS}", f"--language={language}"),
             *(
                 f"--include={header}",
@@ -119,6 +122,7 @@ def command(program: Program, batch: Batch) -> Command:
             f"--file-list={names}",
         ),
         cwd=batch.scratch,
+        progress=PROGRESS,
     )
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 from haros_ci.linters import footing
 from haros_ci.linters.gate import Gate
 from haros_ci.linters.linter import Batch, Finding, GaveUp, Linter, LintOptions, Program, Unit, Unread
-from haros_ci.linters.process import Processes, TimedOut, Unstartable
+from haros_ci.linters.process import Processes, Stalled, TimedOut, Unstartable
 from haros_ci.linters.rows import MOST, Answer
 from haros_ci.linters.sandbox import Confinement
 from haros_ci.model.workspace import Workspace
@@ -19,6 +19,8 @@ from haros_ci.results.result import Result
 
 #: Processes that may follow one failed batch in the search for the file that spoils it.
 RETRIES = 16
+#: Files with which a tool may not get on before the rest of a batch is left out.
+STALLS = 4
 #: Seconds that each of them has at least, if the first one had as many.
 SHORTEST = 10.0
 
@@ -61,7 +63,7 @@ def execute(task: Task, processes: Processes, scratch: Path) -> Outcome:
     answers: list[tuple[str, Answer]] = []
     seconds: list[tuple[str, float]] = []
     failures: list[tuple[str, tuple[str, ...]]] = []
-    waiting = [task.units]
+    waiting, stalled = [task.units], list[str]()
     for attempt in range(1 + RETRIES):
         if not waiting:
             break
@@ -73,6 +75,13 @@ def execute(task: Task, processes: Processes, scratch: Path) -> Outcome:
             seconds += _shared(spent, part)
         except Unstartable as err:
             failures.append((_sentence(task, err, paths), paths))
+        except Stalled as err:
+            stalled.append(err.at)
+            lost = _lost_with(stalled, part, task.units)
+            kept = tuple(unit for unit in part if unit not in lost)
+            paths = tuple(unit.file.path for unit in lost)
+            failures.append((_sentence(task, err, paths), paths))
+            waiting += [kept] if kept else []
         except (TimedOut, _Failed) as err:
             if len(part) == 1 or attempt + len(waiting) + 2 > RETRIES:
                 failures.append((_sentence(task, err, paths), paths))
@@ -82,6 +91,21 @@ def execute(task: Task, processes: Processes, scratch: Path) -> Outcome:
         paths = tuple(unit.file.path for unit in part)
         failures.append((_sentence(task, _Failed("not tried again"), paths), paths))
     return Outcome(tuple(answers), tuple(failures), tuple(seconds))
+
+
+def _lost_with(stalled: list[str], units: tuple[Unit, ...], every: tuple[Unit, ...]) -> tuple[Unit, ...]:
+    """Those of *units* that are not tried again after a tool did not get on with the files *stalled*: the last one, and what includes it.
+
+    After two such files also what shares a header with all of them; after STALLS, or if the file is none of *every*, all.
+    """
+    by_path = {unit.file.path: unit for unit in every}
+    at = stalled[-1]
+    if at not in by_path or len(stalled) >= STALLS:
+        return units
+    bad = {at}
+    if len(stalled) > 1:
+        bad |= set.intersection(*(set(by_path[path].dependencies) for path in stalled))
+    return tuple(unit for unit in units if unit.file.path == at or not bad.isdisjoint(unit.dependencies))
 
 
 def _shared(seconds: float, units: tuple[Unit, ...]) -> list[tuple[str, float]]:
@@ -111,7 +135,10 @@ def _ask(
         reads = (str(workspace.root), str(own), *footing.of_program(command.argv), *command.reads)
         confinement = Confinement(reads, (str(own), str(working), *footing.WRITTEN), command.talks)
     timeout = task.timeout(len(units))
-    output = processes.run(command, root=workspace.root, scratch=working, timeout=timeout, confinement=confinement)
+    try:
+        output = processes.run(command, root=workspace.root, scratch=working, timeout=timeout, confinement=confinement)
+    except Stalled as err:
+        raise Stalled(err.at.removeprefix(os.path.realpath(workspace.root) + "/")) from err
     if output.truncated:
         raise _Failed("wrote more than it may")
     if output.code < 0:
@@ -164,6 +191,8 @@ class _Cleaner:
 def _sentence(task: Task, error: Exception, paths: tuple[str, ...]) -> str:
     name = task.linter.NAME
     files = ", ".join(paths[:3]) + (f" and {len(paths) - 3} more" if len(paths) > 3 else "")
+    if isinstance(error, Stalled):
+        return f"{name} was stopped after {error.seconds:g} s with {error.at}; without a result: {files}"
     if isinstance(error, TimedOut):
         return f"{name} was stopped after {task.timeout(len(paths)):g} s; without a result: {files}"
     if isinstance(error, Unstartable):

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from enum import Enum
@@ -76,7 +77,8 @@ class Command:
     """One process: it runs in *cwd* (default: the workspace root), without a shell, in its own process group.
 
     *reads* are absolute places that it has to open besides the analysed files and what lies beside its program. With *talks*
-    its processes talk to each other by local sockets.
+    its processes talk to each other by local sockets. *progress* matches what the tool writes to stdout when it begins a file, whose
+    name is group 1: if nothing more is written for a while, the process is stopped, and that file is left out.
     """
 
     argv: tuple[str, ...]
@@ -85,6 +87,7 @@ class Command:
     cwd: Path | None = None
     reads: tuple[str, ...] = ()
     talks: bool = False
+    progress: re.Pattern[bytes] | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,8 @@ import os
 import signal
 import subprocess
 import threading
-from collections.abc import Iterator, Mapping
+import time
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -25,11 +26,22 @@ OUTPUT_LIMIT = 64_000_000
 #: space would not do: programs in Haskell, Java or JavaScript reserve terabytes of it and use little.
 MEMORY_LIMIT = 8_000_000_000
 
+#: Seconds that a tool which writes what it is at may stay with one file, or one configuration of it.
+STALL = 60.0
+
 _LIMITING = threading.Lock()
 
 
 class TimedOut(Exception):
     """The process was killed when its time was up."""
+
+
+class Stalled(TimedOut):
+    """The process was killed because it did not get on with the file *at*."""
+
+    def __init__(self, at: str) -> None:
+        super().__init__(at)
+        self.at, self.seconds = at, STALL
 
 
 class Unstartable(Exception):
@@ -47,7 +59,7 @@ class Processes:
     def run(
         self, command: Command, *, root: Path, scratch: Path, timeout: float, confinement: Confinement | None = None
     ) -> Output:
-        """What *command* left behind. Raises TimedOut, Unstartable.
+        """What *command* left behind. Raises TimedOut (Stalled if it is known at which file), Unstartable.
 
         With *confinement* it can open nothing else, as far as this machine can see to that. Both streams go to files in *scratch*: neither a full pipe nor an orphan that holds one open can then hang us.
         """
@@ -66,6 +78,10 @@ class Processes:
 
         timer = threading.Timer(timeout, expire)
         timer.start()
+        ended, stalled = threading.Event(), threading.Event()
+        if command.progress is not None and STALL < timeout:
+            watch = (streams[1], ended, stalled, lambda: kill_group(process))
+            threading.Thread(target=_watch, args=watch, daemon=True).start()
         try:
             code, seconds = _wait(process)
         except BaseException:
@@ -73,11 +89,15 @@ class Processes:
             process.wait()
             raise
         finally:
+            ended.set()
             timer.cancel()
             with self._lock:
                 self._alive.discard(process)
             lifeline.close()
         kill_group(process)  # what it may have left running
+        if stalled.is_set() and command.progress is not None:
+            begun = command.progress.findall(_head(streams[1]))
+            raise Stalled(os.fsdecode(begun[-1])) if begun else TimedOut
         if expired.is_set():
             raise TimedOut
         truncated = any(_size(stream) >= OUTPUT_LIMIT for stream in streams[1:])
@@ -210,6 +230,19 @@ def _wait(process: subprocess.Popen[bytes]) -> tuple[int, float]:
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
     return process.returncode, usage.ru_utime + usage.ru_stime
+
+
+def _watch(stdout: Path, ended: threading.Event, stalled: threading.Event, kill: Callable[[], None]) -> None:
+    """Until the process has *ended*: end it, by *kill*, when *stdout* has not grown for STALL seconds."""
+    size, since = 0, time.monotonic()
+    while not ended.wait(min(1.0, STALL / 4)):
+        now = _size(stdout)
+        if now != size:
+            size, since = now, time.monotonic()
+        elif time.monotonic() - since > STALL and not ended.is_set():
+            stalled.set()
+            kill()
+            return
 
 
 def _within(path: str, roots: list[str]) -> bool:
