@@ -68,6 +68,7 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ),
 )
 _KNOWN = tuple((re.compile(n), re.compile(s, re.IGNORECASE | re.DOTALL), own) for n, s, own in _TABLE)
+_WRAPS = re.compile(r"[_-](?:ros[12]?|vendor|catkin|wrapper)$", re.IGNORECASE)
 _ANY = re.compile("|".join(name for name, _, _ in _TABLE))
 
 
@@ -81,5 +82,10 @@ def copied_library(path: str, language: str, data: bytes) -> str:
 
 
 def is_of_project(library: str, package: str | None) -> bool:
-    """Whether *package* is the project of the *library* itself, by its name: there its files are no copies."""
-    return package is not None and re.sub(r"[^a-z0-9]", "", package.lower()).startswith(library)
+    """Whether *package* is the project of the *library* itself, by its name: there its files are no copies.
+
+    A package called after the library and ROS, or ``_vendor``, wraps it.
+    """
+    if package is None or _WRAPS.search(package):
+        return False
+    return re.sub(r"[^a-z0-9]", "", package.lower()).startswith(library)
