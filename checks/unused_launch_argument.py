@@ -39,6 +39,8 @@ _NEAR = 0.85
 _CLOCK = "use_sim_time"
 #: So many further includes are named.
 _SHOWN = 3
+#: So many arguments of one include are named.
+_NAMED = 5
 _TAG = re.compile(r"<arg\b(?:[^<>\"']|\"[^\"]*\"|'[^']*'){0,400}>")
 _VALUES = re.compile(r"\"[^\"]*\"|'[^']*'")
 
@@ -47,28 +49,30 @@ def check(system: System) -> Iterator[Finding]:
     for use in system.facts(IncludeUse):
         known = {*use.declared, *use.read}
         free = sorted({*use.declared} - {passed.name for passed in use.passed})
+        if use.ros == 1:
+            yield from _passed_to_ros1(use, [passed for passed in use.passed if passed.name not in known], free)
+            continue
         for passed in use.passed if use.is_whole else ():
             if passed.name in known:
                 continue
             first, *others = system.whole.passed_for_nothing.get((use.path or "", passed.name), (passed.location,))
-            if use.ros == 2 and passed.location != first:
+            if passed.location != first:
                 continue
             similar = tuple(get_close_matches(passed.name, free, 1, 0.7))
-            what = "launch stops here" if use.ros == 1 else "it has no effect"
             key = (passed.location.path, passed.name)
-            targets = system.whole.passed_with_all.get(key, ()) if use.ros == 2 else ()
+            targets = system.whole.passed_with_all.get(key, ())
             if targets:
                 if targets[0] == (use.path, passed.location):
                     yield _passed_with_all(use, passed, targets, similar)
                 continue
             yield Finding(
                 at=passed.location,
-                message=f"passes {passed.name!r} to {use.path}, which does not declare it: {what}{meant(similar)}",
+                message=f"passes {passed.name!r} to {use.path}, which does not declare it: it has no effect{meant(similar)}",
                 about=(use.path or "", passed.name),
                 apart=(use.path or "", passed.name),
                 flow=included_by(use),
-                related=tuple((place, "passes it, too") for place in others[:_SHOWN]) if use.ros == 2 else (),
-                level=Level.ERROR if use.ros == 1 else Level.NOTE if passed.name == _CLOCK and not similar else None,
+                related=tuple((place, "passes it, too") for place in others[:_SHOWN]),
+                level=Level.NOTE if passed.name == _CLOCK and not similar else None,
                 presence=use.presence,
             )
     for argument in system.facts(ArgumentDeclaration):
@@ -87,6 +91,28 @@ def check(system: System) -> Iterator[Finding]:
                 presence=argument.presence,
                 level=Level.NOTE if is_set or _is_of_family(argument, system) else None,
             )
+
+
+def _passed_to_ros1(use: IncludeUse, unknown: list[PassedArgument], free: list[str]) -> Iterator[Finding]:
+    """One finding for the arguments that an include of ROS 1 passes and its file does not declare: roslaunch ends there."""
+    if not use.is_whole or not unknown:
+        return
+    first, *others = sorted(unknown, key=lambda passed: passed.location.sort_key)
+    names = [passed.name for passed in (first, *others)]
+    what = f"passes {', '.join(map(repr, names[:_NAMED]))}"
+    if len(names) > _NAMED:
+        what += f" and {len(names) - _NAMED} more"
+    similar = tuple(get_close_matches(first.name, free, 1, 0.7)) if not others else ()
+    yield Finding(
+        at=first.location,
+        message=f"{what} to {use.path}, which does not declare {'them' if others else 'it'}: launch stops here{meant(similar)}",
+        about=(use.path or "", *names[:_NAMED]),
+        apart=(use.path or "", first.name),
+        flow=included_by(use),
+        related=tuple((passed.location, f"passes {passed.name!r}") for passed in others[:_NAMED]),
+        level=Level.ERROR,
+        presence=use.presence,
+    )
 
 
 def _passed_with_all(

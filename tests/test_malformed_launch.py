@@ -68,6 +68,13 @@ def test_stays_quiet(name: str, text: str, tmp_path: Path) -> None:
     assert found(tmp_path, name, text) == []
 
 
+def test_a_file_of_ros_2_in_a_package_of_ros_1(tmp_path: Path) -> None:
+    text = '<launch><arg name="a"/><node pkg="p" exec="e" name="n"><param name="x" value="$(var a)"/></node></launch>\n'
+    assert found(tmp_path / "two", "detect.ros2.launch", text, ros=1) == []
+    assert found(tmp_path / "one", "detect.launch", '<launch>\n<node pkg="p" name="n" ns="x"/></launch>\n', ros=1) != []
+    assert found(tmp_path / "even", "detect.launch", '<launch>\n<node pkg="p" name="n"/></launch>\n', ros=1) != []
+
+
 @pytest.mark.parametrize(
     ("name", "text", "line"),
     [

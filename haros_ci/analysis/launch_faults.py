@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 
+from haros_ci.launch.ros1 import dialect
 from haros_ci.model.launch import LaunchElement, LaunchFile
 from haros_ci.model.workspace import Problem, Workspace
 
@@ -93,7 +94,8 @@ def _of_tags(
     if launch.root is None:
         yield from (Problem(path, message, line) for line, message in launch.problems[:1])
     elif is_ros1:
-        yield from _of_ros1(path, launch.root) if launch.root.tag == "launch" else ()
+        # what has more of ROS 2 than of ROS 1 is for a build of the package in ROS 2, or a leftover, which another rule says once
+        yield from _of_ros1(path, launch.root) if dialect.is_ros1(launch, 1) else ()
     elif of_ros2 and launch.root.tag == "launch" and not _OF_ROS1.search(text):
         from haros_ci.extract.launch.ros2_xml import read_ros2_xml
 
