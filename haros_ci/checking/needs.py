@@ -165,13 +165,16 @@ def _providers(header: str, package: ProjectPackage, sources: Sources) -> frozen
     if not slash or top == package.name:
         known = project.knowledge.provider_of_header(header) if not slash else None
         return known or frozenset()
-    names = {name for _, name in sources.ending(header)}
+    known = project.knowledge.provider_of_header(header) or frozenset()
+    # a package that keeps a copy of a library for itself is not what others need for it
+    own = {*package.declared, package.name} if known else ()
+    names = {name for path, name in sources.ending(header) if not known or name in own or path not in sources.copies}
     other = project.package(top)
     if other is not None and (other.build.interfaces or other.build.configs or other.build.parameter_libraries):
         names.add(top)  # it generates headers
     elif other is not None and not names:
         return frozenset()
-    return frozenset(names | (project.knowledge.provider_of_header(header) or frozenset()))
+    return frozenset(names | known)
 
 
 def _made(package: ProjectPackage) -> frozenset[str]:

@@ -258,6 +258,12 @@ class Sources:
                     found.setdefault(name, set()).add(package.name)
         return {name: frozenset(names) for name, names in found.items()}
 
+    @cached_property
+    def copies(self) -> frozenset[str]:
+        """The files that are copies of a library of one file."""
+        files = (file for package in self.project.packages for file in package.files)
+        return frozenset(file.path for file in files if file.third_party == file.path)
+
     def ending(self, header: str) -> list[tuple[str, str]]:
         """The files, with their packages, that ``#include <header>`` may mean."""
         end = f"/{header}"
