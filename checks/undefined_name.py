@@ -8,6 +8,9 @@ from collections.abc import Iterator, Mapping
 from haros_ci.api import Check, Finding, Level, Location, Project, listed
 from haros_ci.api.code import LOADS, commented_blocks, parsed, switched_off, undefined_names
 
+#: A file that lacks so many names lacks its imports: one cause.
+MANY = 4
+
 
 def check(project: Project) -> Iterator[Finding]:
     loads: dict[str | None, bool] = {}
@@ -29,9 +32,10 @@ def check(project: Project) -> Iterator[Finding]:
         dead = switched_off(found[0]) if names else frozenset()
         blocks = commented_blocks(found[1], names) if names else {}
         groups: dict[tuple[int, str], list[str]] = {}
+        is_unwritten = sum(line not in dead and name not in blocks for name, line in names.items()) >= MANY
         for name, line in names.items():
-            is_alone = line in dead or name not in blocks
-            groups.setdefault((0, name) if is_alone else (blocks[name], ""), []).append(name)
+            is_alone = line in dead or (name not in blocks and not is_unwritten)
+            groups.setdefault((0, name) if is_alone else (blocks.get(name, 0), ""), []).append(name)
         for (block, _), group in groups.items():
             yield _finding(file.path, {name: names[name] for name in group}, block, names[group[0]] in dead)
 

@@ -34,6 +34,9 @@ LOST = "\ufffd"
 
 #: Suffixes of files that are there to be included: templates apart from their header, tables, CUDA.
 _PARTS = (".cu", ".cuh", ".ipp", ".tpp", ".txx", ".ixx", ".inl", ".impl", ".inc", ".def", ".icc")
+#: The address of a member of what a cast pointer points to, and that of a cast.
+_MEMBER = re.compile(r"&\s?\(\s?\([^()]{1,200}\*\s?\)[^()]{1,200}(?:\([^()]{0,200}\))?\s?\)\s?(?:->|\[)")
+_CAST = re.compile(r"&\s?(?:\([\w:<>, ]{1,200}\)\s?\w|(?:static|dynamic|reinterpret|down)_cast\b)")
 _LINE = re.compile(r"(\d+|None):  (.*)  \[([\w/+]+)\] \[(\d)\]$", re.DOTALL)
 
 
@@ -42,7 +45,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return "3"
+    return "4"
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -108,6 +111,8 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
             place = Location(match[1], whole_number(said[1]) or None)
             if _is_part(match[1], said[3], said[2], batch.workspace, place.line):
                 continue
+            if said[3] == "runtime/casting" and _is_member(batch.workspace, place):
+                continue
             if said[3] == "readability/utf8" and _is_lost_remark(batch.workspace, place):
                 continue
             yield Finding(match[1], Result(NAME, said[3], Level.WARNING, said[2], place))
@@ -125,6 +130,14 @@ def _is_part(path: str, category: str, message: str, workspace: Workspace, line:
     lines = workspace.text(path).split("\n") if line else []
     text = lines[line - 1] if line and line <= len(lines) else ""
     return re.match(r'\s*#\s*include\s*"[^"/]+"', text) is not None
+
+
+def _is_member(workspace: Workspace, at: Location) -> bool:
+    """Whether "an address of a cast" is none: C has no such address (no compiler takes one), and ``&((T *)p)->x`` is that of a member."""
+    if at.path.endswith(".c"):
+        return True
+    lines = workspace.text(at.path).split("\n")[(at.line or 1) - 1 :][:1]
+    return any(_MEMBER.search(line) for line in lines) and not any(_CAST.search(line) for line in lines)
 
 
 def _is_lost_remark(workspace: Workspace, at: Location) -> bool:

@@ -60,6 +60,30 @@ CPPLINT_QUIET = [
 ]
 
 
+@pytest.mark.parametrize(
+    ("name", "line", "is_told"),
+    [
+        ("a b.cpp", "foo(&(int)x);", True),
+        ("a b.cpp", "x = &static_cast<A>(y);", True),
+        ("a b.cpp", "x = &((A *)p)->b + &(B)c;", True),
+        ("a b.cpp", "return &((struct x *)e)->pp->e;", False),
+        ("a b.cpp", "p = &((T*)q())[0];", False),
+        ("a b.cpp", "p = & ( (T *)q ) -> x;", False),
+        ("a b.c", "foo(&(int)x);", False),
+        ("a b.c", "a = b & (uint32_t) c;", False),
+    ],
+)
+def test_cpplint_on_the_address_of_a_cast(tmp_path: Path, name: str, line: str, is_told: bool) -> None:
+    said = parse(
+        cpplint,
+        tmp_path,
+        {name: f"\n{line}\n"},
+        f"Done processing ./{name}\n",
+        f"./{name}:2:  Are you taking an address of a cast?  [runtime/casting] [4]\n",
+    )
+    assert bool(said) == is_told
+
+
 @pytest.mark.parametrize(("line", "rule", "number"), CPPLINT_FIRES)
 def test_cpplint_fires(tmp_path: Path, line: str, rule: str, number: int | None) -> None:
     (said,) = parse(cpplint, tmp_path, {"a b.cpp": ""}, DONE, line)
