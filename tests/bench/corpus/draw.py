@@ -174,8 +174,12 @@ def sheet(round_: Mapping[str, Any], out: Path, checkouts: Path, most: Mapping[s
 
 
 def reports(names: Iterable[str], out: Path) -> dict[str, Any]:
-    """The reports that run.py left in *out*, by repository; ``FileNotFoundError`` if one of *names* has none."""
-    return {name: json.loads((out / (name.replace("/", "+") + ".json")).read_bytes()) for name in names}
+    """The reports that run.py left in *out*, by repository; those without one are named on stderr."""
+    places = {name: out / (name.replace("/", "+") + ".json") for name in names}
+    for name, place in places.items():
+        if not place.exists():
+            print(f"{name}: no report", file=sys.stderr)
+    return {name: json.loads(place.read_bytes()) for name, place in places.items() if place.exists()}
 
 
 def lines(rows: Iterable[dict[str, Any]], checkouts: Path) -> str:
