@@ -9,7 +9,7 @@ from functools import lru_cache
 
 from haros_ci.linters.constant_switches import is_switched_by_hand
 from haros_ci.linters.cppcheck_conditions import OF_VALUES, has_large_constant, is_spelled_out
-from haros_ci.linters.cppcheck_uses import is_copied, is_read_checked
+from haros_ci.linters.cppcheck_uses import is_copied, is_pointed_to, is_read_checked
 from haros_ci.results.scope import scopes
 
 #: A literal of the user's own that takes a default, as pybind11's arguments do: ``"steps"_a = false``.
@@ -112,6 +112,8 @@ def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
         return is_read_checked(line, text)
     if rule == "danglingTemporaryLifetime":
         return is_copied(line, text)
+    if rule == "danglingTempReference":
+        return is_pointed_to(line, text)
     if rule == "multiCondition":
         return is_spelled_out(message, line, text)
     if rule in _OF_CONDITIONS:

@@ -53,6 +53,11 @@ def is_read_checked(line: int, text: str) -> bool:
     )
 
 
+#: A reference that is made: its name, and of what.
+_MADE_ANEW = re.compile(r"\b\w*(?:make|create|clone|unique|release|new)\w*\s?[<(]", re.IGNORECASE)
+_REFERENCE = re.compile(r"&\s?([A-Za-z_]\w*)\s?=\s?([^;=][^;]*);")
+
+
 def is_copied(line: int, text: str) -> bool:
     """Whether what is used at *line* has been given the text of a temporary above, as an element of a class that copies it (JSON, YAML, strings)."""
     lines = text.split("\n")
@@ -64,4 +69,23 @@ def is_copied(line: int, text: str) -> bool:
         made = _ELEMENT.match(lines[number - 1][:_LONGEST])
         if made and made[1] in here and inside.at(number) == inside.at(line):
             return re.search(_HOLDERS.format(name=made[1]), text) is not None
+    return False
+
+
+def is_pointed_to(line: int, text: str) -> bool:
+    """Whether what is used at *line* is a reference to what a pointer points to: ``auto & x = made()[0]->part;``, or one made of such a one.
+
+    A temporary that held the pointer has gone, what it points to has not, unless that was made for it.
+    """
+    lines = text.split("\n")
+    if not 0 < line <= len(lines):
+        return False
+    names = set(re.findall(r"[A-Za-z_]\w*", lines[line - 1][:_LONGEST]))
+    for number in range(line - 1, max(line - _NEAR, 0), -1):
+        made = _REFERENCE.search(lines[number - 1][:_LONGEST])
+        if made is None or made[1] not in names:
+            continue
+        if re.search(r"[\])]\s?->", made[2]):
+            return _MADE_ANEW.search(made[2]) is None
+        names |= set(re.findall(r"[A-Za-z_]\w*", made[2]))
     return False

@@ -412,3 +412,27 @@ def test_long_bodies_take_no_time(filler: str) -> None:
     assert not is_refuted("wrongfeofUsage", FEOF, 1, text)
     assert not is_refuted("danglingTemporaryLifetime", TEMPORARY, 2, text)
     assert time.monotonic() - start < 2
+
+
+POINTED = [
+    "const auto & det = map.entries()[0]->part;\nuse(det);\n",
+    "const auto& det = node()->part;\nuse(det.size());\n",
+    "auto & first = map.entries()[0]->part;\nconst auto & det = std::get<A>(*first);\nuse(det);\n",
+]
+TEMPORARY = [
+    "const auto & det = map.entries()[0].part;\nuse(det);\n",
+    "const auto & det = make().part();\nuse(det);\n",
+    "const auto & det = std::make_unique<A>()->part;\nuse(det);\n",
+    "const auto & det = createNode()->part;\nuse(det);\n",
+    "const auto & other = map.entries()[0]->part;\nauto & det = text().front();\nuse(det);\n",
+]
+
+
+@pytest.mark.parametrize("text", POINTED)
+def test_a_reference_to_what_a_pointer_points_to(text: str) -> None:
+    assert is_refuted("danglingTempReference", "Using reference to dangling temporary.", text.count("\n"), text)
+
+
+@pytest.mark.parametrize("text", TEMPORARY)
+def test_a_reference_to_a_temporary(text: str) -> None:
+    assert not is_refuted("danglingTempReference", "Using reference to dangling temporary.", text.count("\n"), text)
