@@ -10,8 +10,9 @@ from functools import lru_cache
 
 from haros_ci.checking.boost import HEADERS, brings_boost
 from haros_ci.checking.includes import reached
+from haros_ci.checking.outside_targets import builds_absent
 from haros_ci.checking.project import ProjectPackage
-from haros_ci.checking.provision import Sources, exists
+from haros_ci.checking.provision import Sources, exists, is_of_ros
 from haros_ci.knowledge.knowledge import Knowledge
 from haros_ci.model.build import CMakeCommand
 from haros_ci.model.location import Location
@@ -136,7 +137,7 @@ def _brings_module(sources: Sources, name: str) -> bool:
 def _included(package: ProjectPackage, sources: Sources, tests: bool) -> Iterator[Need]:
     """The headers that every build includes, from elsewhere, and whose providers are known."""
     asked: dict[str, frozenset[str]] = {}
-    lent, made = _lent(package), _made(package)
+    lent, made, is_hidden = _lent(package), _made(package), builds_absent(package)
     for include in reached(package, sources, tests=tests):
         header = include.header
         if header not in asked:
@@ -144,6 +145,8 @@ def _included(package: ProjectPackage, sources: Sources, tests: bool) -> Iterato
             asked[header] = names | brings_boost(package) if HEADERS in names else names
         names = asked[header]
         if _may_be_of_a_part(header, names, package):
+            continue
+        if is_hidden and not any(is_of_ros(name, package.project) for name in names):
             continue
         if header.rpartition("/")[2] not in made and not names & lent and exists(names, package):
             yield Need(names, include.location, f"#include <{header}>", True)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Iterator
 
@@ -27,6 +28,15 @@ _SUBDIRECTORY = re.compile(r"(?mi)^[ \t]*add_subdirectory[ \t]*\([ \t\n]*\"?([^\
 def may_have_more(package: ProjectPackage) -> bool:
     """Whether a fetched project, a directory that is not here, or a package that nobody knows may bring targets to *package*."""
     return any(package.commands(*_FETCHING)) or any(_lost(package)) or any(_unknown(package))
+
+
+def builds_absent(package: ProjectPackage) -> bool:
+    """Whether its CMakeLists.txt adds the directory of a submodule that is not checked out: a library that may bring any header."""
+    project = package.project
+    if not project.absent:
+        return False
+    text = project.text(posixpath.join(package.path, "CMakeLists.txt"))
+    return any(project.is_absent(posixpath.normpath(posixpath.join(package.path, found[1]))) for found in _SUBDIRECTORY.finditer(text))
 
 
 def _lost(package: ProjectPackage) -> Iterator[str]:

@@ -20,10 +20,11 @@ CMAKE = "cmake_minimum_required(VERSION 3.8)\nproject({0})\nfind_package(ament_c
 COPY = "//  JSON for Modern C++\n//  version 3.11.2\n// Copyright (c) 2013-2022 Niels Lohmann\n" + "int a;\n" * 200
 
 
-def messages(declared: str, header: str, tmp_path: Path) -> list[str]:
+def messages(declared: str, header: str, tmp_path: Path, cmake: str = "", modules: str = "") -> list[str]:
     files = {
         "demo/package.xml": PACKAGE.format("demo", declared),
-        "demo/CMakeLists.txt": CMAKE.format("demo", "add_executable(demo a.cpp)"),
+        "demo/CMakeLists.txt": CMAKE.format("demo", f"{cmake}\nadd_executable(demo a.cpp)"),
+        ".gitmodules": modules,
         "demo/a.cpp": "#include <nlohmann/json.hpp>\nint main() {}\n",
         "other/package.xml": PACKAGE.format("other", ""),
         "other/CMakeLists.txt": CMAKE.format("other", "install(DIRECTORY include/ DESTINATION include)"),
@@ -46,3 +47,15 @@ def test_a_header_of_its_own_is_of_the_package(tmp_path: Path) -> None:
 @pytest.mark.parametrize("declared", ["other", "nlohmann-json-dev"])
 def test_either_is_enough(declared: str, tmp_path: Path) -> None:
     assert messages(f"<depend>{declared}</depend>", COPY, tmp_path) == []
+
+
+MODULES = '[submodule "demo/external/json"]\n\tpath = demo/external/json\n\turl = https://example.org/json\n'
+
+
+def test_a_submodule_that_is_not_checked_out_may_bring_it(tmp_path: Path) -> None:
+    assert messages("", COPY, tmp_path, "add_subdirectory(external/json)", MODULES) == []
+
+
+@pytest.mark.parametrize(("cmake", "modules"), [("", MODULES), ("add_subdirectory(external/json)", "")])
+def test_a_submodule_of_no_use(cmake: str, modules: str, tmp_path: Path) -> None:
+    assert len(messages("", COPY, tmp_path, cmake, modules)) == 1
