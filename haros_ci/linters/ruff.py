@@ -36,7 +36,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return json.dumps(["6", sorted(ruff_config.LEFT_OUT)])
+    return json.dumps(["7", sorted(ruff_config.LEFT_OUT)])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -77,6 +77,12 @@ def command(program: Program, batch: Batch) -> Command:
     return Command((*program.argv, *options, "--", *("./" + file.path for file in batch.files)))
 
 
+#: What ruff makes of ``except A, e:``, which Python 3.14 has again for two exceptions.
+OF_EXCEPT = ("B025", "B029", "B030")
+_BOUND = re.compile(r"[ \t]*except[ \t]+(?:\([^()]*\)|[\w.]+)[ \t]*,[ \t]*[a-z_]\w*[ \t]*:")
+_LONGEST = 400
+
+
 def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     """The JSON report: absolute names, code points from 1, ends exclusive; a syntax error may lack its code."""
     roots = {os.path.abspath(batch.workspace.root), os.path.realpath(batch.workspace.root)}
@@ -84,6 +90,12 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     answers = json.loads(output.stdout)
     broken = {paths.get(said["filename"]): said["location"]["row"] for said in reversed(answers) if _is_syntax(said)}
     old = {path for path in broken if path is not None and python2.is_python2(batch.workspace.text(path))}
+    for path in {paths.get(said["filename"]) for said in answers if said["code"] in OF_EXCEPT} - {None, *old}:
+        lines = batch.workspace.text(path).split("\n")
+        bound = next((number for number, line in enumerate(lines, 1) if _BOUND.match(line[:_LONGEST])), None)
+        if bound is not None:
+            old.add(path)
+            broken.setdefault(path, bound)
     for each in sorted(old):
         yield GaveUp(each, "it is Python 2", broken[each])
     for said in answers:

@@ -371,3 +371,25 @@ def test_catkin_lint_says_once_what_is_missing_and_weighs_it(tmp_path: Path) -> 
         ("MISSING_DEPEND", 5, Level.ERROR, []),
         ("MISSING_CATKIN_DEPEND", 6, Level.WARNING, []),
     ]
+
+
+@pytest.mark.parametrize(
+    ("line", "is_old"),
+    [
+        ("except (A, B), e:", True),
+        ("except rospy.ROSException, e:", True),
+        ("except (A or B):", False),
+        ("except A, B:", False),
+        ("except (A, B) as e:", False),
+    ],
+)
+def test_ruff_on_what_binds_an_exception_in_python_2(tmp_path: Path, line: str, is_old: bool) -> None:
+    said = {
+        "code": "B030",
+        "filename": str(tmp_path / "a.py"),
+        "message": "`except` handlers",
+        "location": {"row": 3, "column": 8},
+        "end_location": {"row": 3, "column": 12},
+    }
+    (found,) = parse(ruff, tmp_path, {"a.py": f"try:\n    a()\n{line}\n    pass\n"}, json.dumps([said]))
+    assert isinstance(found, GaveUp) == is_old
