@@ -90,7 +90,7 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     answers = json.loads(output.stdout)
     broken = {paths.get(said["filename"]): said["location"]["row"] for said in reversed(answers) if _is_syntax(said)}
     old = {path for path in broken if path is not None and python2.is_python2(batch.workspace.text(path))}
-    for path in {paths.get(said["filename"]) for said in answers if said["code"] in OF_EXCEPT} - {None, *old}:
+    for path in {paths.get(said["filename"], "") for said in answers if said["code"] in OF_EXCEPT} - {"", *old}:
         lines = batch.workspace.text(path).split("\n")
         bound = next((number for number, line in enumerate(lines, 1) if _BOUND.match(line[:_LONGEST])), None)
         if bound is not None:
