@@ -162,6 +162,13 @@ def _may_be_of_a_part(header: str, names: frozenset[str], package: ProjectPackag
     return any(each.startswith((f"{top}_", f"{top}-")) for each in package.declared)
 
 
+def _keepers(header: str, package: ProjectPackage, sources: Sources, is_known: bool) -> set[str]:
+    """The packages of the workspace with the *header*. Of a known library not those that keep a copy of it for themselves."""
+    own = {*package.declared, package.name}
+    found = sources.ending(header)
+    return {name for path, name in found if not is_known or name in own or path not in sources.copies}
+
+
 def _providers(header: str, package: ProjectPackage, sources: Sources) -> frozenset[str]:
     project = package.project
     top, slash, _ = header.partition("/")
@@ -169,9 +176,7 @@ def _providers(header: str, package: ProjectPackage, sources: Sources) -> frozen
         known = project.knowledge.provider_of_header(header) if not slash else None
         return known or frozenset()
     known = project.knowledge.provider_of_header(header) or frozenset()
-    # a package that keeps a copy of a library for itself is not what others need for it
-    own = {*package.declared, package.name} if known else ()
-    names = {name for path, name in sources.ending(header) if not known or name in own or path not in sources.copies}
+    names = _keepers(header, package, sources, bool(known))
     other = project.package(top)
     if other is not None and (other.build.interfaces or other.build.configs or other.build.parameter_libraries):
         names.add(top)  # it generates headers

@@ -76,7 +76,7 @@ def execute(task: Task, processes: Processes, scratch: Path) -> Outcome:
         except Unstartable as err:
             failures.append((_sentence(task, err, paths), paths))
         except Stalled as err:
-            stalled.append(err.at)
+            stalled.append(err.at.removeprefix(os.path.realpath(task.workspace.root) + "/"))
             lost = _lost_with(stalled, part, task.units)
             kept = tuple(unit for unit in part if unit not in lost)
             paths = tuple(unit.file.path for unit in lost)
@@ -135,10 +135,7 @@ def _ask(
         reads = (str(workspace.root), str(own), *footing.of_program(command.argv), *command.reads)
         confinement = Confinement(reads, (str(own), str(working), *footing.WRITTEN), command.talks)
     timeout = task.timeout(len(units))
-    try:
-        output = processes.run(command, root=workspace.root, scratch=working, timeout=timeout, confinement=confinement)
-    except Stalled as err:
-        raise Stalled(err.at.removeprefix(os.path.realpath(workspace.root) + "/")) from err
+    output = processes.run(command, root=workspace.root, scratch=working, timeout=timeout, confinement=confinement)
     if output.truncated:
         raise _Failed("wrote more than it may")
     if output.code < 0:
@@ -192,7 +189,8 @@ def _sentence(task: Task, error: Exception, paths: tuple[str, ...]) -> str:
     name = task.linter.NAME
     files = ", ".join(paths[:3]) + (f" and {len(paths) - 3} more" if len(paths) > 3 else "")
     if isinstance(error, Stalled):
-        return f"{name} was stopped after {error.seconds:g} s with {error.at}; without a result: {files}"
+        at = error.at.removeprefix(os.path.realpath(task.workspace.root) + "/")
+        return f"{name} was stopped after {error.seconds:g} s with {at}; without a result: {files}"
     if isinstance(error, TimedOut):
         return f"{name} was stopped after {task.timeout(len(paths)):g} s; without a result: {files}"
     if isinstance(error, Unstartable):

@@ -90,12 +90,11 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     answers = json.loads(output.stdout)
     broken = {paths.get(said["filename"]): said["location"]["row"] for said in reversed(answers) if _is_syntax(said)}
     old = {path for path in broken if path is not None and python2.is_python2(batch.workspace.text(path))}
-    for path in {paths.get(said["filename"], "") for said in answers if said["code"] in OF_EXCEPT} - {"", *old}:
-        lines = batch.workspace.text(path).split("\n")
-        bound = next((number for number, line in enumerate(lines, 1) if _BOUND.match(line[:_LONGEST])), None)
+    for suspect in {paths.get(said["filename"], "") for said in answers if said["code"] in OF_EXCEPT} - {"", *old}:
+        bound = _binds_with_comma(batch.workspace.text(suspect))
         if bound is not None:
-            old.add(path)
-            broken.setdefault(path, bound)
+            old.add(suspect)
+            broken.setdefault(suspect, bound)
     for each in sorted(old):
         yield GaveUp(each, "it is Python 2", broken[each])
     for said in answers:
@@ -110,6 +109,11 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         place = Location(path, start["row"], start["column"], end["row"], end["column"])
         level = Level.ERROR if rule == SYNTAX else Level.WARNING
         yield Finding(path, Result(NAME, rule, level, said["message"], place))
+
+
+def _binds_with_comma(text: str) -> int | None:
+    """The first line of *text* with ``except X, e:``, from 1; None without one."""
+    return next((number for number, line in enumerate(text.split("\n"), 1) if _BOUND.match(line[:_LONGEST])), None)
 
 
 def _is_syntax(said: Mapping[str, Any]) -> bool:
