@@ -20,6 +20,7 @@ from haros_ci.api.packages import (
     imports_of,
     is_called_after,
     is_of_ros,
+    lacking,
     last_dependency,
     left_to_pip,
     needs_of,
@@ -80,7 +81,7 @@ def check(project: Project) -> Iterator[Finding]:
                 missing.setdefault(need.providers, []).append(need)
         if not missing:
             continue
-        built = _for_building(package, provisions, sources)
+        built = lacking(package, needs_of(package, sources), provisions)  # that is there when it runs, too
         pins, left = pinned(package), left_to_pip(package)
         aside = unreached(package, {use.location.path for uses in missing.values() for use in uses})
         groups: dict[tuple[Level | None, bool, bool], list[_Missing]] = {}
@@ -127,13 +128,6 @@ def _missing(
     if any(is_of_ros(each, package.project) for each in uses[0].providers):
         by_pip = None  # pip has no packages of ROS
     return _Missing(name, tuple(others), tuple(uses), is_certain, pin, by_pip)
-
-
-def _for_building(package: ProjectPackage, provisions: Provisions, sources: Sources) -> frozenset[str]:
-    """What undeclared-dependency has *package* declare: that is there when it runs, too."""
-    provided = provisions.of(package, tests=False)
-    lacking = (need.providers for need in needs_of(package, sources) if provisions.lacks(provided, need.providers))
-    return frozenset(first_provider(providers, package) for providers in lacking)
 
 
 def _by_pip(package: ProjectPackage) -> Iterator[str]:

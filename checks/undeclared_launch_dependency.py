@@ -6,18 +6,23 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from haros_ci.api import Check, Finding, Level, Location, Project, System, listed
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, System, listed
 from haros_ci.api.launch import PackageUse, included_by, is_optional, owner, said_by
 from haros_ci.api.packages import (
     Leftovers,
     Package,
+    Provisions,
+    Sources,
     closes_a_cycle,
     dependency_place,
     dependency_tag,
+    imports_of,
     is_aside,
     is_left_out,
     is_of_tests,
     is_to_be_had,
+    lacking,
+    needs_of,
     provided,
 )
 
@@ -38,10 +43,13 @@ def check(project: Project) -> Iterator[Finding]:
     if not project.systems:
         return
     system, leftovers = project.systems[0], Leftovers(project)
+    provisions, sources = Provisions(project), Sources(project)
     used = _used(project.systems)
     names = {name: _declarable(name, packages, system) for name, (_, packages) in used.items()}
     for package, packages in used.values():
         found, is_whole = provided(package, system)
+        if not packages.keys() <= found:
+            found |= _of_others(project.package(package.name), provisions, sources)
         groups: dict[tuple[Level | None, bool], list[_Missing]] = {}
         for name, uses in packages.items():
             if name in found or not is_to_be_had(name, package.ros, system):
@@ -65,6 +73,13 @@ def check(project: Project) -> Iterator[Finding]:
             groups.setdefault((None if is_sure else Level.NOTE, False), []).append(_Missing(name, needing))
         for (level, is_test), group in groups.items():
             yield _finding(package, group, level, is_test)
+
+
+def _of_others(package: ProjectPackage | None, provisions: Provisions, sources: Sources) -> frozenset[str]:
+    """What undeclared-dependency and undeclared-import have *package* declare: that is there when its launch files run, too."""
+    if package is None or package.manifest is None:
+        return frozenset()
+    return lacking(package, (*needs_of(package, sources), *imports_of(package, sources)), provisions)
 
 
 def _finding(package: Package, group: list[_Missing], level: Level | None, is_test: bool) -> Finding:

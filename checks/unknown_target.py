@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 from difflib import get_close_matches
 
-from haros_ci.api import Check, Finding, Level, Project, ProjectPackage
+from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, listed
 from haros_ci.api.packages import OF_TARGETS, CMakeCommand, add_dependency, may_appear, may_have_more
 
 #: Targets that CMake, catkin and rosidl make by themselves.
@@ -32,6 +32,8 @@ _OF_BUILD = OF_TARGETS | {"install", "ament_export_targets", "ament_export_inter
 _OF_LIBRARIES = ("catkin_package", "ament_export_libraries")
 #: What only packages that use this one come to feel.
 _OF_USERS = ("ament_export_libraries", "ament_export_dependencies")
+#: What comes of an exported library that is not made.
+_NOT_FOUND = "packages that use it cannot find the library"
 #: Commands by which another build makes libraries that this one does not know.
 _OUTSIDE = (
     *("externalproject_add", "fetchcontent_declare", "fetchcontent_makeavailable", "ament_vendor"),
@@ -55,15 +57,26 @@ def check(project: Project) -> Iterator[Finding]:
             continue
         said: set[str] = set()
         is_open = may_have_more(package)
-        for command in package.build.commands:
-            if command.is_conditional:
-                continue
+        for command in _in_force(package):
+            exported: list[str] = []
             for name, what in _unknown(package, command, is_open):
                 if name not in said:
                     said.add(name)
-                    yield _finding(package, command, name, what)
+                    if what == _NOT_FOUND:
+                        exported.append(name)
+                    else:
+                        yield _finding(package, command, (name,), what)
+            if exported:
+                yield _finding(package, command, tuple(exported), _NOT_FOUND)
             if command.name == "catkin_package":
                 yield from _dependencies(package, command)
+
+
+def _in_force(package: ProjectPackage) -> list[CMakeCommand]:
+    """The commands that are run in every build; of catkin_package() the last one of a directory, which writes the configuration anew."""
+    commands = [command for command in package.build.commands if not command.is_conditional]
+    last = {command.directory: command for command in commands if command.name == "catkin_package"}
+    return [each for each in commands if each.name != "catkin_package" or each is last[each.directory]]
 
 
 def _unknown(package: ProjectPackage, command: CMakeCommand, is_open: bool) -> Iterator[tuple[str, str]]:
@@ -189,7 +202,7 @@ def _exported(package: ProjectPackage, words: tuple[str, ...]) -> Iterator[tuple
         if name in own:
             continue
         if name not in linked and (name.startswith(package.name) or tokens & set(re.split(r"[_-]", name))):
-            yield name, "packages that use it cannot find the library"
+            yield name, _NOT_FOUND
 
 
 def _needed(package: ProjectPackage, words: tuple[str, ...]) -> Iterator[tuple[str, str]]:
@@ -226,7 +239,9 @@ def _is_written(package: ProjectPackage, name: str) -> bool:
 MAX_NAMES = 300
 
 
-def _finding(package: ProjectPackage, command: CMakeCommand, name: str, what: str) -> Finding:
+def _finding(package: ProjectPackage, command: CMakeCommand, wrong: tuple[str, ...], what: str) -> Finding:
+    """Of the names of one command that are *wrong*, of which several are exported libraries."""
+    name = wrong[0]
     is_made = name in package.cmake.targets
     names = sorted(package.cmake.targets)
     is_library = command.name in _OF_LIBRARIES and name not in command.after("INCLUDE_DIRS", *_KEYWORDS)
@@ -249,13 +264,31 @@ def _finding(package: ProjectPackage, command: CMakeCommand, name: str, what: st
         f"{package.name} exports {name}"
         if is_only_exported
         else f"{command.name}(): {name} is not a target of {package.name}"
+        if len(wrong) == 1
+        else f"{command.name}(): {listed(wrong)} are not targets of {package.name}"
     )
+    if len(wrong) > 1:
+        hint = "; remove the names, or write those of libraries that are built"
+    is_only_for_users = command.name in _OF_USERS or (what == _NOT_FOUND and not _has_users(package))
     return Finding(
         at=command.location,
         message=f"{said}: {what}{hint}",
         about=(package.name, name),
         apart=(name,),
-        level=Level.WARNING if command.name in _OF_USERS else None,  # this package builds
+        level=Level.WARNING if is_only_for_users else None,  # this package builds
+    )
+
+
+def _has_users(package: ProjectPackage) -> bool:
+    """Whether a package of the workspace is built against *package*."""
+    kinds = ("depend", "build_depend", "build_export_depend")
+    return any(
+        other is not package
+        and (
+            any(each.name == package.name and each.kind in kinds for each in other.raw.dependencies)
+            or any(package.name in each.arguments for each in other.commands("find_package"))
+        )
+        for other in package.project.packages
     )
 
 

@@ -481,6 +481,34 @@ def test_an_exported_library_is_no_executable(made: str, exported: str, expected
     assert "did you mean demo_node" not in result.message
 
 
+USER = "<package format='2'><name>user</name><version>1.0.0</version><description>d</description><maintainer email='a@b.c'>a</maintainer>"
+USER += "<license>MIT</license><buildtool_depend>catkin</buildtool_depend>{}</package>\n"
+
+
+@pytest.mark.parametrize(
+    ("depends", "level"),
+    [
+        ("<depend>demo</depend>", Level.ERROR),
+        ("<build_depend>demo</build_depend>", Level.ERROR),
+        ("<exec_depend>demo</exec_depend>", Level.WARNING),
+        ("<test_depend>demo</test_depend>", Level.WARNING),
+        ("", Level.WARNING),
+    ],
+)
+def test_exported_libraries_that_are_not_built_fail_in_packages_that_are_built_against_them(
+    tmp_path: Path, depends: str, level: Level
+) -> None:
+    files = {
+        "demo/package.xml": ROS1,
+        "demo/CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\ncatkin_package(LIBRARIES demo_a demo_b)\n",
+        "user/package.xml": USER.format(depends),
+        "user/CMakeLists.txt": "project(user)\nfind_package(catkin REQUIRED)\ncatkin_package()\n",
+    }
+    check = next(check for check in checks() if check.id == "unknown-target")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    assert result.level is level and "demo_a and demo_b are not targets of demo" in result.message
+
+
 def test_nodes_of_one_name_stop_roslaunch(tmp_path: Path) -> None:
     node = '<launch><node pkg="demo" type="n.py" name="n"/></launch>\n'
     files = {

@@ -50,7 +50,7 @@ from haros_ci.checking.manifests import (
     said_misplaced,
     word,
 )
-from haros_ci.checking.needs import Need, needs_of
+from haros_ci.checking.needs import Need, lacking, needs_of
 from haros_ci.checking.outside_targets import may_have_more
 from haros_ci.checking.package_names import meant_here, meant_released
 from haros_ci.checking.pages import is_for_noetic
@@ -216,6 +216,7 @@ __all__ = [
     "knowledge",
     "landings",
     "last_dependency",
+    "lacking",
     "left_to_pip",
     "left_out_on_purpose",
     "loaders",

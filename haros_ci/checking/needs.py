@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -12,7 +12,7 @@ from haros_ci.checking.boost import HEADERS, brings_boost
 from haros_ci.checking.includes import reached
 from haros_ci.checking.outside_targets import builds_absent
 from haros_ci.checking.project import ProjectPackage
-from haros_ci.checking.provision import Sources, exists, is_of_ros
+from haros_ci.checking.provision import Provisions, Sources, exists, first_provider, is_of_ros
 from haros_ci.knowledge.knowledge import Knowledge
 from haros_ci.model.build import CMakeCommand
 from haros_ci.model.location import Location
@@ -49,6 +49,14 @@ class Need:
     location: Location
     what: str
     is_header: bool
+
+
+def lacking(package: ProjectPackage, needs: Iterable[Need], provisions: Provisions) -> frozenset[str]:
+    """What *package* is advised to declare for *needs*: of each that no dependency brings, the package that brings it."""
+    provided = provisions.of(package, tests=False)
+    return frozenset(
+        first_provider(need.providers, package) for need in needs if provisions.lacks(provided, need.providers)
+    )
 
 
 def needs_of(package: ProjectPackage, sources: Sources, *, tests: bool = False) -> Iterator[Need]:

@@ -38,6 +38,8 @@ _GROUPS = 10
 _PIECE = re.compile(r"\$(?:ENV|CACHE)?\{|\}|\\(?:.|$)|[^$\\}]+|\$", re.DOTALL)
 _ESCAPED = {"\\n": "\n", "\\t": "\t", "\\r": "\r", "\\;": "\\;", "\\\n": ""}
 _MISSING = "\ue000\ue000"
+#: How configurations of packages call their variables, as catkin's and ament's do: the package, in small letters, and what it is.
+_OF_A_PACKAGE = re.compile(r"([a-z][a-z0-9]*(?:_[a-z0-9]+)*)_[A-Z][A-Z0-9_]*")
 
 
 class Exhausted(Exception):
@@ -166,13 +168,14 @@ class State:
         return scope.get(name, self.cache.get(name))
 
     def is_foreign(self, name: str) -> bool:
-        """Whether the variable is named after a package that was looked for."""
+        """Whether the variable is named after a package that was looked for, or after another one, which that may look for in turn."""
         at = name.find("_")
         while at > 0:
             if name[:at] in self.unknown_prefixes:
                 return True
             at = name.find("_", at + 1)
-        return False
+        match = _OF_A_PACKAGE.fullmatch(name) if self.unknown_prefixes else None
+        return match is not None and match[1] not in (self.package.name, self.get("PROJECT_NAME"))
 
     def put_groups(self, match: Sequence[str] | None) -> None:
         """Set CMAKE_MATCH_<n> to the groups of a match; a text that does not match leaves them, and of an unknown one nobody knows them."""

@@ -87,6 +87,11 @@ def test_holds(condition: str, before: str) -> None:
         ("WIN32 OR APPLE OR MSVC", ""),
         ("A", "option(A help)"),
         ("WIN32 AND Eigen3_FOUND", "find_package(Eigen3)"),
+        ("qt_gui_cpp_USE_QT_MAJOR_VERSION", ""),
+        ("USE_QT5", "find_package(catkin REQUIRED COMPONENTS rqt_gui_cpp)"),
+        ("arm_WITH_QT", "find_package(catkin REQUIRED COMPONENTS rqt_gui_cpp)"),
+        ("drive_WITH_QT", "project(drive)\nfind_package(catkin REQUIRED COMPONENTS rqt_gui_cpp)"),
+        ("tests_on", "find_package(catkin REQUIRED)"),
     ],
 )
 def test_does_not_hold(condition: str, before: str) -> None:
@@ -101,6 +106,7 @@ def test_does_not_hold(condition: str, before: str) -> None:
         ("NOT Eigen3_FOUND", "find_package(Eigen3)"),
         ("${Eigen3_FOUND}", "find_package(Eigen3)"),
         ("Eigen3_VERSION VERSION_LESS 3", "find_package(Eigen3 REQUIRED)"),
+        ('"${qt_gui_cpp_USE_QT_MAJOR_VERSION} " STREQUAL "5 "', "find_package(catkin REQUIRED COMPONENTS rqt_gui_cpp)"),
         ("yaml-cpp_FOUND", "pkg_check_modules(yaml-cpp yaml-cpp)"),
         ("HAVE_X", "check_include_file(x.h HAVE_X)"),
         ("LIB", "find_library(LIB foo)"),
