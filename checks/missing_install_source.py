@@ -100,9 +100,7 @@ def _exported(package: ProjectPackage) -> Mapping[str, str]:
     if not only:
         return {}
     installed = {command.place(word) for command in package.build.commands for word in command.arguments}
-    return {
-        suffix: path for suffix, path in only.items() if package.project.exists(path) and path not in installed
-    }
+    return {suffix: path for suffix, path in only.items() if package.project.exists(path) and path not in installed}
 
 
 CHECK = Check(

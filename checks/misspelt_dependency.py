@@ -40,7 +40,9 @@ def check(project: Project) -> Iterator[Finding]:
             for need in needs[:MAX_NEEDS]:
                 alike = frozenset(each for each in need.providers - {name} if _is_meant(name, each, need))
                 there = _there(alike, package) or _there(need.providers if alike else frozenset(), package)
-                if there:  # the one to be had where the package is used: python3-x, where nothing here has keys of Python 2
+                if (
+                    there
+                ):  # the one to be had where the package is used: python3-x, where nothing here has keys of Python 2
                     meant.setdefault(first_provider(there, package), need)
             if meant:
                 yield _finding(package, name, meant)

@@ -27,7 +27,7 @@ def check(system: System) -> Iterator[Finding]:
         is_made = system.workspace is not None and use.path is not None and is_ignored(system.workspace, use.path)
         if is_made:
             hint = "; .gitignore names it, so that it may be made elsewhere"
-        elif (writer := writer_of(system, use.path or use.text)):
+        elif writer := writer_of(system, use.path or use.text):
             is_made, hint = True, f"; {writer} writes a file of this name, so that it may be made at run time"
         yield Finding(
             at=use.location,

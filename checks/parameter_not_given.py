@@ -10,7 +10,7 @@ from haros_ci.api import Check, End, Finding, Level, System, SystemNode, near
 
 #: ``if (!node.getParam("x", x)) {`` …, and what ends the program in there. Of the text behind the call so much is looked at.
 _FAILS = re.compile(
-    r"\s*if\s*\(\s*(?:!\s*|false\s*==\s*)[\w.>\-()]{0,80}?(?:getParam|param::get)\s*\([^;{}]{0,200}?\)\s*(?:==\s*false\s*)?\)\s*\{?"
+    r"\s*if\s*\(\s*(?:!\s*|false\s*==\s*)[\w.>\-()]{0,80}?(?:getParam|param::get)\s*\((?:[^;{}&]|&(?!&)){0,200}?\)\s*(?:==\s*false\s*)?\)\s*\{?"
 )
 _ENDS = re.compile(
     r"\bexit\s*\(|\bthrow\b|\bros::(?:requestS|s)hutdown\s*\(|\bROS_BREAK\b|\breturn\s+(?:-\s*1|1|EXIT_FAILURE)\s*;|\babort\s*\("

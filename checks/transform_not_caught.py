@@ -18,7 +18,11 @@ def check(project: Project) -> Iterator[Finding]:
     filtered = code.mentioning(*FILTERS)
     for each in in_callbacks(code):
         made = each.callback
-        if each.routine.path not in paths or made.maker.is_test or (made.ros == 1 and (made.maker.is_python or made.kind == "service")):
+        if (
+            each.routine.path not in paths
+            or made.maker.is_test
+            or (made.ros == 1 and (made.maker.is_python or made.kind == "service"))
+        ):
             continue
         if made.call.name == "registerCallback" and made.maker.path in filtered:
             continue

@@ -180,7 +180,11 @@ def _is_idle(package: ProjectPackage, name: str, uses: list[Need]) -> bool:
     family = name.lower().partition("_")[0]  # rosidl_generator_dds_idl brings rosidl_generate_dds_interfaces()
     for command in package.build.commands:
         is_found = command.name == "find_package"
-        if name.lower() in command.name or command.name.startswith(f"{family}_") or (not is_found and any(name in each for each in command.arguments)):
+        if (
+            name.lower() in command.name
+            or command.name.startswith(f"{family}_")
+            or (not is_found and any(name in each for each in command.arguments))
+        ):
             return False
         if is_found and command.arguments[:1] != ("catkin",) and any(name in each for each in command.arguments[1:]):
             return False

@@ -21,7 +21,17 @@ OF_MEASURES = (*OF_FACTS, "measuring")
 #: The packages that follow nodes: what is evaluated afresh in each run, as launch files are, has its own.
 OF_FOLLOWED = (
     *OF_FACTS,
-    *("bounded_python", "bounded_yaml", "follow", "follow/libraries", "follow/ros", "graph", "index", "keeping", "model"),
+    *(
+        "bounded_python",
+        "bounded_yaml",
+        "follow",
+        "follow/libraries",
+        "follow/ros",
+        "graph",
+        "index",
+        "keeping",
+        "model",
+    ),
     *("substitutions", "systems", "values"),
 )
 #: The packages that are installed together, for what depends on all of the program.

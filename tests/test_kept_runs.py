@@ -159,7 +159,9 @@ class TestNotKept:
         assert len(kept) == 1
         opened: list[str] = []
         real = TextReader.head
-        monkeypatch.setattr(TextReader, "head", lambda self, path, length: opened.append(path) or real(self, path, length))
+        monkeypatch.setattr(
+            TextReader, "head", lambda self, path, length: opened.append(path) or real(self, path, length)
+        )
         (value,) = kept
         assert isinstance(value, dict) and value["run"]["results"]
         value["heads"] = [["../outside.stl", "0"]]
@@ -170,7 +172,9 @@ class TestNotKept:
         runs.store._values = {key: value for key in runs.store._values if key[0] == kept_runs.GROUP}
         assert runs.makes_anew()
 
-    @pytest.mark.parametrize("spoiled", [None, [], {}, {"heads": [], "run": []}, {"heads": [["../x", 1, ""]], "run": {}}])
+    @pytest.mark.parametrize(
+        "spoiled", [None, [], {}, {"heads": [], "run": []}, {"heads": [["../x", 1, ""]], "run": {}}]
+    )
     def test_from_a_spoiled_cache(self, runs: Runs, monkeypatch: pytest.MonkeyPatch, spoiled: object) -> None:
         get = runs.store.get
 
@@ -216,14 +220,24 @@ class TestOutput:
         assert places[0].read_bytes() == places[1].read_bytes()
 
     def test_warnings_are_said_again(self, root: Path) -> None:
-        write(root, {"walker/launch/more.launch.xml": '<launch><include file="$(find-pkg-share gone)/launch/x.launch.xml"/></launch>'})
+        write(
+            root,
+            {
+                "walker/launch/more.launch.xml": '<launch><include file="$(find-pkg-share gone)/launch/x.launch.xml"/></launch>'
+            },
+        )
         _, first, _ = self.model(root)
         _, second, again = self.model(root)
         assert "gone" in first and first == second and not again
 
     @pytest.mark.parametrize(
         "arguments",
-        [["--format=json"], ["--no-known-nodes"], ["--launch", "walker/" + "launch/" + Path(LAUNCH_XML).name], ["--env", "A=1"]],
+        [
+            ["--format=json"],
+            ["--no-known-nodes"],
+            ["--launch", "walker/" + "launch/" + Path(LAUNCH_XML).name],
+            ["--env", "A=1"],
+        ],
     )
     def test_other_options_make_another(self, root: Path, arguments: list[str]) -> None:
         self.model(root)
@@ -242,7 +256,9 @@ class TestOutput:
         right = kept_runs.Output(b"a model\n")
         assert kept_runs.kept_output("model", lambda: right, workspace, "", store) == right
         for bad in (b"\x1b[2J", "\u202eledom".encode(), b"##[group]"):
-            planted = kept_runs.kept_output("other", lambda bad=bad: kept_runs.Output(bad), workspace, str(bad), MemoryCache())
+            planted = kept_runs.kept_output(
+                "other", lambda bad=bad: kept_runs.Output(bad), workspace, str(bad), MemoryCache()
+            )
             ((key, _),) = store._values.items()
             store._values[key] = [[], b64encode(zlib.compress(bad)).decode()]
             assert planted.content == bad

@@ -115,7 +115,10 @@ class TestAClock:
 def table(stderr: str) -> list[tuple[float, bool, str]]:
     """Seconds on the wall, whether it is a part, and of what."""
     _, _, said = stderr.rpartition("  wall s    CPU s  stage\n")
-    return [(float(wall), bool(inner), what) for wall, _, inner, what in (m.groups() for m in map(LINE.fullmatch, said.splitlines()) if m)]
+    return [
+        (float(wall), bool(inner), what)
+        for wall, _, inner, what in (m.groups() for m in map(LINE.fullmatch, said.splitlines()) if m)
+    ]
 
 
 def is_whole(lines: list[tuple[float, bool, str]]) -> bool:

@@ -36,7 +36,10 @@ def builds_absent(package: ProjectPackage) -> bool:
     if not project.absent:
         return False
     text = project.text(posixpath.join(package.path, "CMakeLists.txt"))
-    return any(project.is_absent(posixpath.normpath(posixpath.join(package.path, found[1]))) for found in _SUBDIRECTORY.finditer(text))
+    return any(
+        project.is_absent(posixpath.normpath(posixpath.join(package.path, found[1])))
+        for found in _SUBDIRECTORY.finditer(text)
+    )
 
 
 def _lost(package: ProjectPackage) -> Iterator[str]:

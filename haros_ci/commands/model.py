@@ -82,7 +82,9 @@ def model(flags: Mapping[str, Any]) -> int:
     if is_kept(flags, settings):
         from haros_ci.config.digests import settings_digests
 
-        options = repr((settings.project_file, settings.notes, settings_digests(settings, ()), *(flags[name] for name in OPTIONS)))
+        options = repr(
+            (settings.project_file, settings.notes, settings_digests(settings, ()), *(flags[name] for name in OPTIONS))
+        )
         is_binary = flags["format"] == "sqlite"
         kept = kept_output("model", output, workspace, options, store, is_binary=is_binary)
         end(store, kept.said)

@@ -17,7 +17,9 @@ _FILE = re.compile(
     r"\$\(find [^()]*\)|\.(?:launch|test|xml|ya?ml|urdf|xacro|srdf|sdf|world|rviz|py|lua|csv|bt|perspective)\Z"
 )
 #: An environment variable without a default, in an expression.
-_OPTIONAL = re.compile(r"\boptenv\s*\(\s*(?P<a>['\"])(?P<name>\w+)(?P=a)\s*(?:,\s*(?P<b>['\"])(?P<default>[^'\"]*)(?P=b)\s*)?\)")
+_OPTIONAL = re.compile(
+    r"\boptenv\s*\(\s*(?P<a>['\"])(?P<name>\w+)(?P=a)\s*(?:,\s*(?P<b>['\"])(?P<default>[^'\"]*)(?P=b)\s*)?\)"
+)
 
 
 @dataclass(frozen=True, slots=True)

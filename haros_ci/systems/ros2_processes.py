@@ -22,9 +22,7 @@ from haros_ci.values.given import PARAMETER, Marks, filled
 
 #: Steps that may go into one program, however many times and ways it is started.
 OF_ONE_PROGRAM = 500_000
-TOO_OFTEN = (
-    "the program is large and started with many different parameters: it is followed for the first ones, for others what it makes is not known"
-)
+TOO_OFTEN = "the program is large and started with many different parameters: it is followed for the first ones, for others what it makes is not known"
 
 
 @dataclass(frozen=True, slots=True)

@@ -180,7 +180,9 @@ def test_what_is_nested_too_deeply_is_named() -> None:
     for _ in range(60):
         made = f"if (flag) {{ {made} }}"
     functions = [f"void f24(ros::NodeHandle& nh) {{ {made} }}\n"]
-    functions += [f"void f{i}(ros::NodeHandle& nh) {{ {'if (flag) { ' * 12}f{i + 1}(nh);{'}' * 12} }}\n" for i in range(24)][::-1]
+    functions += [
+        f"void f{i}(ros::NodeHandle& nh) {{ {'if (flag) { ' * 12}f{i + 1}(nh);{'}' * 12} }}\n" for i in range(24)
+    ][::-1]
     found = follow(cpp_files(main('ADV("a", 1); f0(nh);', "extern bool flag;\n" + "".join(functions))))
     (node,) = found.configurations[0].nodes
     assert names(node) == ["/a"]

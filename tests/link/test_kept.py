@@ -328,9 +328,11 @@ def test_code_that_is_made_of_descriptions_of_parameters(followed: list[str]) ->
         "p/CMakeLists.txt": ROS2_CMAKE.format("p")
         + "generate_parameter_library(parameters src/parameters.yaml)\nament_auto_add_executable(n src/n.cpp)\nament_auto_package()\n",
         description: "p:\n  rate: {type: double, default_value: 5.0}\n",
-        "p/src/n.cpp": "#include <p/parameters.hpp>\n" + ROS2_HEAD + "struct Tuned { p::ParamListener listener; int count;\n"
+        "p/src/n.cpp": "#include <p/parameters.hpp>\n"
+        + ROS2_HEAD
+        + "struct Tuned { p::ParamListener listener; int count;\n"
         "void again() { count = 1; listener.refresh_dynamic_parameters(); } };\n"
-        "class N : public rclcpp::Node { public: N() : Node(\"n\") { timer_ = create_wall_timer(1s, [this] { tuned_.again(); });"
+        'class N : public rclcpp::Node { public: N() : Node("n") { timer_ = create_wall_timer(1s, [this] { tuned_.again(); });'
         ' create_publisher<String>("t", 1); }\nrclcpp::TimerBase::SharedPtr timer_; Tuned tuned_; };\n'
         "int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<N>()); }\n",
     }

@@ -91,12 +91,21 @@ PUBLISHER = 'create_publisher<String>("{}", 1);\n'
         ('create_publisher<String>(get_namespace() + std::string("/state"), 1);', ("namespace='/'", "namespace='/r'")),
         (PUBLISHER.format("chatter"), tuple(f"{words}, remappings=[('chatter', '/talk')]" for words in TWO)),
         (PUBLISHER.format("chatter"), tuple(f"{words}, remappings=[('/tf', 'tf')]" for words in TWO)),
-        ("auto other = create_sub_node(\"inner\"); other->" + PUBLISHER.format("x"), TWO),
+        ('auto other = create_sub_node("inner"); other->' + PUBLISHER.format("x"), TWO),
         (READ + COUNT, (GIVEN.format("one", "a", 3), GIVEN.format("two", "b", 4))),
         (READ + "create_publisher<String>(text, 1);", (GIVEN.format("one", "a", 3), GIVEN.format("two", "b/c", 3))),
-        (READ + 'create_publisher<String>(text + "/x", 1);', (GIVEN.format("one", "a", 3), GIVEN.format("two", "b", 3))),
-        (READ + 'create_publisher<String>("/x/" + text, 1);', (GIVEN.format("one", "a", 3), GIVEN.format("two", "b", 3))),
-        (READ + "text_ = text; create_publisher<String>(text_, 1);", (GIVEN.format("o", "a", 3), GIVEN.format("t", "b", 3))),
+        (
+            READ + 'create_publisher<String>(text + "/x", 1);',
+            (GIVEN.format("one", "a", 3), GIVEN.format("two", "b", 3)),
+        ),
+        (
+            READ + 'create_publisher<String>("/x/" + text, 1);',
+            (GIVEN.format("one", "a", 3), GIVEN.format("two", "b", 3)),
+        ),
+        (
+            READ + "text_ = text; create_publisher<String>(text_, 1);",
+            (GIVEN.format("o", "a", 3), GIVEN.format("t", "b", 3)),
+        ),
         (READ + COUNT + PUBLISHER.format("x"), (GIVEN.format("one", "a", 3), GIVEN.format("two", "a", 9))),
     ],
 )
@@ -143,9 +152,7 @@ def test_a_text_that_is_looked_at_and_passed_on(monkeypatch: pytest.MonkeyPatch)
 
 
 def test_two_topics_that_are_one_under_some_names(monkeypatch: pytest.MonkeyPatch) -> None:
-    body = (
-        'for (const std::string & key : {"a", "b"}) { create_publisher<String>(declare_parameter<std::string>(key, "x"), 1); }'
-    )
+    body = 'for (const std::string & key : {"a", "b"}) { create_publisher<String>(declare_parameter<std::string>(key, "x"), 1); }'
     nodes = [f"name='{name}', parameters=[{{'a': '{a}', 'b': '{b}'}}]" for name, a, b in ("ocd", "toe", "pzz")]
     assert follows(ros2_files(program(body), started(*nodes)), monkeypatch) >= 2
 

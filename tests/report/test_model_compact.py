@@ -81,7 +81,9 @@ def test_what_is_no_compact_model_is_refused(text: str) -> None:
 
 @pytest.mark.parametrize("place", [-1, 1, True, "0"])
 def test_a_place_that_is_in_no_table_is_refused(place: object) -> None:
-    document = json.loads(model_compact.render(Architecture(configurations=(Configuration(name="a", nodes=(node(ODOM),)),))))
+    document = json.loads(
+        model_compact.render(Architecture(configurations=(Configuration(name="a", nodes=(node(ODOM),)),)))
+    )
     document["configurations"][0]["nodes"] = [place]
     with pytest.raises(ValueError, match="place"):
         expand_model(json.dumps(document))

@@ -58,7 +58,11 @@ def test_python_is_none() -> None:
 
 
 def test_the_project_itself() -> None:
-    assert is_of_project("serial", "serial") and is_of_project("catch", "catch2") and is_of_project("magicenum", "magic_enum")
+    assert (
+        is_of_project("serial", "serial")
+        and is_of_project("catch", "catch2")
+        and is_of_project("magicenum", "magic_enum")
+    )
     assert not any(is_of_project("catch", name) for name in ("catch_ros", "catch2-vendor", "catch_ros2"))
     assert (
         not is_of_project("json", None) and not is_of_project("json", "robot") and not is_of_project("json", "my_json")

@@ -158,10 +158,13 @@ _XACRO = (
 
 TARGETS = {
     "launch-xml": Entry(launch_xml, "tags of launch files in XML", ("extract.launch.xml",)),
-    "roslaunch": Entry(roslaunch, "launch files of ROS 1, launched", ("launch.ros1", "launch.facts", "substitutions", "graph.words"), _XML),
-    "ros2-launch-xml": Entry(
-        ros2_xml, "launch files of ROS 2 in XML", ("extract.launch.ros2", "launch.ros2"), _ROS2
+    "roslaunch": Entry(
+        roslaunch,
+        "launch files of ROS 1, launched",
+        ("launch.ros1", "launch.facts", "substitutions", "graph.words"),
+        _XML,
     ),
+    "ros2-launch-xml": Entry(ros2_xml, "launch files of ROS 2 in XML", ("extract.launch.ros2", "launch.ros2"), _ROS2),
     "ros2-launch-yaml": Entry(ros2_yaml, "launch files of ROS 2 in YAML", ("extract.launch.ros2_yaml",), _ROS2),
     "ros2-launch-python": Entry(ros2_python, "launch files of ROS 2 in Python", ("launch.python",)),
     "parameter-yaml": Entry(
@@ -180,7 +183,9 @@ TARGETS = {
             b"!!python/none ",
         ),
     ),
-    "commands": Entry(expressions, "command lines and expressions of launch files", ("robot.commands", "bounded_python")),
+    "commands": Entry(
+        expressions, "command lines and expressions of launch files", ("robot.commands", "bounded_python")
+    ),
     "robots": Entry(robots, "xacro, URDF and SRDF", ("robot",), _XACRO),
     "behavior-trees": Entry(behavior_trees, "behaviour trees", ("index.behavior_tree_files",)),
     "policies": Entry(policies, "policies of SROS 2", ("security.policy",)),
