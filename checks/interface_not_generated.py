@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage
-from haros_ci.api.packages import CMakeCommand, Interface, insert_line
+from haros_ci.api.packages import CMakeCommand, Interface, insert_line, unreached
 
 _OLD = {"add_message_files": "msg", "add_service_files": "srv", "add_action_files": "action"}
 _NEW = "rosidl_generate_interfaces"
@@ -17,6 +17,10 @@ _KINDS = (*_OLD.values(), "idl")
 _OTHERS = re.compile(r"rosidl|genmsg|gensrv|msg|message|interface|idl|protobuf|catkin_simple|^cs_")
 _SINGLE = {"DIRECTORY": 1, "BASE_DIR": 1, "LIBRARY_NAME": 1}
 _ENDS = ("DEPENDENCIES", "PACKAGE", "NOINSTALL", "ADD_LINTER_TESTS", "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK")
+#: What says that a file is the copy of another one, at the end of its name; names that rosidl takes (rosidl_adapter, ``valid_message_name``).
+_COPY = re.compile(r"(?:[_-](?i:backup|bak|old|copy|orig|tmp|unused|deprecated)|(?<=[a-z\d])(?:Backup|Copy|Old))\d*$")
+_NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
+_HEADERS = (".h", ".hh", ".hpp", ".hxx")
 _ASIDE = ("deprecated", "unused", "old", "backup", "test", "tests", "examples")
 
 
@@ -35,6 +39,8 @@ def check(project: Project) -> Iterator[Finding]:
         used = _uses(project) if used is None else used
         for each in left:
             if commands:
+                if each.name not in used and (_is_kept(each, package) or _lacks_types(each, project)):
+                    continue
                 if not _is_mentioned(each, package, even_in_comments=each.name not in used):
                     yield _left_out(each, package, commands, used.get(each.name))
             elif each.name in used:
@@ -48,6 +54,22 @@ def _is_own(each: Interface, package: ProjectPackage) -> bool:
         return False
     beside = {posixpath.dirname(other.path) for other in package.build.interfaces if other.is_generated}
     return directory in beside or directory in {package.inside(kind) for kind in _KINDS}
+
+
+def _is_kept(each: Interface, package: ProjectPackage) -> bool:
+    """Whether its name says that it is an old copy, or is none that rosidl takes: to add it to the list would stop the build."""
+    name = posixpath.basename(each.path).partition(".")[0]
+    return _COPY.search(name) is not None or (package.ros == 2 and _NAME.fullmatch(name) is None)
+
+
+def _lacks_types(each: Interface, project: Project) -> bool:
+    """Whether a field has a type that its package, one of the workspace, does not define: the definition could not be generated."""
+    defined = {other.name for package in project.packages for other in package.build.interfaces}
+    fields = [field for section in each.sections for field in section]
+    types = {field.type.partition("[")[0].partition("<=")[0] for field in fields}
+    return any(
+        "/" in kind and project.package(kind.partition("/")[0]) is not None and kind not in defined for kind in types
+    )
 
 
 def _is_mentioned(each: Interface, package: ProjectPackage, *, even_in_comments: bool) -> bool:
@@ -246,13 +268,47 @@ def _forgotten(package: ProjectPackage, commands: tuple[CMakeCommand, ...]) -> I
 
 
 def _uses(project: Project) -> dict[str, Location]:
-    """A place where each interface is used by name: another definition, an include, an import."""
+    """A place where each interface is used by name: another definition, an include, an import; not where nothing builds or starts the code."""
     found: dict[str, Location] = {}
+    included, aside = _included(project), dict[str | None, frozenset[str]]()
+    owners = {file.path: file.package for file in project.workspace.files}
+    for name, place in _places(project):
+        if name in found or (place.path.endswith(_HEADERS) and place.path.rpartition("/")[2] not in included):
+            continue
+        if place.path.endswith(".py"):
+            owner = owners.get(place.path)
+            package = project.package(owner) if owner is not None else None
+            if owner not in aside:
+                aside[owner] = unreached(package, [each.path for each in package.files]) if package else frozenset()
+            if place.path in aside[owner]:
+                continue
+        found[name] = place
+    return found
+
+
+def _included(project: Project) -> frozenset[str]:
+    """How the headers are called that a source of the workspace includes, or a header that one includes."""
+    named: dict[str, set[str]] = {}
+    for path, program in project.programs.items():
+        if program.language != "python":
+            names = {header.strip('<>"').rpartition("/")[2] for header in program.includes}
+            named.setdefault(path.rpartition("/")[2] if path.endswith(_HEADERS) else "", set()).update(names)
+    found: set[str] = set()
+    todo = [""]
+    while todo:
+        new = named.get(todo.pop(), set()) - found
+        found |= new
+        todo += new
+    return frozenset(found)
+
+
+def _places(project: Project) -> Iterator[tuple[str, Location]]:
+    """Where interfaces are used by name, with the name."""
     generated = {each.path for package in project.packages for each in package.build.interfaces if each.is_generated}
     for each in project.interfaces.values():
         for section in each.sections if each.path in generated else ():
             for field in section:
-                found.setdefault(field.type.partition("[")[0], Location(each.path, field.line))
+                yield field.type.partition("[")[0], Location(each.path, field.line)
     by_header = {
         header: each.name
         for package in project.packages
@@ -267,11 +323,10 @@ def _uses(project: Project) -> dict[str, Location]:
         for header in program.includes:
             header = header.strip('<>"')
             if header not in written and (name := by_header.get(header)) is not None:
-                found.setdefault(name, Location(path, _line_with(project.text(path), header)))
+                yield name, Location(path, _line_with(project.text(path), header))
         for alias in program.aliases if program.language == "python" else ():
             if (name := modules.get(str(alias.type.name))) is not None:
-                found.setdefault(name, Location(path, _line_with(project.text(path), name.rpartition("/")[2])))
-    return found
+                yield name, Location(path, _line_with(project.text(path), name.rpartition("/")[2]))
 
 
 def _headers(each: Interface) -> tuple[str, ...]:
