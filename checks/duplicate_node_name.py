@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, System, SystemNode, line_of, together
+from haros_ci.api import Check, Finding, Level, Location, System, SystemNode, line_of, listed, together
 
 #: Programs of ROS 2 that do one thing and end: nobody sets their parameters or calls their services.
 _ENDING = {
@@ -23,10 +23,16 @@ def check(system: System) -> Iterator[Finding]:
     for node in system.nodes if system.is_launched else ():
         if node.known and node.is_launched and not node.raw.conditions and not _ends(node):
             by_name.setdefault(node.name, []).append(node)
+    twice: dict[str, list[tuple[SystemNode, SystemNode]]] = {}
     for nodes in by_name.values():
         pair = _pair(nodes)
-        if pair is not None:
+        if pair is not None and pair[0].location == pair[1].location:
+            twice.setdefault(pair[0].location.path, []).append(pair)
+        elif pair is not None:
             yield _finding(*pair, is_one=len(system.launch) == 1)
+    for (first, second), *others in twice.values():
+        also = tuple(each.name for each, _ in others)
+        yield _finding(first, second, is_one=len(system.launch) == 1, also=also)
     for node in system.nodes:
         if len(node.raw.twins) == 2:
             yield _of_one_process(node, *node.raw.twins)
@@ -49,8 +55,11 @@ def _pair(nodes: list[SystemNode]) -> tuple[SystemNode, SystemNode] | None:
     return None
 
 
-def _finding(first: SystemNode, second: SystemNode, *, is_one: bool) -> Finding:
-    """The finding about both; *is_one* if one roslaunch starts them: it looks at names before it starts anything (add_node)."""
+def _finding(first: SystemNode, second: SystemNode, *, is_one: bool, also: tuple[str, ...] = ()) -> Finding:
+    """The finding about both; *is_one* if one roslaunch starts them: it looks at names before it starts anything (add_node).
+
+    *also* are further names that the same launch file has given twice, as it is included twice.
+    """
     if second.ros == 1 and not is_one:
         effect = "the node that starts later shuts the other one down"
     elif second.ros == 1:
@@ -58,10 +67,15 @@ def _finding(first: SystemNode, second: SystemNode, *, is_one: bool) -> Finding:
     else:
         effect = "their parameters and services have the same names"
     kinds = f" ({first.type} and {second.type})" if first.type != second.type else f" ({first.type})"
+    if first.location == second.location:
+        is_code = first.location.path.endswith(".py")
+        other = "the same call starts both" if is_code else f"{first.location.path} is included twice"
+        other += f", so that there are two {listed(also)}, too" if also else ""
+    else:
+        other = f"the other node is at {line_of(first.location)}"
     return Finding(
         at=second.location,
-        message=f"two nodes are named {second.name}{kinds}: {effect}; give one of them another name or namespace; the "
-        f"other node is at {line_of(first.location)}",
+        message=f"two nodes are named {second.name}{kinds}: {effect}; give one of them another name or namespace; {other}",
         about=(first, second),
         related=((first.location, f"the other {first.name}"),),
         level=Level.ERROR if second.ros == 1 else None,

@@ -18,6 +18,8 @@ _MEANT = {
         r"(?<![a-z0-9])(?:ros_?2|dashing|eloquent|foxy|galactic|humble|iron|jazzy|kilted|lyrical|rolling)(?![a-z0-9])"
     ),
 }
+#: What only says something to people.
+_TEXTS = frozenset(("description= of <arg>",))
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -57,6 +59,7 @@ def _of_file(path: str, uses: Sequence[ConstructUse], package: Package | None) -
     other = _other(uses)
     is_whole = _is_whole(uses, other)
     is_aside = (other == 1 and first.is_installed is False) or (is_whole and _is_meant(path, package, other))
+    is_aside = is_aside or (not is_whole and _is_ignored(texts, other) and set(texts) <= _TEXTS)
     return Finding(
         at=first.location,
         message=_leftover(texts, other) if is_whole else _half_ported(first, texts, other),
@@ -118,7 +121,13 @@ def _leftover(texts: list[str], other: int) -> str:
 def _half_ported(first: ConstructUse, texts: list[str], other: int) -> str:
     more = f" and {len(texts) - 1} more construct{'s' if len(texts) > 2 else ''}" if len(texts) > 1 else ""
     instead = f"; write {first.instead}" if first.instead else ""
-    return f"{first.text}{more} of ROS {other}: `{_LAUNCH[3 - other]}` rejects the whole file{instead}"
+    effect = "ignores that, with a warning" if _is_ignored(texts, other) else "rejects the whole file"
+    return f"{first.text}{more} of ROS {other}: `{_LAUNCH[3 - other]}` {effect}{instead}"
+
+
+def _is_ignored(texts: Sequence[str], other: int) -> bool:
+    """Whether roslaunch goes on: it warns of tags and attributes that it does not know (``xmlloader``), and stops at substitutions."""
+    return other == 2 and not any(text.startswith("$(") for text in texts)
 
 
 def _other(uses: Sequence[ConstructUse]) -> int:

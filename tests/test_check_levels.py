@@ -69,6 +69,29 @@ def test_a_launch_file_that_is_meant_for_ros1(path: str, expected: Level, tmp_pa
     assert levels("foreign-launch-construct", {**files, other: OLD}, tmp_path / "two") == [expected]
 
 
+@pytest.mark.parametrize(
+    ("more", "level", "effect"),
+    [
+        ('<arg name="y" default="1" description="Speed."/>', Level.NOTE, "ignores that, with a warning; write doc"),
+        ('<group scoped="true"/>', Level.WARNING, "ignores that, with a warning"),
+        ('<let name="y" value="1"/>', Level.WARNING, "ignores that, with a warning; write <arg>"),
+        ('<param name="y" value="$(var x)"/>', Level.WARNING, "rejects the whole file"),
+        ('<arg name="y" default="$(var x)" description="d"/>', Level.WARNING, "rejects the whole file"),
+    ],
+)
+def test_roslaunch_warns_of_attributes_and_tags_that_it_does_not_know(
+    more: str, level: Level, effect: str, tmp_path: Path
+) -> None:
+    files = {
+        "package.xml": ROS1,
+        "CMakeLists.txt": CATKIN,
+        "launch/a.launch": OLD.replace("</launch>", f"{more}</launch>"),
+    }
+    check = next(check for check in checks() if check.id == "foreign-launch-construct")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    assert result.level is level and effect in result.message
+
+
 def test_a_launch_file_that_is_half_ported_is_not_meant_for_ros1(tmp_path: Path) -> None:
     half = '<launch><node pkg="demo" exec="n"><param name="x" value="$(find demo)"/></node></launch>\n'
     files = {"package.xml": ROS2, "CMakeLists.txt": INSTALLED, "launch/ros1.launch.xml": half}
@@ -507,6 +530,21 @@ def test_exported_libraries_that_are_not_built_fail_in_packages_that_are_built_a
     check = next(check for check in checks() if check.id == "unknown-target")
     (result,) = said(check, Example("", True, files), tmp_path)
     assert result.level is level and "demo_a and demo_b are not targets of demo" in result.message
+
+
+def test_a_file_that_is_included_twice_is_one_finding(tmp_path: Path) -> None:
+    inner = "".join(f'<node pkg="demo" type="n.py" name="{name}"/>' for name in "abc").join(("<launch>", "</launch>\n"))
+    files = {
+        "package.xml": ROS1,
+        "CMakeLists.txt": CATKIN,
+        "n.py": "import rospy\nrospy.init_node('n')\nrospy.spin()\n",
+        "launch/inner.launch": inner,
+        "launch/all.launch": "<launch>" + '<include file="$(find demo)/launch/inner.launch"/>' * 2 + "</launch>\n",
+    }
+    check = next(check for check in checks() if check.id == "duplicate-node-name")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    assert "two nodes are named /a " in result.message
+    assert "launch/inner.launch is included twice, so that there are two /b and /c, too" in result.message
 
 
 def test_nodes_of_one_name_stop_roslaunch(tmp_path: Path) -> None:
