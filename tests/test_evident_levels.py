@@ -99,3 +99,46 @@ def test_an_attribute_in_a_method_that_nothing_calls(tmp_path: Path) -> None:
         files = {"package.xml": PACKAGE, "CMakeLists.txt": CMAKE.format("filter.py"), "filter.py": node.format(line)}
         (tmp_path / str(number)).mkdir()
         assert levels("undefined-attribute", files, tmp_path / str(number)) == [expected]
+
+
+@pytest.mark.parametrize(
+    ("other", "expected"),
+    [
+        (
+            "class Other:\n    def __init__(self):\n        self.process(1)\n\n    def process(self, x):\n        pass\n",
+            Level.NOTE,
+        ),
+        ("def work(filter):\n    filter.process(1)\n", Level.ERROR),
+        ("class Other:\n    def process(self, x):\n        self.inner.process(x)\n", Level.ERROR),
+    ],
+)
+def test_a_method_of_this_name_of_another_class_is_another_one(other: str, expected: Level, tmp_path: Path) -> None:
+    node = (
+        "import rclpy\nfrom rclpy.node import Node\n\n\nclass Filter(Node):\n    def __init__(self):\n"
+        "        super().__init__('filter')\n\n    def process(self, message):\n        self.sent.publish(message)\n\n\n"
+        "rclpy.init()\nrclpy.spin(Filter())\n"
+    )
+    files = {
+        "package.xml": PACKAGE,
+        "CMakeLists.txt": CMAKE.format("filter.py other.py"),
+        "filter.py": node,
+        "other.py": other,
+    }
+    assert levels("undefined-attribute", files, tmp_path) == [expected]
+
+
+SETUP = "from setuptools import setup\nsetup(name='demo', packages=['demo'], package_dir={'': 'src'})\n"
+
+
+def test_a_base_calls_what_its_class_defines(tmp_path: Path) -> None:
+    base = "class Base:\n    def __init__(self):\n        self.process(1)\n\n    def process(self, x):\n        raise NotImplementedError\n"
+    node = "from demo.base import Base\n\n\nclass Filter(Base):\n    def process(self, x):\n        self.sent.publish(x)\n\n\nFilter()\n"
+    files = {
+        "package.xml": PACKAGE,
+        "CMakeLists.txt": CMAKE.format("filter.py"),
+        "filter.py": node,
+        "src/demo/__init__.py": "",
+        "src/demo/base.py": base,
+        "setup.py": SETUP,
+    }
+    assert levels("undefined-attribute", files, tmp_path) == [Level.ERROR]

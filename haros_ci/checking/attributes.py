@@ -25,6 +25,8 @@ _BY_NAME = re.compile(
     r"\b(?:setattr|vars|exec|eval|locals)\s*\(|__(?:getattr|getattribute|dict|new|init_subclass|setstate)__"
     r"|\bMethodType\b|\bmetaclass\s*=|\bmock\b"
 )
+#: A call of something by a name of its own, whose first argument is not ``self``.
+_CALL = re.compile(r"(?<!\w)(\w+)\.(\w+)[ \t]*\((?!\s*self\b)")
 #: Classes that are made for others to complete them.
 _PARTIAL = re.compile(r"mixin|abstract|interface|base|protocol|template", re.I)
 _PLAIN = frozenset(("object", "abc.ABC", "ABC"))
@@ -126,7 +128,7 @@ def unset_attributes(project: Project) -> Iterator[Unset]:
             is_hidden = name.startswith("__") or (name.startswith("_") and bool(libraries - _PLAIN))
             if name in has or name in elsewhere or is_hidden or _is_asked(code.text(source.path), name):
                 continue
-            is_reached = _is_reached(code, routine)
+            is_reached = _is_reached(code, routine, {one.owner[0].path for one in family})
             yield Unset(definition.name, name, routine, _place(code, routine, name), frozenset(known), is_reached)
 
 
@@ -141,6 +143,7 @@ def _known(above: Owner | None, name: str, classes: dict[tuple[str, str], _Attri
 def _classes(code: Codebase) -> dict[tuple[str, str], _Attributes]:
     """The Python classes of the workspace by file and name; those that a file defines twice are left out."""
     found: dict[tuple[str, str], _Attributes] = {}
+    on_classes = _called_on_classes(code)
     for source in code.sources:
         program = source.program
         if program.language != "python" or program.problems or source.path.endswith(".pyi"):
@@ -157,7 +160,7 @@ def _classes(code: Codebase) -> dict[tuple[str, str], _Attributes]:
                 one.has.add(function.name.rpartition(".")[2])
         for routine in code.routines(source.path):
             one = found.get((source.path, routine.owner))
-            if one is not None and _is_called_on_class(code, routine):
+            if one is not None and (_short(routine.owner or ""), _short(routine.function.name)) in on_classes:
                 one.has.update(_set_in(routine.function.body or ()))  # of the class, if it is a class method
             elif one is not None:
                 one.routines.append(routine)
@@ -165,23 +168,38 @@ def _classes(code: Codebase) -> dict[tuple[str, str], _Attributes]:
     return found
 
 
-def _is_called_on_class(code: Codebase, routine: Routine) -> bool:
-    """Whether some call gives a method its first argument by hand, as a function without ``self`` is called: ``Class.method(text)``."""
-    owner, name = (routine.owner or "").rpartition(".")[2], routine.function.name.rpartition(".")[2]
-    if name.startswith("__"):
-        return False
-    call = re.compile(rf"(?<!\w){re.escape(owner)}\.{re.escape(name)}\s*\((?!\s*self\b)")
-    paths = code.mentioning(f"{owner}.{name}")
-    return any(call.search(code.text(path)) for path in paths if path.endswith(".py") or path == routine.path)
+def _called_on_classes(code: Codebase) -> frozenset[tuple[str, str]]:
+    """The methods, by class and name, to which some call gives their first argument by hand, as a function without ``self`` is called:
+    ``Class.method(text)``.
+    """
+    texts = (
+        code.text(source.path)
+        for source in code.sources
+        if source.program.language == "python" and source.path not in code.unbuilt
+    )
+    return frozenset(found for text in texts for found in _CALL.findall(text) if not found[1].startswith("__"))
 
 
-def _is_reached(code: Codebase, routine: Routine) -> bool:
-    """Whether a method is one that Python or a library calls by its name, or is named in the code of some Python file."""
-    name = routine.function.name.rpartition(".")[2]
+def _short(name: str) -> str:
+    return name.rpartition(".")[2]
+
+
+def _is_reached(code: Codebase, routine: Routine, family: Set[str]) -> bool:
+    """Whether a method is one that Python or a library calls by its name, or is named in the code of some Python file.
+
+    What a file calls on ``self`` is its own method, if it defines one of this name and has no class of the *family*: its files.
+    """
+    name = _short(routine.function.name)
     if name.startswith("__") or name in _NODE | _LIFECYCLE | _THREAD:
         return True
-    use = re.compile(rf"^(?:[^#\n]*[^#\w\n])?(?<!def ){re.escape(name)}(?!\w)", re.MULTILINE)
-    return any(use.search(code.text(path)) for path in code.mentioning(name))
+    use = rf"^(?:[^#\n]*[^#\w\n])?(?<!def ){re.escape(name)}(?!\w)"
+    here, elsewhere = re.compile(use, re.M), re.compile(use.replace("(?<!def )", r"(?<!def )(?<!\bself\.)"), re.M)
+    for path in code.mentioning(name):
+        text = code.text(path)
+        is_own = path not in family and re.search(rf"\bdef[ \t]+{re.escape(name)}\b", text) is not None
+        if (elsewhere if is_own else here).search(text):
+            return True
+    return False
 
 
 def _add(one: _Attributes, routine: Routine) -> None:
