@@ -99,11 +99,27 @@ def undefined_names(module: ast.Module, source: str) -> Iterator[tuple[str, int]
     } - defined
     dead = switched_off(module) if missing else frozenset()
     first: dict[str, tuple[bool, int]] = {}
-    for node in ast.walk(module):
-        if isinstance(node, ast.Name) and node.id in missing and isinstance(node.ctx, ast.Load):
+    for node in _unbound(module) if missing else ():
+        if node.id in missing:
             place = (node.lineno in dead, node.lineno)
             first[node.id] = min(place, first.get(node.id, place))
     yield from sorted(((name, line) for name, (_, line) in first.items()), key=lambda pair: (pair[1], pair[0]))
+
+
+def _unbound(module: ast.Module) -> Iterator[ast.Name]:
+    """The names that are read, but for those that a function around them has as a parameter or assigns."""
+    waiting: list[tuple[ast.AST, frozenset[str]]] = [(module, frozenset())]
+    while waiting:
+        node, bound = waiting.pop()
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load) and node.id not in bound:
+            yield node
+        inner = bound
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)):
+            inner |= {each.arg for each in ast.walk(node.args) if isinstance(each, ast.arg)}
+            parts = [node.body] if isinstance(node, ast.Lambda) else node.body
+            stored = (each for part in parts for each in ast.walk(part) if isinstance(each, ast.Name))
+            inner |= {each.id for each in stored if isinstance(each.ctx, ast.Store)}
+        waiting += ((each, inner) for each in ast.iter_child_nodes(node))
 
 
 def switched_off(module: ast.Module) -> frozenset[int]:
