@@ -199,7 +199,9 @@ OTHERS: tuple[Row, ...] = (
     ),
     Row(
         "all tools",
-        ("directories called `third_party`, `vendor`, `external` …, and a licence in a directory inside a package",),
+        (
+            "directories called `third_party`, `vendor`, `external` …, a licence in a directory inside a package, the version of a release in the name of a directory, and the files of a well-known library",
+        ),
         "all findings in that directory",
         Origin.BASE,
         "tests/hostile/test_hostile_hiding_comments.py::test_a_change_that_calls_a_directory_third_party",

@@ -129,7 +129,7 @@ def assemble(
     return Workspace(
         root=root,
         packages=tuple(sorted((package for package, _ in packages.values()), key=lambda p: (p.path, p.name))),
-        files=_owned(sorted(files, key=lambda file: file.path), owners, ThirdParty(names, packages, asked)),
+        files=_owned(sorted(files, key=lambda file: file.path), owners, ThirdParty(names, owners, asked)),
         reader=TextReader(root, listed, max_file_size, elsewhere),
         targets=None
         if targets is None

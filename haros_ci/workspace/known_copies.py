@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Single files of well-known libraries, which projects copy among their own sources, often without the licence beside them."""
+"""Single files of well-known libraries and tools, which projects copy among their own sources, often without the licence beside them."""
 
 from __future__ import annotations
 
@@ -67,18 +67,38 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
         "serial",
     ),
 )
-_KNOWN = tuple((re.compile(n), re.compile(s, re.IGNORECASE | re.DOTALL), own) for n, s, own in _TABLE)
+#: The same for scripts.
+_SCRIPTS: tuple[tuple[str, str, str], ...] = (
+    (
+        r"git-clang-format(?:\.py)?|(?:run-clang-format|run-clang-tidy|clang-format-diff|clang-tidy-diff)(?:[.-]\d{1,2})?(?:\.py)?",
+        r"\bLLVM Compiler Infrastructure\b|\bPart of the LLVM Project\b",
+        "clang",
+    ),
+    (r"(?:ament_)?cpplint\.py", r"Copyright.{0,40}\bGoogle\b", "cpplint"),
+    (r"six\.py", r"Copyright.{0,40}\bBenjamin Peterson\b", "six"),
+    (r"(?:stats|pstat)\.py", r"Copyright.{0,40}\bGary Strangman\b", "stats"),
+    (r"svgfig\.py", r"Copyright.{0,40}\bJim Pivarski\b", "svgfig"),
+    (r"transformations\.py", r"Copyright.{0,40}\bChristoph Gohlke\b", "transformations"),
+    (r"bottle\.py", r"Copyright.{0,40}\bMarcel Hellkamp\b", "bottle"),
+)
+_KNOWN = {
+    language: tuple((re.compile(n), re.compile(s, re.IGNORECASE | re.DOTALL), own) for n, s, own in table)
+    for language, table in (("cpp", _TABLE), ("python", _SCRIPTS))
+}
 _WRAPS = re.compile(r"[_-](?:ros[12]?|vendor|catkin|wrapper)$", re.IGNORECASE)
-_ANY = re.compile("|".join(name for name, _, _ in _TABLE))
+_ANY = {
+    language: re.compile("|".join(name for name, _, _ in table))
+    for language, table in (("cpp", _TABLE), ("python", _SCRIPTS))
+}
 
 
 def copied_library(path: str, language: str, data: bytes) -> str:
     """The library whose own file the one at *path* is by its name and by what its first comment says; "" if it is none."""
     name = path.rpartition("/")[2]
-    if language != "cpp" or _ANY.fullmatch(name) is None or data.count(b"\n") < SHORTEST:
+    if language not in _ANY or _ANY[language].fullmatch(name) is None or data.count(b"\n") < SHORTEST:
         return ""
-    comment = re.sub(r"\s+", " ", leading_comment(language, data))
-    return next((own for names, says, own in _KNOWN if names.fullmatch(name) and says.search(comment)), "")
+    comment = re.sub(r"[\s#]+", " ", leading_comment(language, data))
+    return next((own for names, says, own in _KNOWN[language] if names.fullmatch(name) and says.search(comment)), "")
 
 
 def is_of_project(library: str, package: str | None) -> bool:

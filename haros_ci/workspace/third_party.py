@@ -4,7 +4,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Mapping
+
+from haros_ci.workspace.library_trees import library_trees, releases
 
 #: Names that a copy's directory has in C++ and Python projects.
 NAMES = frozenset(
@@ -15,15 +17,17 @@ _CODE = (".py", ".js", ".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".hxx")
 
 
 class ThirdParty:
-    """Which directories of a workspace hold copies, by the *names* of all its files and the directories of its *packages*.
+    """Which directories of a workspace hold copies, by the *names* of all its files and its *packages*, directory to name.
 
     A directory does if it is called so (``third_party``), or if it lies inside a package and has a licence of its own: a
-    package has its licence at its root. A directory that a run is *asked* about, and those around it, are none for that run.
+    package has its licence at its root. So does one that is a release by its name and files, or the tree of a well-known library. A directory that a run is *asked* about, and those around it, are none for that run.
     """
 
-    def __init__(self, names: Iterable[str], packages: Collection[str], asked: Iterable[str] = ()) -> None:
+    def __init__(self, names: Iterable[str], packages: Mapping[str, str], asked: Iterable[str] = ()) -> None:
+        names = tuple(names)
         self._licensed = {_directory(name) for name in names if _is_licence(name.rpartition("/")[2])}
         self._packages = frozenset(packages)
+        self._copies = library_trees(names, packages) | releases(names, self._licensed, packages)
         self._known: dict[str, str] = {".": ""}
         for directory in asked:
             while directory not in self._known:
@@ -45,7 +49,7 @@ class ThirdParty:
         return self._known[directory]
 
     def _is_one(self, directory: str) -> bool:
-        if directory.rpartition("/")[2].lower() in NAMES:
+        if directory.rpartition("/")[2].lower() in NAMES or directory in self._copies:
             return True
         return directory in self._licensed and directory not in self._packages and self._is_inside(directory)
 

@@ -57,6 +57,30 @@ def test_python_is_none() -> None:
     assert copied_library("a/json.hpp", "python", (NIELS + REST).encode()) == ""
 
 
+LLVM = "#!/usr/bin/env python\n#\n#===- format -*- python -*--===#\n#\n#   The LLVM Compiler Infrastructure\n#\n"
+
+
+@pytest.mark.parametrize(
+    ("path", "head", "library"),
+    [
+        ("tools/git-clang-format", LLVM, "clang"),
+        ("run-clang-tidy-14.py", LLVM.replace("The LLVM Compiler Infrastructure", "Part of the LLVM Project"), "clang"),
+        (
+            "a/cpplint.py",
+            "#!/usr/bin/env python\n#\n# Copyright (c) 2009 Google Inc. All rights reserved.\n",
+            "cpplint",
+        ),
+        ("a/git-clang-format", "#!/usr/bin/env python\n", ""),
+        ("a/format.py", LLVM, ""),
+        ("a/cpplint.py", "# Copyright 2020 Somebody Else\n", ""),
+        ("a/stats.py", "# Copyright 2020 Somebody Else\n", ""),
+        ("a/cpplint.py", "import os\n# Copyright (c) 2009 Google Inc.\n", ""),
+    ],
+)
+def test_scripts(path: str, head: str, library: str) -> None:
+    assert copied_library(path, "python", (head + "x = 1\n" * 200).encode()) == library
+
+
 def test_the_project_itself() -> None:
     assert (
         is_of_project("serial", "serial")

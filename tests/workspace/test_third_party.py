@@ -7,7 +7,14 @@ import pytest
 
 from haros_ci.workspace.third_party import ThirdParty, around
 
-PACKAGES = ("src/demo",)
+PACKAGES = {"src/demo": "demo", "src/eigen": "eigen3", "ws-1.2.0/src/robot": "robot"}
+EIGEN = "src/demo/include/Eigen"
+CHIP = "fw/stm32f4xx_lib"
+
+
+def eigen(root: str = EIGEN) -> tuple[str, ...]:
+    return (f"{root}/Core", f"{root}/Dense", f"{root}/src/Core/util/Macros.h")
+
 
 #: Path, other files, directories asked about, and the directory of the copy.
 FIRES = [
@@ -19,6 +26,13 @@ FIRES = [
     ("src/demo/lib/solver/x/a.c", ("src/demo/lib/solver/COPYING.LESSER",), (), "src/demo/lib/solver"),
     ("src/demo/lib/solver/a.c", ("src/demo/lib/solver/license-mit.txt",), (), "src/demo/lib/solver"),
     ("src/demo/vendor/a.cpp", (), ("src/demo",), "src/demo/vendor"),
+    ("hw/libcam-x86_64-1.3.6/usb/a.c", ("hw/libcam-x86_64-1.3.6/release-notes.txt",), (), "hw/libcam-x86_64-1.3.6"),
+    ("solver-3.2/src/a.c", ("solver-3.2/COPYING",), (), "solver-3.2"),
+    ("src/demo/solver_v3.2.1/a.c", ("src/demo/solver_v3.2.1/configure.ac",), (), "src/demo/solver_v3.2.1"),
+    (f"{EIGEN}/src/LU/LU.h", eigen(), (), EIGEN),
+    (f"{CHIP}/src/stm32f4xx_gpio.c", (f"{CHIP}/inc/stm32f4xx_gpio.h",), (), CHIP),
+    (f"{CHIP}/Src/stm32f4xx_hal_gpio.c", (f"{CHIP}/Inc/stm32f4xx_hal_gpio.h",), (), CHIP),
+    ("fw/os/tasks.c", ("fw/os/queue.c", "fw/os/list.c", "fw/os/include/FreeRTOS.h"), (), "fw/os"),
 ]
 QUIET = [
     ("src/demo/src/a.cpp", ("src/demo/LICENSE",), ()),
@@ -35,6 +49,21 @@ QUIET = [
     ("third_party/json/a.cpp", (), ("third_party/json",)),
     ("third_party/json/a.cpp", (), ("third_party",)),
     ("src/demo/lib/solver/a.c", ("src/demo/lib/solver/LICENSE",), ("src/demo/lib/solver",)),
+    ("solver-3.2.1/src/a.c", ("solver-3.2.1/README.md", "solver-3.2.1/src/COPYING"), ()),
+    ("solver-3/src/a.c", ("solver-3/COPYING",), ()),
+    ("solver-3.2.1/a.c", ("solver-3.2.1/COPYING",), ("solver-3.2.1",)),
+    ("demo-1.2.0/a.c", ("demo-1.2.0/COPYING",), ()),
+    ("arm_firmware-1.2.0/a.c", ("arm_firmware-1.2.0/CHANGELOG.md",), ()),
+    ("firmware_v1.2/a.c", ("firmware_v1.2/LICENSE",), ()),
+    ("ws-1.2.0/tools/a.py", ("ws-1.2.0/LICENSE",), ()),
+    ("1.2.0/a.py", ("1.2.0/LICENSE",), ()),
+    ("src/eigen/include/Eigen/src/LU/LU.h", eigen("src/eigen/include/Eigen"), ()),
+    ("src/demo/include/eigen/src/LU/LU.h", eigen("src/demo/include/eigen"), ()),
+    ("src/demo/include/Eigen/Plugin.h", (f"{EIGEN}/Core", f"{EIGEN}/Dense"), ()),
+    ("src/demo/include/demo/a.h", eigen(), ()),
+    ("fw/board/src/a.c", ("fw/board/src/stm32f4xx_gpio.c", "fw/board/inc/stm32f4xx_gpio.h"), ()),
+    ("fw/stm32f4xx_lib/src/a.c", ("fw/stm32f4xx_lib/inc/stm32f4xx_gpio.h",), ()),
+    ("fw/os/tasks.c", ("fw/os/queue.c", "fw/os/list.c"), ()),
 ]
 
 
@@ -58,3 +87,15 @@ def test_long_names_take_no_time(sign: str) -> None:
 def test_around() -> None:
     assert around("a/b/c/d.cpp", {"a/b", "x"}) == "a/b"
     assert around("a/bc/d.cpp", {"a/b"}) == around("a", {"a"}) == ""
+
+
+def test_files_without_packages_are_none() -> None:
+    """Who checks a library itself has no packages."""
+    root = "lib/Eigen"
+    assert ThirdParty((*eigen(root), f"{root}/a.h"), {}).directory(f"{root}/a.h") == ""
+    assert ThirdParty(("solver-1.2/a.c", "solver-1.2/COPYING"), {}).directory("solver-1.2/a.c") == ""
+
+
+def test_a_vendor_package_wraps() -> None:
+    names = (*eigen("src/e/include/Eigen"), "src/e/include/Eigen/src/a.h")
+    assert ThirdParty(names, {"src/e": "eigen_vendor"}).directory(names[-1]) == "src/e/include/Eigen"
