@@ -19,6 +19,7 @@ _TREES: tuple[tuple[str, str, tuple[str, ...]], ...] = (
     ("pybind11", "pybind11", ("pybind11.h", "cast.h", "detail/common.h")),
     ("gtest", "gtest", ("gtest.h", "gtest-printers.h", "internal/gtest-internal.h")),
     ("gmock", "gmock", ("gmock.h", "gmock-matchers.h", "internal/gmock-internal-utils.h")),
+    ("dlib", "", ("noncopyable.h", "algs.h", "matrix/matrix.h")),
     ("sophus", "sophus", ("so3.hpp", "se3.hpp", "common.hpp")),
     ("yamlcpp", "yaml-cpp", ("yaml.h", "emitter.h", "node/node.h")),
     ("glm", "glm", ("glm.hpp", "vec3.hpp", "detail/setup.hpp")),
