@@ -37,6 +37,7 @@ _PARTS = (".cu", ".cuh", ".ipp", ".tpp", ".txx", ".ixx", ".inl", ".impl", ".inc"
 #: The address of a member of what a cast pointer points to, and that of a cast.
 _MEMBER = re.compile(r"&\s?\(\s?\([^()]{1,200}\*\s?\)[^()]{1,200}(?:\([^()]{0,200}\))?\s?\)\s?(?:->|\[)")
 _CAST = re.compile(r"&\s?(?:\([\w:<>, ]{1,200}\)\s?\w|(?:static|dynamic|reinterpret|down)_cast\b)")
+_ADDRESS = re.compile(r"&\s?\(")
 _LINE = re.compile(r"(\d+|None):  (.*)  \[([\w/+]+)\] \[(\d)\]$", re.DOTALL)
 
 
@@ -45,7 +46,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return "4"
+    return "5"
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -133,11 +134,17 @@ def _is_part(path: str, category: str, message: str, workspace: Workspace, line:
 
 
 def _is_member(workspace: Workspace, at: Location) -> bool:
-    """Whether "an address of a cast" is none: C has no such address (no compiler takes one), and ``&((T *)p)->x`` is that of a member."""
+    """Whether "an address of a cast" is none: C has no such address (no compiler takes one), and ``&((T *)p)->x`` is that of a member.
+
+    ``a &&(int)b`` takes no address at all.
+    """
     if at.path.endswith(".c"):
         return True
     lines = workspace.text(at.path).split("\n")[(at.line or 1) - 1 :][:1]
-    return any(_MEMBER.search(line) for line in lines) and not any(_CAST.search(line) for line in lines)
+    rest = [line.replace("&&", "  ") for line in lines]
+    if any(_CAST.search(line) for line in rest):
+        return False
+    return any(_MEMBER.search(line) for line in rest) or (rest != lines and not any(_ADDRESS.search(r) for r in rest))
 
 
 def _is_lost_remark(workspace: Workspace, at: Location) -> bool:

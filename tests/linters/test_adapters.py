@@ -69,6 +69,13 @@ CPPLINT_QUIET = [
         ("a b.cpp", "return &((struct x *)e)->pp->e;", False),
         ("a b.cpp", "p = &((T*)q())[0];", False),
         ("a b.cpp", "p = & ( (T *)q ) -> x;", False),
+        ("a b.cpp", "if ((a != (u16)b)&&(c != (u16)d))", False),
+        ("a b.cpp", "if (a && (int)b && &((T *)p)->c)", False),
+        ("a b.cpp", "if ((a)&&(bool)f(b))", False),
+        ("a b.cpp", "if ((a)&&(bool)b) foo(&(int)x);", True),
+        ("a b.cpp", "if ((a)&&(bool)b) x = &static_cast<A>(y);", True),
+        ("a b.cpp", "x = &((Scalar*)store->values)[i];", False),
+        ("a b.cpp", "x = &((Scalar*)store->at(3))[i] + &(B)c;", True),
         ("a b.c", "foo(&(int)x);", False),
         ("a b.c", "a = b & (uint32_t) c;", False),
     ],
@@ -371,6 +378,26 @@ def test_catkin_lint_says_once_what_is_missing_and_weighs_it(tmp_path: Path) -> 
         ("MISSING_DEPEND", 5, Level.ERROR, []),
         ("MISSING_CATKIN_DEPEND", 6, Level.WARNING, []),
     ]
+
+
+@pytest.mark.parametrize(
+    ("missing", "rules"),
+    [
+        ("missing find_package(catkin).", ["MISSING_FIND"]),
+        ("missing find_package(Boost).", ["CATKIN_ORDER_VIOLATION", "MISSING_FIND"]),
+    ],
+)
+def test_catkin_lint_says_once_that_catkin_is_not_found(tmp_path: Path, missing: str, rules: list[str]) -> None:
+    place = {"file": "CMakeLists.txt", "line": 4, "package": "robot"}
+    order = {
+        "id": "CATKIN_ORDER_VIOLATION",
+        "location": place,
+        "text": "catkin_package() is called before find_package(catkin).",
+    }
+    find = {"id": "MISSING_FIND", "location": {**place, "line": 9}, "text": missing}
+    report = {"errors": [order, find], "warnings": [], "notices": []}
+    said = parse(catkin_lint, tmp_path, {"robot/package.xml": "", "robot/CMakeLists.txt": "\n" * 9}, json.dumps(report))
+    assert [each.result.rule for each in said if isinstance(each, Finding)] == rules
 
 
 @pytest.mark.parametrize(
