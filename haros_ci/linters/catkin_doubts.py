@@ -37,6 +37,21 @@ _INSTALLS = re.compile(r"^[ \t]*\w*install\w*[ \t]*\(", re.MULTILINE | re.IGNORE
 #: Rules about files and directories that are not there.
 _OF_FILES = frozenset(("MISSING_FILE", "MISSING_DIRECTORY", "MISSING_SUBDIR", "MISSING_INCLUDE_PATH", "MISSING_PLUGIN"))
 _GENERATED = re.compile(r"\bgenerate_messages\s*\(\s*DEPENDENCIES\s([^()]{0,5000})\)", re.IGNORECASE)
+#: The type of std_msgs that interfaces name without its package.
+_BARE_HEADER = re.compile(r"^[ \t]*Header\b", re.MULTILINE)
+_FOUND = re.compile(r"\bfind_package\s*\(([^()]{0,5000})\)", re.IGNORECASE)
+#: Packages whose configuration finds a package of messages, too: what catkin_package(CATKIN_DEPENDS) of theirs names.
+_BRINGS = {
+    "std_msgs": frozenset(
+        """
+        actionlib actionlib_msgs diagnostic_msgs dynamic_reconfigure geometry_msgs image_transport nav_msgs nodelet roscpp sensor_msgs
+        shape_msgs stereo_msgs tf tf2_ros trajectory_msgs visualization_msgs
+        """.split()
+    ),
+    "geometry_msgs": frozenset("nav_msgs sensor_msgs shape_msgs tf tf2_ros trajectory_msgs visualization_msgs".split()),
+    "actionlib_msgs": frozenset("actionlib nav_msgs tf2_ros".split()),
+    "sensor_msgs": frozenset("image_transport stereo_msgs tf".split()),
+}
 _HEADERS = (".h", ".hh", ".hpp", ".hxx")
 #: ``add_subdirectory(../shared shared)``: CMake asks for a build directory, the second argument, where the first is outside.
 _OUTSIDE = re.compile(
@@ -83,6 +98,10 @@ def is_refuted(
         return False
     if rule == "MISSING_CATKIN_DEPEND":
         return _is_only_listed(named[1], directory, workspace)
+    if rule == "UNCONFIGURED_MSG_DEPEND":
+        return _is_brought(named[1], directory, workspace) and _is_only_listed(
+            named[1], directory, workspace, with_headers=False
+        )
     here = normpath(join(directory, named[1]))
     beside = normpath(join(at.path.rpartition("/")[0], named[1]))
     if rule in _OF_FILES and (is_below(here, lacking) or is_below(beside, lacking)):
@@ -136,7 +155,13 @@ def _has_extension(workspace: Workspace, *paths: str) -> bool:
     return not tried.isdisjoint(workspace.names)
 
 
-def _is_only_listed(name: str, directory: str, workspace: Workspace) -> bool:
+def _is_brought(name: str, directory: str, workspace: Workspace) -> bool:
+    """Whether something that the package's CMakeLists.txt finds finds the package of messages *name*, too: so its list does no harm."""
+    text = re.sub(r"#[^\n]*", "", workspace.text(join(directory, "CMakeLists.txt")))
+    return any(not _BRINGS.get(name, frozenset()).isdisjoint(found[1].split()) for found in _FOUND.finditer(text))
+
+
+def _is_only_listed(name: str, directory: str, workspace: Workspace, *, with_headers: bool = True) -> bool:
     """Whether the package of messages *name* is listed in generate_messages(), and no message, service, action or header of the package uses it.
 
     Then it is to be taken from the list, not to be exported. actionlib_msgs is used by every action.
@@ -148,10 +173,11 @@ def _is_only_listed(name: str, directory: str, workspace: Workspace) -> bool:
     own = [file for file in workspace.files if file.path.startswith(prefix)]
     if name == "actionlib_msgs" and any(file.path.endswith(".action") for file in own):
         return False
-    exposed = (file.path for file in own if file.language == "interface" or file.path.endswith(_HEADERS))
-    return not any(f"{name}/" in workspace.text(path) for path in exposed) and any(
-        file.language == "interface" for file in own
-    )
+    interfaces = [file.path for file in own if file.language == "interface"]
+    headers = [file.path for file in own if with_headers and file.path.endswith(_HEADERS)]
+    if name == "std_msgs" and any(_BARE_HEADER.search(workspace.text(path)) for path in interfaces):
+        return False
+    return bool(interfaces) and not any(f"{name}/" in workspace.text(path) for path in (*interfaces, *headers))
 
 
 def _is_unknown(name: str, path: str, line: int | None, text: str) -> bool:

@@ -51,7 +51,7 @@ def locate(options: LintOptions) -> Program | None:
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
     """Which packages there are, for it looks dependencies up among them, which of them are of ROS 1, and what is not checked out."""
     packages = sorted((package.name, package.ros or 0) for package in workspace.packages)
-    return json.dumps(["7", packages, sorted(absent(workspace))])
+    return json.dumps(["8", packages, sorted(absent(workspace))])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -91,6 +91,12 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     lacking = absent(batch.workspace)
     for name in re.findall(r"^catkin_lint: cannot lint ([\w-]+):", warnings, re.MULTILINE):
         yield GaveUp(manifests[name], "a fault of catkin_lint")
+    without_catkin = {
+        said["location"]["package"]
+        for key in LEVELS
+        for said in report[key]
+        if said["id"] == "MISSING_FIND" and "find_package(catkin)" in said["text"]
+    }
     places: dict[tuple[str, str, str], list[Finding]] = {}
     for key, level in LEVELS.items():
         for said in sorted(report[key], key=_order):
@@ -102,6 +108,8 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
             line = place.get("line")
             location = Location(path, line if isinstance(line, int) and line > 0 else None)
             rule, text = said["id"], said["text"]
+            if rule == "CATKIN_ORDER_VIOLATION" and package.name in without_catkin:
+                continue  # it is told once, by MISSING_FIND
             if is_refuted(rule, text, package.path, location, batch.workspace, lacking):
                 continue
             weighed = max(level, rule_of(NAME, rule).level, key=lambda level: level.rank)

@@ -128,6 +128,7 @@ LISTED = "generate_messages(DEPENDENCIES actionlib_msgs\n  geometry_msgs std_msg
             False,
         ),
         ("sensor_msgs", {"robot/srv/Go.srv": "bool now\n---\n"}, False),
+        ("std_msgs", {"robot/msg/Now.msg": "Header header\n"}, False),
         ("std_msgs", {}, False),
     ],
 )
@@ -136,6 +137,44 @@ def test_messages_that_are_only_listed(tmp_path: Path, name: str, more: dict[str
     here = workspace(tmp_path, files, [Package("robot", "robot", ros=1)])
     message = f"package '{name}' must be in CATKIN_DEPENDS in catkin_package()."
     assert is_refuted("MISSING_CATKIN_DEPEND", message, "robot", Location("robot/CMakeLists.txt", 1), here) is expected
+
+
+PLAIN = "bool now\n---\n"
+ROSCPP = "find_package(catkin REQUIRED COMPONENTS message_generation\n  roscpp)\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "found", "interface", "expected"),
+    [
+        ("std_msgs", ROSCPP, PLAIN, True),
+        ("std_msgs", "find_package(sensor_msgs REQUIRED)\n", PLAIN, True),
+        ("geometry_msgs", "find_package(catkin REQUIRED COMPONENTS tf)\n", PLAIN, True),
+        ("geometry_msgs", ROSCPP, PLAIN, False),
+        ("std_msgs", "find_package(catkin REQUIRED COMPONENTS message_generation)\n", PLAIN, False),
+        ("std_msgs", f"find_package(catkin REQUIRED)\n# {ROSCPP[:-1]}", PLAIN, False),
+        ("std_msgs", ROSCPP, "std_msgs/String now\n---\n", False),
+        ("std_msgs", ROSCPP, "Header header\n---\n", False),
+        ("std_msgs", ROSCPP, "bool now\n---\n  Header header\n", False),
+        ("std_msgs", ROSCPP, "", False),
+        ("shape_msgs", ROSCPP, PLAIN, False),
+    ],
+)
+def test_messages_that_are_listed_without_being_found(
+    tmp_path: Path, name: str, found: str, interface: str, expected: bool
+) -> None:
+    files = {
+        "robot/package.xml": "",
+        "robot/CMakeLists.txt": found + LISTED,
+        "robot/src/a.h": "#include <std_msgs/Bool.h>\n",
+    }
+    if interface:
+        files["robot/srv/Go.srv"] = interface
+    here = workspace(tmp_path, files, [Package("robot", "robot", ros=1)])
+    at = Location("robot/CMakeLists.txt", None)
+    assert (
+        is_refuted("UNCONFIGURED_MSG_DEPEND", f"unconfigured message dependency '{name}'.", "robot", at, here)
+        is expected
+    )
 
 
 BESIDE = "add_subdirectory(../shared shared{})\n"
