@@ -9,7 +9,7 @@ from functools import lru_cache
 
 from haros_ci.linters.constant_switches import is_switched_by_hand
 from haros_ci.linters.cppcheck_conditions import OF_VALUES, has_large_constant, is_spelled_out
-from haros_ci.linters.cppcheck_uses import is_copied, is_pointed_to, is_read_checked
+from haros_ci.linters.cppcheck_uses import is_copied, is_meant, is_pointed_to, is_read_checked
 from haros_ci.results.scope import scopes
 
 #: A literal of the user's own that takes a default, as pybind11's arguments do: ``"steps"_a = false``.
@@ -125,6 +125,8 @@ def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
         return _LEAKED.search(message) is not None or any(_LEAKS.search(each[0]) for each in _COMMENT.finditer(near))
     if rule in _OF_PROVOKED:
         return _is_provoked(line, text)
+    if rule == "unusedVariable" and is_meant(line, text):
+        return True
     subject = _SUBJECT.search(message) if rule in _OF_UNUSED else None
     return subject is not None and _is_used(subject[1] or subject[2], line, text)
 

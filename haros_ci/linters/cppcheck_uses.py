@@ -38,13 +38,7 @@ def is_read_checked(line: int, text: str) -> bool:
     loop = _LOOP.search(rest)
     if loop is None or "\n" in rest[: loop.start()]:
         return False
-    depth, end = 1, len(rest)
-    for brace in re.finditer(r"[{}]", rest[loop.end() :]):
-        depth += 1 if brace[0] == "{" else -1
-        if depth == 0:
-            end = loop.end() + brace.start()
-            break
-    body = rest[loop.end() : end]
+    body = rest[loop.end() : _closed(rest, loop.end())]
     if _TESTED.search(body):
         return True
     return any(
@@ -89,3 +83,62 @@ def is_pointed_to(line: int, text: str) -> bool:
             return _MADE_ANEW.search(made[2]) is None
         names |= set(re.findall(r"[A-Za-z_]\w*", made[2]))
     return False
+
+
+#: What a comment says of a declaration that is there to be compiled, or for what its constructor does.
+_MEANT = re.compile(
+    r"\b(?:should|must|shall|has to|needs to|does|just|only)(?: (?:not|still|also|just|always))? compile\b|\bcompiles\b"
+    r"|\bcompil\w{1,6} (?:check|test)\b|\b(?:intentional|deliberate)(?:ly)?\b|\bon purpose\b",
+    re.IGNORECASE,
+)
+_REMARK = re.compile(r"//([^\n]*)|/\*(.{0,2000}?)\*/", re.DOTALL)
+_TEST = re.compile(
+    r"\b(?:TYPED_)?(?:TEST(?:_F|_P|_CASE|_METHOD)?|BOOST_AUTO_TEST_CASE|BOOST_FIXTURE_TEST_CASE)\s*\([^{};]{0,300}\)\s*\{"
+)
+#: ``Type name;``, ``Type name(1, 2);``, ``Type name{};``, and ``using Type = Other;``, with single spaces.
+_DECLARED = re.compile(
+    r" ?(?!(?:return|delete|throw|goto)\b)(?:using [\w:<>, =]{1,200}|(?:[\w:]{1,200} ?(?:<[^;{}]{0,200}> ?)?[ *&]{1,4}){1,4}\w{1,200}"
+    r" ?(?:\([^;{}]{0,200}\)|\{[^;{}]{0,200}\})?) ?;"
+)
+
+
+def is_meant(line: int, text: str) -> bool:
+    """Whether the variable that is declared at *line* is there for its declaration: a comment at it says so, or a test has nothing else."""
+    lines = text.split("\n")
+    if not 0 < line <= len(lines):
+        return False
+    above = lines[line - 2].strip()[:_LONGEST] if line > 1 else ""
+    near = [lines[line - 1][:_LONGEST], above if above.startswith(("//", "/*", "*")) else ""]
+    if any(_MEANT.search(remark[0] or remark[1]) for each in near for remark in _REMARK.findall(each)):
+        return True
+    return _is_test_of_declarations(line, lines)
+
+
+def _is_test_of_declarations(line: int, lines: list[str]) -> bool:
+    """Whether the test around *line* holds declarations alone: what it tests is that they compile, and that nothing is thrown."""
+    first = max(line - _NEAR, 0)
+    near = "\n".join(each[:_LONGEST] for each in lines[first : line + _NEAR])
+    near = _HIDDEN.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), near)
+    here = sum(len(each) + 1 for each in near.split("\n")[: line - 1 - first])
+    shut = near.find("\n", here) if "\n" in near[here:] else len(near)
+    test = None
+    for test in _TEST.finditer(near, 0, shut):
+        pass
+    end = _closed(near, test.end()) if test is not None else None
+    if test is None or end is None or end < here:
+        return False
+    body = re.sub(r"\s+", " ", near[test.end() : end])
+    at = 0
+    while declared := _DECLARED.match(body, at):
+        at = declared.end()
+    return at > 0 and not body[at:].strip()
+
+
+def _closed(text: str, start: int) -> int | None:
+    """Where the bracket stands that closes the block whose text begins at *start*."""
+    depth = 1
+    for brace in re.finditer(r"[{}]", text[start:]):
+        depth += 1 if brace[0] == "{" else -1
+        if depth == 0:
+            return start + brace.start()
+    return None

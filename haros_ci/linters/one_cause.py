@@ -54,6 +54,14 @@ OF_A_THROW = frozenset(("cppcheck:exceptThrowInDestructor", "cppcheck:throwInNoe
 #: Rules that speak once of each variable of a declaration (``int a, b;``): those of one statement have one cause.
 OF_A_DECLARATION = frozenset(("cppcheck:unusedVariable",))
 
+#: Rules that speak once of each text or letter that stands alone in a condition: those of one condition have one cause.
+OF_A_CONDITION = frozenset(
+    """
+    cppcheck:incorrectStringBooleanError cppcheck:incorrectCharBooleanError cppcheck:incorrectStringCompare
+    cppcheck:literalWithCharPtrCompare cppcheck:charLiteralWithCharPtrCompare
+    """.split()
+)
+
 #: Rules that speak once of each item of ``__all__``, which a file has once, or of each line of a file in another encoding.
 OF_A_FILE = frozenset(("pylint:invalid-all-object", "cpplint:readability/utf8"))
 
@@ -106,7 +114,7 @@ def one_cause(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Re
             lines[result.full_id, result.location.path, (result.location.line, _template(result.message))].append(i)
         elif result.full_id in OF_A_NAME:
             lines[result.full_id, result.location.path, result.message].append(i)
-        elif result.full_id in OF_A_DECLARATION and result.location.line:
+        elif result.full_id in (OF_A_DECLARATION | OF_A_CONDITION) and result.location.line:
             start = _start_of(result, text)
             lines[result.full_id, result.location.path, start].append(i)
         elif result.full_id in OF_A_FILE:

@@ -436,3 +436,49 @@ def test_a_reference_to_what_a_pointer_points_to(text: str) -> None:
 @pytest.mark.parametrize("text", TEMPORARY)
 def test_a_reference_to_a_temporary(text: str) -> None:
     assert not is_refuted("danglingTempReference", "Using reference to dangling temporary.", text.count("\n"), text)
+
+
+UNUSED = "Unused variable: angles"
+MEANT = [
+    "void f() {\n  Angles angles; // This should compile\n}\n",
+    "void f() {\n  // must still compile without arguments\n  Angles angles;\n}\n",
+    "void f() {\n  Angles angles; /* left alone on purpose */\n}\n",
+    "void f() {\n  // Intentionally not read.\n  Angles angles;\n}\n",
+    "TEST(Angles, compiles) {\n  Angles angles;\n}\n",
+    "TEST_F(Angles, Compiles)\n{\n  using A = Angles;\n  A first(1, 2);\n  std::vector<Angles> angles{};\n}\n",
+    "TEST(Angles, one) { Angles angles; }\nint x() { return 1; }\n",
+]
+UNMEANT = [
+    "void f() {\n  Angles angles;\n}\n",
+    "void f() {\n  Angles angles; // unused\n}\n",
+    "void f() {\n  // the angles to build the message\n  Angles angles;\n}\n",
+    "void f() {\n  int a; // should compile\n  Angles angles;\n}\n",
+    "void f() {\n  // compile the list of all angles\n  Angles angles;\n}\n",
+    'void f() {\n  Angles angles; say("on purpose");\n}\n',
+    "TEST(Angles, one) {\n  Angles angles;\n  EXPECT_EQ(1, 1);\n}\n",
+    "TEST(Angles, one) {\n  Angles angles;\n  run();\n}\n",
+    "TEST(Angles, one) {\n}\nvoid f() {\n  Angles angles;\n}\n",
+    "TEST(Angles, one) {\n  int a = 3;\n  Angles angles;\n}\n",
+]
+
+
+def _declared(text: str) -> int:
+    return 1 + next(i for i, each in enumerate(text.split("\n")) if "angles;" in each or "angles{}" in each)
+
+
+@pytest.mark.parametrize("text", MEANT)
+def test_a_declaration_that_is_meant(text: str) -> None:
+    assert is_refuted("unusedVariable", UNUSED, _declared(text), text)
+
+
+@pytest.mark.parametrize("text", UNMEANT)
+def test_a_declaration_that_is_left_over(text: str) -> None:
+    assert not is_refuted("unusedVariable", UNUSED, _declared(text), text)
+
+
+@pytest.mark.parametrize("filler", ["a ", "a::", "* ", "a<", "(", "TEST(", "/*", "a b;"])
+def test_long_tests_take_no_time(filler: str) -> None:
+    text = "TEST(A, b) {\n" + filler * 4000 + "\n  Angles angles;\n}\n"
+    start = time.monotonic()
+    is_refuted("unusedVariable", UNUSED, 3, text)
+    assert time.monotonic() - start < 2

@@ -200,6 +200,25 @@ def test_the_variables_of_one_declaration(text: str, places: list[tuple[int, int
     assert len(one_cause(others, lambda path: text)) == len(places)
 
 
+@pytest.mark.parametrize(
+    ("text", "places", "left"),
+    [
+        ('{\n  if (a == "b" || "c" ||\n    "d")\n    go();\n}\n', [(2, 19), (3, 5)], 1),
+        ('{\n  if (a == "b" || "c" || // or; so\n    "d" || "e")\n    go();\n}\n', [(2, 19), (3, 5), (3, 12)], 1),
+        ('{\n  if (a || "c") go();\n  if (b || "c") go();\n}\n', [(2, 12), (3, 12)], 2),
+        ('{\n  if (a || "c") { if (b || "d") go(); }\n}\n', [(2, 12), (2, 28)], 2),
+    ],
+)
+@pytest.mark.parametrize("rule", ["incorrectStringBooleanError", "incorrectCharBooleanError"])
+def test_the_texts_of_one_condition(text: str, places: list[tuple[int, int]], left: int, rule: str) -> None:
+    given = [
+        Result("cppcheck", rule, Level.WARNING, f'Conversion of string literal "{i}"', Location("a.cpp", line, column))
+        for i, (line, column) in enumerate(places)
+    ]
+    joined = one_cause(given, lambda path: text)
+    assert len(joined) == left and sum(1 + len(each.related) for each in joined) == len(places)
+
+
 def thrown(line: int, name: str, rule: str = "exceptThrowInDestructor") -> Result:
     message = f"Class {name} is not safe, destructor throws exception"
     if rule == "throwInNoexceptFunction":
