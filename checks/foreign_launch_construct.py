@@ -18,8 +18,6 @@ _MEANT = {
         r"(?<![a-z0-9])(?:ros_?2|dashing|eloquent|foxy|galactic|humble|iron|jazzy|kilted|lyrical|rolling)(?![a-z0-9])"
     ),
 }
-#: What only says something to people.
-_TEXTS = frozenset(("description= of <arg>",))
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -54,15 +52,20 @@ def _serves_both(path: str, system: System) -> bool:
 
 
 def _of_file(path: str, uses: Sequence[ConstructUse], package: Package | None) -> Finding:
+    uses = sorted(uses, key=lambda use: (not use.stops, not use.matters))  # the gravest is named; else in their order
     first = uses[0]
     texts = list(dict.fromkeys(use.text for use in uses))
     other = _other(uses)
     is_whole = _is_whole(uses, other)
     is_aside = (other == 1 and first.is_installed is False) or (is_whole and _is_meant(path, package, other))
-    is_aside = is_aside or (not is_whole and _is_ignored(texts, other) and set(texts) <= _TEXTS)
+    is_aside = is_aside or not (first.stops or first.matters)
+    if not first.stops:
+        message = _passed_over(first, texts)
+    else:
+        message = _leftover(texts, other) if is_whole else _half_ported(first, texts, other)
     return Finding(
         at=first.location,
-        message=_leftover(texts, other) if is_whole else _half_ported(first, texts, other),
+        message=message,
         about=(path,),
         related=tuple((use.location, f"{use.text}, too") for use in uses[1:20]),
         flow=included_by(first),
@@ -107,7 +110,7 @@ _LAUNCH = {1: "roslaunch", 2: "ros2 launch"}
 
 def _is_whole(uses: Sequence[ConstructUse], other: int) -> bool:
     """Whether the whole file is of the *other* ROS: it is read as such, or starts nodes as that does."""
-    return uses[0].ros == other or any(use.text == "exec= of <node>" for use in uses)
+    return uses[0].ros == other or any(use.text == "exec= of <node>" and use.stops for use in uses)
 
 
 def _leftover(texts: list[str], other: int) -> str:
@@ -119,15 +122,22 @@ def _leftover(texts: list[str], other: int) -> str:
 
 
 def _half_ported(first: ConstructUse, texts: list[str], other: int) -> str:
-    more = f" and {len(texts) - 1} more construct{'s' if len(texts) > 2 else ''}" if len(texts) > 1 else ""
-    instead = f"; write {first.instead}" if first.instead else ""
-    effect = "ignores that, with a warning" if _is_ignored(texts, other) else "rejects the whole file"
-    return f"{first.text}{more} of ROS {other}: `{_LAUNCH[3 - other]}` {effect}{instead}"
+    return f"{first.text}{_more(texts)} of ROS {other}: `{_LAUNCH[3 - other]}` rejects the whole file{_instead(first)}"
 
 
-def _is_ignored(texts: Sequence[str], other: int) -> bool:
-    """Whether roslaunch goes on: it warns of tags and attributes that it does not know (``xmlloader``), and stops at substitutions."""
-    return other == 2 and not any(text.startswith("$(") for text in texts)
+def _passed_over(first: ConstructUse, texts: list[str]) -> str:
+    """What roslaunch says a warning of, and goes on without: tags and attributes of ROS 2 beside all that it needs."""
+    it, they = ("it", "it says") if len(texts) == 1 else ("them", "they say")
+    loss = f", so what {they} does not take effect" if first.matters else ""
+    return f"{first.text}{_more(texts)} of ROS 2: `roslaunch` ignores {it}, with a warning{loss}{_instead(first)}"
+
+
+def _more(texts: list[str]) -> str:
+    return f" and {len(texts) - 1} more construct{'s' if len(texts) > 2 else ''}" if len(texts) > 1 else ""
+
+
+def _instead(first: ConstructUse) -> str:
+    return f"; write {first.instead}" if first.instead else ""
 
 
 def _other(uses: Sequence[ConstructUse]) -> int:

@@ -84,7 +84,7 @@ def _described(found: _Package, others: Container[str]) -> Iterator[Finding]:
             continue  # Python's, or made by the build
         library = _library(each, found)
         if library is None:
-            if not _may_be_elsewhere(each, found, others):
+            if not _may_be_elsewhere(each, found, others) and not _is_in_a_branch(each, found):
                 yield _left_over(each, found, _no_library(each, found))
             continue
         if library.name not in seen_through:
@@ -124,6 +124,20 @@ def _may_be_elsewhere(each: PluginClass, found: _Package, others: Container[str]
         any(word in problem.message for word in words) and ("library" in problem.message or "()" in problem.message)
         for problem in found.package.build.problems
     )
+
+
+def _is_in_a_branch(each: PluginClass, found: _Package) -> bool:
+    """Whether CMake makes the library in a branch that is not followed, as under an option that is off by default."""
+    package = found.package
+    name = posixpath.basename(each.library).removesuffix(".so")
+    targets = {target.name for target in package.build.targets}
+    made = [stem for stem in (name.removeprefix("lib"), *([name] if package.ros != 1 else [])) if stem not in targets]
+    if not made or (package.ros == 1 and not name.startswith("lib")):
+        return False
+    names = "|".join(map(re.escape, made))
+    call = re.compile(rf"^[ \t]*\w{{0,40}}add_library\s*\(\s*(?:{names})(?![\w.-])", re.MULTILINE | re.IGNORECASE)
+    cmake = (file.path for file in package.files if file.language == "cmake")
+    return any(call.search(package.project.text(path)) for path in cmake)
 
 
 def _no_library(each: PluginClass, found: _Package) -> Finding:

@@ -69,29 +69,6 @@ def test_a_launch_file_that_is_meant_for_ros1(path: str, expected: Level, tmp_pa
     assert levels("foreign-launch-construct", {**files, other: OLD}, tmp_path / "two") == [expected]
 
 
-@pytest.mark.parametrize(
-    ("more", "level", "effect"),
-    [
-        ('<arg name="y" default="1" description="Speed."/>', Level.NOTE, "ignores that, with a warning; write doc"),
-        ('<group scoped="true"/>', Level.WARNING, "ignores that, with a warning"),
-        ('<let name="y" value="1"/>', Level.WARNING, "ignores that, with a warning; write <arg>"),
-        ('<param name="y" value="$(var x)"/>', Level.WARNING, "rejects the whole file"),
-        ('<arg name="y" default="$(var x)" description="d"/>', Level.WARNING, "rejects the whole file"),
-    ],
-)
-def test_roslaunch_warns_of_attributes_and_tags_that_it_does_not_know(
-    more: str, level: Level, effect: str, tmp_path: Path
-) -> None:
-    files = {
-        "package.xml": ROS1,
-        "CMakeLists.txt": CATKIN,
-        "launch/a.launch": OLD.replace("</launch>", f"{more}</launch>"),
-    }
-    check = next(check for check in checks() if check.id == "foreign-launch-construct")
-    (result,) = said(check, Example("", True, files), tmp_path)
-    assert result.level is level and effect in result.message
-
-
 def test_a_launch_file_that_is_half_ported_is_not_meant_for_ros1(tmp_path: Path) -> None:
     half = '<launch><node pkg="demo" exec="n"><param name="x" value="$(find demo)"/></node></launch>\n'
     files = {"package.xml": ROS2, "CMakeLists.txt": INSTALLED, "launch/ros1.launch.xml": half}
@@ -646,3 +623,30 @@ def test_a_program_that_is_not_to_be_installed(
     }
     started = '<launch><node pkg="demo" type="speed" name="s"/></launch>\n'
     assert levels("target-not-installed", {**files, f"launch/{launch}": started}, tmp_path) == expected
+
+
+@pytest.mark.parametrize(
+    ("tags", "expected", "text"),
+    [
+        ('<arg name="x" default="1" description="X."/>', Level.NOTE, "ignores it, with a warning; write doc"),
+        ('<arg name="x" default="1" description="$(var y)"/>', Level.NOTE, "ignores it, with a warning; write doc"),
+        ('<group scoped="true"/>', Level.NOTE, "ignores it, with a warning"),
+        ('<node pkg="demo" type="n" exec="n" name="n"/>', Level.NOTE, "ignores it, with a warning; write type"),
+        ('<node pkg="demo" type="n" name="n" namespace="a"/>', Level.WARNING, "so what it says does not take effect; write ns"),
+        ('<let name="x" value="$(var y)"/>', Level.WARNING, "so what it says does not take effect; write <arg>"),
+        ('<set_env name="x" value="1"/><let name="x" value="1"/>', Level.WARNING, "ignores them, with a warning, so what they say"),
+        ('<node pkg="demo" exec="n" name="n"/>', Level.WARNING, "`roslaunch` rejects it"),
+        ('<node pkg="demo" type="n" name="n" args="$(var x)"/>', Level.WARNING, "rejects the whole file"),
+        ('<node pkg="demo" type="n" name="n" if="$(var x)"/>', Level.WARNING, "rejects the whole file"),
+        ('<rosparam file="$(find-pkg-share demo)/a.yaml"/>', Level.WARNING, "rejects the whole file"),
+        ('<param name="x" from="a.yaml"/>', Level.WARNING, "rejects the whole file"),
+        ('<let name="x" value="1"/><node pkg="demo" type="n" name="$(var x)"/>', Level.WARNING, "rejects the whole file"),
+    ],
+)
+def test_what_roslaunch_passes_over_and_what_stops_it(tags: str, expected: Level, text: str, tmp_path: Path) -> None:
+    old = '<node pkg="demo" type="n" name="o" ns="b" output="screen"/><param name="p" textfile="$(find demo)/a.txt"/>'
+    files = {"package.xml": ROS1, "CMakeLists.txt": CATKIN, "launch/a.launch": f"<launch>{old}{tags}</launch>\n"}
+    check = next(check for check in checks() if check.id == "foreign-launch-construct")
+    (found,) = said(check, Example("", True, files), tmp_path)
+    assert found.level == expected
+    assert text in found.message

@@ -56,6 +56,10 @@ def undone(body: str) -> bool:
         "if (rclcpp::ok()) { x(); }",
         "while (a) { if (b()) { done(); return; } x(); }",
         "if (!valid(a)) { log(); return; } done();",
+        "bool ok = true; if (a) { done(); ok = false; } if (ok) { x(); return; } done();",
+        "bool ok = true; for (;;) { if (a) { done(); ok = false; break; } if (b) { ok = false; break; } } if (!ok) return; done();",
+        "bool ok = true; if (a) { done(); ok = x(); return; } if (!ok) { return; } done();",
+        "bool ok = true; if (a) { ok = false; } if (!ok) { return; } done();",
     ],
 )
 def test_a_way_leaves_it_undone(body: str) -> None:
@@ -89,6 +93,11 @@ def test_a_way_leaves_it_undone(body: str) -> None:
         "if (a && !rclcpp::ok()) { return; } done();",
         "bool on = true; while (on) { if (a) { done(); on = false; } }",
         "bool ok = false; for (int i = 0; i < 3; ++i) { if (a) { done(); ok = true; break; } } if (!ok) { done(); }",
+        "bool ok = true; if (a) { done(); ok = false; } if (!ok) { return; } done();",
+        "bool ok = true; if (a) { done(); ok = false; } if (ok == false) { return; } done();",
+        "bool ok = true; if (a) { done(); ok = false; } if (ok) { done(); }",
+        "bool ended = false; for (int i = 0; i < 3; ++i) { if (a) { done(); ended = true; break; } } if (ended) return; done();",
+        "int state = 0; if (a) { done(); state = 2; } if (state == 2) { return; } done();",
     ],
 )
 def test_every_way_does_it(body: str) -> None:
@@ -110,6 +119,20 @@ def test_every_way_does_it(body: str) -> None:
 def test_a_pointer_that_is_given_is_not_null(body: str, expected: bool) -> None:
     _, routine = cpp(f"void f(int * a) {{ {body} }}")
     assert bool(undone_ways(routine.function.body or (), does, (1, 1), frozenset("a"))) is expected
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        ("ok = True\n if a:\n  done()\n  ok = False\n  break\n x()\n if ok:\n  done()", False),
+        ("ok = True\n for i in a:\n  if i:\n   done()\n   ok = False\n   break\n if not ok:\n  return\n done()", False),
+        ("kind = None\n if a:\n  done()\n  kind = 'x'\n if kind is not None:\n  return\n done()", False),
+        ("ok = True\n if a:\n  ok = False\n if ok:\n  done()", True),
+    ],
+)
+def test_a_flag_of_python_says_that_it_was_done(body: str, expected: bool) -> None:
+    _, routine = python(f"def f(a):\n {body}\n")
+    assert bool(undone_ways(routine.function.body or (), does, (1, 1))) is expected
 
 
 def test_uses_of_a_variable() -> None:

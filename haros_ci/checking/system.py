@@ -310,12 +310,12 @@ class System:
     @cached_property
     def refused(self) -> frozenset[str]:
         """The launch files of this configuration that launch refuses: they have constructs of the other ROS version."""
-        return frozenset(use.location.path for use in self.facts(ConstructUse) if use.kind == "foreign")
+        return frozenset(use.location.path for use in self.facts(ConstructUse) if use.kind == "foreign" and use.stops)
 
     @cached_property
     def is_refused(self) -> bool:
         """Whether launch refuses the launched file itself: a leftover of the other ROS version, of which nothing starts."""
-        return any(use.kind == "foreign" and not use.included for use in self.facts(ConstructUse))
+        return any(use.kind == "foreign" and use.stops and not use.included for use in self.facts(ConstructUse))
 
     def _channels(self, kind: str, kinds: tuple[str, str]) -> tuple[Channel, ...]:
         found: dict[str, tuple[list[End], list[End]]] = {}

@@ -6,11 +6,13 @@ Lenient: ways that a shutdown takes, that throw, or that a flag may exclude are 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from operator import or_
 
 from haros_ci import syntax
 from haros_ci.code.body import last_part, nodes
+from haros_ci.code.outcome_flags import Flag, outcome_flags, told
 from haros_ci.syntax import Block, Expression, Statement
 
 #: True while the program runs and the goal is served, and what is true once that is over.
@@ -31,16 +33,27 @@ class _Ways:
     undone: list[tuple[int, int]] = field(default_factory=list)
 
 
+@dataclass(frozen=True, slots=True)
+class _Doing:
+    """What does it, and the variables that tell that it has been done."""
+
+    does: Callable[[Expression], bool]
+    flags: Mapping[str, Flag]
+
+    def __call__(self, expression: Expression) -> bool:
+        return self.does(expression)
+
+
 def undone_ways(
     block: Block, does: Callable[[Expression], bool], end: tuple[int, int], given: frozenset[str] = frozenset()
 ) -> tuple[tuple[int, int], ...]:
     """Where the function returns without having done it: the nearest statement with a line, *end* for its own end.
 
-    Ways on which one of the *given* variables is null are left out.
+    Ways on which one of the *given* variables is null are left out, and those where a flag says that it was done before.
     """
     block = tuple(_without_null_tests(each, given) for each in block)
     ways = _Ways()
-    _block(block, False, does, ways, end)
+    _block(block, False, _Doing(does, outcome_flags(block, does)), ways, end)
     return tuple(dict.fromkeys([*ways.undone, *([end] if False in ways.on else [])]))
 
 
@@ -74,7 +87,7 @@ def _is_null(expression: Expression) -> bool:
     )
 
 
-def _block(block: Block, done: bool, does: Callable[[Expression], bool], ways: _Ways, near: tuple[int, int]) -> None:
+def _block(block: Block, done: bool, does: _Doing, ways: _Ways, near: tuple[int, int]) -> None:
     states = {done}
     for statement in block:
         after: set[bool] = set()
@@ -93,9 +106,7 @@ def _block(block: Block, done: bool, does: Callable[[Expression], bool], ways: _
     ways.on |= states
 
 
-def _statement(
-    statement: Statement, done: bool, does: Callable[[Expression], bool], ways: _Ways, near: tuple[int, int]
-) -> None:
+def _statement(statement: Statement, done: bool, does: _Doing, ways: _Ways, near: tuple[int, int]) -> None:
     if isinstance(statement, (syntax.Do, syntax.Step)):
         ways.on.add(done or does(statement.value))
     elif isinstance(statement, syntax.Variable):
@@ -129,10 +140,10 @@ def _statement(
         ways.on.add(done)
 
 
-def _if(statement: syntax.If, done: bool, does: Callable[[Expression], bool], ways: _Ways) -> None:
+def _if(statement: syntax.If, done: bool, does: _Doing, ways: _Ways) -> None:
     test = statement.test
     done = done or does(test)
-    then_over, else_over = _over(test)
+    then_over, else_over = map(or_, _over(test), told(test, does.flags))
     at = (statement.line, statement.column)
     _block(statement.then, done or then_over, does, ways, at)
     if statement.other:
@@ -147,7 +158,7 @@ def _if(statement: syntax.If, done: bool, does: Callable[[Expression], bool], wa
         ways.on.add(done or else_over)
 
 
-def _loop(statement: syntax.Loop | syntax.Each, done: bool, does: Callable[[Expression], bool], ways: _Ways) -> None:
+def _loop(statement: syntax.Loop | syntax.Each, done: bool, does: _Doing, ways: _Ways) -> None:
     inner = _Ways()
     body, at = statement.body, (statement.line, statement.column)
     if isinstance(statement, syntax.Each):
@@ -173,14 +184,14 @@ def _loop(statement: syntax.Loop | syntax.Each, done: bool, does: Callable[[Expr
             ways.on |= {done} | turned
 
 
-def _may_do(block: Block, does: Callable[[Expression], bool]) -> bool:
+def _may_do(block: Block, does: _Doing) -> bool:
     """Whether one of the ways through *block* does it."""
     ways = _Ways()
     _block(block, False, does, ways, (0, 0))
     return True in ways.on | ways.breaks | ways.continues or not (ways.on or ways.undone)
 
 
-def _switch(statement: syntax.Switch, done: bool, does: Callable[[Expression], bool], ways: _Ways) -> None:
+def _switch(statement: syntax.Switch, done: bool, does: _Doing, ways: _Ways) -> None:
     states: set[bool] = set()
     has_default = False
     at = (statement.line, statement.column)

@@ -189,13 +189,16 @@ class ConstructUse(LaunchFact):
     """A construct of another ROS version (*kind* ``foreign``) or one that is deprecated (``deprecated``).
 
     *text* is the construct, *instead* what to write. *is_installed* says whether the package installs the launch file, None
-    where nobody can tell; it is looked up for ``foreign`` alone.
+    where nobody can tell; it is looked up for ``foreign`` alone. *stops* says whether launch rejects the file for it; otherwise
+    it is passed over with a warning, and *matters* where the system is another one for that.
     """
 
     kind: str
     text: str
     instead: str = ""
     is_installed: bool | None = None
+    stops: bool = True
+    matters: bool = True
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -39,7 +39,9 @@ _PIECE = re.compile(r"\$(?:ENV|CACHE)?\{|\}|\\(?:.|$)|[^$\\}]+|\$", re.DOTALL)
 _ESCAPED = {"\\n": "\n", "\\t": "\t", "\\r": "\r", "\\;": "\\;", "\\\n": ""}
 _MISSING = "\ue000\ue000"
 #: How configurations of packages call their variables, as catkin's and ament's do: the package, in small letters, and what it is.
-_OF_A_PACKAGE = re.compile(r"([a-z][a-z0-9]*(?:_[a-z0-9]+)*)_[A-Z][A-Z0-9_]*")
+_OF_A_PACKAGE = re.compile(r"(?!(?:catkin|ament_\w+)_FOUND)([a-z][a-z0-9]*(?:_[a-z0-9]+)*)_[A-Z][A-Z0-9_]*")
+#: What says that a package was found, but those that a ROS has or has not: nothing finds these by the way.
+_SAYS_FOUND = re.compile(r"(?!(?:catkin|CATKIN|ament_\w+|AMENT_\w+)_FOUND)\w+_FOUND", re.ASCII)
 
 
 class Exhausted(Exception):
@@ -153,7 +155,7 @@ class State:
                     return value
                 break
         value = self.cache.get(name)
-        if value is None and self.unknown_prefixes and self.is_foreign(name):
+        if value is None and self.unknown_prefixes and (self.is_foreign(name) or _may_be_found(name)):
             return unknown(name)
         return value
 
@@ -290,6 +292,11 @@ class State:
                 quoted += [False] * len(elements)
         self.spend(1 + len(words) // 10)
         return Call(command.name, words, quoted, self.where(command), command)
+
+
+def _may_be_found(name: str) -> bool:
+    """Whether looking for one package may say this of another: Qt4 sets QT_FOUND, and a package finds what it depends on."""
+    return name.endswith("_FOUND") and _SAYS_FOUND.fullmatch(name) is not None
 
 
 _MACRO_REFERENCE = re.compile(r"\$\{(\w+)\}")

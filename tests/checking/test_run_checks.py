@@ -165,6 +165,7 @@ def located(path: str) -> Check:
         ((refused("b.launch", Location("a.launch", 4)),), "a.launch", True),
         ((refused("b.launch", Location("a.launch", 4)),), "node.cpp", True),
         ((replace(refused(), kind="deprecated"),), "a.launch", True),
+        ((replace(refused(), stops=False),), "a.launch", True),
     ],
 )
 def test_what_launch_refuses_is_one_finding(facts: tuple[ConstructUse, ...], place: str, is_heard: bool) -> None:

@@ -207,6 +207,15 @@ def foreign(state: State, scope: Scope | None, path: str, launch: LaunchFile) ->
         default=None,
     )
     native = 2 if owner is not None and owner.ros == 2 else 1
-    for location, text, instead in foreign_constructs(launch, path, native):
-        fact = ConstructUse(location=location, included=included, ros=1, kind="foreign", text=text, instead=instead)
+    for found in foreign_constructs(launch, path, native):
+        fact = ConstructUse(
+            location=found.location,
+            included=included,
+            ros=1,
+            kind="foreign",
+            text=found.text,
+            instead=found.instead,
+            stops=found.stops,
+            matters=found.matters,
+        )
         state.facts.add(fact)

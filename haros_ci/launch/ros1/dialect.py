@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from haros_ci.model.launch import LaunchElement, LaunchFile
 from haros_ci.model.location import Location
@@ -75,11 +76,50 @@ _IN_ROS1 = {
 }
 
 
-def foreign_constructs(launch: LaunchFile, path: str, native: int) -> Iterator[tuple[Location, str, str]]:
-    """The constructs in the file at *path* that only the other ROS version than *native* has.
+class Foreign(NamedTuple):
+    """A construct of the other ROS: its place, the construct, and what to write instead, "" where there is no such thing.
 
-    Each is a place, the construct, and what to write instead, "" where there is no such thing.
+    *stops*: launch rejects the file for it. roslaunch passes over tags and attributes that it does not know, with a warning
+    (``XmlLoader._check_attrs``); then the system is another one only if it *matters*.
     """
+
+    location: Location
+    text: str
+    instead: str
+    stops: bool
+    matters: bool
+
+
+#: The attributes that roslaunch reads, by tag; it resolves no substitution in others.
+_READ = {
+    "node": frozenset(
+        "pkg type machine name args output respawn respawn_delay cwd ns clear_params launch-prefix required".split()
+    ),
+    "rosparam": frozenset(("command", "ns", "file", "param", "subst_value")),
+    "param": frozenset(("name", "value", "type", "textfile", "binfile", "command")),
+    "arg": frozenset(("name", "value", "default", "doc")),
+    "machine": frozenset(("name", "address", "env-loader", "ssh-port", "user", "password", "default", "timeout")),
+    "remap": frozenset(("from", "to")),
+    "env": frozenset(("name", "value")),
+    "include": frozenset(("file", "ns", "clear_params", "pass_all_args")),
+    "group": frozenset(("ns", "clear_params")),
+}
+_READ["test"] = _READ["node"] | {"test-name", "time-limit", "retry"}
+#: An attribute of ROS 2 that stands where roslaunch wants one of these: without any of them it stops.
+_INSTEAD_OF = {
+    ("node", "exec"): frozenset(("type",)),
+    ("node", "node-name"): frozenset(("name",)),
+    ("param", "from"): frozenset(("value", "textfile", "binfile", "command")),
+}
+#: What roslaunch can pass over without another system for it.
+_IDLE = frozenset(
+    ("description", "scoped", "forwarding", "exec", "exec_name", "node-name", "allow_substs", "sep", "value-sep")
+)
+_IDLE |= {"log", "log_info"}
+
+
+def foreign_constructs(launch: LaunchFile, path: str, native: int) -> Iterator[Foreign]:
+    """The constructs in the file at *path* that only the other ROS version than *native* has."""
     tags = _ROS1_TAGS if native == 2 else _ROS2_TAGS
     attributes = _ROS1_ATTRIBUTES if native == 2 else _ROS2_ATTRIBUTES
     words = _ROS1_SUBSTITUTION if native == 2 else _ROS2_SUBSTITUTION
@@ -89,13 +129,25 @@ def foreign_constructs(launch: LaunchFile, path: str, native: int) -> Iterator[t
         element = todo.pop()
         place = Location(path, element.line, element.column)
         if element.tag in tags:
-            yield place, f"<{element.tag}>", instead.get(element.tag, "")
+            yield Foreign(
+                place, f"<{element.tag}>", instead.get(element.tag, ""), native == 2, element.tag not in _IDLE
+            )
+            if native == 1:
+                continue  # roslaunch does not look into it
         for name, value in element.attributes:
             if name in attributes.get(element.tag, ()):
-                yield place, f"{name}= of <{element.tag}>", instead.get(name, "")
-            for match in words.finditer(value) if "$(" in value else ():
-                yield place, f"$({match[1]} ...)", instead.get(match[1], "")
+                stops = native == 2 or _is_missed(element, name)
+                yield Foreign(place, f"{name}= of <{element.tag}>", instead.get(name, ""), stops, name not in _IDLE)
+            is_read = native == 2 or name in ("if", "unless") or name in _READ.get(element.tag, ())
+            for match in words.finditer(value) if "$(" in value and is_read else ():
+                yield Foreign(place, f"$({match[1]} ...)", instead.get(match[1], ""), True, True)
         todo.extend(reversed(element.children))
+
+
+def _is_missed(element: LaunchElement, name: str) -> bool:
+    """Whether roslaunch stops because the attribute *name* of ROS 2 stands instead of one that it requires."""
+    wanted = _INSTEAD_OF.get((element.tag, name))
+    return wanted is not None and all(element.get(each) is None for each in wanted)
 
 
 def _sign(element: LaunchElement) -> int:
