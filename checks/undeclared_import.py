@@ -19,12 +19,14 @@ from haros_ci.api.packages import (
     first_provider,
     imports_of,
     is_called_after,
+    is_for_tests,
     is_of_ros,
     lacking,
     last_dependency,
     left_to_pip,
     needs_of,
     normal,
+    only_tests_use,
     others_of,
     pinned,
     said_misplaced,
@@ -90,7 +92,8 @@ def check(project: Project) -> Iterator[Finding]:
             if providers & built:
                 continue
             if tested:
-                yield _only_tested(package, tested[0], uses)
+                if more := _beside_tests(package, uses):
+                    yield _only_tested(package, tested[0], more)
             else:
                 running = [use for use in uses if use.location.path not in aside]
                 each = replace(_missing(package, running or uses, pins, left), is_idle=not running)
@@ -228,6 +231,13 @@ def _fixes(package: ProjectPackage, group: list[_Missing]) -> tuple[Fix, ...]:
     return (
         Fix(f"declare {listed([each.name for each in group])}", tuple(edit for fix in fixes for edit in fix.edits)),
     )
+
+
+def _beside_tests(package: ProjectPackage, uses: list[Need]) -> list[Need]:
+    """Those of *uses* that stand in files which more than tests use."""
+    if is_for_tests(package):
+        return []
+    return [use for use in uses if not only_tests_use(package, use.location.path)]
 
 
 def _only_tested(package: ProjectPackage, name: str, uses: list[Need]) -> Finding:

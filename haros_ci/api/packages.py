@@ -109,6 +109,7 @@ from haros_ci.checking.uninstalled import (
     plugin_library,
     uninstalled,
 )
+from haros_ci.checking.test_support import is_for_tests, only_tests_use
 from haros_ci.checking.unreached import unreached
 from haros_ci.checking.using import Using
 from haros_ci.checking.whole import repositories_named
@@ -200,6 +201,7 @@ __all__ = [
     "is_aside",
     "is_asked_for",
     "is_for_noetic",
+    "is_for_tests",
     "is_given_to_another",
     "is_made_program_later",
     "writer_of",
@@ -231,6 +233,7 @@ __all__ = [
     "needs",
     "needs_of",
     "normal",
+    "only_tests_use",
     "others_of",
     "own_classes",
     "pinned",
