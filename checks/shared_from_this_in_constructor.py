@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, Project, syntax
-from haros_ci.api.code import Call, Codebase, Routine, called, calls_of, own_method
+from haros_ci.api.code import Call, Codebase, Routine, called, calls_of, own_method, turns_never
 
 _NAME = "shared_from_this"
 #: So many calls lie between a constructor and what it runs at most.
@@ -58,10 +58,12 @@ def _ways(code: Codebase, constructor: Routine, using: dict[int, list[Call]]) ->
     while waiting:
         routine, before, is_sure = waiting.pop(0)
         for call in using.get(id(routine), ()):
-            if not _is_tried(call):
+            if not _is_tried(call) and not turns_never(code, constructor, routine, call):
                 yield (*before, (routine, call)), is_sure and _is_certain(call)
         for call in code.body(routine).calls if len(before) < _DEEP else ():
             if call.name == _NAME or _is_tried(call) or not _is_of_this(call):
+                continue
+            if turns_never(code, constructor, routine, call):
                 continue
             for target in called(code, routine, call.whole):
                 if id(target) not in seen and _is_of_class(call, routine, target):

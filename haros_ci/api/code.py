@@ -56,6 +56,7 @@ from haros_ci.code.clients import (
 )
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.code.dead import is_dead
+from haros_ci.code.empty_loops import turns_never
 from haros_ci.code.kinds import (
     attribute_values,
     class_of,
@@ -135,6 +136,7 @@ __all__ = [
     "type_of",
     "switched_off",
     "undefined_names",
+    "turns_never",
     "undone_ways",
     "unset_attributes",
     "uses",

@@ -22,7 +22,7 @@ _ABOUT = re.compile(r"(?:^|/)(?:package\.xml|setup\.(?:py|cfg)|pyproject\.toml|[
 #: How people are told to start a program.
 _STARTED = re.compile(r"\b(?:ros2 run|ros2 launch|rosrun|roslaunch|python3?)\b")
 #: What may name a program or a module.
-_NAMING = (".py", ".launch", ".test", ".xml", ".md", ".rst", ".txt", ".sh", ".bash", ".service", ".yml", ".yaml", ".cfg", ".toml", ".cmake")
+_NAMING: tuple[str, ...] = (".py", ".launch", ".test", ".xml", ".md", ".rst", ".txt", ".sh", ".bash", ".service", ".yml", ".yaml", ".cfg", ".toml", ".cmake")
 _NAMING += (".in", ".cpp", ".hpp", ".h", ".c", ".cc", ".json", ".desktop", ".ini")
 _LARGEST = 300_000
 _MOST_FILES = 20_000
