@@ -32,8 +32,14 @@ _OF_SIGNATURES = frozenset(
 _ALIAS = re.compile(r"\bclass (?!ByteString\b)\w+ of module typing\b")
 _PYTHON2 = re.compile(r"#![^\n]*\bpython2")
 _CALLEE = re.compile(r"([A-Za-z_]\w*)(?:[ \t]*\.[ \t]*\w+)*[ \t]*\(")
+#: A tab reaches to the next column of eight in Python 2 ("Indentation" in its reference); Python 3 takes no line that depends on that.
+_TABS = "inconsistent use of tabs and spaces"
+_ALL = re.compile(r"Undefined variable name '([A-Za-z_]\w*)' in __all__")
+_STARRED = re.compile(r"^[ \t]*from[ \t]+([A-Za-z_]\w*)[ \t]+import[ \t]*\*", re.MULTILINE)
+_EXPORTS = re.compile(r"^__all__\b", re.MULTILINE)
 #: Files of a package that are asked for their Python.
 _MOST_FILES = 300
+_MOST_FILES_OF_ALL = 1000
 _NAME = re.compile(r"[A-Za-z_]\w*")
 _LONGEST = 400
 
@@ -47,6 +53,10 @@ def is_refuted_around(result: Result, workspace: Workspace) -> bool:
         return True
     if result.rule == "no-self-argument":
         return _is_helper(line, workspace.text(result.location.path), workspace)
+    if result.rule == "syntax-error":
+        return _TABS in result.message and _is_python2_around(result.location.path, workspace)
+    if result.rule == "undefined-all-variable":
+        return _is_starred(result, workspace)
     is_of_yaml = result.rule == "no-value-for-parameter" and _LOADER.search(result.message) is not None
     if (is_of_yaml or result.rule in _OF_PYTHON3) and _is_python2(result.location.path, workspace):
         return True
@@ -69,6 +79,38 @@ def _is_python2(path: str, workspace: Workspace) -> bool:
     texts = (workspace.text(each) for each in files[:_MOST_FILES])
     manifest = workspace.text(f"{package.path}/package.xml" if package.path != "." else "package.xml")
     return is_of_python2(workspace.text(path), texts, manifest)
+
+
+def _is_python2_around(path: str, workspace: Workspace) -> bool:
+    """Whether the file at *path* is for Python 2: its package is, or the workspace of ROS 1, in which nothing asks for Python 3."""
+    if _is_python2(path, workspace):
+        return True
+    if any(each.ros == 2 for each in workspace.packages):
+        return False
+    texts = [workspace.text(each.path) for each in workspace.files if each.language == "python"]
+    return len(texts) <= _MOST_FILES_OF_ALL and is_of_python2(workspace.text(path), texts, "")
+
+
+def _is_starred(result: Result, workspace: Workspace) -> bool:
+    """Whether a module beside the file has the name of ``__all__``, and is imported as a whole in the way of Python 2 (``from arm import *``)."""
+    said, path = _ALL.search(result.message), result.location.path
+    text = workspace.text(path)
+    package = next((each for each in workspace.packages if each.name == workspace.package_finder()(path)), None)
+    if said is None or names_python3(text) or (package is not None and package.ros == 2):
+        return False
+    name = said[1]
+    given = re.compile(
+        rf"^(?:(?:async[ \t]+)?def|class)[ \t]+{name}\b|^{name}[ \t]*(?::[^=\n]{{0,200}})?=(?!=)|^from[ \t]+\S+[ \t]+import[ \t][^\n#]{{0,300}}\b{name}\b",
+        re.MULTILINE,
+    )
+    here = path[: path.rfind("/") + 1]
+    for module in _STARRED.findall(text):
+        for beside in (f"{here}{module}.py", f"{here}{module}/__init__.py"):
+            other = workspace.text(beside) if beside in workspace.names else ""
+            is_public = f"'{name}'" in other or f'"{name}"' in other if _EXPORTS.search(other) else name[0] != "_"
+            if is_public and given.search(other):
+                return True
+    return False
 
 
 def _is_loose_python2(path: str, workspace: Workspace) -> bool:

@@ -346,3 +346,88 @@ def test_code_beside_packages_of_ros_2(tmp_path: Path) -> None:
     made = replace(workspace(tmp_path, files, [Package("a", "a", ros=2)]), names=frozenset(files))
     said = Result("pylint", "deprecated-module", Level.WARNING, "", Location("tool/setup.py", 1, 1))
     assert not is_refuted_around(said, made)
+
+
+TABS = "Parsing failed: 'inconsistent use of tabs and spaces in indentation (a, line 3)'"
+MIXED = "#!/usr/bin/env python\ndef f():\n\tgo()\n        go()\n"
+
+
+def of_tabs(root: Path, text: str, keys: str, more: dict[str, str], message: str = TABS) -> bool:
+    files = {"a/package.xml": CATKIN.format(keys), "a/a.py": text, **more}
+    made = replace(workspace(root, files, [package(files["a/package.xml"])]), names=frozenset(files))
+    return is_refuted_around(Result("pylint", "syntax-error", Level.ERROR, message, Location("a/a.py", 4, 1)), made)
+
+
+@pytest.mark.parametrize(
+    ("text", "keys", "more"),
+    [
+        (MIXED, KEY, {}),
+        (MIXED, "", PRINTING),
+        (MIXED, "", {"b/b.py": "try:\n    go()\nexcept ValueError, e:\n    pass\n"}),
+        (MIXED.replace("env python", "env python2"), "", {}),
+    ],
+)
+def test_tabs_of_python_2(tmp_path: Path, text: str, keys: str, more: dict[str, str]) -> None:
+    assert of_tabs(tmp_path, text, keys, more)
+    assert not of_tabs(tmp_path, text, keys, more, "Parsing failed: 'invalid syntax (a, line 3)'")
+
+
+@pytest.mark.parametrize(
+    ("text", "keys", "more"),
+    [
+        (MIXED, "", {}),
+        (MIXED.replace("env python", "env python3"), KEY, PRINTING),
+        (MIXED, "", {"b/b.py": 'print "b"\n', "b/c.py": "#!/usr/bin/env python3\n"}),
+        (MIXED, "<export><build_type>ament_python</build_type></export>", PRINTING),
+    ],
+)
+def test_tabs_of_what_may_be_python_3(tmp_path: Path, text: str, keys: str, more: dict[str, str]) -> None:
+    assert not of_tabs(tmp_path, text, keys, more)
+
+
+WHOLE = "__all__ = ['Arm']\nfrom arm import *\n"
+
+
+def of_all(root: Path, text: str, more: dict[str, str], keys: str = "") -> bool:
+    files = {"a/package.xml": CATKIN.format(keys), "a/src/a/__init__.py": text, **more}
+    made = replace(workspace(root, files, [package(files["a/package.xml"])]), names=frozenset(files))
+    at = Location("a/src/a/__init__.py", 1, 1)
+    message = "Undefined variable name 'Arm' in __all__"
+    return is_refuted_around(Result("pylint", "undefined-all-variable", Level.ERROR, message, at), made)
+
+
+@pytest.mark.parametrize(
+    "module",
+    [
+        "class Arm:\n    pass\n",
+        "def Arm():\n    pass\n",
+        "Arm = 1\n",
+        "from b import Arm\n",
+        "__all__ = ['Arm']\nArm = 1\n",
+    ],
+)
+def test_names_of_a_module_beside(tmp_path: Path, module: str) -> None:
+    assert of_all(tmp_path, WHOLE, {"a/src/a/arm.py": module})
+    assert of_all(tmp_path, WHOLE, {"a/src/a/arm/__init__.py": module})
+
+
+@pytest.mark.parametrize(
+    ("text", "more"),
+    [
+        (WHOLE, {}),
+        (WHOLE, {"a/src/arm.py": "class Arm: pass\n"}),
+        (WHOLE, {"a/src/a/arm.py": "class Arms: pass\n"}),
+        (WHOLE, {"a/src/a/arm.py": "class Hand:\n    Arm = 1\n"}),
+        (WHOLE, {"a/src/a/arm.py": "# Arm = 1\n"}),
+        (WHOLE, {"a/src/a/arm.py": "__all__ = ['Hand']\nclass Arm: pass\n"}),
+        (WHOLE.replace("*", "Hand"), {"a/src/a/arm.py": "class Arm: pass\n"}),
+        ("#!/usr/bin/env python3\n" + WHOLE, {"a/src/a/arm.py": "class Arm: pass\n"}),
+    ],
+)
+def test_names_that_no_module_beside_has(tmp_path: Path, text: str, more: dict[str, str]) -> None:
+    assert not of_all(tmp_path, text, more)
+
+
+def test_a_package_of_ros_2_imports_nothing_so(tmp_path: Path) -> None:
+    keys = "<export><build_type>ament_python</build_type></export>"
+    assert not of_all(tmp_path, WHOLE, {"a/src/a/arm.py": "class Arm: pass\n"}, keys)
