@@ -15,6 +15,8 @@ _FAILS = re.compile(
 _ENDS = re.compile(
     r"\bexit\s*\(|\bthrow\b|\bros::(?:requestS|s)hutdown\s*\(|\bROS_BREAK\b|\breturn\s+(?:-\s*1|1|EXIT_FAILURE)\s*;|\babort\s*\("
 )
+#: A read of another parameter.
+_READS = re.compile(r"\b(?:getParam(?:Cached)?|param::\w+|param)\s*(?:<[^<>;]{0,80}>\s*)?\(")
 _MAX_TEXT = 1_000
 #: Where people are told, or scripts say, what to give a node.
 _PAGES = (".md", ".rst", ".txt", ".sh", ".bash", ".yml")
@@ -141,13 +143,25 @@ def _fails(system: System, end: End) -> bool:
         return False
     lines = system.workspace.text(end.location.path).split("\n")
     if end.location.path.endswith(".py") or end.raw.is_strict:
-        return end.raw.is_strict and not _is_tried(lines[: end.location.line])
+        return (
+            end.raw.is_strict
+            and not _is_tried(lines[: end.location.line])
+            and not _is_chosen(lines[end.location.line - 1 : end.location.line + 1])
+        )
     text = "\n".join(lines[end.location.line - 1 : end.location.line + 20])[:_MAX_TEXT]
     start = _FAILS.match(text)
-    if start is None:
+    if start is None or _has_alternative(start[0]):
         return False
     body = text[start.end() :].partition("}" if start[0].endswith("{") else ";\n")[0]
-    return _ENDS.search(f"{body};") is not None
+    ending = _ENDS.search(f"{body};")
+    return ending is not None and _READS.search(body, 0, ending.start()) is None
+
+
+def _has_alternative(condition: str) -> bool:
+    """Whether the program ends only if more is the case than that this parameter is not there, as where one of two names is enough."""
+    return "&&" in condition or re.search(r"\band\b", condition) is not None or (
+        re.search(r"(?:!|==)\s*\(", condition) is not None and re.search(r"\|\||\bor\b", condition) is not None
+    )
 
 
 def _is_tried(lines: list[str]) -> bool:
@@ -162,6 +176,14 @@ def _is_tried(lines: list[str]) -> bool:
                 return False
             margin = len(line) - len(inner)
     return False
+
+
+def _is_chosen(lines: list[str]) -> bool:
+    """Whether the first of *lines*, of Python, may read what it reads as a part of ``… if … else …``, or behind an ``or`` or ``and``."""
+    first, *rest = (line.partition("#")[0].strip() for line in lines)
+    if re.search(r"\bif\b[^:]{0,300}\belse\b|^(?:if|else)\b[^:]*$|\b(?:or|and)\b.{0,300}\bget_param\w*\s*\(", first):
+        return True
+    return any(re.match(r"if\b[^:]*$", line) for line in rest)
 
 
 def _may_have(system: System, node: SystemNode, key: str) -> bool:
