@@ -159,8 +159,10 @@ def _fails(system: System, end: End) -> bool:
 
 def _has_alternative(condition: str) -> bool:
     """Whether the program ends only if more is the case than that this parameter is not there, as where one of two names is enough."""
-    return "&&" in condition or re.search(r"\band\b", condition) is not None or (
-        re.search(r"(?:!|==)\s*\(", condition) is not None and re.search(r"\|\||\bor\b", condition) is not None
+    return (
+        "&&" in condition
+        or re.search(r"\band\b", condition) is not None
+        or (re.search(r"(?:!|==)\s*\(", condition) is not None and re.search(r"\|\||\bor\b", condition) is not None)
     )
 
 

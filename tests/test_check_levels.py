@@ -632,15 +632,27 @@ def test_a_program_that_is_not_to_be_installed(
         ('<arg name="x" default="1" description="$(var y)"/>', Level.NOTE, "ignores it, with a warning; write doc"),
         ('<group scoped="true"/>', Level.NOTE, "ignores it, with a warning"),
         ('<node pkg="demo" type="n" exec="n" name="n"/>', Level.NOTE, "ignores it, with a warning; write type"),
-        ('<node pkg="demo" type="n" name="n" namespace="a"/>', Level.WARNING, "so what it says does not take effect; write ns"),
+        (
+            '<node pkg="demo" type="n" name="n" namespace="a"/>',
+            Level.WARNING,
+            "so what it says does not take effect; write ns",
+        ),
         ('<let name="x" value="$(var y)"/>', Level.WARNING, "so what it says does not take effect; write <arg>"),
-        ('<set_env name="x" value="1"/><let name="x" value="1"/>', Level.WARNING, "ignores them, with a warning, so what they say"),
+        (
+            '<set_env name="x" value="1"/><let name="x" value="1"/>',
+            Level.WARNING,
+            "ignores them, with a warning, so what they say",
+        ),
         ('<node pkg="demo" exec="n" name="n"/>', Level.WARNING, "`roslaunch` rejects it"),
         ('<node pkg="demo" type="n" name="n" args="$(var x)"/>', Level.WARNING, "rejects the whole file"),
         ('<node pkg="demo" type="n" name="n" if="$(var x)"/>', Level.WARNING, "rejects the whole file"),
         ('<rosparam file="$(find-pkg-share demo)/a.yaml"/>', Level.WARNING, "rejects the whole file"),
         ('<param name="x" from="a.yaml"/>', Level.WARNING, "rejects the whole file"),
-        ('<let name="x" value="1"/><node pkg="demo" type="n" name="$(var x)"/>', Level.WARNING, "rejects the whole file"),
+        (
+            '<let name="x" value="1"/><node pkg="demo" type="n" name="$(var x)"/>',
+            Level.WARNING,
+            "rejects the whole file",
+        ),
     ],
 )
 def test_what_roslaunch_passes_over_and_what_stops_it(tags: str, expected: Level, text: str, tmp_path: Path) -> None:

@@ -9,7 +9,9 @@ from posixpath import basename, splitext
 from haros_ci.checking.project import Project, ProjectPackage
 
 #: Names and descriptions of packages that are there for tests.
-_NAMED = re.compile(r"(?:.*_)?(?:tests?|testing)(?:_(?:utils?|utilities|support|fixtures|helpers|tools|nodes|msgs|common))?")
+_NAMED = re.compile(
+    r"(?:.*_)?(?:tests?|testing)(?:_(?:utils?|utilities|support|fixtures|helpers|tools|nodes|msgs|common))?"
+)
 _DESCRIBED = re.compile(
     r"\b(?:tests|(?:test|testing) (?:support|utilit(?:y|ies)|helpers?|fixtures?|tools?|nodes?)|(?:integration|system|end-to-end) tests?) "
     r"(?:for|of|and|to)\b|\b(?:used|needed|only) (?:for|by|in) (?:the )?(?:[\w-]+ )?tests\b",
@@ -22,7 +24,23 @@ _ABOUT = re.compile(r"(?:^|/)(?:package\.xml|setup\.(?:py|cfg)|pyproject\.toml|[
 #: How people are told to start a program.
 _STARTED = re.compile(r"\b(?:ros2 run|ros2 launch|rosrun|roslaunch|python3?)\b")
 #: What may name a program or a module.
-_NAMING: tuple[str, ...] = (".py", ".launch", ".test", ".xml", ".md", ".rst", ".txt", ".sh", ".bash", ".service", ".yml", ".yaml", ".cfg", ".toml", ".cmake")
+_NAMING: tuple[str, ...] = (
+    ".py",
+    ".launch",
+    ".test",
+    ".xml",
+    ".md",
+    ".rst",
+    ".txt",
+    ".sh",
+    ".bash",
+    ".service",
+    ".yml",
+    ".yaml",
+    ".cfg",
+    ".toml",
+    ".cmake",
+)
 _NAMING += (".in", ".cpp", ".hpp", ".h", ".c", ".cc", ".json", ".desktop", ".ini")
 _LARGEST = 300_000
 _MOST_FILES = 20_000
@@ -30,7 +48,9 @@ _MOST_FILES = 20_000
 
 def is_for_tests(package: ProjectPackage) -> bool:
     """Whether the name or the description of *package* says that it is there for tests."""
-    texts = (child.text for child in package.manifest.children if child.tag == "description") if package.manifest else ()
+    texts = (
+        (child.text for child in package.manifest.children if child.tag == "description") if package.manifest else ()
+    )
     return _NAMED.fullmatch(package.name) is not None or any(_DESCRIBED.search(text[:500]) for text in texts)
 
 
