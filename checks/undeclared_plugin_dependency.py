@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 
 from haros_ci.api import Check, Finding, Level, Location, Project, System, listed
 from haros_ci.api.launch import FileUse, PackageUse, ParameterFileUse, owner
@@ -19,7 +20,9 @@ from haros_ci.api.packages import (
     dependency_tag,
     is_aside,
     is_left_out,
+    is_of_node,
     is_to_be_had,
+    may_load,
     plugins_in_parameters,
     plugins_in_yaml,
     provided,
@@ -113,11 +116,27 @@ def _named(project: Project) -> Iterator[_Named]:
         for path, at in uses:
             if path is not None and path.endswith((".yaml", ".yml")) and not _ASIDE.search(at.path):
                 files.setdefault(path, {})[at] = None
+    unread = _unread(project, files)
     for path, places in sorted(files.items()):
         for plugin in plugins_in_yaml(path, project.text(path)):
-            yield _Named(plugin, tuple(places))
-    for plugin in plugins_in_parameters(project.systems):
+            if (path, plugin.location.line) not in unread:
+                yield _Named(plugin, tuple(places))
+    for plugin in plugins_in_parameters(project.systems, partial(may_load, project)):
         yield _Named(plugin, (plugin.location,))
+
+
+def _unread(project: Project, files: Container[str]) -> frozenset[tuple[str, int]]:
+    """The lines of YAML *files* whose parameters only nodes get that load no plug-ins by them."""
+    read: dict[tuple[str, int], bool] = {}
+    for system in project.systems:
+        for each in system.parameters:
+            if each.origin is None or each.origin.path not in files or not isinstance(each.value, str):
+                continue
+            place = (each.origin.path, each.origin.line or 0)
+            if not read.get(place, False):
+                key = each.name.replace("/", ".").rpartition(".")[2]
+                read[place] = not is_of_node(system, each) or may_load(project, system, each, key)
+    return frozenset(place for place, is_read in read.items() if not is_read)
 
 
 def _used(project: Project) -> Mapping[str, frozenset[str]]:

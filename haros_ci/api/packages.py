@@ -54,6 +54,7 @@ from haros_ci.checking.needs import Need, lacking, needs_of
 from haros_ci.checking.outside_targets import may_have_more
 from haros_ci.checking.package_names import meant_here, meant_released
 from haros_ci.checking.pages import is_for_noetic
+from haros_ci.checking.plugin_readers import is_of_node, may_load
 from haros_ci.checking.plugin_uses import (
     PLUGIN_NAME,
     PluginUse,
@@ -209,6 +210,7 @@ __all__ = [
     "is_left_out",
     "is_of_tests",
     "is_nested",
+    "is_of_node",
     "is_of_ros",
     "is_program",
     "is_said_not_installed",
@@ -225,6 +227,7 @@ __all__ = [
     "lookups",
     "loose",
     "lost_plugins",
+    "may_load",
     "may_appear",
     "meant_here",
     "meant_released",

@@ -4,12 +4,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from haros_ci.bounded_yaml import Limits, YamlFault, nodes
 from haros_ci.checking.system import System
+from haros_ci.model.architecture import Parameter
 from haros_ci.model.location import Location
 
 if TYPE_CHECKING:
@@ -45,14 +46,17 @@ class PluginUse:
     is_sure: bool
 
 
-def plugins_in_parameters(systems: Iterable[System]) -> Iterator[PluginUse]:
-    """Those that launch files themselves set in parameters."""
+def plugins_in_parameters(
+    systems: Iterable[System], wanted: Callable[[System, Parameter, str], bool] = lambda system, parameter, key: True
+) -> Iterator[PluginUse]:
+    """Those that launch files themselves set in parameters that are *wanted*, by the parameter and the last part of its name."""
     for system in systems:
         for each in system.parameters:
             key = each.name.replace("/", ".").rpartition(".")[2]
             if each.origin is None and each.location is not None and isinstance(each.value, str):
                 is_sure = _SURE.fullmatch(key) is not None
-                if re.fullmatch(PLUGIN_NAME, each.value) and (is_sure or _PERHAPS.fullmatch(key)):
+                is_named = re.fullmatch(PLUGIN_NAME, each.value) and (is_sure or _PERHAPS.fullmatch(key))
+                if is_named and wanted(system, each, key):
                     yield PluginUse(each.value, each.location, key, is_sure)
 
 
