@@ -63,7 +63,7 @@ def library_trees(names: Iterable[str], packages: Mapping[str, str]) -> frozense
                 library, _package(root, packages)
             ):
                 found.add(root)
-        if base.startswith("stm32") and (driver := _DRIVER.fullmatch(name)) is not None:
+        if base.startswith("stm32") and _DRIVER.fullmatch(name) is not None:
             root = name.rpartition("/")[0].rpartition("/")[0]
             if any(f"{root}/{each}/{base[:-2]}.c" in known for each in ("src", "Src")):
                 found.add(root)
