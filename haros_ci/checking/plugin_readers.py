@@ -17,7 +17,9 @@ _LOADS = re.compile(
     r"|\bControllerManager\b|\bcontroller_manager::|\bCombinedRobotHW\b|\bmbf_\w+::|\bAbstractNavigationServer\b|\bnav2_\w+::"
 )
 #: What loads the plug-ins for kinematics.
-_KINEMATICS = re.compile(r"\bRobotModelLoader\b|\bMoveGroupInterface\b|\bPlanningSceneMonitor\b|\bMoveGroupCommander\b|\bKinematicsPluginLoader\b")
+_KINEMATICS = re.compile(
+    r"\bRobotModelLoader\b|\bMoveGroupInterface\b|\bPlanningSceneMonitor\b|\bMoveGroupCommander\b|\bKinematicsPluginLoader\b"
+)
 _CODE = ("cpp", "python")
 #: So many packages are looked through for one node at most; of more nothing is known.
 _MOST = 40
@@ -75,7 +77,9 @@ def _has_loader(project: Project, name: str, key: str) -> bool:
             text = project.text(path)
             if _LOADS.search(text) or word.search(text) or (key == "kinematics_solver" and _KINEMATICS.search(text)):
                 return True
-        waiting += [other for other in sorted(package.declared) if other not in waiting and project.package(other) is not None]
+        waiting += [
+            other for other in sorted(package.declared) if other not in waiting and project.package(other) is not None
+        ]
         if len(waiting) > _MOST:
             return True
     return False
