@@ -18,6 +18,7 @@ from haros_ci.api.packages import (
     dependency_tags,
     first_provider,
     is_of_ros,
+    is_well_known,
     last_dependency,
     needs_of,
     others_of,
@@ -45,6 +46,7 @@ _CORE = frozenset(
     ("roscpp", "rclcpp", "roslib", "rosconsole", "rostime", "roscpp_traits", "roscpp_serialization", "cpp_common")
 )
 _INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^<>\"\n]{1,200})[>\"]", re.MULTILINE)
+_DEFINED = re.compile(r"^[ \t]*(?:function|macro)[ \t]*\([ \t]*(\w{1,100})", re.IGNORECASE | re.MULTILINE)
 #: What is better than to declare what nothing uses.
 _REMOVE = "nothing else here uses it: remove it from find_package(), or "
 #: What sets ROS_DISTRO and ROS_VERSION, and a condition of CMake that reads one of them.
@@ -177,17 +179,14 @@ def _is_idle(package: ProjectPackage, name: str, uses: list[Need]) -> bool:
     if any(use.is_header or use.what != f"find_package({name})" for use in uses) or name.startswith(_TOOLS):
         return False
     word = re.compile(rf"\b{re.escape(name)}\b")
-    family = name.lower().partition("_")[0]  # rosidl_generator_dds_idl brings rosidl_generate_dds_interfaces()
     for command in package.build.commands:
         is_found = command.name == "find_package"
-        if (
-            name.lower() in command.name
-            or command.name.startswith(f"{family}_")
-            or (not is_found and any(name in each for each in command.arguments))
-        ):
+        if name.lower() in command.name or (not is_found and any(name in each for each in command.arguments)):
             return False
         if is_found and command.arguments[:1] != ("catkin",) and any(name in each for each in command.arguments[1:]):
             return False
+    if _calls_unknown(package):
+        return False  # the package may define it
     known = package.project.knowledge
     for file in package.files:
         if file.language == "cmake":
@@ -200,6 +199,16 @@ def _is_idle(package: ProjectPackage, name: str, uses: list[Need]) -> bool:
         ):
             return False
     return True
+
+
+def _calls_unknown(package: ProjectPackage) -> bool:
+    """Whether CMake calls a command that nothing which is known defines: a package that is found brings it."""
+    called = {command.name for command in package.build.commands if not is_well_known(command.name)}
+    if not called:
+        return False
+    files = (path for path in package.project.workspace.names if path.endswith((".cmake", "CMakeLists.txt")))
+    defined = {found[1].lower() for path in files for found in _DEFINED.finditer(package.project.text(path))}
+    return not called <= defined
 
 
 def _leads_to_headers(package: ProjectPackage, name: str, provisions: Provisions) -> bool:

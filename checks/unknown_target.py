@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from difflib import get_close_matches
 
 from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, listed
-from haros_ci.api.packages import OF_TARGETS, CMakeCommand, add_dependency, may_appear, may_have_more
+from haros_ci.api.packages import OF_TARGETS, CMakeCommand, add_dependency, is_built_against, may_appear, may_have_more
 
 #: Targets that CMake, catkin and rosidl make by themselves.
 _GIVEN = re.compile(
@@ -32,8 +32,9 @@ _OF_BUILD = OF_TARGETS | {"install", "ament_export_targets", "ament_export_inter
 _OF_LIBRARIES = ("catkin_package", "ament_export_libraries")
 #: What only packages that use this one come to feel.
 _OF_USERS = ("ament_export_libraries", "ament_export_dependencies")
-#: What comes of an exported library that is not made.
-_NOT_FOUND = "packages that use it cannot find the library"
+#: What comes of an exported library that is not made, where packages of the workspace are built against it, and where not.
+_NOT_FOUND = "packages that use it cannot find the {}"
+_NOT_FOUND_LATER = "no package here is built against it, but one that comes to be cannot find the {}"
 #: Commands by which another build makes libraries that this one does not know.
 _OUTSIDE = (
     *("externalproject_add", "fetchcontent_declare", "fetchcontent_makeavailable", "ament_vendor"),
@@ -73,10 +74,16 @@ def check(project: Project) -> Iterator[Finding]:
 
 
 def _in_force(package: ProjectPackage) -> list[CMakeCommand]:
-    """The commands that are run in every build; of catkin_package() the last one of a directory, which writes the configuration anew."""
-    commands = [command for command in package.build.commands if not command.is_conditional]
-    last = {command.directory: command for command in commands if command.name == "catkin_package"}
-    return [each for each in commands if each.name != "catkin_package" or each is last[each.directory]]
+    """The commands that are run in every build; of catkin_package() the last one of a directory, which writes the configuration anew.
+
+    Where that one may be left out, nobody knows which one counts.
+    """
+    last = {command.directory: command for command in package.commands("catkin_package")}
+    return [
+        command
+        for command in package.build.commands
+        if not command.is_conditional and (command.name != "catkin_package" or command is last[command.directory])
+    ]
 
 
 def _unknown(package: ProjectPackage, command: CMakeCommand, is_open: bool) -> Iterator[tuple[str, str]]:
@@ -243,68 +250,76 @@ def _finding(package: ProjectPackage, command: CMakeCommand, wrong: tuple[str, .
     """Of the names of one command that are *wrong*, of which several are exported libraries."""
     name = wrong[0]
     is_made = name in package.cmake.targets
-    names = sorted(package.cmake.targets)
-    is_library = command.name in _OF_LIBRARIES and name not in command.after("INCLUDE_DIRS", *_KEYWORDS)
-    if is_library:  # an executable is no library that others could link
-        names = [each for each in names if package.cmake.targets[each].kind != "executable"]
-    if command.name == "ament_export_dependencies":
-        names = sorted({word for each in package.commands("find_package") for word in each.arguments[:1]})
-    near = [] if is_made else [each for each in names if _squeezed(each) == _squeezed(name)]
-    if is_library and not (near or is_made):
-        near = _only_installed(package, names)
-    near = near or ([] if is_made else get_close_matches(name[:100], names[:MAX_NAMES], 1, 0.75))
     is_only_exported = is_made or command.name == "ament_export_dependencies"
-    hint = f"; did you mean {near[0]}?" if near else "" if is_only_exported else _instead(names)
-    if is_library and not names and package.cmake.targets:
-        where = "LIBRARIES" if command.name == "catkin_package" else f"{command.name}()"
-        hint = f"; {where} takes libraries, and the package builds none: remove the name"
-    if near and command.name == "ament_export_dependencies" and _squeezed(near[0]) == _squeezed(name):
-        hint = f"; write {near[0]}, as find_package() has it here"
     said = (
         f"{package.name} exports {name}"
         if is_only_exported
-        else f"{command.name}(): {name} is not a target of {package.name}"
-        if len(wrong) == 1
-        else f"{command.name}(): {listed(wrong)} are not targets of {package.name}"
+        else f"{command.name}(): {listed(wrong)} {'is not a target' if len(wrong) == 1 else 'are not targets'} of {package.name}"
     )
-    if len(wrong) > 1:
-        hint = "; remove the names, or write those of libraries that are built"
-    is_only_for_users = command.name in _OF_USERS or (what == _NOT_FOUND and not _has_users(package))
+    is_used = what != _NOT_FOUND or is_built_against(package)
+    if what == _NOT_FOUND:
+        what = (_NOT_FOUND if is_used else _NOT_FOUND_LATER).format("library" if len(wrong) == 1 else "libraries")
+    hint = _hint(package, command, name) if len(wrong) == 1 else _hint_of_several(package, command, wrong)
     return Finding(
         at=command.location,
         message=f"{said}: {what}{hint}",
-        about=(package.name, name),
-        apart=(name,),
-        level=Level.WARNING if is_only_for_users else None,  # this package builds
+        about=(package.name, *wrong),
+        apart=wrong,
+        level=Level.WARNING if command.name in _OF_USERS or not is_used else None,  # this package builds
     )
 
 
-def _has_users(package: ProjectPackage) -> bool:
-    """Whether a package of the workspace is built against *package*."""
-    kinds = ("depend", "build_depend", "build_export_depend")
-    return any(
-        other is not package
-        and (
-            any(each.name == package.name and each.kind in kinds for each in other.raw.dependencies)
-            or any(package.name in each.arguments for each in other.commands("find_package"))
-        )
-        for other in package.project.packages
-    )
+def _hint(package: ProjectPackage, command: CMakeCommand, name: str) -> str:
+    """What to write instead of *name*."""
+    if name in package.cmake.targets:
+        return ""
+    is_dependency = command.name == "ament_export_dependencies"
+    near = _near(package, command, name)
+    if near and is_dependency and _squeezed(near) == _squeezed(name):
+        return f"; write {near}, as find_package() has it here"
+    names = _candidates(package, command, name)
+    if _is_library(command, name) and not names and package.cmake.targets:
+        where = "LIBRARIES" if command.name == "catkin_package" else f"{command.name}()"
+        return f"; {where} takes libraries, and the package builds none: remove the name"
+    return f"; did you mean {near}?" if near else "" if is_dependency else _instead(names)
+
+
+def _hint_of_several(package: ProjectPackage, command: CMakeCommand, wrong: tuple[str, ...]) -> str:
+    """What to write instead of the libraries *wrong*: for each another one, or nothing."""
+    near = [_near(package, command, name) for name in wrong]
+    if all(near) and len(set(near)) == len(near):
+        return f"; did you mean {listed(near)}?"
+    names = [each for each in _candidates(package, command, wrong[0]) if each not in command.arguments]
+    return f"{_instead(names)}: write the right ones, or remove the names" if names else "; remove the names"
+
+
+def _is_library(command: CMakeCommand, name: str) -> bool:
+    return command.name in _OF_LIBRARIES and name not in command.after("INCLUDE_DIRS", *_KEYWORDS)
+
+
+def _candidates(package: ProjectPackage, command: CMakeCommand, name: str) -> list[str]:
+    """What *name* may be meant for."""
+    if command.name == "ament_export_dependencies":
+        return sorted({word for each in package.commands("find_package") for word in each.arguments[:1]})
+    names = sorted(package.cmake.targets)
+    if _is_library(command, name):  # an executable is no library that others could link
+        return [each for each in names if package.cmake.targets[each].kind != "executable"]
+    return names
+
+
+def _near(package: ProjectPackage, command: CMakeCommand, name: str) -> str:
+    """The one that *name* is meant for; "" where none is like it."""
+    names = _candidates(package, command, name)
+    near = [each for each in names if _squeezed(each) == _squeezed(name)]
+    if _is_library(command, name) and not near:
+        near = _only_installed(package, names)
+    near = near or get_close_matches(name[:100], names[:MAX_NAMES], 1, 0.75)
+    return near[0] if near else ""
 
 
 def _only_installed(package: ProjectPackage, libraries: list[str]) -> list[str]:
     """The one of *libraries* that the package installs; none where there are several, or what it installs is not known."""
-    keywords = (
-        "ARCHIVE",
-        "LIBRARY",
-        "RUNTIME",
-        "EXPORT",
-        "DESTINATION",
-        "PUBLIC_HEADER",
-        "INCLUDES",
-        "OBJECTS",
-        "COMPONENT",
-    )
+    keywords = "ARCHIVE LIBRARY RUNTIME EXPORT DESTINATION PUBLIC_HEADER INCLUDES OBJECTS COMPONENT".split()
     words = {word for command in package.commands("install") for word in command.after("TARGETS", *keywords)}
     found = [name for name in libraries if name in words]
     return found if len(found) == 1 and not any("$" in word for word in words) else []

@@ -507,6 +507,36 @@ def test_exported_libraries_that_are_not_built_fail_in_packages_that_are_built_a
     check = next(check for check in checks() if check.id == "unknown-target")
     (result,) = said(check, Example("", True, files), tmp_path)
     assert result.level is level and "demo_a and demo_b are not targets of demo" in result.message
+    assert ("no package here is built against it" in result.message) == (level is Level.WARNING)
+    assert result.subject == ("demo", "demo_a", "demo_b")
+
+
+@pytest.mark.parametrize(
+    ("cmake", "told"),
+    [
+        (
+            "add_library(demo_one a.cpp)\nadd_library(demo_two a.cpp)\ncatkin_package(LIBRARIES demo_ones demo_twos)",
+            "demo_one and demo_two?",
+        ),
+        (
+            "add_library(filters a.cpp)\ncatkin_package(LIBRARIES demo_ones demo_twos)",
+            "the package builds filters: write the right ones",
+        ),
+        ("catkin_package(LIBRARIES demo_ones demo_twos)", "; remove the names"),
+        ("catkin_package(LIBRARIES demo_ones)\ncatkin_package(LIBRARIES demo_twos)", "demo_twos is not a target"),
+        ("catkin_package(LIBRARIES demo_ones)\ncatkin_package()", None),
+        ("find_package(X)\ncatkin_package(LIBRARIES demo_ones)\nif(X_FOUND)\ncatkin_package()\nendif()", None),
+    ],
+)
+def test_what_to_export_instead(tmp_path: Path, cmake: str, told: str | None) -> None:
+    files = {
+        "package.xml": ROS1,
+        "CMakeLists.txt": f"project(demo)\nfind_package(catkin REQUIRED)\n{cmake}\n",
+        "a.cpp": "int a;\n",
+    }
+    check = next(check for check in checks() if check.id == "unknown-target")
+    found = [result.message for result in said(check, Example("", True, files), tmp_path)]
+    assert len(found) == (told is not None) and all(str(told) in message for message in found), found
 
 
 def test_a_file_that_is_included_twice_is_one_finding(tmp_path: Path) -> None:

@@ -189,6 +189,17 @@ IDLE = "find_package(catkin REQUIRED COMPONENTS roscpp nav_msgs)\ncatkin_package
             False,
         ),
         (IDLE.format("add_nav_msgs_tables(a)\n"), "int main() { return 0; }\n", False),
+        (IDLE.format("make_tables_of_messages(a)\n"), "int main() { return 0; }\n", False),
+        (IDLE.format("function(tables)\nendfunction()\ntables(a)\n"), "int main() { return 0; }\n", True),
+        (IDLE.format("if(X)\nmacro(tables)\nendmacro()\nendif()\ntables(a)\n"), "int main() { return 0; }\n", True),
+        (
+            IDLE.format(
+                "check_cxx_compiler_flag(-Wall W)\nadd_rostest(a.test)\ncatkin_add_gtest(t t.cpp)\nset_property(TARGET a PROPERTY X 1)\n"
+                "install(TARGETS a)\nqt5_wrap_cpp(m a.h)\nforeach(b c)\nendforeach()\ncmake_policy(SET CMP0054 NEW)\n"
+            ),
+            "int main() { return 0; }\n",
+            True,
+        ),
         (
             IDLE.replace("nav_msgs", "dynamic_reconfigure").format("generate_dynamic_reconfigure_options(cfg/A.cfg)\n"),
             "int main() { return 0; }\n",

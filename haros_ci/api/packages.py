@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from haros_ci.checking.appearing import is_ignored, is_told_of, may_appear
 from haros_ci.checking.boost import boost_keys
+from haros_ci.checking.built_against import is_built_against
 from haros_ci.checking.cmake import OF_TARGETS, CMake, Install, Link
 from haros_ci.checking.counterparts import COUNTERPARTS
 from haros_ci.checking.devel_spaces import DevelSpaces
@@ -31,6 +32,7 @@ from haros_ci.checking.installing import (
     left_out_on_purpose,
 )
 from haros_ci.checking.interpreted import is_given_to_another
+from haros_ci.checking.known_commands import is_well_known
 from haros_ci.checking.leftovers import Leftovers
 from haros_ci.checking.lookups import Lookup, lookups
 from haros_ci.checking.manifests import (
@@ -201,6 +203,7 @@ __all__ = [
     "installs_nothing",
     "is_aside",
     "is_asked_for",
+    "is_built_against",
     "is_for_noetic",
     "is_for_tests",
     "is_given_to_another",
@@ -215,6 +218,7 @@ __all__ = [
     "is_program",
     "is_said_not_installed",
     "is_to_be_had",
+    "is_well_known",
     "is_told_of",
     "is_written",
     "knowledge",
