@@ -24,6 +24,7 @@ from haros_ci.api.packages import (
     lacking,
     needs_of,
     provided,
+    unreached,
 )
 
 #: So many places of one package are related.
@@ -76,10 +77,16 @@ def check(project: Project) -> Iterator[Finding]:
 
 
 def _of_others(package: ProjectPackage | None, provisions: Provisions, sources: Sources) -> frozenset[str]:
-    """What undeclared-dependency and undeclared-import have *package* declare: that is there when its launch files run, too."""
+    """What undeclared-dependency and undeclared-import have *package* declare: that is there when its launch files run, too.
+
+    Imports of files that nothing starts or imports do not count: these files may as well go.
+    """
     if package is None or package.manifest is None:
         return frozenset()
-    return lacking(package, (*needs_of(package, sources), *imports_of(package, sources)), provisions)
+    imports = tuple(imports_of(package, sources))
+    aside = unreached(package, {each.location.path for each in imports}) if imports else frozenset()
+    running = (each for each in imports if each.location.path not in aside)
+    return lacking(package, (*needs_of(package, sources), *running), provisions)
 
 
 def _finding(package: Package, group: list[_Missing], level: Level | None, is_test: bool) -> Finding:
