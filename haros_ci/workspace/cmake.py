@@ -10,6 +10,7 @@ from types import MappingProxyType
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
+from haros_ci.workspace.cmake_choices import is_choice
 from haros_ci.workspace.cmake_commands import COMMANDS, SUMMARIES, UNREMARKABLE, note_unknown
 from haros_ci.workspace.cmake_conditions import decide
 from haros_ci.workspace.cmake_loops import foreach_turns, while_turns
@@ -124,12 +125,9 @@ def _if(state: State, command: Command, macro: dict[str, str] | None) -> str:
     """Run the branch that holds; all that may hold where that is not known."""
     possible: list[tuple[Command, list[Command]]] = []
     is_complete = False
+    is_choosing = is_choice(command)
     for opener, body in command.branches:
-        if opener.name == "else":
-            verdict: bool | None = True
-        else:
-            call = state.expand(opener, opener.arguments, macro)
-            verdict = decide(state, list(zip(call.words, call.quoted, strict=True)))
+        verdict = True if opener.name == "else" else _verdict(state, opener, macro, is_choosing)
         if verdict is not False:
             possible.append((opener, body))
         if verdict:
@@ -148,6 +146,16 @@ def _if(state: State, command: Command, macro: dict[str, str] | None) -> str:
     if not is_complete:
         bodies.append([])
     return _fork(state, possible[0][0], bodies, macro)
+
+
+def _verdict(state: State, opener: Command, macro: dict[str, str] | None, is_choosing: bool) -> bool | None:
+    """Whether the condition of *opener* holds; None where only a build knows."""
+    state.is_choosing = is_choosing
+    try:
+        call = state.expand(opener, opener.arguments, macro)
+        return decide(state, list(zip(call.words, call.quoted, strict=True)))
+    finally:
+        state.is_choosing = False
 
 
 def _fork(state: State, opener: Command, bodies: list[list[Command]], macro: dict[str, str] | None) -> str:

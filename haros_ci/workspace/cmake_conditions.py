@@ -125,7 +125,9 @@ def _operand(state: State, word: Word) -> str:
     """The value that a comparison sees: of the variable, if an unquoted word is the name of one."""
     if word[1] or not is_certain(word[0]):
         return word[0]
+    is_choosing, state.is_choosing = state.is_choosing, False  # the word may as well be a value: Linux, GNU
     value = state.get(word[0])
+    state.is_choosing = is_choosing
     return word[0] if value is None else value
 
 

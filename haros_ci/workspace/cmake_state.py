@@ -11,6 +11,7 @@ from haros_ci.model.build import CMakeCommand
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
+from haros_ci.workspace.cmake_choices import may_be_given
 from haros_ci.workspace.cmake_parse import Argument, Command
 from haros_ci.workspace.cmake_words import (
     MAYBE,
@@ -101,6 +102,7 @@ class State:
         self.scopes: list[dict[str, str | None]] = [{}]
         self.environment: dict[str, str] = {}
         self.unknown_prefixes: set[str] = set()
+        self.is_choosing = False  # a condition is looked at that decides between packages
         self.functions: dict[str, tuple[Command, str]] = {}
         self.targets: dict[str, Made] = {}
         self.installed: dict[tuple[str, str, str, str], Location] = {}
@@ -154,6 +156,9 @@ class State:
                 if value is not None:
                     return value
                 break
+        else:
+            if self.is_choosing and name not in self.cache and may_be_given(name):
+                return unknown(name)
         value = self.cache.get(name)
         if value is None and self.unknown_prefixes and (self.is_foreign(name) or _may_be_found(name)):
             return unknown(name)

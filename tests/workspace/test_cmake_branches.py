@@ -132,3 +132,68 @@ def test_values_of_nested_branches() -> None:
     assert target.conditional_sources == target.sources == ("arm/m.cpp", "arm/x.cpp")
     again = only(built(text + "set(S m.cpp)\nadd_library(a ${S})", "m.cpp", "x.cpp"))
     assert again.conditional_sources == () and again.sources == ("arm/m.cpp",)
+
+
+CHOICE = "{}\nif({})\nfind_package(A REQUIRED)\nelse()\nfind_package(B REQUIRED)\nendif()"
+
+
+def doubts(text: str) -> dict[str, bool]:
+    """The packages that find_package() looks for, and whether that is in doubt."""
+    return {each.arguments[0]: each.is_conditional for each in built(text).commands if each.name == "find_package"}
+
+
+@pytest.mark.parametrize(
+    ("before", "condition"),
+    [
+        ("", "USE_A"),
+        ("", "NOT USE_A"),
+        ("", "${USE_A}"),
+        ("", '"${WHICH}" STREQUAL "a"'),
+        ("", "DEFINED WHICH"),
+        ("find_package(tools REQUIRED)", "base_tools_USE_A"),
+        ("find_package(tools REQUIRED)", "base_tools_MAJOR EQUAL 5"),
+        (
+            'find_package(tools REQUIRED)\nif("${base_tools_MAJOR} " STREQUAL "5 ")\nset(USE_A true)\nelse()\nset(USE_A false)\nendif()',
+            "USE_A",
+        ),
+    ],
+)
+def test_a_choice_between_packages_by_what_nothing_here_sets(before: str, condition: str) -> None:
+    found = doubts(CHOICE.format(before, condition))
+    assert found["A"] and found["B"]
+
+
+@pytest.mark.parametrize(
+    ("before", "condition", "taken"),
+    [
+        ("option(USE_A help OFF)", "USE_A", "B"),
+        ("option(USE_A help ON)", "USE_A", "A"),
+        ("set(USE_A TRUE)", "USE_A", "A"),
+        ("set(USE_A FALSE)", "USE_A", "B"),
+        ("set(USE_A 1)\nunset(USE_A)", "USE_A", "B"),
+        ("", "WIN32", "B"),
+        ("", "MSVC OR APPLE", "B"),
+        ("", "UNIX", "A"),
+        ("", "CMAKE_SYSTEM_NAME STREQUAL Linux", "A"),
+        ("", "${CMAKE_SYSTEM_NAME} STREQUAL Linux", "A"),
+        ("", "CMAKE_VERSION VERSION_LESS 3.1", "B"),
+        ("", "extras_FOUND", "B"),
+        ("", "CATKIN_ENABLE_TESTING", "A"),
+    ],
+)
+def test_a_choice_that_is_told_here(before: str, condition: str, taken: str) -> None:
+    assert doubts(CHOICE.format(before, condition)) == {taken: False}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "if(USE_A)\nfind_package(A REQUIRED)\nendif()\nfind_package(B REQUIRED)",
+        "if(USE_A)\nfind_package(B REQUIRED)\nset(X 1)\nelse()\nfind_package(B REQUIRED)\nendif()",
+        "if(arm_USE_A)\nset(X 1)\nelse()\nfind_package(B REQUIRED)\nendif()",
+        "project(legs)\nif(legs_USE_A)\nset(X 1)\nelse()\nfind_package(B REQUIRED)\nendif()",
+        "if(USE_OLD)\nfind_package(catkin REQUIRED)\nelse()\nfind_package(B REQUIRED)\nendif()",
+    ],
+)
+def test_no_choice_between_packages(text: str) -> None:
+    assert doubts(text) == {"B": False}
