@@ -182,7 +182,8 @@ def _owned(files: Iterable[SourceFile], owners: dict[str, str], third_party: Thi
         known[start] = known[directory]
         owner, library = known[directory], file.third_party
         is_copy = bool(library) and not is_of_project(library, owner)
-        copy = third_party.directory(file.path) or (file.path if is_copy else "")
+        around = third_party.directory(file.path)
+        copy = file.path if is_copy and (not around or third_party.is_tree(around)) else around
         made.append(replace(file, package=owner, third_party=copy))
     return tuple(made)
 

@@ -27,7 +27,8 @@ class ThirdParty:
         names = tuple(names)
         self._licensed = {_directory(name) for name in names if _is_licence(name.rpartition("/")[2])}
         self._packages = frozenset(packages)
-        self._copies = library_trees(names, packages) | releases(names, self._licensed, packages)
+        self._trees = library_trees(names, packages)
+        self._copies = self._trees | releases(names, self._licensed, packages)
         self._known: dict[str, str] = {".": ""}
         for directory in asked:
             while directory not in self._known:
@@ -47,6 +48,10 @@ class ThirdParty:
             self._known[inside] = self._known[directory] or (inside if self._is_one(inside) else "")
             directory = inside
         return self._known[directory]
+
+    def is_tree(self, directory: str) -> bool:
+        """Whether *directory* is the tree of a well-known library, by its files."""
+        return directory in self._trees
 
     def _is_one(self, directory: str) -> bool:
         if directory.rpartition("/")[2].lower() in NAMES or directory in self._copies:

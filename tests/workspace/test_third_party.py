@@ -3,8 +3,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
+from haros_ci.workspace.discover import discover
 from haros_ci.workspace.third_party import ThirdParty, around
 
 PACKAGES = {"src/demo": "demo", "src/eigen": "eigen3", "ws-1.2.0/src/robot": "robot"}
@@ -99,3 +102,20 @@ def test_files_without_packages_are_none() -> None:
 def test_a_vendor_package_wraps() -> None:
     names = (*eigen("src/e/include/Eigen"), "src/e/include/Eigen/src/a.h")
     assert ThirdParty(names, {"src/e": "eigen_vendor"}).directory(names[-1]) == "src/e/include/Eigen"
+
+
+def test_a_known_file_in_the_tree_of_its_library_is_a_copy_by_itself(tmp_path: Path) -> None:
+    """A package that keeps it is not what others are to declare for it."""
+    copied = "// JSON for Modern C++ version 3.11.2\n" + "int f();\n" * 200
+    files = {
+        "drive/package.xml": "<package format='3'><name>drive</name></package>\n",
+        "drive/include/nlohmann/json.hpp": copied,
+        "drive/include/nlohmann/adl_serializer.hpp": "int g();\n",
+        "drive/include/nlohmann/detail/exceptions.hpp": "int h();\n",
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    found = {file.path: file.third_party for file in discover(tmp_path, (".",)).files}
+    assert found["drive/include/nlohmann/json.hpp"] == "drive/include/nlohmann/json.hpp"
+    assert found["drive/include/nlohmann/detail/exceptions.hpp"] == "drive/include/nlohmann"
