@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator
 from weakref import WeakKeyDictionary
 
 from haros_ci.checking.system import System
@@ -38,25 +37,29 @@ _known: WeakKeyDictionary[Whole, dict[str, str]] = WeakKeyDictionary()
 
 def writer_of(system: System, path: str) -> str:
     """The first program, or script of a shell, that has the base name of *path* in a string and writes files; "" if there is none."""
-    if system.whole not in _known:
-        _known[system.whole] = dict(_written(system.workspace)) if system.workspace is not None else {}
-    return _known[system.whole].get(posixpath.basename(path), "")
+    known, name = _known.setdefault(system.whole, {}), posixpath.basename(path)
+    if name not in known:
+        known[name] = _writer(system.workspace, name) if system.workspace is not None else ""
+    return known[name]
 
 
-def _written(workspace: Workspace) -> Iterator[tuple[str, str]]:
-    """Each name that may be written, and who writes it; the first of several comes last."""
-    for file in reversed(workspace.files):
+def _writer(workspace: Workspace, name: str) -> str:
+    """The first file that may write one called *name*."""
+    for file in workspace.files:
         is_shell = file.path.endswith((".sh", ".bash"))
         if (file.language not in ("cpp", "python") and not is_shell) or _LAUNCH.search(file.path):
             continue
         text = workspace.text(file.path)[:_MOST]
-        if not is_shell and not _WRITES.search(text):
-            continue
-        for line in text.splitlines():
-            if line.lstrip().startswith(("#", "//", "*")):
-                continue
-            if is_shell:
-                targets = _TARGET.findall(line[:2_000])
-                yield from ((name, file.path) for target in targets for name in _NAME.findall(target))
-            elif not _READS.search(line[:2_000]):
-                yield from ((name, file.path) for name in _STRING.findall(line))
+        if name in text and (is_shell or _WRITES.search(text)):
+            if any(name in line and name in _names(line, is_shell) for line in text.splitlines()):
+                return file.path
+    return ""
+
+
+def _names(line: str, is_shell: bool) -> list[str]:
+    """What *line* may write."""
+    if line.lstrip().startswith(("#", "//", "*")):
+        return []
+    if is_shell:
+        return [name for target in _TARGET.findall(line[:2_000]) for name in _NAME.findall(target)]
+    return [] if _READS.search(line[:2_000]) else _STRING.findall(line)
