@@ -18,7 +18,7 @@ from posixpath import splitext
 from haros_ci.model.location import Location
 from haros_ci.results.comments import bare, lines_of, syntax
 from haros_ci.results.result import BaselineState, Related, Report, Result, Run
-from haros_ci.results.scope import scopes
+from haros_ci.results.scope import Scopes, scopes
 
 #: A finding names no more other places than this.
 MOST = 40
@@ -121,6 +121,8 @@ class _Texts:
         self._lines: dict[str, list[str]] = {}
         self._units: dict[tuple[str, int, int], tuple[str, ...]] = {}
         self._names: dict[str, frozenset[str]] = {}
+        self._functions: dict[tuple[str, int], tuple[tuple[int, int], ...]] = {}
+        self._scopes: dict[str, Scopes] = {}
 
     def names(self, path: str) -> frozenset[str]:
         """What a file is called by: its package, its directories, and itself without its ending."""
@@ -135,7 +137,9 @@ class _Texts:
         lines = self._of(path)
         if not 0 < line <= len(lines):
             return
-        for start, end in (*self._function(path, line), (0, len(lines))):
+        if (path, line) not in self._functions:
+            self._functions[path, line] = tuple(self._function(path, line))
+        for start, end in (*self._functions[path, line], (0, len(lines))):
             yield _Unit(self._tokens(path, start, end), sum(map(bool, lines[start : line - 1])))
 
     def _of(self, path: str) -> list[str]:
@@ -153,7 +157,9 @@ class _Texts:
         return self._units[key]
 
     def _function(self, path: str, line: int) -> Iterable[tuple[int, int]]:
-        known = scopes(self._text(path), self._language(path))
+        if path not in self._scopes:
+            self._scopes[path] = scopes(self._text(path), self._language(path))
+        known = self._scopes[path]
         name = known.at(line)
         if not name:
             return
