@@ -259,13 +259,16 @@ def _finding(package: ProjectPackage, command: CMakeCommand, wrong: tuple[str, .
     is_used = what != _NOT_FOUND or is_built_against(package)
     if what == _NOT_FOUND:
         what = (_NOT_FOUND if is_used else _NOT_FOUND_LATER).format("library" if len(wrong) == 1 else "libraries")
+    level = Level.WARNING if command.name in _OF_USERS or not is_used else None  # this package builds
+    if not (is_used or command.after("INCLUDE_DIRS", *_KEYWORDS) or _candidates(package, command, name)):
+        level = Level.NOTE  # there is nothing to build against
     hint = _hint(package, command, name) if len(wrong) == 1 else _hint_of_several(package, command, wrong)
     return Finding(
         at=command.location,
         message=f"{said}: {what}{hint}",
         about=(package.name, *wrong),
         apart=wrong,
-        level=Level.WARNING if command.name in _OF_USERS or not is_used else None,  # this package builds
+        level=level,
     )
 
 
@@ -273,15 +276,14 @@ def _hint(package: ProjectPackage, command: CMakeCommand, name: str) -> str:
     """What to write instead of *name*."""
     if name in package.cmake.targets:
         return ""
-    is_dependency = command.name == "ament_export_dependencies"
     near = _near(package, command, name)
-    if near and is_dependency and _squeezed(near) == _squeezed(name):
+    if near and command.name == "ament_export_dependencies" and _squeezed(near) == _squeezed(name):
         return f"; write {near}, as find_package() has it here"
     names = _candidates(package, command, name)
     if _is_library(command, name) and not names and package.cmake.targets:
         where = "LIBRARIES" if command.name == "catkin_package" else f"{command.name}()"
         return f"; {where} takes libraries, and the package builds none: remove the name"
-    return f"; did you mean {near}?" if near else "" if is_dependency else _instead(names)
+    return f"; did you mean {near}?" if near else "" if command.name == "ament_export_dependencies" else _instead(names)
 
 
 def _hint_of_several(package: ProjectPackage, command: CMakeCommand, wrong: tuple[str, ...]) -> str:

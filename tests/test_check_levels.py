@@ -500,7 +500,8 @@ def test_exported_libraries_that_are_not_built_fail_in_packages_that_are_built_a
 ) -> None:
     files = {
         "demo/package.xml": ROS1,
-        "demo/CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\ncatkin_package(LIBRARIES demo_a demo_b)\n",
+        "demo/CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\ncatkin_package(INCLUDE_DIRS include LIBRARIES demo_a demo_b)\n",
+        "demo/include/demo/a.h": "int a();\n",
         "user/package.xml": USER.format(depends),
         "user/CMakeLists.txt": "project(user)\nfind_package(catkin REQUIRED)\ncatkin_package()\n",
     }
@@ -552,6 +553,14 @@ def test_a_file_that_is_included_twice_is_one_finding(tmp_path: Path) -> None:
     (result,) = said(check, Example("", True, files), tmp_path)
     assert "two nodes are named /a " in result.message
     assert "launch/inner.launch is included twice, so that there are two /b and /c, too" in result.message
+
+
+def test_an_exported_library_of_a_package_with_nothing_to_build_against_is_a_note(tmp_path: Path) -> None:
+    files = {
+        "package.xml": ROS1,
+        "CMakeLists.txt": CATKIN.replace("catkin_package()", "catkin_package(LIBRARIES demo)"),
+    }
+    assert levels("unknown-target", files, tmp_path) == [Level.NOTE]
 
 
 def test_nodes_of_one_name_stop_roslaunch(tmp_path: Path) -> None:
