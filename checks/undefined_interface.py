@@ -52,8 +52,28 @@ def check(project: Project) -> Iterator[Finding]:
     yield from _in_interfaces(project, defining)
     if defining:
         users = InterfaceUsers(project)
-        yield from _in_code(project, defining, users)
-        yield from _under_old_names(project, defining, users)
+        yield from _without_parts(_in_code(project, defining, users))
+        yield from _once_a_file(_under_old_names(project, defining, users))
+
+
+def _without_parts(found: Iterator[Finding]) -> Iterator[Finding]:
+    """Without the request or response of a service that the same file imports as well: the import of both is one mistake."""
+    findings = list(found)
+    named = {(each.at.path, *each.about) for each in findings}
+    for each in findings:
+        name = str(each.about[0])
+        service = re.sub(r"(?:Request|Response)$", "", name)
+        if ".srv." not in name or service == name or (each.at.path, service) not in named:
+            yield each
+
+
+def _once_a_file(found: Iterator[tuple[str, Finding]]) -> Iterator[Finding]:
+    """One for all that a file names of one package, by the old name of the package; the further ones are related."""
+    files: dict[tuple[str, str], list[Finding]] = {}
+    for old, finding in found:
+        files.setdefault((finding.at.path, old), []).append(finding)
+    for first, *others in files.values():
+        yield replace(first, related=tuple((each.at, f"{each.about[0]}, too") for each in others))
 
 
 def _is_known(package: ProjectPackage) -> bool:
@@ -86,8 +106,10 @@ def _in_interfaces(project: Project, defining: Mapping[str, Defining]) -> Iterat
                 )
 
 
-def _under_old_names(project: Project, defining: Mapping[str, Defining], users: InterfaceUsers) -> Iterator[Finding]:
-    """Interfaces of the file's own package under the name of a package that nobody knows: the package was renamed."""
+def _under_old_names(
+    project: Project, defining: Mapping[str, Defining], users: InterfaceUsers
+) -> Iterator[tuple[str, Finding]]:
+    """Interfaces of the file's own package under the name of a package that nobody knows, with that name: the package was renamed."""
     if not project.knowledge.is_there:
         return
     folders = {part for name in project.workspace.names for part in name.split("/")[:-1]}
@@ -111,12 +133,8 @@ def _under_old_names(project: Project, defining: Mapping[str, Defining], users: 
         shown = written.strip('"<>')
         said = "included, so that this file does not build" if "/" in shown else "imported, so that the import fails"
         why = f"there is no package {name}" if other is None else f"{own} neither declares nor finds {name}"
-        yield Finding(
-            at=at,
-            message=f"{shown} is {said}: {why}, and {own} itself defines this interface; write {own} for {name}",
-            about=(shown,),
-            apart=(path, shown),
-        )
+        message = f"{shown} is {said}: {why}, and {own} itself defines this interface; write {own} for {name}"
+        yield name, Finding(at=at, message=message, about=(shown,), apart=(path, shown))
 
 
 def _lower_case(project: Project, defining: Mapping[str, Defining]) -> Iterator[tuple[InterfaceReference, str, str]]:
