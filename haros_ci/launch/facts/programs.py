@@ -51,7 +51,7 @@ class Programs:
         start = self.finder.files.directories.get(use.package)
         if start is None or build is None:
             return None, (), False
-        if (use.package, use.program) in self.known:
+        if (use.package, use.program) in self.known or (use.kind == "nodelet" and self._is_described(use.program)):
             return True, (), False
         names = self._classes(build, use) if use.kind != "executable" else self._executables(build)
         if use.program in names:
@@ -61,6 +61,12 @@ class Programs:
         if self._may_be_made(use, start):
             return None, (), False
         return False, similar_names(use.program, names, use.package, 3), False
+
+    def _is_described(self, name: str) -> bool:
+        """Whether some package describes a nodelet of this look-up name: what stands before the slash need not be that package (pluginlib)."""
+        return any(
+            each.name == name and each.base == _NODELET for build in self.builds.values() for each in build.plugins
+        )
 
     def _is_library(self, use: ProgramUse, build: Build, start: str) -> bool:
         """Whether the package builds a library of this name, and nothing else of it: targets of CMake have one kind (add_library(7))."""
