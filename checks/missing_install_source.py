@@ -74,7 +74,8 @@ def _finding(
         name[len(prefix) :].partition("/")[0] for name in project.workspace.names if name.startswith(prefix or "")
     }
     only = exported.get(posixpath.splitext(path)[1])
-    near = [only] if only else similar_files(path, sorted(f"{prefix}{name}" for name in beside), package.name)
+    ended = [f"{prefix}{name}" for name in sorted(beside) if posixpath.splitext(name)[0] == posixpath.basename(path)]
+    near = [only] if only else ended or similar_files(path, sorted(f"{prefix}{name}" for name in beside), package.name)
     if "*" in word or "?" in word:
         hint = "install() does not expand patterns; list the files with file(GLOB), or install the directory"
     elif near:

@@ -147,3 +147,14 @@ def test_a_library_that_is_started(ros: int, tmp_path: Path) -> None:
         **({"launch/a.launch": launch.format("type")} if ros == 1 else {"launch/a.launch.xml": launch.format("exec")}),
     }
     assert ("into a container" in message("unknown-executable", files, tmp_path)) == (ros == 2)
+
+
+def test_a_file_that_is_written_without_its_ending(tmp_path: Path) -> None:
+    files = {
+        "package.xml": PACKAGE.format("demo", ""),
+        "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+        "install(PROGRAMS scripts/split_bag DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n",
+        "scripts/split_bag.py": "print(1)\n",
+        "scripts/splitter_bag": "print(1)\n",
+    }
+    assert "did you mean split_bag.py?" in message("missing-install-source", files, tmp_path)
