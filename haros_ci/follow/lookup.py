@@ -184,6 +184,11 @@ def _global_name(run: Run, frame: Frame, name: str) -> Value | Macro:
     if found is not None:
         return ClassValue(*found)
     if "::" in name:
+        head, _, last = name.rpartition("::")
+        owner = run.class_of(run.type_in(syntax.Type(head), frame).name, frame.source)
+        own = methods.class_method(run, *owner, last) if owner is not None else None
+        if own is not None:  # a base of the class defines it
+            return Callable(*own)
         method = methods.tail_method(run, resolved.name if "::" in resolved.name else name, frame.source)
         if method is not None:
             return Callable(method[0], method[1])

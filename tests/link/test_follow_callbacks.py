@@ -74,7 +74,6 @@ MESSAGES = (
 
 #: Why a callback's type is not told yet.
 NO_TYPE = {
-    'C c; nh.subscribe("x", 1, &C::cb, &c);  // inherited': "a pointer to an inherited method is not found",
     'nh.subscribe("x", 1, cb<std_msgs::Int32>);': "a function template's arguments are dropped where it is not called",
     'C<std_msgs::Int32> c; nh.subscribe("x", 1, &C<std_msgs::Int32>::cb, &c);': "its methods are not found",
 }

@@ -16,6 +16,21 @@ def a_class(body: str) -> str:
 
 
 RESOLVED = (
+    case(
+        "the method of a base, which that inherits",
+        "D d; d.go();",
+        "/a",
+        before=a_class('std::string s; virtual void set() { s = "a"; }')
+        + " template<typename T> struct M : C {}; struct B : M<int> { B() : M<int>() {} };"
+        + ' struct D : B { virtual void set() { s = "b"; } void go() { B::set(); start(); } };',
+    ),
+    case(
+        "its own method by the name of the class",
+        "D d; d.go();",
+        "/b",
+        before=a_class('std::string s; virtual void set() { s = "a"; }')
+        + ' struct D : C { virtual void set() { s = "b"; } void go() { D::set(); start(); } };',
+    ),
     case("set in the constructor", "C c;", "/a", before=a_class('std::string s; C() { s = "a"; start(); }')),
     case("set in the list", "C c; c.start();", "/a", before=a_class('std::string s; C() : s("a") {}')),
     case("set in the list by braces", "C c; c.start();", "/a", before=a_class('std::string s; C() : s{"a"} {}')),
