@@ -116,24 +116,23 @@ def _named(project: Project) -> Iterator[_Named]:
         for path, at in uses:
             if path is not None and path.endswith((".yaml", ".yml")) and not _ASIDE.search(at.path):
                 files.setdefault(path, {})[at] = None
-    unread = _unread(project, files)
-    for path, places in sorted(files.items()):
-        for plugin in plugins_in_yaml(path, project.text(path)):
-            if (path, plugin.location.line) not in unread:
-                yield _Named(plugin, tuple(places))
+    plugins = {path: list(plugins_in_yaml(path, project.text(path))) for path in sorted(files)}
+    unread = _unread(project, {(path, each.location.line or 0) for path, found in plugins.items() for each in found})
+    for path, found in plugins.items():
+        for plugin in found:
+            if (path, plugin.location.line or 0) not in unread:
+                yield _Named(plugin, tuple(files[path]))
     for plugin in plugins_in_parameters(project.systems, partial(may_load, project)):
         yield _Named(plugin, (plugin.location,))
 
 
-def _unread(project: Project, files: Container[str]) -> frozenset[tuple[str, int]]:
-    """The lines of YAML *files* whose parameters only nodes get that load no plug-ins by them."""
+def _unread(project: Project, lines: Container[tuple[str, int]]) -> frozenset[tuple[str, int]]:
+    """Those of the *lines* of YAML files whose parameters only nodes get that load no plug-ins by them."""
     read: dict[tuple[str, int], bool] = {}
     for system in project.systems:
         for each in system.parameters:
-            if each.origin is None or each.origin.path not in files or not isinstance(each.value, str):
-                continue
-            place = (each.origin.path, each.origin.line or 0)
-            if not read.get(place, False):
+            place = (each.origin.path, each.origin.line or 0) if each.origin is not None else ("", 0)
+            if place in lines and isinstance(each.value, str) and not read.get(place, False):
                 key = each.name.replace("/", ".").rpartition(".")[2]
                 read[place] = not is_of_node(system, each) or may_load(project, system, each, key)
     return frozenset(place for place, is_read in read.items() if not is_read)
