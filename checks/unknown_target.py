@@ -34,7 +34,7 @@ _OF_LIBRARIES = ("catkin_package", "ament_export_libraries")
 _OF_USERS = ("ament_export_libraries", "ament_export_dependencies")
 #: What comes of an exported library that is not made, where packages of the workspace are built against it, and where not.
 _NOT_FOUND = "packages that use it cannot find the {}"
-_NOT_FOUND_LATER = "no package here is built against it, but one that comes to be cannot find the {}"
+_NOT_FOUND_LATER = "no package here is built against it yet; one that is will not find the {}"
 #: Commands by which another build makes libraries that this one does not know.
 _OUTSIDE = (
     *("externalproject_add", "fetchcontent_declare", "fetchcontent_makeavailable", "ament_vendor"),
@@ -249,8 +249,7 @@ MAX_NAMES = 300
 def _finding(package: ProjectPackage, command: CMakeCommand, wrong: tuple[str, ...], what: str) -> Finding:
     """Of the names of one command that are *wrong*, of which several are exported libraries."""
     name = wrong[0]
-    is_made = name in package.cmake.targets
-    is_only_exported = is_made or command.name == "ament_export_dependencies"
+    is_only_exported = name in package.cmake.targets or command.name == "ament_export_dependencies"
     said = (
         f"{package.name} exports {name}"
         if is_only_exported
@@ -260,7 +259,8 @@ def _finding(package: ProjectPackage, command: CMakeCommand, wrong: tuple[str, .
     if what == _NOT_FOUND:
         what = (_NOT_FOUND if is_used else _NOT_FOUND_LATER).format("library" if len(wrong) == 1 else "libraries")
     level = Level.WARNING if command.name in _OF_USERS or not is_used else None  # this package builds
-    if not (is_used or command.after("INCLUDE_DIRS", *_KEYWORDS) or _candidates(package, command, name)):
+    has_headers = command.name != "catkin_package" or command.after("INCLUDE_DIRS", *_KEYWORDS)
+    if not (is_used or has_headers or _candidates(package, command, name)):
         level = Level.NOTE  # there is nothing to build against
     hint = _hint(package, command, name) if len(wrong) == 1 else _hint_of_several(package, command, wrong)
     return Finding(

@@ -563,6 +563,12 @@ def test_an_exported_library_of_a_package_with_nothing_to_build_against_is_a_not
     assert levels("unknown-target", files, tmp_path) == [Level.NOTE]
 
 
+def test_a_library_that_an_ament_package_exports_is_a_warning(tmp_path: Path) -> None:
+    """Its headers are not told from its commands for CMake."""
+    files = {"package.xml": ROS2, "CMakeLists.txt": CMAKE.format("ament_export_libraries(demo)")}
+    assert levels("unknown-target", files, tmp_path) == [Level.WARNING]
+
+
 def test_nodes_of_one_name_stop_roslaunch(tmp_path: Path) -> None:
     node = '<launch><node pkg="demo" type="n.py" name="n"/></launch>\n'
     files = {
