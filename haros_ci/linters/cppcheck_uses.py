@@ -95,9 +95,12 @@ _REMARK = re.compile(r"//([^\n]*)|/\*(.{0,2000}?)\*/", re.DOTALL)
 _TEST = re.compile(
     r"\b(?:TYPED_)?(?:TEST(?:_F|_P|_CASE|_METHOD)?|BOOST_AUTO_TEST_CASE|BOOST_FIXTURE_TEST_CASE)\s*\([^{};]{0,300}\)\s*\{"
 )
-#: ``Type name;``, ``Type name(1, 2);``, ``Type name{};``, and ``using Type = Other;``, with single spaces.
+#: Template arguments without others inside, and so deep they stand in one another.
+_TEMPLATE = re.compile(r" ?<[^<>;{}]{0,200}>")
+_NESTED = 4
+#: ``Type name;``, ``Type name(1, 2);``, ``Type name{};``, and ``using Type = Other;``, with single spaces and no template arguments.
 _DECLARED = re.compile(
-    r" ?(?!(?:return|delete|throw|goto)\b)(?:using [\w:<>, =]{1,200}|(?:[\w:]{1,200} ?(?:<[^;{}]{0,200}> ?)?[ *&]{1,4}){1,4}\w{1,200}"
+    r" ?(?!(?:return|delete|throw|goto)\b)(?:using [\w:<>, =]{1,200}|(?:[\w:]{1,200}[ *&]{1,4}){1,4}\w{1,200}"
     r" ?(?:\([^;{}]{0,200}\)|\{[^;{}]{0,200}\})?) ?;"
 )
 
@@ -128,6 +131,8 @@ def _is_test_of_declarations(line: int, lines: list[str]) -> bool:
     if test is None or end is None or end < here:
         return False
     body = re.sub(r"\s+", " ", near[test.end() : end])
+    for _ in range(_NESTED):
+        body = _TEMPLATE.sub("", body)
     at = 0
     while declared := _DECLARED.match(body, at):
         at = declared.end()
