@@ -40,8 +40,9 @@ _GENERATED = re.compile(r"\bgenerate_messages\s*\(\s*DEPENDENCIES\s([^()]{0,5000
 #: The type of std_msgs that interfaces name without its package.
 _BARE_HEADER = re.compile(r"^[ \t]*Header\b", re.MULTILINE)
 _FOUND = re.compile(r"\bfind_package\s*\(([^()]{0,5000})\)", re.IGNORECASE)
-#: Packages whose configuration finds a package of messages, too: what catkin_package(CATKIN_DEPENDS) of theirs names.
-_BRINGS = {
+#: Packages whose configuration finds a package of messages, too: what catkin_package(CATKIN_DEPENDS) of theirs names, or of what that finds.
+#: A test compares it with the manifests of the distributions.
+BRINGS = {
     "std_msgs": frozenset(
         """
         actionlib actionlib_msgs diagnostic_msgs dynamic_reconfigure geometry_msgs image_transport nav_msgs nodelet roscpp sensor_msgs
@@ -158,7 +159,7 @@ def _has_extension(workspace: Workspace, *paths: str) -> bool:
 def _is_brought(name: str, directory: str, workspace: Workspace) -> bool:
     """Whether something that the package's CMakeLists.txt finds finds the package of messages *name*, too: so its list does no harm."""
     text = re.sub(r"#[^\n]*", "", workspace.text(join(directory, "CMakeLists.txt")))
-    return any(not _BRINGS.get(name, frozenset()).isdisjoint(found[1].split()) for found in _FOUND.finditer(text))
+    return any(not BRINGS.get(name, frozenset()).isdisjoint(found[1].split()) for found in _FOUND.finditer(text))
 
 
 def _is_only_listed(name: str, directory: str, workspace: Workspace, *, with_headers: bool = True) -> bool:

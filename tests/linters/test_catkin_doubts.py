@@ -9,7 +9,8 @@ from pathlib import Path
 import pytest
 from linter_samples import workspace
 
-from haros_ci.linters.catkin_doubts import is_refuted
+from haros_ci.knowledge.knowledge import knowledge
+from haros_ci.linters.catkin_doubts import BRINGS, is_refuted
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.submodules import absent
@@ -236,3 +237,15 @@ def test_a_setup_that_installs_nothing(tmp_path: Path, text: str, expected: bool
     said = "file setup.py found but no catkin_python_setup() call."
     at = Location("robot/CMakeLists.txt", None)
     assert is_refuted("MISSING_PYTHON_SETUP", said, "robot", at, here) is expected
+
+
+@pytest.mark.parametrize(
+    ("messages", "finder"), [(name, each) for name, them in BRINGS.items() for each in sorted(them)]
+)
+def test_what_brings_messages_is_what_the_manifests_of_the_distributions_say(messages: str, finder: str) -> None:
+    known, found, waiting = knowledge(), {finder}, [finder]
+    while waiting:
+        new = (known.depends(waiting.pop(), 1) or frozenset()) - found
+        found |= new
+        waiting += new
+    assert messages in found
