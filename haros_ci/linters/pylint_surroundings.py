@@ -95,7 +95,8 @@ def _is_starred(result: Result, workspace: Workspace) -> bool:
     """Whether a module beside the file has the name of ``__all__``, and is imported as a whole in the way of Python 2 (``from arm import *``)."""
     said, path = _ALL.search(result.message), result.location.path
     text = workspace.text(path)
-    package = next((each for each in workspace.packages if each.name == workspace.package_finder()(path)), None)
+    owner = workspace.package_finder()(path)
+    package = next((each for each in workspace.packages if each.name == owner), None)
     if said is None or names_python3(text) or (package is not None and package.ros == 2):
         return False
     name = said[1]
