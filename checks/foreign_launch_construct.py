@@ -10,7 +10,6 @@ from haros_ci.api import Check, Finding, Level, Location, System
 from haros_ci.api.launch import ConstructUse, included_by, owner
 from haros_ci.api.packages import Package, serves_both
 
-
 #: Words of names by which a launch file is meant for the ROS of that number.
 _MEANT = {
     1: re.compile(r"(?<![a-z0-9])(?:ros_?1|roslaunch|indigo|kinetic|melodic|noetic)(?![a-z0-9])"),

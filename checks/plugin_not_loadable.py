@@ -20,6 +20,7 @@ from haros_ci.api.packages import (
     is_asked_for,
     is_written,
     loaders,
+    may_be_added,
     own_classes,
     registers_otherwise,
     registrations,
@@ -84,7 +85,7 @@ def _described(found: _Package, others: Container[str]) -> Iterator[Finding]:
             continue  # Python's, or made by the build
         library = _library(each, found)
         if library is None:
-            if not _may_be_elsewhere(each, found, others) and not _is_in_a_branch(each, found):
+            if not _may_be_elsewhere(each, found, others):
                 yield _left_over(each, found, _no_library(each, found))
             continue
         if library.name not in seen_through:
@@ -116,28 +117,16 @@ def _library(each: PluginClass, found: _Package) -> Target | None:
 
 
 def _may_be_elsewhere(each: PluginClass, found: _Package, others: Container[str]) -> bool:
-    """Whether what is not seen may make the library: another package, unknown makers of targets, names that a build decides on."""
-    if not found.by_type.get(each.type, []) and each.type in others:
+    """Whether what is not seen may make the library: another package, unknown makers of targets, names that a build decides on, a branch
+    of CMake that is not followed, as under an option that is off by default.
+    """
+    if (not found.by_type.get(each.type, []) and each.type in others) or may_be_added(found.package, each.library):
         return True
     words = ("is not known", "only known in a build")
     return not found.package.build.targets or any(
         any(word in problem.message for word in words) and ("library" in problem.message or "()" in problem.message)
         for problem in found.package.build.problems
     )
-
-
-def _is_in_a_branch(each: PluginClass, found: _Package) -> bool:
-    """Whether CMake makes the library in a branch that is not followed, as under an option that is off by default."""
-    package = found.package
-    name = posixpath.basename(each.library).removesuffix(".so")
-    targets = {target.name for target in package.build.targets}
-    made = [stem for stem in (name.removeprefix("lib"), *([name] if package.ros != 1 else [])) if stem not in targets]
-    if not made or (package.ros == 1 and not name.startswith("lib")):
-        return False
-    names = "|".join(map(re.escape, made))
-    call = re.compile(rf"^[ \t]*\w{{0,40}}add_library\s*\(\s*(?:{names})(?![\w.-])", re.MULTILINE | re.IGNORECASE)
-    cmake = (file.path for file in package.files if file.language == "cmake")
-    return any(call.search(package.project.text(path)) for path in cmake)
 
 
 def _no_library(each: PluginClass, found: _Package) -> Finding:
@@ -153,9 +142,7 @@ def _no_library(each: PluginClass, found: _Package) -> Finding:
         hint = "build the library, or remove the description"
     return Finding(
         at=each.location,
-        message=(
-            f"plug-in {each.name} cannot be loaded: package {found.package} builds no library {each.library!r}; {hint}"
-        ),
+        message=f"plug-in {each.name} cannot be loaded: package {found.package} builds no library {each.library!r}; {hint}",
         about=(found.package.name, each.type),
         apart=(each.type,),
     )

@@ -26,7 +26,7 @@ from haros_ci.api.packages import (
     left_to_pip,
     needs_of,
     normal,
-    only_tests_use,
+    only_for_tests,
     others_of,
     pinned,
     said_misplaced,
@@ -237,7 +237,8 @@ def _beside_tests(package: ProjectPackage, uses: list[Need]) -> list[Need]:
     """Those of *uses* that stand in files which more than tests use."""
     if is_for_tests(package):
         return []
-    return [use for use in uses if not only_tests_use(package, use.location.path)]
+    for_tests = only_for_tests(package, {use.location.path for use in uses})
+    return [use for use in uses if use.location.path not in for_tests]
 
 
 def _only_tested(package: ProjectPackage, name: str, uses: list[Need]) -> Finding:

@@ -9,7 +9,6 @@ from difflib import get_close_matches
 from haros_ci.api import Check, Finding, Level, Project, listed
 from haros_ci.api.code import Unset, unset_attributes, weighed
 
-
 #: Methods by which a class shows that it is meant to be a node of rclpy.
 OF_NODES = frozenset(
     """

@@ -53,7 +53,7 @@ from haros_ci.checking.manifests import (
     word,
 )
 from haros_ci.checking.needs import Need, lacking, needs_of
-from haros_ci.checking.outside_targets import may_have_more
+from haros_ci.checking.outside_targets import may_be_added, may_have_more
 from haros_ci.checking.package_names import meant_here, meant_released
 from haros_ci.checking.pages import is_for_noetic
 from haros_ci.checking.plugin_readers import is_of_node, may_load
@@ -89,6 +89,7 @@ from haros_ci.checking.provision import (
     others_of,
 )
 from haros_ci.checking.requirements import distributions_of, left_to_pip, normal, pinned
+from haros_ci.checking.test_support import is_for_tests, only_for_tests
 from haros_ci.checking.unbuilt import SUFFIXES, loose
 from haros_ci.checking.undeclared import (
     asks_what_is_installed,
@@ -112,7 +113,6 @@ from haros_ci.checking.uninstalled import (
     plugin_library,
     uninstalled,
 )
-from haros_ci.checking.test_support import is_for_tests, only_tests_use
 from haros_ci.checking.unreached import unreached
 from haros_ci.checking.using import Using
 from haros_ci.checking.whole import repositories_named
@@ -233,6 +233,7 @@ __all__ = [
     "lost_plugins",
     "may_load",
     "may_appear",
+    "may_be_added",
     "meant_here",
     "meant_released",
     "may_have_more",
@@ -240,7 +241,7 @@ __all__ = [
     "needs",
     "needs_of",
     "normal",
-    "only_tests_use",
+    "only_for_tests",
     "others_of",
     "own_classes",
     "pinned",

@@ -30,6 +30,19 @@ def may_have_more(package: ProjectPackage) -> bool:
     return any(package.commands(*_FETCHING)) or any(_lost(package)) or any(_unknown(package))
 
 
+def may_be_added(package: ProjectPackage, library: str) -> bool:
+    """Whether some line of the CMake files adds the *library* that a description names, by no target that is followed: in a branch that is not.
+
+    ROS 2 tries the name with and without ``lib`` before it, ROS 1 takes it as it is.
+    """
+    name = posixpath.basename(library).removesuffix(".so")
+    stems = {name, name.removeprefix("lib")} if package.ros != 1 else {name[3:]} if name.startswith("lib") else set()
+    said = "|".join(map(re.escape, sorted(stems - {target.name for target in package.build.targets})))
+    call = re.compile(rf"^[ \t]*\w{{0,40}}add_library\s*\(\s*(?:{said})(?![\w.-])", re.MULTILINE | re.IGNORECASE)
+    texts = (package.project.text(file.path) for file in package.files if file.language == "cmake")
+    return bool(said) and any(call.search(text) for text in texts)
+
+
 def builds_absent(package: ProjectPackage) -> bool:
     """Whether its CMakeLists.txt adds the directory of a submodule that is not checked out: a library that may bring any header."""
     project = package.project

@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from posixpath import basename, splitext
 
-from haros_ci.checking.project import Project, ProjectPackage
+from haros_ci.checking.project import ProjectPackage
 
 #: Names and descriptions of packages that are there for tests.
 _NAMED = re.compile(
@@ -24,24 +25,12 @@ _ABOUT = re.compile(r"(?:^|/)(?:package\.xml|setup\.(?:py|cfg)|pyproject\.toml|[
 #: How people are told to start a program.
 _STARTED = re.compile(r"\b(?:ros2 run|ros2 launch|rosrun|roslaunch|python3?)\b")
 #: What may name a program or a module.
-_NAMING: tuple[str, ...] = (
-    ".py",
-    ".launch",
-    ".test",
-    ".xml",
-    ".md",
-    ".rst",
-    ".txt",
-    ".sh",
-    ".bash",
-    ".service",
-    ".yml",
-    ".yaml",
-    ".cfg",
-    ".toml",
-    ".cmake",
+_NAMING = tuple(
+    f".{ending}"
+    for ending in (
+        "py launch test xml md rst txt sh bash service yml yaml cfg toml cmake in cpp hpp h c cc json desktop ini".split()
+    )
 )
-_NAMING += (".in", ".cpp", ".hpp", ".h", ".c", ".cc", ".json", ".desktop", ".ini")
 _LARGEST = 300_000
 _MOST_FILES = 20_000
 
@@ -54,28 +43,30 @@ def is_for_tests(package: ProjectPackage) -> bool:
     return _NAMED.fullmatch(package.name) is not None or any(_DESCRIBED.search(text[:500]) for text in texts)
 
 
-def only_tests_use(package: ProjectPackage, path: str) -> bool:
-    """Whether tests, or CMake macros for tests, name the Python file at *path* of *package*, and nothing else of the workspace does.
+def only_for_tests(package: ProjectPackage, paths: Iterable[str]) -> frozenset[str]:
+    """Those of *paths*, Python files of *package*, that tests or CMake macros for tests name, and nothing else of the workspace does.
 
-    What installs it, and text about it, does not count, unless the text says how to start it.
+    What installs them, and text about them, does not count, unless the text says how to start them. Every file is read once.
     """
     project = package.project
-    stem = splitext(basename(path))[0]
     entries = {each.path for each in package.build.entry_points}
-    if not stem or path in entries or len(project.workspace.names) > _MOST_FILES:
-        return False
-    word = re.compile(rf"(?<![\w-]){re.escape(stem)}(?![\w-])")
-    found = [_is_by_tests(name, package, project, word) for name in project.workspace.names if name != path]
-    return True in found and False not in found
+    stems = {path: splitext(basename(path))[0] for path in paths if path not in entries}
+    words = {stem: re.compile(rf"(?<![\w-]){re.escape(stem)}(?![\w-])") for stem in stems.values() if stem}
+    if not words or len(project.workspace.names) > _MOST_FILES:
+        return frozenset()
+    found: dict[str, set[bool]] = {path: set() for path, stem in stems.items() if stem}
+    for name in sorted(project.workspace.names):
+        if name.lower().endswith(_NAMING) or "." not in basename(name):
+            text = project.text(name)
+            for path in found if len(text) <= _LARGEST else ():
+                by_tests = _is_by_tests(name, text, package, words[stems[path]]) if name != path else None
+                if by_tests is not None:
+                    found[path].add(by_tests)
+    return frozenset(path for path, by_tests in found.items() if by_tests == {True})
 
 
-def _is_by_tests(name: str, package: ProjectPackage, project: Project, word: re.Pattern[str]) -> bool | None:
+def _is_by_tests(name: str, text: str, package: ProjectPackage, word: re.Pattern[str]) -> bool | None:
     """Whether the file called *name* uses what *word* names for tests; None if it does not use it."""
-    if not name.lower().endswith(_NAMING) and "." in basename(name):
-        return None
-    text = project.text(name)
-    if len(text) > _LARGEST:
-        return None
     lines = [text[text.rfind("\n", 0, at.start()) + 1 : at.end()] for at in word.finditer(text)]
     if not lines:
         return None
