@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage
-from haros_ci.api.packages import CMakeCommand, Interface, insert_line, unreached
+from haros_ci.api.packages import CMakeCommand, Interface, insert_line, interfaces_in_use
 
 _OLD = {"add_message_files": "msg", "add_service_files": "srv", "add_action_files": "action"}
 _NEW = "rosidl_generate_interfaces"
@@ -20,7 +20,6 @@ _ENDS = ("DEPENDENCIES", "PACKAGE", "NOINSTALL", "ADD_LINTER_TESTS", "SKIP_INSTA
 #: What says that a file is the copy of another one, at the end of its name; names that rosidl takes (rosidl_adapter, ``valid_message_name``).
 _COPY = re.compile(r"(?:[_-](?i:backup|bak|old|copy|orig|tmp|unused|deprecated)|(?<=[a-z\d])(?:Backup|Copy|Old))\d*$")
 _NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
-_HEADERS = (".h", ".hh", ".hpp", ".hxx")
 _ASIDE = ("deprecated", "unused", "old", "backup", "test", "tests", "examples")
 
 
@@ -36,7 +35,7 @@ def check(project: Project) -> Iterator[Finding]:
             yield from _forgotten(package, commands)
         if not left or not _are_plain(commands) or not (commands or _generates_nothing(package)):
             continue
-        used = _uses(project) if used is None else used
+        used = interfaces_in_use(project) if used is None else used
         for each in left:
             if commands:
                 if each.name not in used and (_is_kept(each, package) or _lacks_types(each, project)):
@@ -265,79 +264,6 @@ def _forgotten(package: ProjectPackage, commands: tuple[CMakeCommand, ...]) -> I
             about=(package.name, "generate_messages"),
             level=Level.ERROR,
         )
-
-
-def _uses(project: Project) -> dict[str, Location]:
-    """A place where each interface is used by name: another definition, an include, an import; not where nothing builds or starts the code."""
-    found: dict[str, Location] = {}
-    included, aside = _included(project), dict[str | None, frozenset[str]]()
-    owners = {file.path: file.package for file in project.workspace.files}
-    for name, place in _places(project):
-        if name in found or (place.path.endswith(_HEADERS) and place.path.rpartition("/")[2] not in included):
-            continue
-        if place.path.endswith(".py"):
-            owner = owners.get(place.path)
-            package = project.package(owner) if owner is not None else None
-            if owner not in aside:
-                aside[owner] = unreached(package, [each.path for each in package.files]) if package else frozenset()
-            if place.path in aside[owner]:
-                continue
-        found[name] = place
-    return found
-
-
-def _included(project: Project) -> frozenset[str]:
-    """How the headers are called that a source of the workspace includes, or a header that one includes."""
-    named: dict[str, set[str]] = {}
-    for path, program in project.programs.items():
-        if program.language != "python":
-            names = {header.strip('<>"').rpartition("/")[2] for header in program.includes}
-            named.setdefault(path.rpartition("/")[2] if path.endswith(_HEADERS) else "", set()).update(names)
-    found: set[str] = set()
-    todo = [""]
-    while todo:
-        new = named.get(todo.pop(), set()) - found
-        found |= new
-        todo += new
-    return frozenset(found)
-
-
-def _places(project: Project) -> Iterator[tuple[str, Location]]:
-    """Where interfaces are used by name, with the name."""
-    generated = {each.path for package in project.packages for each in package.build.interfaces if each.is_generated}
-    for each in project.interfaces.values():
-        for section in each.sections if each.path in generated else ():
-            for field in section:
-                yield field.type.partition("[")[0], Location(each.path, field.line)
-    by_header = {
-        header: each.name
-        for package in project.packages
-        for each in package.build.interfaces
-        for header in _headers(each)
-    }
-    modules = {
-        name.replace("/", f".{each.kind}."): name for each in project.interfaces.values() for name in (each.name,)
-    }
-    written = {name.partition("include/")[2] for name in project.workspace.names if "include/" in name}
-    for path, program in sorted(project.programs.items()):
-        for header in program.includes:
-            header = header.strip('<>"')
-            if header not in written and (name := by_header.get(header)) is not None:
-                yield name, Location(path, _line_with(project.text(path), header))
-        for alias in program.aliases if program.language == "python" else ():
-            if (name := modules.get(str(alias.type.name))) is not None:
-                yield name, Location(path, _line_with(project.text(path), name.rpartition("/")[2]))
-
-
-def _headers(each: Interface) -> tuple[str, ...]:
-    """The headers that are generated of it, by ROS 1 and ROS 2."""
-    package, _, name = each.name.partition("/")
-    snake = re.sub(r"([a-z0-9])([A-Z])", r"\1_\2", re.sub(r"(.)([A-Z][a-z]+)", r"\1_\2", name)).lower()
-    return (f"{package}/{name}.h", f"{package}/{each.kind}/{snake}.hpp", f"{package}/{each.kind}/{snake}.h")
-
-
-def _line_with(text: str, word: str) -> int:
-    return next((number for number, line in enumerate(text.splitlines(), 1) if word in line), 1)
 
 
 CHECK = Check(

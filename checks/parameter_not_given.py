@@ -142,13 +142,14 @@ def _fails(system: System, end: End) -> bool:
     if system.workspace is None or end.location.line is None:
         return False
     lines = system.workspace.text(end.location.path).split("\n")
+    at = end.location.line - 1
     if end.location.path.endswith(".py") or end.raw.is_strict:
-        return (
-            end.raw.is_strict
-            and not _is_tried(lines[: end.location.line])
-            and not _is_chosen(lines[end.location.line - 1 : end.location.line + 1])
-        )
-    text = "\n".join(lines[end.location.line - 1 : end.location.line + 20])[:_MAX_TEXT]
+        return end.raw.is_strict and not _is_tried(lines[: at + 1]) and not _is_chosen(lines[at : at + 2])
+    return _ends_without("\n".join(lines[at : at + 21])[:_MAX_TEXT])
+
+
+def _ends_without(text: str) -> bool:
+    """Whether *text*, of C++, begins with a condition that asks for one parameter, and ends the program without it."""
     start = _FAILS.match(text)
     if start is None or _has_alternative(start[0]):
         return False

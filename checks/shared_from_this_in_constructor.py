@@ -58,17 +58,20 @@ def _ways(code: Codebase, constructor: Routine, using: dict[int, list[Call]]) ->
     while waiting:
         routine, before, is_sure = waiting.pop(0)
         for call in using.get(id(routine), ()):
-            if not _is_tried(call) and not turns_never(code, constructor, routine, call):
+            if not _is_harmless(code, constructor, routine, call):
                 yield (*before, (routine, call)), is_sure and _is_certain(call)
         for call in code.body(routine).calls if len(before) < _DEEP else ():
-            if call.name == _NAME or _is_tried(call) or not _is_of_this(call):
-                continue
-            if turns_never(code, constructor, routine, call):
+            if call.name == _NAME or not _is_of_this(call) or _is_harmless(code, constructor, routine, call):
                 continue
             for target in called(code, routine, call.whole):
                 if id(target) not in seen and _is_of_class(call, routine, target):
                     seen.add(id(target))
                     waiting.append((target, (*before, (routine, call)), is_sure and _is_certain(call)))
+
+
+def _is_harmless(code: Codebase, constructor: Routine, routine: Routine, call: Call) -> bool:
+    """Whether a *call* is in a ``try`` that catches what it throws, or is not made while the *constructor* runs."""
+    return _is_tried(call) or turns_never(code, constructor, routine, call)
 
 
 def _is_of_class(call: Call, routine: Routine, target: Routine) -> bool:

@@ -107,8 +107,8 @@ def _finding(package: Package, lacking: Mapping[str, list[PluginUse]], level: Le
     )
 
 
-def _named(project: Project) -> Iterator[_Named]:
-    """The plug-ins of the YAML files that launch files name, and those that launch files set in parameters."""
+def _files(project: Project) -> dict[str, dict[Location, None]]:
+    """The YAML files that launch files name, and where."""
     files: dict[str, dict[Location, None]] = {}
     for system in project.systems:
         uses = [(use.path, use.location) for use in system.facts(FileUse)]
@@ -116,6 +116,12 @@ def _named(project: Project) -> Iterator[_Named]:
         for path, at in uses:
             if path is not None and path.endswith((".yaml", ".yml")) and not _ASIDE.search(at.path):
                 files.setdefault(path, {})[at] = None
+    return files
+
+
+def _named(project: Project) -> Iterator[_Named]:
+    """The plug-ins of the YAML files that launch files name, and those that launch files set in parameters."""
+    files = _files(project)
     plugins = {path: list(plugins_in_yaml(path, project.text(path))) for path in sorted(files)}
     unread = _unread(project, {(path, each.location.line or 0) for path, found in plugins.items() for each in found})
     for path, found in plugins.items():

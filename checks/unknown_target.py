@@ -8,7 +8,15 @@ from collections.abc import Iterator
 from difflib import get_close_matches
 
 from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, listed
-from haros_ci.api.packages import OF_TARGETS, CMakeCommand, add_dependency, is_built_against, may_appear, may_have_more
+from haros_ci.api.packages import (
+    OF_TARGETS,
+    CMakeCommand,
+    add_dependency,
+    is_built_against,
+    may_appear,
+    may_have_more,
+    may_set_variables,
+)
 
 #: Targets that CMake, catkin and rosidl make by themselves.
 _GIVEN = re.compile(
@@ -39,10 +47,6 @@ _NOT_FOUND_LATER = "no package here is built against it yet; one that is will no
 _OUTSIDE = (
     *("externalproject_add", "fetchcontent_declare", "fetchcontent_makeavailable", "ament_vendor"),
     *("add_custom_command", "add_custom_target", "execute_process"),
-)
-#: What find_package() finds that sets variables of its own name alone, in small letters.
-_ALONE = frozenset(
-    ("catkin", "boost", "pkgconfig", "threads", "opencv", "pythonlibs", "cmake_modules", "roslint", "rostest")
 )
 #: Those of catkin_package().
 _KEYWORDS = (
@@ -155,7 +159,9 @@ def _dependencies(package: ProjectPackage, command: CMakeCommand) -> Iterator[Fi
                 apart=(name,),
                 fixes=(fix,) if fix is not None else (),
             )
-    lost = [name for name in dict.fromkeys(command.after("DEPENDS", *_KEYWORDS)) if not _is_found(package, name)]
+    lost = [
+        name for name in dict.fromkeys(command.after("DEPENDS", *_KEYWORDS)) if not may_set_variables(package, name)
+    ]
     if lost:
         yield Finding(
             at=command.location,
@@ -164,36 +170,6 @@ def _dependencies(package: ProjectPackage, command: CMakeCommand) -> Iterator[Fi
             about=(package.name, "DEPENDS"),
             level=Level.WARNING,
         )
-
-
-def _is_found(package: ProjectPackage, name: str) -> bool:
-    """Whether CMake may set ``<name>_INCLUDE_DIRS`` or ``<name>_LIBRARIES``; upper and lower case are not told apart."""
-    finds = [
-        each
-        for each in package.build.commands
-        if each.name in ("find_package", "pkg_check_modules", "pkg_search_module")
-    ]
-    named = {
-        word.lower()
-        for each in finds
-        for word in (each.arguments[:1] if each.arguments[:1] != ("catkin",) else each.arguments)
-    }
-    if (
-        "$" in name
-        or " " in name
-        or name.lower() in named
-        or not named <= _ALONE | {word.lower() for word in _components(finds)}
-    ):
-        return True
-    texts = (package.project.text(path) for path in {each.location.path for each in package.build.commands})
-    return any(re.search(rf"(?i)\b{re.escape(name)}_(?:INCLUDE_DIRS?|LIBRARIES)\s+\S", text) for text in texts)
-
-
-def _components(finds: list[CMakeCommand]) -> Iterator[str]:
-    """What is found by catkin, and the prefixes of pkg-config: they set variables of no other name."""
-    for each in finds:
-        yield from each.arguments if each.arguments[:1] == ("catkin",) else ()
-        yield from each.arguments[:1] if each.name != "find_package" else ()
 
 
 def _exported(package: ProjectPackage, words: tuple[str, ...]) -> Iterator[tuple[str, str]]:

@@ -7,6 +7,7 @@ from haros_ci.checking.appearing import is_ignored, is_told_of, may_appear
 from haros_ci.checking.boost import boost_keys
 from haros_ci.checking.built_against import is_built_against
 from haros_ci.checking.cmake import OF_TARGETS, CMake, Install, Link
+from haros_ci.checking.cmake_variables import may_set_variables
 from haros_ci.checking.counterparts import COUNTERPARTS
 from haros_ci.checking.devel_spaces import DevelSpaces
 from haros_ci.checking.editing import (
@@ -31,6 +32,7 @@ from haros_ci.checking.installing import (
     landings,
     left_out_on_purpose,
 )
+from haros_ci.checking.interface_uses import interfaces_in_use
 from haros_ci.checking.interpreted import is_given_to_another
 from haros_ci.checking.known_commands import is_well_known
 from haros_ci.checking.leftovers import Leftovers
@@ -201,6 +203,7 @@ __all__ = [
     "install_line",
     "install_place",
     "installs_nothing",
+    "interfaces_in_use",
     "is_aside",
     "is_asked_for",
     "is_built_against",
@@ -237,6 +240,7 @@ __all__ = [
     "meant_here",
     "meant_released",
     "may_have_more",
+    "may_set_variables",
     "may_be_installed",
     "needs",
     "needs_of",

@@ -64,22 +64,23 @@ def _loads(project: Project, node: SystemNode, key: str) -> bool:
 
 def _has_loader(project: Project, name: str, key: str) -> bool:
     """Whether code of the package called *name*, or of those of the workspace that it depends on, has a loader or names the *key*."""
-    word = re.compile(rf"""["'/.~]{re.escape(key)}["']""")
     waiting = [name]
     for each in waiting:
         package = project.package(each)
         if package is None:
             continue
         files = [file.path for file in package.files if file.language in _CODE]
-        if not files and each == name:
+        if (not files and each == name) or any(_is_loading(project.text(path), key) for path in files):
             return True
-        for path in files:
-            text = project.text(path)
-            if _LOADS.search(text) or word.search(text) or (key == "kinematics_solver" and _KINEMATICS.search(text)):
-                return True
-        waiting += [
-            other for other in sorted(package.declared) if other not in waiting and project.package(other) is not None
-        ]
+        declared = (other for other in sorted(package.declared) if project.package(other) is not None)
+        waiting += [other for other in declared if other not in waiting]
         if len(waiting) > _MOST:
             return True
     return False
+
+
+def _is_loading(text: str, key: str) -> bool:
+    """Whether *text* has a loader of plug-ins, or names the *key*."""
+    if re.search(rf"""["'/.~]{re.escape(key)}["']""", text) or _LOADS.search(text):
+        return True
+    return key == "kinematics_solver" and _KINEMATICS.search(text) is not None

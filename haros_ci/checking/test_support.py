@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable
 from posixpath import basename, splitext
 
-from haros_ci.checking.project import ProjectPackage
+from haros_ci.checking.project import Project, ProjectPackage
 
 #: Names and descriptions of packages that are there for tests.
 _NAMED = re.compile(
@@ -49,20 +49,30 @@ def only_for_tests(package: ProjectPackage, paths: Iterable[str]) -> frozenset[s
     What installs them, and text about them, does not count, unless the text says how to start them. Every file is read once.
     """
     project = package.project
-    entries = {each.path for each in package.build.entry_points}
-    stems = {path: splitext(basename(path))[0] for path in paths if path not in entries}
-    words = {stem: re.compile(rf"(?<![\w-]){re.escape(stem)}(?![\w-])") for stem in stems.values() if stem}
+    words = _words(package, paths)
     if not words or len(project.workspace.names) > _MOST_FILES:
         return frozenset()
-    found: dict[str, set[bool]] = {path: set() for path, stem in stems.items() if stem}
+    found: dict[str, set[bool | None]] = {path: set() for path in words}
     for name in sorted(project.workspace.names):
-        if name.lower().endswith(_NAMING) or "." not in basename(name):
-            text = project.text(name)
-            for path in found if len(text) <= _LARGEST else ():
-                by_tests = _is_by_tests(name, text, package, words[stems[path]]) if name != path else None
-                if by_tests is not None:
-                    found[path].add(by_tests)
-    return frozenset(path for path, by_tests in found.items() if by_tests == {True})
+        text = _naming(project, name)
+        for path, by_tests in found.items() if text else ():
+            by_tests.add(_is_by_tests(name, text, package, words[path]) if name != path else None)
+    return frozenset(path for path, by_tests in found.items() if by_tests - {None} == {True})
+
+
+def _words(package: ProjectPackage, paths: Iterable[str]) -> dict[str, re.Pattern[str]]:
+    """What names each of *paths* in a text: its stem as a word. Entry points are left out: they are installed by their own name."""
+    entries = {each.path for each in package.build.entry_points}
+    stems = {path: splitext(basename(path))[0] for path in paths if path not in entries}
+    return {path: re.compile(rf"(?<![\w-]){re.escape(stem)}(?![\w-])") for path, stem in stems.items() if stem}
+
+
+def _naming(project: Project, name: str) -> str:
+    """The text of a file that may name a program or a module; "" for others, and for large ones."""
+    if not name.lower().endswith(_NAMING) and "." in basename(name):
+        return ""
+    text = project.text(name)
+    return text if len(text) <= _LARGEST else ""
 
 
 def _is_by_tests(name: str, text: str, package: ProjectPackage, word: re.Pattern[str]) -> bool | None:

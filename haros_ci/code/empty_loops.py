@@ -57,13 +57,18 @@ def _is_empty(code: Codebase, constructor: Routine, routine: Routine, value: Exp
     owner = owner_of(code, constructor)
     if not name or owner is None or routine.owner != constructor.owner:
         return False
-    fields = [each for each in owner[1].fields if each.name == name]
-    if len(fields) != 1 or fields[0].is_static or fields[0].init is not None or not _is_container(fields[0].type):
-        return False
-    if any(init.name == name and init.arguments for init in constructor.function.inits):
+    if not _begins_empty(owner[1], name) or any(
+        init.name == name and init.arguments for init in constructor.function.inits
+    ):
         return False
     running = [each for each, _ in reached(code, constructor)]
     return all(not _may_fill(each.function, name) for each in running if each.owner == constructor.owner)
+
+
+def _begins_empty(owner: syntax.Class, name: str) -> bool:
+    """Whether the member called *name* is a container that its declaration leaves empty."""
+    fields = [each for each in owner.fields if each.name == name]
+    return len(fields) == 1 and not fields[0].is_static and fields[0].init is None and _is_container(fields[0].type)
 
 
 def _is_empty_local(code: Codebase, constructor: Routine, routine: Routine, value: syntax.Name, depth: int) -> bool:

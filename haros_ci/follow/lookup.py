@@ -184,18 +184,22 @@ def _global_name(run: Run, frame: Frame, name: str) -> Value | Macro:
     if found is not None:
         return ClassValue(*found)
     if "::" in name:
-        head, _, last = name.rpartition("::")
-        owner = run.class_of(run.type_in(syntax.Type(head), frame).name, frame.source)
-        own = methods.class_method(run, *owner, last) if owner is not None else None
-        if own is not None:  # a base of the class defines it
-            return Callable(*own)
-        method = methods.tail_method(run, resolved.name if "::" in resolved.name else name, frame.source)
+        method = _of_its_base(run, frame, name)
+        if method is None:
+            method = methods.tail_method(run, resolved.name if "::" in resolved.name else name, frame.source)
         if method is not None:
-            return Callable(method[0], method[1])
+            return Callable(*method)
     if resolved.name.endswith("string::npos"):
         return Known(conversions.NPOS)
     constant = NAMES.get(resolved.name, library_numbers.CONSTANTS.get(name))
     return Known(constant) if constant is not None else Library(resolved.name)
+
+
+def _of_its_base(run: Run, frame: Frame, name: str) -> tuple[Source, syntax.Function] | None:
+    """``C::m`` where a base of the class defines the method."""
+    head, _, last = name.rpartition("::")
+    owner = run.class_of(run.type_in(syntax.Type(head), frame).name, frame.source)
+    return methods.class_method(run, *owner, last) if owner is not None else None
 
 
 def python_name(run: Run, frame: Frame, name: str) -> Value:

@@ -7,6 +7,7 @@ import re
 from posixpath import join, normpath
 
 from haros_ci.model.location import Location
+from haros_ci.model.package import SourceFile
 from haros_ci.model.submodules import is_below
 from haros_ci.model.workspace import Workspace
 
@@ -162,6 +163,11 @@ def _is_brought(name: str, directory: str, workspace: Workspace) -> bool:
     return any(not BRINGS.get(name, frozenset()).isdisjoint(found[1].split()) for found in _FOUND.finditer(text))
 
 
+def _within(directory: str, workspace: Workspace) -> list[SourceFile]:
+    prefix = "" if directory == "." else f"{directory}/"
+    return [file for file in workspace.files if file.path.startswith(prefix)]
+
+
 def _is_only_listed(name: str, directory: str, workspace: Workspace, *, with_headers: bool = True) -> bool:
     """Whether the package of messages *name* is listed in generate_messages(), and no message, service, action or header of the package uses it.
 
@@ -170,15 +176,14 @@ def _is_only_listed(name: str, directory: str, workspace: Workspace, *, with_hea
     listed = _GENERATED.search(workspace.text(join(directory, "CMakeLists.txt")))
     if listed is None or name not in listed[1].split():
         return False
-    prefix = "" if directory == "." else f"{directory}/"
-    own = [file for file in workspace.files if file.path.startswith(prefix)]
+    own = _within(directory, workspace)
     if name == "actionlib_msgs" and any(file.path.endswith(".action") for file in own):
         return False
-    interfaces = [file.path for file in own if file.language == "interface"]
-    headers = [file.path for file in own if with_headers and file.path.endswith(_HEADERS)]
-    if name == "std_msgs" and any(_BARE_HEADER.search(workspace.text(path)) for path in interfaces):
+    interfaces = [workspace.text(file.path) for file in own if file.language == "interface"]
+    if not interfaces or (name == "std_msgs" and any(map(_BARE_HEADER.search, interfaces))):
         return False
-    return bool(interfaces) and not any(f"{name}/" in workspace.text(path) for path in (*interfaces, *headers))
+    headers = [file.path for file in own if file.path.endswith(_HEADERS)] if with_headers else []
+    return not any(f"{name}/" in text for text in (*interfaces, *map(workspace.text, headers)))
 
 
 def _is_unknown(name: str, path: str, line: int | None, text: str) -> bool:

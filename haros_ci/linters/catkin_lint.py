@@ -6,7 +6,7 @@ from __future__ import annotations
 import hashlib
 import json
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from posixpath import join, normpath
 from typing import Any
@@ -91,12 +91,7 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     lacking = absent(batch.workspace)
     for name in re.findall(r"^catkin_lint: cannot lint ([\w-]+):", warnings, re.MULTILINE):
         yield GaveUp(manifests[name], "a fault of catkin_lint")
-    without_catkin = {
-        said["location"]["package"]
-        for key in LEVELS
-        for said in report[key]
-        if said["id"] == "MISSING_FIND" and "find_package(catkin)" in said["text"]
-    }
+    without_catkin = _without_catkin(report)
     places: dict[tuple[str, str, str], list[Finding]] = {}
     for key, level in LEVELS.items():
         for said in sorted(report[key], key=_order):
@@ -104,13 +99,11 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
             package = packages.get(place["package"])
             if package is None:
                 continue
-            path = normpath(join(package.path, place.get("file") or "package.xml"))
-            line = place.get("line")
-            location = Location(path, line if isinstance(line, int) and line > 0 else None)
+            location = _location(place, package)
             rule, text = said["id"], said["text"]
-            if rule == "CATKIN_ORDER_VIOLATION" and package.name in without_catkin:
-                continue  # it is told once, by MISSING_FIND
-            if is_refuted(rule, text, package.path, location, batch.workspace, lacking):
+            if (rule == "CATKIN_ORDER_VIOLATION" and package.name in without_catkin) or is_refuted(
+                rule, text, package.path, location, batch.workspace, lacking
+            ):
                 continue
             weighed = max(level, rule_of(NAME, rule).level, key=lambda level: level.rank)
             finding = Finding(manifests[package.name], Result(NAME, rule, weighed, text, location))
@@ -118,6 +111,22 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     for first, *others in places.values():  # what is said of each use of a thing has one cause
         related = tuple(Related(other.result.location, "Here, too.") for other in others[:MOST])
         yield replace(first, result=replace(first.result, related=related))
+
+
+def _location(place: Mapping[str, Any], package: Package) -> Location:
+    line = place.get("line")
+    path = normpath(join(package.path, place.get("file") or "package.xml"))
+    return Location(path, line if isinstance(line, int) and line > 0 else None)
+
+
+def _without_catkin(report: Mapping[str, Any]) -> frozenset[str]:
+    """The packages without find_package(catkin): MISSING_FIND says so once, what is said of its order repeats it."""
+    return frozenset(
+        said["location"]["package"]
+        for key in LEVELS
+        for said in report[key]
+        if said["id"] == "MISSING_FIND" and "find_package(catkin)" in said["text"]
+    )
 
 
 def _order(said: dict[str, Any]) -> tuple[str, int]:

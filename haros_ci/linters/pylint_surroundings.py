@@ -28,6 +28,7 @@ _OF_PYTHON3 = frozenset(
 _OF_SIGNATURES = frozenset(
     "missing-kwoa no-value-for-parameter redundant-keyword-arg too-many-function-args unexpected-keyword-arg".split()
 )
+_APART = frozenset(("no-self-argument", "syntax-error", "undefined-all-variable"))
 #: An alias of typing, which no version of Python is said to remove; ByteString is to go.
 _ALIAS = re.compile(r"\bclass (?!ByteString\b)\w+ of module typing\b")
 _PYTHON2 = re.compile(r"#![^\n]*\bpython2")
@@ -49,14 +50,10 @@ def is_refuted_around(result: Result, workspace: Workspace) -> bool:
     line = result.location.line
     if result.tool != TOOL or not line:
         return False
+    if result.rule in _APART:
+        return _is_refuted_apart(result, line, workspace)
     if result.rule == "deprecated-class" and _ALIAS.search(result.message) is not None:
         return True
-    if result.rule == "no-self-argument":
-        return _is_helper(line, workspace.text(result.location.path), workspace)
-    if result.rule == "syntax-error":
-        return _TABS in result.message and _is_python2_around(result.location.path, workspace)
-    if result.rule == "undefined-all-variable":
-        return _is_starred(result, workspace)
     is_of_yaml = result.rule == "no-value-for-parameter" and _LOADER.search(result.message) is not None
     if (is_of_yaml or result.rule in _OF_PYTHON3) and _is_python2(result.location.path, workspace):
         return True
@@ -65,6 +62,15 @@ def is_refuted_around(result: Result, workspace: Workspace) -> bool:
     ):
         return True
     return result.rule in _OF_MODULES and _is_shadowed(result, line, workspace)
+
+
+def _is_refuted_apart(result: Result, line: int, workspace: Workspace) -> bool:
+    """The same for the rules that are _APART: one thing alone refutes each."""
+    if result.rule == "no-self-argument":
+        return _is_helper(line, workspace.text(result.location.path), workspace)
+    if result.rule == "syntax-error":
+        return _TABS in result.message and _is_python2_around(result.location.path, workspace)
+    return _is_starred(result, workspace)
 
 
 def _is_python2(path: str, workspace: Workspace) -> bool:

@@ -12,8 +12,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.follow.made import Made, make
-from haros_ci.follow.ros.ros2_nodes import remapped
 from haros_ci.follow.ros.qos import DURATIONS, overridden, override_id, override_policies
+from haros_ci.follow.ros.ros2_nodes import remapped
 from haros_ci.graph.parameters import Perhaps
 from haros_ci.model.architecture import Qos
 from haros_ci.model.location import Location

@@ -129,19 +129,22 @@ def foreign_constructs(launch: LaunchFile, path: str, native: int) -> Iterator[F
         element = todo.pop()
         place = Location(path, element.line, element.column)
         if element.tag in tags:
-            yield Foreign(
-                place, f"<{element.tag}>", instead.get(element.tag, ""), native == 2, element.tag not in _IDLE
-            )
+            matters = element.tag not in _IDLE
+            yield Foreign(place, f"<{element.tag}>", instead.get(element.tag, ""), native == 2, matters)
             if native == 1:
                 continue  # roslaunch does not look into it
         for name, value in element.attributes:
             if name in attributes.get(element.tag, ()):
                 stops = native == 2 or _is_missed(element, name)
                 yield Foreign(place, f"{name}= of <{element.tag}>", instead.get(name, ""), stops, name not in _IDLE)
-            is_read = native == 2 or name in ("if", "unless") or name in _READ.get(element.tag, ())
-            for match in words.finditer(value) if "$(" in value and is_read else ():
+            for match in words.finditer(value) if _is_resolved(element, name, native) else ():
                 yield Foreign(place, f"$({match[1]} ...)", instead.get(match[1], ""), True, True)
         todo.extend(reversed(element.children))
+
+
+def _is_resolved(element: LaunchElement, name: str, native: int) -> bool:
+    """Whether launch resolves the substitutions of the attribute *name*."""
+    return native == 2 or name in ("if", "unless") or name in _READ.get(element.tag, ())
 
 
 def _is_missed(element: LaunchElement, name: str) -> bool:

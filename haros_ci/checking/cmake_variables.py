@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Whether what CMake finds sets the variables of a library."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from haros_ci.checking.project import ProjectPackage
+from haros_ci.model.build import CMakeCommand
+
+#: What find_package() finds that sets variables of its own name alone, in small letters.
+_ALONE = frozenset(
+    ("catkin", "boost", "pkgconfig", "threads", "opencv", "pythonlibs", "cmake_modules", "roslint", "rostest")
+)
+
+
+def may_set_variables(package: ProjectPackage, name: str) -> bool:
+    """Whether CMake may set ``<name>_INCLUDE_DIRS`` or ``<name>_LIBRARIES``; upper and lower case are not told apart."""
+    finds = [
+        each
+        for each in package.build.commands
+        if each.name in ("find_package", "pkg_check_modules", "pkg_search_module")
+    ]
+    named = {
+        word.lower()
+        for each in finds
+        for word in (each.arguments[:1] if each.arguments[:1] != ("catkin",) else each.arguments)
+    }
+    if (
+        "$" in name
+        or " " in name
+        or name.lower() in named
+        or not named <= _ALONE | {word.lower() for word in _components(finds)}
+    ):
+        return True
+    texts = (package.project.text(path) for path in {each.location.path for each in package.build.commands})
+    return any(re.search(rf"(?i)\b{re.escape(name)}_(?:INCLUDE_DIRS?|LIBRARIES)\s+\S", text) for text in texts)
+
+
+def _components(finds: list[CMakeCommand]) -> Iterator[str]:
+    """What is found by catkin, and the prefixes of pkg-config: they set variables of no other name."""
+    for each in finds:
+        yield from each.arguments if each.arguments[:1] == ("catkin",) else ()
+        yield from each.arguments[:1] if each.name != "find_package" else ()

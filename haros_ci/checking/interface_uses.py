@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where messages, services and actions are used by name: in other definitions, by #include and by import."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from haros_ci.checking.project import Project
+from haros_ci.checking.unreached import unreached
+from haros_ci.model.build import Interface
+from haros_ci.model.location import Location
+
+_HEADERS = (".h", ".hh", ".hpp", ".hxx")
+
+
+def interfaces_in_use(project: Project) -> dict[str, Location]:
+    """A place where each interface is used by name: another definition, an include, an import; not where nothing builds or starts the code."""
+    found: dict[str, Location] = {}
+    included, aside = _included(project), dict[str | None, frozenset[str]]()
+    owners = {file.path: file.package for file in project.workspace.files}
+    for name, place in _places(project):
+        if name in found or (place.path.endswith(_HEADERS) and place.path.rpartition("/")[2] not in included):
+            continue
+        if place.path.endswith(".py"):
+            owner = owners.get(place.path)
+            package = project.package(owner) if owner is not None else None
+            if owner not in aside:
+                aside[owner] = unreached(package, [each.path for each in package.files]) if package else frozenset()
+            if place.path in aside[owner]:
+                continue
+        found[name] = place
+    return found
+
+
+def _included(project: Project) -> frozenset[str]:
+    """How the headers are called that a source of the workspace includes, or a header that one includes."""
+    named: dict[str, set[str]] = {}
+    for path, program in project.programs.items():
+        if program.language != "python":
+            names = {header.strip('<>"').rpartition("/")[2] for header in program.includes}
+            named.setdefault(path.rpartition("/")[2] if path.endswith(_HEADERS) else "", set()).update(names)
+    found: set[str] = set()
+    todo = [""]
+    while todo:
+        new = named.get(todo.pop(), set()) - found
+        found |= new
+        todo += new
+    return frozenset(found)
+
+
+def _places(project: Project) -> Iterator[tuple[str, Location]]:
+    """Where interfaces are used by name, with the name."""
+    generated = {each.path for package in project.packages for each in package.build.interfaces if each.is_generated}
+    for each in project.interfaces.values():
+        for section in each.sections if each.path in generated else ():
+            for field in section:
+                yield field.type.partition("[")[0], Location(each.path, field.line)
+    yield from _in_includes(project)
+    yield from _in_imports(project)
+
+
+def _in_includes(project: Project) -> Iterator[tuple[str, Location]]:
+    made = (each for package in project.packages for each in package.build.interfaces)
+    by_header = {header: each.name for each in made for header in _headers(each)}
+    written = {name.partition("include/")[2] for name in project.workspace.names if "include/" in name}
+    for path, program in sorted(project.programs.items()):
+        for header in (each.strip('<>"') for each in program.includes):
+            if header not in written and (name := by_header.get(header)) is not None:
+                yield name, Location(path, _line_with(project.text(path), header))
+
+
+def _in_imports(project: Project) -> Iterator[tuple[str, Location]]:
+    modules = {each.name.replace("/", f".{each.kind}."): each.name for each in project.interfaces.values()}
+    for path, program in sorted(project.programs.items()):
+        for alias in program.aliases if program.language == "python" else ():
+            if (name := modules.get(str(alias.type.name))) is not None:
+                yield name, Location(path, _line_with(project.text(path), name.rpartition("/")[2]))
+
+
+def _headers(each: Interface) -> tuple[str, ...]:
+    """The headers that are generated of it, by ROS 1 and ROS 2."""
+    package, _, name = each.name.partition("/")
+    snake = re.sub(r"([a-z0-9])([A-Z])", r"\1_\2", re.sub(r"(.)([A-Z][a-z]+)", r"\1_\2", name)).lower()
+    return (f"{package}/{name}.h", f"{package}/{each.kind}/{snake}.hpp", f"{package}/{each.kind}/{snake}.h")
+
+
+def _line_with(text: str, word: str) -> int:
+    return next((number for number, line in enumerate(text.splitlines(), 1) if word in line), 1)
