@@ -230,7 +230,7 @@ def _needs_tf2(package: str, ros: int, system: System) -> bool:
 
 
 def _in_text(path: str, text: str) -> Iterator[_Use]:
-    if "frame_id" not in text and "ransform" not in text:
+    if ("frame_id" not in text and "ransform" not in text) or ('"/' not in text and "'/" not in text):
         return
     for found in _IN_CODE.finditer(text):
         start = text.rfind("\n", 0, found.start()) + 1

@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
 
 from haros_ci.analysis.kept_nodes import keeper
+from haros_ci.analysis.kept_runs import launch_state
 from haros_ci.analysis.wanted import configurations
 from haros_ci.config.settings import Settings
 from haros_ci.declared import hints
@@ -17,6 +18,7 @@ from haros_ci.extract.cpp.exact import ExactCall, Place, pick
 from haros_ci.extract.parameter_library import read_parameter_library
 from haros_ci.forks import shared
 from haros_ci.index.index import Source
+from haros_ci.keeping.kept import Earlier
 from haros_ci.launch.ros2.dialect import description_reader
 from haros_ci.launch.ros2.places import Places
 from haros_ci.model.api import Row, RowError, load_row
@@ -36,6 +38,18 @@ from haros_ci.timing import stage, timed
 from haros_ci.workspace.build import builds
 
 TOO_DEEP = "nested too deeply to be read; split the statements"
+
+
+@dataclass(frozen=True, slots=True)
+class Common:
+    """What the revisions of one change have in common, so that it is done once.
+
+    *launched* is what launch files start, by the state of all that they are evaluated with (``launch_state``); *records* are those of
+    nodes that earlier runs have followed, as they were read.
+    """
+
+    launched: dict[str, dict[tuple[object, ...], Any]] = field(default_factory=dict)
+    records: dict[str, Earlier | None] = field(default_factory=dict)
 
 
 def architecture(
@@ -75,12 +89,14 @@ def varied(
     exact: bool = False,
     processes: int = 1,
     alternatives: bool = True,
+    common: Common | None = None,
 ) -> Linked:
     """The same with the presence of all that launch files start, and *alternatives*: nodes of other launch arguments.
 
     ``under(name, arguments)`` of it is the configuration *name* with these launch arguments, as the command line would set
-    them; it is linked when it is asked for, with what has been followed before.
+    them; it is linked when it is asked for, with what has been followed before. *common* has, and gets, what other revisions may share.
     """
+    common = common or Common()
     with stage("build files"):
         built = builds(workspace)
     problems: list[Problem] = []
@@ -99,11 +115,11 @@ def varied(
         wanted=chosen_ones,
         environment=environment,
         known=known,
-        ros2=ros2_launch(workspace, built, environment or {}),
+        ros2=ros2_launch(workspace, built, environment or {}, common.launched.setdefault(launch_state(workspace), {})),
         share=timed("follow")(partial(shared, processes=processes)),
         alternatives=alternatives,
     )
-    made = link_all(keeper=keeper(workspace, store))
+    made = link_all(keeper=keeper(workspace, store, common.records))
     if exact:
         from haros_ci.analysis.exactness import ask, doubtful
 
@@ -209,8 +225,13 @@ def module_name(path: str, roots: Iterable[tuple[str, str]]) -> str:
     return best.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
 
 
-def ros2_launch(workspace: Workspace, built: Mapping[str, Build], environment: Mapping[str, str]) -> Ros2Launch:
-    """Launch files of ROS 2 in all dialects."""
+def ros2_launch(
+    workspace: Workspace,
+    built: Mapping[str, Build],
+    environment: Mapping[str, str],
+    launched: dict[tuple[object, ...], Any],
+) -> Ros2Launch:
+    """Launch files of ROS 2 in all dialects; *launched* has what was launched before."""
     places = Places(workspace, built)
     modules = {
         module_name(file.path, [(d, n) for build in built.values() for n, d in build.python_roots]): file.path
@@ -243,7 +264,7 @@ def ros2_launch(workspace: Workspace, built: Mapping[str, Build], environment: M
         return read_ros2_yaml(text, path)
 
     load = description_reader(workspace, read_python, launch_reader(workspace), read_xml, read_yaml)
-    return Ros2Launch(load, places)
+    return Ros2Launch(load, places, launched)
 
 
 def launch_reader(workspace: Workspace) -> Callable[[str], LaunchFile | None]:

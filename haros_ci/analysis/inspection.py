@@ -21,6 +21,7 @@ from haros_ci.results.rule import Level, Rule
 from haros_ci.timing import stage, timed
 
 if TYPE_CHECKING:  # they are loaded where there is something to check
+    from haros_ci.analysis.architecture import Common
     from haros_ci.checking.check import Check
     from haros_ci.checking.project import Project
     from haros_ci.checking.system import System
@@ -42,13 +43,18 @@ class Architectures:
         self.store = store
         self.registry = known or registry(settings)
         self._made: dict[Path, Linked] = {}
+        self._common: Common | None = None
 
     def of(self, workspace: Workspace) -> Linked:
         with stage("loading"):
-            from haros_ci.analysis.architecture import varied
+            from haros_ci.analysis.architecture import Common, varied
 
+        if self._common is None:
+            self._common = Common()
         if workspace.root not in self._made:
-            self._made[workspace.root] = varied(workspace, self.settings, self.store, processes=self.settings.jobs)
+            self._made[workspace.root] = varied(
+                workspace, self.settings, self.store, processes=self.settings.jobs, common=self._common
+            )
         return self._made[workspace.root]
 
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from haros_ci.index.trace import XML_FILES, YAML_FILES
-from haros_ci.keeping.kept import digest_of
+from haros_ci.keeping.kept import Earlier, begun, digest_of
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.own_sources import OF_FACTS, OF_FOLLOWED, digest
 from haros_ci.syntax import Program
@@ -28,8 +28,10 @@ def _is_state(row: Any) -> bool:
     )
 
 
-def keeper(workspace: Workspace, store: Store) -> Keeper:
+def keeper(workspace: Workspace, store: Store, records: dict[str, Earlier | None] | None = None) -> Keeper:
     """Where what nodes make is kept between runs: in *store*, beside the facts of the files.
+
+    *records* has, and gets, those that have been read, for the other revision of a change.
 
     Each state of the files has a record of its own, so that a branch and its base do not drive out each other's; a new state begins
     with that of the last few records of whose files the fewest differ.
@@ -53,16 +55,23 @@ def keeper(workspace: Workspace, store: Store) -> Keeper:
         rows = found if isinstance(found, list) else []
         return [(row[0], row[1]) for row in rows if _is_state(row)][-RECENT:]
 
-    def get(key: str) -> Any:
-        own = store.get("linked", f"nodes {state}", f"{code} {key}")
+    known_records = {} if records is None else records
+
+    def record(name: str, key: str) -> Earlier | None:
+        if f"{name} {key}" not in known_records:
+            known_records[f"{name} {key}"] = begun(store.get("linked", f"nodes {name}", f"{code} {key}"))
+        return known_records[f"{name} {key}"]
+
+    def get(key: str) -> Earlier | None:
+        own = record(state, key)
         states = recent(key) if own is None else []
         if not states:
             return own
-        nearest = min(reversed(states), key=lambda each: len(each[1].items() ^ short.items()))
-        return store.get("linked", f"nodes {nearest[0]}", f"{code} {key}")
+        return record(min(reversed(states), key=lambda each: len(each[1].items() ^ short.items()))[0], key)
 
     def put(key: str, data: Any) -> None:
         store.put("linked", f"nodes {state}", f"{code} {key}", data)
+        known_records.pop(f"{state} {key}", None)
         others = [[name, digests] for name, digests in recent(key) if name != state]
         store.put("linked", "last", f"{code} {key}", [*others, [state, short]][-RECENT:])
 

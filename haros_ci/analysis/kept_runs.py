@@ -105,6 +105,15 @@ def state(workspace: Workspace) -> str:
     )
 
 
+def launch_state(workspace: Workspace) -> str:
+    """A digest of all that launch files are evaluated with: the same, but for what C++ files hold."""
+    files = tuple(
+        replace(f, digest="", size=0, lines=0, has_directive=False) if f.language == "cpp" else f
+        for f in workspace.files
+    )
+    return state(replace(workspace, files=files))
+
+
 def _base_state(past: Base) -> str:
     return _digest(past.revision, state(past.workspace), repr(sorted(past.renames.items())))
 

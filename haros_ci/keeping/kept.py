@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from base64 import b64decode, b64encode
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from hashlib import sha256
 from struct import error, pack, unpack
 from typing import Any
@@ -122,12 +122,16 @@ def _written(each: Followed) -> list[Any]:
 
 @dataclass(frozen=True, slots=True)
 class Earlier:
-    """A record as it was found: the digests of the files that it is of, and the rest as JSON."""
+    """A record as it was found: the digests of the files that it is of, and the rest as JSON.
+
+    *made* has, by their numbers, the results that have been made of it as they are, for the other revision of a change.
+    """
 
     files: Mapping[str, str]
     names: tuple[str, ...]
     traces: Any
     followed: Any
+    made: dict[int, tuple[Any, Followed]] = field(default_factory=dict)
 
 
 def begun(data: Any) -> Earlier | None:
@@ -156,14 +160,19 @@ def read(
     holding = [each if holds(each) else None for each in consulted]
     try:
         found = []
-        for trace, key, *item in earlier.followed:
+        for number, (trace, key, *item) in enumerate(earlier.followed):
             what = holding[_index(trace, holding)]
             if what is None:
                 continue
             try:
-                table, count, made, asked, gaps, names, problems, twins, steps = moved(item, lines) if lines else item
+                now = moved(item, lines) if lines else item
             except Lost:
                 continue
+            is_as_it_was = now == item
+            if is_as_it_was and number in earlier.made:
+                found.append(earlier.made[number])
+                continue
+            table, count, made, asked, gaps, names, problems, twins, steps = now
             nodes = from_json(table)
             if not isinstance(nodes, tuple) or not all(node.__class__ is RosNode for node in nodes):
                 return []
@@ -179,6 +188,8 @@ def read(
                 steps=_count(steps),
             )
             found.append((from_json(key), followed))
+            if is_as_it_was:
+                earlier.made[number] = found[-1]
         return found
     except (Unfit, ValueError, TypeError, error):
         return []

@@ -20,7 +20,7 @@ from haros_ci.index.xml_files import Reader
 from haros_ci.keeping.consulted import small
 from haros_ci.keeping.kept import Followed, digest_of
 from haros_ci.model.api import Row
-from haros_ci.model.architecture import Unknown
+from haros_ci.model.architecture import Endpoint, Unknown
 from haros_ci.model.build import ConfigFile, PluginClass
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
@@ -73,6 +73,9 @@ class Types:
     #: Behaviour trees in files of the workspace; None where nothing makes any.
     trees: TreeFiles | None = None
     xml: Reader | None = None
+    #: Results under the names and parameters of a node, with what they are made of, by both; and their endpoints by node.
+    put: dict[Any, tuple[Followed, Followed | None]] = field(default_factory=dict)
+    ends: dict[int, tuple[Followed, dict[str, tuple[Endpoint, ...]]]] = field(default_factory=dict)
     #: The ROS version of each package, None where it does not tell.
     versions: Mapping[str, int | None] = field(default_factory=dict)
 

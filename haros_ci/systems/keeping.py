@@ -10,7 +10,7 @@ from typing import Any
 from haros_ci.index.index import Source
 from haros_ci.index.relevance import Relevance
 from haros_ci.keeping import consulted, kept
-from haros_ci.keeping.kept import Followed
+from haros_ci.keeping.kept import Earlier, Followed
 from haros_ci.model.api import Row
 from haros_ci.syntax import Program
 from haros_ci.systems.following import Types
@@ -28,7 +28,7 @@ class Keeper:
     """
 
     files: Mapping[str, str]
-    get: Callable[[str], Any]
+    get: Callable[[str], Earlier | None]
     put: Callable[[str, Any], None]
     program: Callable[[str, str], Program | None]
 
@@ -53,7 +53,7 @@ def key_of(types: Types, rows: Mapping[tuple[str, int], Iterable[Row]]) -> str:
 
 def take_up(types: Types, keeper: Keeper, key: str) -> list[tuple[Any, Followed]]:
     """Put what holds of the record under *key* where nodes are looked up; it is returned."""
-    earlier = kept.begun(keeper.get(key))
+    earlier = keeper.get(key)
     if earlier is None:
         return []
     sources = types.programs.sources

@@ -76,7 +76,10 @@ class Wanted:
 
 @dataclass(frozen=True, slots=True)
 class Ros2Launch:
-    """Launch files of ROS 2: *load* gives the description of one in any dialect, None if it is none; *places* finds files."""
+    """Launch files of ROS 2: *load* gives the description of one in any dialect, None if it is none; *places* finds files.
+
+    *memo* has what was launched before, of ROS 1 too.
+    """
 
     load: Callable[[str], Description | None]
     places: Places
@@ -139,7 +142,8 @@ def open_(
     other_parameters: tuple[Parameter, ...] = ()
     facts: list[LaunchFact] = []
     if older or not newer:
-        launched = evaluate(older, workspace, load, wanted.arguments, environment, alternatives)
+        memo = ros2.memo if ros2 is not None else None
+        launched = evaluate(older, workspace, load, wanted.arguments, environment, alternatives, memo)
         server = ParameterServer(launched.parameters)
         jobs += [system.launched(types, each, server) for each in launched.nodes if not each.is_test]
         others += present.launched(types, launched)

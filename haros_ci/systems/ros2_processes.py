@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -18,7 +18,7 @@ from haros_ci.model.workspace import Problem
 from haros_ci.systems import sharing
 from haros_ci.systems.following import Types, files_key, followed_in
 from haros_ci.values.abstract import Known, Value
-from haros_ci.values.given import PARAMETER, Marks, filled
+from haros_ci.values.given import PARAMETER, Marks, Unseen, filled
 
 #: Steps that may go into one program, however many times and ways it is started.
 OF_ONE_PROGRAM = 500_000
@@ -94,7 +94,7 @@ def _shared(
             if is_over and digest not in counted:
                 break  # what an earlier run has followed; this one would not
             counted[digest] = done.steps
-            return sharing.put_under(done, names, instead, parameter)
+            return _put_under(types, done, names, instead, parameter)
     if is_over:
         return Followed((), (Problem(entry.source.path, TOO_OFTEN),), (), {}, {})
     asked: dict[str, Value | None] = {}
@@ -130,7 +130,23 @@ def _shared(
     done = followed_in(types, entry, files, context, asked, key)
     earlier.append(done)
     counted[_digest(key, done)] = done.steps
-    return sharing.put_under(done, names, instead, parameter)
+    return _put_under(types, done, names, instead, parameter)
+
+
+def _put_under(
+    types: Types,
+    done: Followed,
+    names: Mapping[str, str],
+    instead: Mapping[Rule, Rule],
+    parameter: Callable[[str], Value | None],
+) -> Followed | None:
+    """``sharing.put_under``, once for the same names, rules and values."""
+    unseen = (parameter(cell) for cell, before in done.asked.items() if isinstance(before, Unseen))
+    values = tuple((value.kind, value.value) for value in unseen if isinstance(value, Known))
+    key = (id(done), tuple(names.items()), tuple(instead.items()), values)
+    if key not in types.put:
+        types.put[key] = (done, sharing.put_under(done, names, instead, parameter))
+    return types.put[key][1]
 
 
 def _digest(key: Any, done: Followed) -> str:

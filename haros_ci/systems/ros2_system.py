@@ -164,18 +164,17 @@ def nodes_of(
         ends = endpoints(followed.made, lambda item: item.name, NOTHING)
         return (_with_rules(replace(node, kind=kind, endpoints=ends, unknowns=unknowns), started),), followed.problems
     found: list[Node] = []
-    groups = grouped(followed)
+    ends_of = _ends(types, followed)
     main = followed.nodes[0]
     twins = {twin.name: (twin.first, twin.second) for twin in followed.twins}
     for each in followed.nodes:
-        made = groups.get(each.name, ())
         if each is not main and each.name in (other.name for other in found):
             continue  # the same node on another way
         own = [] if each is not main else list(unknowns)
         if each.why is not None:
             own.append(Unknown("name", each.why[0], each.why[1] or each.location))
         kind = "lifecycle" if each.kind == "lifecycle" else node.kind if each is main else "node"
-        ends = endpoints(made, final, NOTHING)
+        ends = ends_of.get(each.name, ())
         found.append(
             replace(
                 node,
@@ -195,6 +194,14 @@ def nodes_of(
             )
         )
     return tuple(found), followed.problems
+
+
+def _ends(types: Types, followed: Followed) -> Mapping[str, tuple[Endpoint, ...]]:
+    """The endpoints of each node of a process, made once for all that are alike."""
+    if id(followed) not in types.ends:
+        made = {name: endpoints(items, final, NOTHING) for name, items in grouped(followed).items()}
+        types.ends[id(followed)] = (followed, made)
+    return types.ends[id(followed)][1]
 
 
 def _class_name(node: RosNode) -> str | None:

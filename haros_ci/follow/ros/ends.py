@@ -28,7 +28,7 @@ def endpoints(
     found = [
         Endpoint(
             kind=item.kind,
-            name=remap(item),
+            name=final,
             original_name=item.name,
             type=item.type,
             location=item.location,
@@ -47,10 +47,10 @@ def endpoints(
             source="exact-tier" if item.is_exact else "source",
             unknowns=(
                 *(Unknown(*unknown) for unknown in dict.fromkeys(item.unknowns)),
-                *_told_by_others(item, remap(item), unnamed),
+                *_told_by_others(item, final, unnamed),
             ),
         )
-        for item in made
+        for item, final in ((item, remap(item)) for item in made)
     ]
     found = [_typed(end, server) if end.kind == "getters" and end.type is None else end for end in found]
     return tuple(

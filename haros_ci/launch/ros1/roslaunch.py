@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping, MutableMapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 from haros_ci.launch.facts import ros1
 from haros_ci.launch.ros1.arg import arg, passed_arg
@@ -36,14 +37,26 @@ def evaluate(
     arguments: Mapping[str, str],
     environment: Mapping[str, str],
     alternatives: bool = False,
+    memo: MutableMapping[tuple[object, ...], Any] | None = None,
 ) -> Launched:
     """What the launch files at *launch_paths*, root-relative, start and set together, in order.
 
     *load* gives the facts of a launch file, *workspace* packages and texts of other files; *arguments* are set for
     each of the files, as on roslaunch's command line, and *environment* is all that ``$(env)`` and ``$(optenv)`` see.
     A tag that roslaunch refuses is left out with a problem; what stays undecided is kept with its condition. With
-    *alternatives* all has its presence, and what is started and set with other arguments is told, too.
+    *alternatives* all has its presence, and what is started and set with other arguments is told, too. With a *memo* what has been
+    evaluated before is not evaluated again.
     """
+    key = (
+        "roslaunch",
+        *launch_paths,
+        tuple(sorted(arguments.items())),
+        tuple(sorted(environment.items())),
+        alternatives,
+    )
+    if memo is not None and key in memo:
+        before: Launched = memo[key]
+        return before
     state = State(files=files_of(workspace), load=load, environment=environment)
     state.arguments = Arguments() if alternatives else None
     given = {name: literal(value) for name, value in sorted(arguments.items())}
@@ -60,7 +73,7 @@ def evaluate(
     parameters = tuple(parameter for _, together in sorted(state.parameters.items()) for parameter in together)
     _check_parents(state, parameters)
     _check_machines(state)
-    return Launched(
+    launched = Launched(
         nodes=tuple(state.nodes),
         parameters=parameters,
         arguments=tuple(state.arguments_shown.items()),
@@ -71,6 +84,9 @@ def evaluate(
         alternative_parameters=tuple(state.alternative_parameters),
         facts=tuple(state.facts.found),
     )
+    if memo is not None:
+        memo[key] = launched
+    return launched
 
 
 def _assumed_problems(state: State) -> list[Problem]:

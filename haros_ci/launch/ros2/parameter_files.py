@@ -144,15 +144,16 @@ def _trees(
             raise _Missing("a file is rewritten too often")
         again = context.rewritten_trees.get(path.raw)
         if again is not None:
-            return again[0], _performed(context, again[1]) if substitutes else again[1]
+            return again[0], _performed(context, again[1]) if substitutes and again[2] else again[1]
         file, trees = _trees(context, how["source"], False, location, depth + 1)
         for text in rewritten_names(how):
             if not text.known:
                 raise _Missing(f"it is not known what is rewritten in the file: {text.reasons[0]}")
         context.spend(20 + sum(size_of(tree) for tree in trees) // 4)
         trees = rewrite(trees, how)
-        context.rewritten_trees[path.raw] = (file, trees)
-        return file, _performed(context, trees) if substitutes else trees
+        substitutable = any(map(_has_phrase, trees))
+        context.rewritten_trees[path.raw] = (file, trees, substitutable)
+        return file, _performed(context, trees) if substitutes and substitutable else trees
     found, content, reason = context.places.read(path.raw)
     ros2.named(context, path, location, "parameters")
     if found is None:
@@ -178,6 +179,12 @@ def _trees(
             raise _Missing(f"parameter file {quoted(found)}: {err}") from err
         context.places.parsed[key] = trees_
     return found, trees_
+
+
+def _has_phrase(tree: Tree) -> bool:
+    if isinstance(tree, Scalar):
+        return "$(" in tree.text and not tree.reasons
+    return any(map(_has_phrase, tree.entries.values() if isinstance(tree, Map) else tree.items))
 
 
 def _performed(context: Context, trees: tuple[Tree, ...]) -> tuple[Tree, ...]:
