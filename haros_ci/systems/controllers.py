@@ -181,6 +181,11 @@ def _controller(
     )
 
 
+def _is_name(text: str) -> bool:
+    """Whether *text* may be what a plug-in is looked up by: ``package/Class``, or its type where the description gives no name."""
+    return "/" in text or "::" in text
+
+
 def _type(
     name: str, own: str, manager: str, options: dict[str, str], given: Parameters, is_started: bool
 ) -> tuple[str, Opaque | None]:
@@ -191,7 +196,7 @@ def _type(
         return options["--controller-type"], None
     values = (given.get(own, "type"), given.get(manager, f"{name}.type"))
     for value in values:
-        if isinstance(value, Known) and isinstance(value.value, str) and "/" in value.value:
+        if isinstance(value, Known) and isinstance(value.value, str) and _is_name(value.value):
             return value.value, None
     for value in values:
         if isinstance(value, Opaque):

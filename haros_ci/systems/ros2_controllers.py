@@ -8,7 +8,7 @@ it offers no services for its life cycle.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 
@@ -85,10 +85,9 @@ def controllers(programs: Programs, versions: Mapping[str, int | None]) -> dict[
     return found
 
 
-def jobs(types: Types, started: set[tuple[str, str]]) -> Iterator[Job]:
-    """The classes that no launch file is seen to load, each by itself."""
-    named = {type_ for _, type_ in started}
-    running = {id(each.entry) for name, each in types.controllers.items() if name in named}
+def jobs(types: Types, launched: Iterable[Job]) -> Iterator[Job]:
+    """The classes that none of the *launched* is, each by itself."""
+    running = {id(types.controllers[job.node.type].entry) for job in launched if job.is_loaded}
     for _, each in sorted(types.controllers.items()):
         if id(each.entry) not in running:
             running.add(id(each.entry))

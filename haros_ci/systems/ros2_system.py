@@ -81,6 +81,7 @@ def launched(types: Types, node: LaunchedNode, containers: Mapping[str, Launched
         size_of(types, files),
         started.parameters,
         node.files,
+        is_loaded=controller is not None,
     )
 
 

@@ -15,8 +15,11 @@ from haros_ci.systems.following import Types
 from haros_ci.systems.system import Job
 
 
-def ros2_alone(types: Types, started: set[tuple[str, str]]) -> Iterator[Job]:
-    """The ROS 2 node types that nothing starts: executables, components that no executable runs, plug-ins with a node."""
+def ros2_alone(types: Types, started: set[tuple[str, str]], launched: Iterable[Job]) -> Iterator[Job]:
+    """The ROS 2 node types that nothing starts: executables, components that no executable runs, plug-ins with a node.
+
+    *launched* is what launch files start, *started* the packages and types of that.
+    """
     tables = (types.components, types.ros2_programs)
     running = {id(table[each][0]) for table in tables for each in started if each in table}
     for package, name in sorted(types.ros2_programs):
@@ -29,7 +32,7 @@ def ros2_alone(types: Types, started: set[tuple[str, str]]) -> Iterator[Job]:
             yield ros2_system.alone(types, package, name, is_component=True)
     for package, name in sorted(types.hosted):
         yield ros2_system.plugin(types, package, name)
-    yield from ros2_controllers.jobs(types, started)
+    yield from ros2_controllers.jobs(types, launched)
     yield from ros2_hosts.hosts(types)
 
 
