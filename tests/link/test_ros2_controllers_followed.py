@@ -394,3 +394,60 @@ def test_a_class_of_ros1_is_not_one() -> None:
     }
     found = architecture(workspace(texts, 1), Settings(root=Path("/nowhere")), Nothing(), environment={})
     assert found.configurations == ()
+
+
+LOADING = '<executable cmd="{}"/>'
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        "ros2 control load_controller lift",
+        "ros2 control load_controller --set-state active lift",
+        "ros2 control load_controller lift --set-state=inactive --use-sim-time",
+        "ros2 control load_controller -c controller_manager lift",
+        "ros2 control load_start_controller lift",
+        "ros2 control load_controller lift $(find-pkg-share arm)/config/c.yaml",
+        "ros2 control load_controller lift &amp;&amp; ros2 control list_controllers",
+    ],
+)
+def test_a_command_that_loads_a_controller(command: str) -> None:
+    (found,) = followed(controller(on_configure=PUB.format("~/a")), MANAGER + LOADING.format(command)).configurations
+    assert [node.type for node in found.nodes] == ["ros2_control_node", "arm/Lift"]
+    assert (lift(found).name, lift(found).container, names(lift(found))) == (
+        "/lift",
+        "/controller_manager",
+        ["/lift/a"],
+    )
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        "ros2 control list_controllers",
+        "ros2 control load_controller",
+        "ros2 control load_controller --set-state active",
+        "ros2 control set_controller_state lift active",
+        "ros2 control switch_controllers --activate lift",
+        "ros2 run arm load_controller lift",
+        "echo ros2 control load_controller lift",
+    ],
+)
+def test_a_command_that_loads_none(command: str) -> None:
+    found = followed(controller(on_configure=PUB.format("~/a")), MANAGER + LOADING.format(command))
+    started = next(one for one in found.configurations if one.launch)
+    assert not [node for node in started.nodes if node.container is not None]
+
+
+def test_a_controller_that_a_command_loads_in_python() -> None:
+    text = (
+        "from launch import LaunchDescription\nfrom launch.actions import ExecuteProcess\n"
+        "from launch.substitutions import FindExecutable\nfrom launch_ros.actions import Node\n"
+        "def generate_launch_description():\n    return LaunchDescription([\n"
+        "        Node(package='controller_manager', executable='ros2_control_node', parameters=[{'lift.type': 'arm/Lift'}]),\n"
+        "        ExecuteProcess(cmd=[FindExecutable(name='ros2'), 'control', 'load_controller', '--set-state', 'active', 'lift']),\n"
+        "    ])\n"
+    )
+    more = {"arm/launch/l.launch.py": text}
+    (found,) = followed(controller(on_configure=PUB.format("~/a")), more=more).configurations
+    assert names(lift(found)) == ["/lift/a"]
