@@ -71,10 +71,18 @@ def controllers(programs: Programs, versions: Mapping[str, int | None]) -> dict[
     """The controllers and hardware components that plug-in descriptions of ROS 2 packages name, by look-up name."""
     found: dict[str, Controller] = {}
     entries: dict[int, Entry] = {}
+    every = (
+        plugin.base
+        for package, build in programs.builds.items()
+        if versions.get(package) == 2
+        for plugin in build.plugins
+    )
+    if not any(_base(name) for name in every):
+        return found
     for plugin, source, definition, files in described_classes(programs):
-        base = plugin.base.replace(" ", "").removeprefix("::")
+        base = _base(plugin.base)
         is_controller = base in CONTROLLERS
-        if versions.get(plugin.package) == 2 and (is_controller or base in COMPONENTS):
+        if base and versions.get(plugin.package) == 2:
             begin = partial(_begin, source, definition, base)
             entry = entries.setdefault(
                 id(definition), Entry(source, definition=definition, begin=begin, label="(ros2_control)")
@@ -83,6 +91,12 @@ def controllers(programs: Programs, versions: Mapping[str, int | None]) -> dict[
                 plugin.name, Controller(plugin.package, plugin.name, plugin.type.strip(), entry, files, is_controller)
             )
     return found
+
+
+def _base(written: str) -> str:
+    """The base class of a plug-in description, if it is one of those that a controller manager loads."""
+    name = written.replace(" ", "").removeprefix("::")
+    return name if name in CONTROLLERS or name in COMPONENTS else ""
 
 
 def jobs(types: Types, launched: Iterable[Job]) -> Iterator[Job]:

@@ -451,3 +451,41 @@ def test_a_controller_that_a_command_loads_in_python() -> None:
     more = {"arm/launch/l.launch.py": text}
     (found,) = followed(controller(on_configure=PUB.format("~/a")), more=more).configurations
     assert names(lift(found)) == ["/lift/a"]
+
+
+def test_the_interface_of_older_releases() -> None:
+    foxy = (
+        f"namespace arm {{\nclass Lift : public {CONTROLLER} {{\npublic:\n"
+        "controller_interface::return_type init(const std::string & controller_name) override {\n"
+        f"  auto ret = {CONTROLLER}::init(controller_name);\n"
+        "  if (ret != controller_interface::return_type::OK) { return ret; }\n"
+        '  get_node()->declare_parameter<std::string>("topic", "t");\n  return ret;\n}\n'
+        "CallbackReturn on_configure(const rclcpp_lifecycle::State &) override {\n"
+        '  node_->create_publisher<String>("~/a", 1); return CallbackReturn::SUCCESS;\n}\nint a_;\n};\n}\n'
+    )
+    node = lift(alone(foxy))
+    assert names(node) == ["/?/a"]
+    assert "/?:topic" in names(node, "parameters")
+
+
+def test_a_template_under_another_name() -> None:
+    code = (
+        f"namespace arm {{\ntemplate <class T>\nclass Hoist : public {CONTROLLER} {{\npublic:\n"
+        f"CallbackReturn on_init() override {{ {PUB.format('~/a')} return CallbackReturn::SUCCESS; }}\nint a_;\n}};\n"
+        "using Lift = Hoist<double>;\n}\n"
+    )
+    assert names(lift(alone(code))) == ["/?/a"]
+
+
+def test_a_configuration_that_fails_with_defaults_is_told_with_that_reason() -> None:
+    code = controller(
+        on_init='auto_declare<std::string>("joint", "");',
+        on_configure='if (get_node()->get_parameter("joint").as_string().empty()) { return CallbackReturn::ERROR; }'
+        + PUB.format("~/a"),
+    )
+    (end,) = explicit(lift(alone(code)))
+    assert unsure(end) == ["as things are, the code returns before it comes to this"]
+    config = TYPED + "lift:\n  ros__parameters: {joint: j}\n"
+    (found,) = followed(code, MANAGER + SPAWNER.format("lift"), config).configurations
+    (end,) = explicit(lift(found))
+    assert unsure(end) == []
