@@ -198,12 +198,21 @@ def with_body(run: Run, candidates: list[Found]) -> Found:
 
 
 def _loose(run: Run, owner: str, name: str) -> list[Found]:
-    """The definitions of the method *name* of the class *owner* that name the class under a using-directive."""
+    """The definitions of the method *name* of the class *owner* that name the class under a using-directive, or in full
+    within its own namespace (``namespace a { void a::C::m() {} }``)."""
     return [
         item
         for item in run.index.by_tail.get(f"{owner.rpartition('::')[2]}::{name}", ())
-        if item[1].body is not None and item[1].owner and f"::{owner}".endswith(f"::{item[1].owner}")
+        if item[1].body is not None
+        and item[1].owner
+        and (f"::{owner}".endswith(f"::{item[1].owner}") or _is_in_full(item[1].owner, owner))
     ]
+
+
+def _is_in_full(written: str, owner: str) -> bool:
+    """Whether *written* is the full name of *owner* behind that of a namespace around it."""
+    space, sign, _ = written.partition(f"::{owner}")
+    return bool(sign) and written == f"{space}::{owner}" and owner.startswith(f"{space}::")
 
 
 def tail_method(run: Run, name: str, source: Source) -> Found | None:

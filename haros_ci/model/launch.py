@@ -88,8 +88,8 @@ class ParameterRule:
 class LaunchedNode:
     """A ROS 2 node, container or composable that a launch file starts.
 
-    *kind* is node, lifecycle, container or component. *type* is the executable, a component's full class
-    (``ns::Class``). *name* has no namespace, None where the program names itself; *namespace* is full, None where nothing
+    *kind* is node, lifecycle, container or component, or ``loading``: no node, but a command that asks a controller manager for
+    one. *type* is the executable, a component's full class (``ns::Class``). *name* has no namespace, None where the program names itself; *namespace* is full, None where nothing
     gives it. *container* is the full name of a component's container. *parameters* are in order: of those that match
     a node the last counts, but one that names the node outright beats a wildcard of the same source. *remaps* are in order, the first
     that matches counts; a source may be ``node:from``; *rules* are the same, as in ``Started``. *arguments* is the substituted ``args``, *ros_arguments* what

@@ -45,6 +45,14 @@ TAKING = {
 }
 
 
+#: The kind of what is no node, but ``ros2 control load_controller`` (launch/ros2/node.py), and the options that a value follows there.
+LOADING = "loading"
+VERB_TAKING = {
+    "-c": "--controller-manager",
+    **{name: name for name in ("--controller-manager", "--set-state", "--state", "--spin-time")},
+}
+
+
 @dataclass(slots=True)
 class _Asked:
     """A controller that a spawner asks for, and what it is given there."""
@@ -61,7 +69,7 @@ def with_controllers(
 
     A controller is of kind ``node``; its container is the manager. *rules_of* reads a parameter file that is named at a place.
     """
-    if not any(_is_spawner(node) for node in nodes):
+    if not any(_is_spawner(node) or node.kind == LOADING for node in nodes):
         return nodes
     managers = {
         clean(f"{node.namespace or '/'}/{node.name or DEFAULT}"): node
@@ -70,13 +78,14 @@ def with_controllers(
     }
     found: list[LaunchedNode] = []
     for node in nodes:
-        if not _is_spawner(node):
+        if node.kind != LOADING and not _is_spawner(node):
             found.append(node)
             continue
-        options, asked = _asked(_words(node.arguments))
+        options, asked = (_loaded if node.kind == LOADING else _asked)(_words(node.arguments))
         if node.name is None and asked and "?" not in asked[0].name:
             node = replace(node, name=f"spawner_{asked[0].name}")
-        found.append(node)
+        if node.kind != LOADING:
+            found.append(node)
         for item in asked:
             made = _controller(node, item, options, managers, rules_of)
             known = next((n for n, each in enumerate(found) if _is_same(each, made)), None)
@@ -141,6 +150,24 @@ def _asked(words: Iterable[str]) -> tuple[dict[str, str], list[_Asked]]:
     return options, found
 
 
+def _loaded(words: Iterable[str]) -> tuple[dict[str, str], list[_Asked]]:
+    """The same of ``ros2 control load_controller``: one controller, perhaps with a parameter file (ros2controlcli)."""
+    options: dict[str, str] = {}
+    plain: list[str] = []
+    option = ""
+    for word in words:
+        if option:
+            options[option], option = word, ""
+        elif word in VERB_TAKING:
+            option = VERB_TAKING[word]
+        elif word.startswith("-"):
+            name, sign, value = word.partition("=")
+            options.update({VERB_TAKING[name]: value} if sign and name in VERB_TAKING else {})
+        else:
+            plain.append(word)
+    return options, [_Asked(plain[0], plain[1:2], [])] if plain else []
+
+
 def _controller(
     spawner: LaunchedNode,
     asked: _Asked,
@@ -181,6 +208,11 @@ def _controller(
     )
 
 
+def _is_name(text: str) -> bool:
+    """Whether *text* may be what a plug-in is looked up by: ``package/Class``, or its type where the description gives no name."""
+    return "/" in text or "::" in text
+
+
 def _type(
     name: str, own: str, manager: str, options: dict[str, str], given: Parameters, is_started: bool
 ) -> tuple[str, Opaque | None]:
@@ -191,7 +223,7 @@ def _type(
         return options["--controller-type"], None
     values = (given.get(own, "type"), given.get(manager, f"{name}.type"))
     for value in values:
-        if isinstance(value, Known) and isinstance(value.value, str) and "/" in value.value:
+        if isinstance(value, Known) and isinstance(value.value, str) and _is_name(value.value):
             return value.value, None
     for value in values:
         if isinstance(value, Opaque):

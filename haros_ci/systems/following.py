@@ -36,6 +36,18 @@ DEEPEST = 3
 
 
 @dataclass(frozen=True, slots=True)
+class Controller:
+    """A controller or hardware component of ros2_control: its look-up *name*, class *type*, and where it begins."""
+
+    package: str
+    name: str
+    type: str
+    entry: Entry
+    files: frozenset[str]
+    is_controller: bool
+
+
+@dataclass(frozen=True, slots=True)
 class Types:
     """The node types of the workspace, and all that following them needs."""
 
@@ -68,6 +80,8 @@ class Types:
     components: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]] = field(default_factory=dict)
     #: Plug-ins that a program outside the workspace loads, by package and class.
     hosted: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]] = field(default_factory=dict)
+    #: Controllers and hardware components that a controller manager loads, by look-up name.
+    controllers: Mapping[str, Controller] = field(default_factory=dict)
     #: The plug-ins of the workspace by base class.
     of_base: Mapping[str, tuple[tuple[Source, Class], ...]] = field(default_factory=dict)
     #: Behaviour trees in files of the workspace; None where nothing makes any.

@@ -10,8 +10,6 @@ from itertools import islice
 from typing import Any
 
 from haros_ci.follow.context import Exact
-from haros_ci.follow.libraries import yaml as library_yaml
-from haros_ci.follow.ros import behavior_trees
 from haros_ci.graph.names import clean
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.index.index import Source
@@ -34,12 +32,12 @@ from haros_ci.systems import (
     controllers,
     keeping,
     present,
-    ros2_hosts,
     ros2_library,
     ros2_library_classes,
     ros2_library_modules,
     ros2_system,
     system,
+    unstarted,
 )
 from haros_ci.systems.following import KnownNodes, Types
 from haros_ci.systems.keeping import Keeper
@@ -221,8 +219,7 @@ def linked(
         for package, name in sorted(types.executables):
             if (package, name) not in started and types.executables[package, name][1] not in behind_links:
                 jobs.append(system.alone(types, package, name))
-        jobs += ros2_alone(types, started)
-        jobs += ros2_hosts.hosts(types)
+        jobs += unstarted.ros2_alone(types, started, tuple(jobs))
         for described, _, _ in dict.fromkeys(types.nodelets.values()):
             if system.type_of(described.name, described) not in started:
                 jobs.append(system.standalone(types, described.name))
@@ -251,17 +248,8 @@ def linked(
         configurations.append(
             _configuration(completion, item, each, followed, list(islice(other_results, len(each.others))))
         )
-    for (nodes, said), job in zip(results, jobs[sum(len(each.jobs) for _, each in opened) :], strict=True):
-        node = nodes[0]
-        if job.label:
-            reason = library_yaml.ANY if job.label == ros2_system.PLUGINS else behavior_trees.ANY
-            if any(unknown.reason == reason for unknown in node.unknowns):
-                configurations.append(Configuration(name=f"{node.package}/{node.type} ({job.label})", nodes=nodes))
-        elif node.kind != system.PROGRAM:
-            problems.update(dict.fromkeys(said))
-            name = f"{node.package}/{node.type}"
-            taken = node.kind == "nodelet" and any(c.name == name for c in configurations)
-            configurations.append(Configuration(name=f"{name} (nodelet)" if taken else name, nodes=nodes))
+    alone = zip(results, jobs[sum(len(each.jobs) for _, each in opened) :], strict=True)
+    configurations += unstarted.configurations(alone, problems, {each.name for each in configurations})
     for (nodes, _), *_ in brought:
         if nodes[0].kind != system.PROGRAM and ros2_library.tells(nodes, made):
             name = f"{nodes[0].package}/{nodes[0].type} ({LIBRARY})"
@@ -331,19 +319,3 @@ def _count(types: Types, done: Iterable[Worked]) -> None:
 def _libraries(types: Types, made: Seen) -> Iterator[Library]:
     yield from ros2_library_classes.libraries(types, made)
     yield from ros2_library_modules.libraries(types, made)
-
-
-def ros2_alone(types: Types, started: set[tuple[str, str]]) -> Iterator[Job]:
-    """The ROS 2 node types that nothing starts: executables, and components that no executable runs."""
-    tables = (types.components, types.ros2_programs)
-    running = {id(table[each][0]) for table in tables for each in started if each in table}
-    for package, name in sorted(types.ros2_programs):
-        entry = types.ros2_programs[package, name][0]
-        if (package, name) not in started and id(entry) not in running:
-            running.add(id(entry))
-            yield ros2_system.alone(types, package, name)
-    for package, name in sorted(types.components):
-        if id(types.components[package, name][0]) not in running:
-            yield ros2_system.alone(types, package, name, is_component=True)
-    for package, name in sorted(types.hosted):
-        yield ros2_system.plugin(types, package, name)

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from haros_ci.follow.ros.ros2_nodes import MANAGED
 from haros_ci.graph.names import clean
 from haros_ci.graph.parameters import Perhaps
 from haros_ci.graph.ros2_process import RosNode
@@ -149,7 +150,9 @@ def ros2_described(node: Node, types: Types, started: LaunchedNode, rules: tuple
         file=file,
     )
     sim = given.get(full, "use_sim_time")
-    added = implicit(full, kind, {}, sim.value if isinstance(sim, Known) else None, node.location, ())
+    # A controller has no services for its life cycle: controller_interface_base.cpp.
+    options = {MANAGED: False} if known.plugin else {}
+    added = implicit(full, kind, options, sim.value if isinstance(sim, Known) else None, node.location, ())
     there = {(end.kind, end.name) for end in ends}
     extra = tuple(replace(end, source="known-node") for end in added if (end.kind, end.name) not in there)
     unknowns = list(node.unknowns)

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from haros_ci.follow.ros.ros2_nodes import MANAGED
 from haros_ci.model.architecture import Condition, Endpoint, Qos, Unknown
 from haros_ci.model.location import Location
 
@@ -72,7 +73,7 @@ def implicit(
     yield end(
         "servers", f"{name}/get_type_description", "type_description_interfaces/srv/GetTypeDescription", None, unsure
     )
-    if kind == "lifecycle":
+    if kind == "lifecycle" and options.get(MANAGED, True):
         for service, type in LIFECYCLE:
             yield end("servers", f"{name}/{service}", type)
         yield end("publishers", f"{name}/transition_event", "lifecycle_msgs/msg/TransitionEvent")

@@ -45,13 +45,19 @@ def launched(types: Types, node: LaunchedNode, containers: Mapping[str, Launched
         whole = clean(f"{node.namespace or '/'}/{node.name}") if node.name is not None else None
         around = started_by(container).parameters
         started = replace(started, parameters=InContainer(started.parameters, whole, around))
+    controller = types.controllers.get(node.type) if node.kind == "node" and node.container is not None else None
+    if controller is not None:
+        naming = _naming(node.container or "") if container is not None else ()
+        started = replace(started, is_component=True, around=naming)
     key = (node.package, node.type)
     found = types.components.get(key) if node.kind == "component" else types.ros2_programs.get(key)
+    if controller is not None:
+        found = controller.entry, controller.files
     name = clean(f"{node.namespace or '/'}/{node.name or '?'}")
     basic = Node(
         name=name,
         kind="node" if node.kind == "container" else node.kind,
-        package=node.package,
+        package=controller.package if controller is not None else node.package,
         type=node.type,
         arguments=node.arguments,
         conditions=node.conditions,
@@ -61,7 +67,7 @@ def launched(types: Types, node: LaunchedNode, containers: Mapping[str, Launched
         process=node.container or name,
         source="launch",
         unknowns=node.unknowns,
-        class_name=node.type if node.kind == "component" else None,
+        class_name=controller.type if controller is not None else node.type if node.kind == "component" else None,
         ros=2,
     )
     if found is None:
@@ -72,9 +78,10 @@ def launched(types: Types, node: LaunchedNode, containers: Mapping[str, Launched
         basic,
         id(entry),
         lambda: nodes_of(types, entry, files, basic, started, node.name is not None or node.namespace is not None),
-        _size(types, files),
+        size_of(types, files),
         started.parameters,
         node.files,
+        is_loaded=controller is not None,
     )
 
 
@@ -90,11 +97,16 @@ def started_by(node: LaunchedNode) -> Started:
     remaps = [rule for source, target, _ in node.remaps if (rule := rule_of(f"{source}:={target}")) is not None]
     rules = (*more.rules, *said.rules, *naming, *remaps)
     around: tuple[Rule, ...] = ()
-    if node.kind == "component" and node.container is not None and "?" not in node.container:
-        space, _, name = node.container.rpartition("/")
-        around = (Rule("", "__node", name), Rule("", "__ns", space or "/"))
+    if node.kind == "component" and node.container is not None:
+        around = _naming(node.container)
     written = ros2_rules((*more.rules, *said.rules), node.rules, node.location)
     return Started(rules, Parameters(node.parameters), more.rest, node.kind == "component", written, around)
+
+
+def _naming(full: str) -> tuple[Rule, ...]:
+    """The rules that a launch file gives a process whose node is to have that name; none where it is not known."""
+    space, _, name = full.rpartition("/")
+    return () if "?" in full else (Rule("", "__node", name), Rule("", "__ns", space or "/"))
 
 
 def _words(text: str, first: str = "") -> list[str]:
@@ -125,7 +137,7 @@ def alone(types: Types, package: str, name: str, is_component: bool = False, lab
         node,
         (id(entry), label) if label == PLUGINS else id(entry),
         lambda: nodes_of(types, entry, files, node, started, False),
-        _size(types, files),
+        size_of(types, files),
         label=label,
     )
 
@@ -145,10 +157,11 @@ def plugin(types: Types, package: str, name: str) -> Job:
         makes = any(not end.implicit for each in nodes for end in each.endpoints)
         return (nodes if makes else (replace(node, kind=PROGRAM),)), problems
 
-    return Job(node, id(entry), follow, _size(types, files))
+    return Job(node, id(entry), follow, size_of(types, files))
 
 
-def _size(types: Types, files: frozenset[str]) -> int:
+def size_of(types: Types, files: frozenset[str]) -> int:
+    """The number of functions in *files*."""
     sources = types.programs.sources
     return sum(len(sources[path].program.functions) for path in files if path in sources)
 

@@ -46,6 +46,7 @@ TABLES: tuple[tuple[str, int, tuple[str, ...]], ...] = (
             "threads",
             "ros2_rviz",
             "ros2_behavior_trees",
+            "ros2_control",
         ),
     ),
     ("python", 2, ("ros2_rclpy", "ros2_rclpy_libraries", "ros2_rclpy_navigator", "ros2_rclpy_qos")),

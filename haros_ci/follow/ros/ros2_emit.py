@@ -192,6 +192,8 @@ def _parameter(
         unknowns.append(("effective", said, (why_not_known and why_not_known.location) or applied.location))
     if declared == "double" and isinstance(data, int) and not isinstance(data, bool):
         data = float(data)
+    if entry.unsure:
+        unknowns.append(("conditions", entry.unsure, applied.location))
     make(
         run,
         Made(

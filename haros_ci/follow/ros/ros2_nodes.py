@@ -43,7 +43,9 @@ HIDES = ("start_parameter_services", "start_parameter_event_publisher")
 CONTAINED, ALONE = "(contained)", "(alone)"
 #: Of a node: it has parameters that it does not declare, or may have (rclcpp/node_options.hpp; rclpy/node.py).
 UNDECLARED = "(undeclared)"
-_UNDECLARED = ("allow_undeclared_parameters", "automatically_declare_parameters_from_overrides")
+MAY_DECLARE = ("allow_undeclared_parameters", "automatically_declare_parameters_from_overrides")
+#: Of a managed node: whether it offers services for its life cycle; it does where nothing is said.
+MANAGED = "(managed)"
 #: A parameter that a node's options may set.
 OTHERS = Perhaps("it may be set in the node's options, which are not known")
 #: The parameter of every node that says whether it takes its time from a topic.
@@ -126,7 +128,7 @@ def made(
         if process.component is not None and not run.nodes and _may_be_given(space, options):
             space = None if options is None else space
             options = options_for(run)
-            options.fields.update((each, Cell(Opaque("it may be set"))) for each in _UNDECLARED)
+            options.fields.update((each, Cell(Opaque("it may be set"))) for each in MAY_DECLARE)
         local, is_open = _arguments(options)
     above, space_why, space_where = pattern(space) if space is not None and space != NONE else ("", None, None)
     is_contained = process.component is not None and (isinstance(options, Opaque) or _flag(options, CONTAINED) is True)
@@ -142,7 +144,7 @@ def made(
     if not is_contained and not is_global:
         switches[ALONE] = True
     if isinstance(options, Opaque) or any(
-        _field(options, each) not in (None, NONE, Known(False)) for each in _UNDECLARED
+        _field(options, each) not in (None, NONE, Known(False)) for each in MAY_DECLARE
     ):
         switches[UNDECLARED] = True
     given = {**_parameters(local, full, location), **_overrides(options)}

@@ -22,6 +22,9 @@ from haros_ci.substitutions.names import MARK, Text, literal, unknown
 _KINDS = {"node": "node", "lifecycle-node": "lifecycle", "container": "container", "component": "component"}
 #: The executable of a package, as ExecutableInPackage gives it.
 _IN_PACKAGE = re.compile(r"\$\(find-pkg-prefix ([^\s()]+)\)/lib/\1/([^/]+)")
+#: Verbs of ``ros2 control`` that load a controller (ros2controlcli), and words that begin another command.
+LOADING = frozenset(("load_controller", "load_start_controller", "load_configure_controller"))
+_NEXT = frozenset(("&&", "||", ";", "|", "&"))
 _Remaps = tuple[tuple[str, str, Location], ...]
 
 
@@ -78,10 +81,7 @@ def full_name(started: LaunchedNode) -> str:
 
 def command(context: Context, action: Action, conditions: tuple[Condition, ...]) -> LaunchedNode | None:
     """The node that a process is: ``ros2 run package executable ...``, or a package's executable by its path."""
-    phrase = action.get("cmd") or ()
-    if phrase and isinstance(phrase[0], Substitution) and phrase[0].kind == "find-exec" and phrase[0].arguments:
-        phrase = (*phrase[0].arguments[0], *phrase[1:])
-    cmd = context.text(phrase)
+    cmd = _command(context, action)
     words = _words(cmd.raw)
     started = _program(words)
     if started is None:
@@ -101,6 +101,33 @@ def command(context: Context, action: Action, conditions: tuple[Condition, ...])
         presence=context.presence,
         environment=_environment(context, environment),
         unknowns=cmd.unknown("arguments", action.location),
+    )
+
+
+def _command(context: Context, action: Action) -> Text:
+    """The words of a process; a program that is looked for by its name is that name."""
+    phrase = action.get("cmd") or ()
+    quote = phrase[:1] if phrase[:1] == ("'",) else ()  # of a description in Python, where it is one word
+    program = phrase[len(quote)] if len(phrase) > len(quote) else None
+    if isinstance(program, Substitution) and program.kind == "find-exec" and program.arguments:
+        phrase = (*quote, *program.arguments[0], *phrase[len(quote) + 1 :])
+    return context.text(phrase)
+
+
+def loading(context: Context, action: Action, conditions: tuple[Condition, ...]) -> LaunchedNode | None:
+    """What ``ros2 control load_controller ...`` asks a controller manager for, of kind ``loading``; None for other commands."""
+    words = _words(_command(context, action).raw)
+    if words[:2] != ["ros2", "control"] or len(words) < 3 or words[2] not in LOADING:
+        return None
+    end = next((n for n, word in enumerate(words) if word in _NEXT), len(words))
+    return LaunchedNode(
+        kind="loading",
+        package="controller_manager",
+        type=words[2],
+        location=action.location,
+        arguments=_shown(_line(words[3:end])),
+        conditions=conditions,
+        presence=context.presence,
     )
 
 

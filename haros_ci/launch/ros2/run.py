@@ -12,7 +12,7 @@ from haros_ci.launch.ros2 import presences
 from haros_ci.launch.ros2.assuming import assume
 from haros_ci.launch.ros2.context import Context, Exhausted, Scope
 from haros_ci.launch.ros2.including import include
-from haros_ci.launch.ros2.node import command, component, full_name, node
+from haros_ci.launch.ros2.node import command, component, full_name, loading, node
 from haros_ci.launch.ros2.settings import SETTERS, doubt, kept, name_of
 from haros_ci.launch.ros2.substitutions import truth_of
 from haros_ci.model.architecture import Condition
@@ -262,6 +262,9 @@ class Run:
             self.nodes.append(ros2.started(self.context, started))
         else:
             ros2.command(self.context, self.context.text(action.get("cmd") or ()), action.location)
+            asking = loading(self.context, action, conditions)
+            if asking is not None:
+                self.nodes.append(asking)
 
     def event(self, action: Action, conditions: _Conditions) -> None:
         """Put the children off; by then every scope is left, as launch does it."""

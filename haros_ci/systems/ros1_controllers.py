@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Controllers and robot hardware of ros_control (ROS 1) in the workspace: each by itself, on the node that loads it.
+
+They have node handles of the process that has the controller manager: the manager's own, and one below it by the name that the controller
+is loaded under (controller_manager.cpp, controller.h, combined_robot_hw.cpp of ros-controls/ros_control).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from functools import partial
+
+from haros_ci import syntax
+from haros_ci.follow import activation, callbacks, construct, methods
+from haros_ci.follow.call_arguments import Argument
+from haros_ci.follow.follow import Entry
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.ros.ends import endpoints
+from haros_ci.follow.run import Run
+from haros_ci.graph.parameters import ParameterServer, Perhaps
+from haros_ci.index.index import Source
+from haros_ci.model.architecture import Node, Unknown
+from haros_ci.model.location import Location
+from haros_ci.model.workspace import Problem
+from haros_ci.syntax import Class, Function
+from haros_ci.systems.entries import described_classes
+from haros_ci.systems.following import Instance, Types, incomplete, run_node
+from haros_ci.systems.ros2_system import PLUGINS, size_of
+from haros_ci.systems.system import PROGRAM, Job
+from haros_ci.values.abstract import Callable, Known, Object, Opaque, Text, Value
+
+#: Base classes of plug-ins, and what is called of them after ``init``.
+CONTROLLER, HARDWARE = "controller_interface::ControllerBase", "hardware_interface::RobotHW"
+LATER: Mapping[str, tuple[str, ...]] = {
+    CONTROLLER: ("starting", "update", "stopping", "waiting", "aborting"),
+    HARDWARE: ("prepareSwitch", "doSwitch", "read", "write"),
+}
+#: What initialises either: a controller may have several of these.
+FIRST = ("initRequest", "init")
+HANDLE = "ros::NodeHandle"
+#: Why the name of the node is not known, nor that of what is below the plug-in's own name.
+HOST = "it is the node of the process that has the controller manager"
+OWN = "it is called as whoever loads it says"
+GIVEN = Perhaps("whoever loads it may set it")
+#: How the names of base classes begin that make nothing.
+PLAIN = ("controller_interface::", "hardware_interface::", "std::", "boost::")
+
+
+def jobs(types: Types) -> Iterator[Job]:
+    """The classes that plug-in descriptions of ROS 1 packages name, in the order of their names."""
+    builds = types.programs.builds.items()
+    if not any(_base(plugin.base) for package, build in builds if _is_ros1(types, package) for plugin in build.plugins):
+        return
+    seen: set[int] = set()
+    found = {}
+    for plugin, source, definition, files in described_classes(types.programs):
+        base = _base(plugin.base)
+        if base and _is_ros1(types, plugin.package) and id(definition) not in seen:
+            seen.add(id(definition))
+            begin = partial(_begin, source, definition, base)
+            entry = Entry(source, definition=definition, begin=begin, label="(ros_control)")
+            found[plugin.package, plugin.name] = entry, plugin.type.strip(), files
+    for (package, name), (entry, kind, files) in sorted(found.items(), key=lambda each: each[0]):
+        yield _job(types, entry, files, package, name, kind)
+
+
+def _base(name: str) -> str:
+    name = name.replace(" ", "").removeprefix("::")
+    return name if name in LATER else ""
+
+
+def _is_ros1(types: Types, package: str) -> bool:
+    return types.versions.get(package) != 2
+
+
+def _job(types: Types, entry: Entry, files: frozenset[str], package: str, name: str, kind: str) -> Job:
+    assert entry.definition is not None
+    place = Location(entry.source.path, entry.definition.line)
+    node = Node(name="/?", kind="node", package=package, type=name, location=place, process="/?", class_name=kind)
+    server = ParameterServer(())
+
+    def parameter(full: str) -> Value | None:
+        return GIVEN if "?" in full else server.get(full)
+
+    def follow() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
+        followed = run_node(types, entry, files, Instance("/?", "/", None, {}, "/?"), parameter)
+        ends = endpoints(followed.made, lambda item: item.name, server)
+        unknowns = (*incomplete(followed, entry, place), Unknown("name", HOST, place))
+        made = replace(node, kind=node.kind if ends else PROGRAM, endpoints=ends, unknowns=unknowns)
+        return (made,), followed.problems
+
+    return Job(node, id(entry), follow, size_of(types, files), label=PLUGINS, is_loaded=True)
+
+
+def _begin(source: Source, definition: Class, base: str, run: Run, frame: Frame) -> None:
+    """Construct the class, hand it its node handles, and let the rest be called later."""
+    location = Location(source.path, definition.line)
+    this = Object(definition.name, (), (source, definition), location=location)
+    outside = next(
+        (each for each in methods.library_bases(run, source, definition) if not each.startswith(PLAIN)), None
+    )
+    if outside is not None:
+        said = f"the base class {outside} is not in the workspace: what it makes and calls is not known"
+        run.gaps.setdefault(said, location)
+    construct.initialise(run, frame, this, (source, definition), {}, (), location)
+    for name in FIRST:
+        for where, function in _overloads(run, this, name):
+            method = Callable(where, function, this, templates=this.templates)
+            activation.invoke(run, frame, method, _arguments(run, function, where, location))
+    for name in LATER[base]:
+        found = methods.method_of(run, this, name)
+        if found is not None:
+            callbacks.register(run, found)
+
+
+def _overloads(run: Run, this: Object, name: str) -> list[tuple[Source, Function]]:
+    """The methods of that name that take node handles, those with fewer of them first, as they are called."""
+    first = methods.method_of(run, this, name)
+    if first is None:
+        return []
+    declared = run.index.functions.get(first.function.name, ())
+    kinds: dict[int, tuple[Source, Function]] = {}
+    for where, function in ((first.source, first.function), *declared):
+        if function.owner == first.function.owner and (count := len(_handles(run, function, where))):
+            kinds.setdefault(count, (where, function))
+    return [kinds[count] for count in sorted(kinds)]
+
+
+def _handles(run: Run, function: Function, source: Source) -> list[int]:
+    """The numbers of the parameters that are node handles."""
+    inner = Frame(source, function.owner, function)
+    return [number for number, each in enumerate(function.parameters) if run.type_in(each.type, inner).name == HANDLE]
+
+
+def _arguments(run: Run, function: Function, source: Source, location: Location) -> tuple[Argument, ...]:
+    """The last node handle is below the plug-in's own name, one before it the manager's; what else is given is not known."""
+    handles = _handles(run, function, source)
+    inner = Frame(source, function.owner, function)
+    found = []
+    for number, each in enumerate(function.parameters):
+        kind = run.type_in(each.type, inner)
+        if number in handles:
+            space: Value = Text(("/", Opaque(OWN, location))) if number == handles[-1] else Known("/")
+            found.append(Argument(Object(HANDLE, namespace=space), None, syntax.Type(HANDLE)))
+        else:
+            found.append(Argument(run.opaque("what a plug-in is given", inner, function.line, kind), None, kind))
+    return tuple(found)
