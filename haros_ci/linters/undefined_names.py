@@ -8,6 +8,7 @@ import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
+from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
@@ -61,12 +62,16 @@ def weighed_names(
     is evaluated.
     """
     weighed = []
+    doubting = Doubting()
     for result in results:
         name = _QUOTED.search(result.message) if result.full_id in RULES else None
         if name is not None:
             if is_loaded(result.location.path):
                 continue
             whole = text(result.location.path)
+            if not doubting.may(result.location.path, result.full_id, whole):
+                weighed.append(result)
+                continue
             if _is_behind_exit(result, whole):
                 continue
             if name[1] in _BROUGHT or (name[1] in OF_PYTHON_2 and _ASKS_FOR_VERSION.search(whole)):
