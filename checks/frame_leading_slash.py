@@ -36,7 +36,7 @@ _DEFINED = re.compile(r"\b(?:def\s+)?([A-Za-z_]\w*)\s*\([^;{}()]{0,400}\)\s*(?:c
 #: The declaration of a variable: its type, or what it is made by.
 _DECLARED = (
     r"(?:\b(?P<type>[A-Z]\w*)(?:::(?:Shared|Unique|)Ptr|Ptr|>)?[\s&*]+{word}\s*[;=,)({{:\[]"
-    r"|\b{word}\s*(?::[^=\n]{{1,80}})?=[^=;\n]{{0,80}}?\b(?P<made>[A-Z]\w*)\s*>?\s*[({{])"
+    r"|\b{word}\s*(?::[^=\n]{{1,80}})?=[^=;\n]{{0,80}}?\b(?P<made>[A-Z]\w*)\s*(?:>\s*)?[({{])"
 )
 #: An element of an array of markers, before its header.
 _ELEMENT = re.compile(r"\bmarkers\s*(?:\[[^\[\]\n]{0,40}\]|\.(?:back|front)\(\)|\.at\([^()\n]{0,40}\))\s*(?:\.|->)\s*$")

@@ -74,7 +74,7 @@ _CALLEE = re.compile(r"(\w+)\s*$")
 #: Lines of a call, and characters before its bracket, that are looked at.
 _LONGEST = 200
 
-_REMARK = re.compile(r"//[^\n]*|/\*.{0,2000}?\*/", re.DOTALL)
+_REMARK = re.compile(r"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
 #: Lines of a declaration that are looked at.
 _DECLARATION = 8
 

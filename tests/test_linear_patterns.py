@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Regular expressions that read whole files: text made to be read again from each of its places takes no longer than other text."""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+import pytest
+
+#: Characters that each is given: a quadratic one takes minutes for them.
+SIZE = 300_000
+CASES = (
+    ("haros_ci.checking.given_names._HELD", "A::"),
+    ("haros_ci.checking.given_names._COMMENT", "/*a"),
+    ("haros_ci.linters.cppcheck_doubts._COMMENT", "/*a"),
+    ("haros_ci.linters.constant_switches._COMMENT", "/*a"),
+    ("haros_ci.linters.one_cause._REMARK", "/*a"),
+    ("haros_ci.linters.catkin_doubts._SIMPLE", "\n"),
+    ("haros_ci.checking.includes._GUARD", "if ! defined" + " " * SIZE + "!"),
+    ("haros_ci.checking.launching._COMMENT", "<!--"),
+    ("haros_ci.checking.old_python._OPEN", "import" + " " * SIZE),
+    ("haros_ci.checking.republishing._AGAIN", "Timer" + " " * SIZE),
+    ("haros_ci.checking.republishing._PUBLISHER", "a" + " " * SIZE),
+    ("haros_ci.launch.facts.programs._MAKERS", "\n"),
+    ("haros_ci_checks.unused_launch_argument._NEXT", "\n"),
+)
+
+
+@pytest.mark.parametrize(("name", "pump"), CASES)
+def test_one_text_over_and_over(name: str, pump: str) -> None:
+    module, _, attribute = name.rpartition(".")
+    pattern = getattr(import_module(module), attribute)
+    assert sum(1 for _ in pattern.finditer(pump * max(SIZE // len(pump), 1))) <= 1
