@@ -77,8 +77,8 @@ _ARGUMENT = re.compile(r"argument type is '(?:const )?(\w+)(?: const)?'")
 #: Lines of the last statement that are looked at.
 _STATEMENT_LINES = 8
 _LOOP = re.compile(r"\bfor\s*\(\s*\w+\s*;")
-_BY_NAME = re.compile(r"%=?\s*\(?\s*[A-Za-z_]")
-_BY_ONE = re.compile(r"%=?\s*\(?\s*1\b")
+_BY_NAME = re.compile(r"%=?\s*(?:\(\s*)?[A-Za-z_]")
+_BY_ONE = re.compile(r"%=?\s*(?:\(\s*)?1\b")
 _OF_CONDITIONS = frozenset({"identicalInnerCondition", "duplicateCondition"})
 
 
