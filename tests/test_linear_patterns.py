@@ -10,6 +10,12 @@ import pytest
 #: Characters that each is given: a quadratic one takes minutes for them.
 SIZE = 300_000
 CASES = (
+    ("haros_ci.linters.gate._QUOTED", "‘"),
+    ("haros_ci.linters.inclusions._ASKED", "defined" + " " * SIZE + "!"),
+    ("haros_ci.linters.loaded_files._IN_CODE", "-"),
+    ("haros_ci.linters.one_cause._CALLEE", "a" * SIZE + "!"),
+    ("haros_ci.linters.pylint_doubts._CALLEE", "a"),
+    ("haros_ci.linters.pylint_doubts._KEPT", "#"),
     ("haros_ci.extract.cpp.literals._FLOAT", "1" * SIZE + "z"),
     ("haros_ci.launch.ros2.parameter_yaml._FLOAT", "1" * SIZE + "z"),
     ("haros_ci.linters.cppcheck_doubts._BY_NAME", "%" + " " * SIZE),

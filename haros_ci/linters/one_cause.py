@@ -70,7 +70,7 @@ MOST = 40
 
 _BRACKET = re.compile(r"[()\[\]{}]")
 _STRING = re.compile(r"'[^'\n]*'|\"[^\"\n]*\"")
-_CALLEE = re.compile(r"(\w+)\s*$")
+_CALLEE = re.compile(r"(?<!\w)(\w+)\s*$")
 #: Lines of a call, and characters before its bracket, that are looked at.
 _LONGEST = 200
 
