@@ -10,6 +10,9 @@ import pytest
 #: Characters that each is given: a quadratic one takes minutes for them.
 SIZE = 300_000
 CASES = (
+    ("haros_ci.linters.python2._SHEBANG", "#!a"),
+    ("haros_ci.linters.python2._STATEMENTS", "except" + " " * SIZE),
+    ("haros_ci.linters.python2._REMARK", "<!--"),
     ("haros_ci.linters.gate._QUOTED", "‘"),
     ("haros_ci.linters.inclusions._ASKED", "defined" + " " * SIZE + "!"),
     ("haros_ci.linters.loaded_files._IN_CODE", "-"),

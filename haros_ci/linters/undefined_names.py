@@ -38,6 +38,8 @@ _OWN_EXIT = re.compile(
 
 _LATE = re.compile(r"^from __future__ import [^\n]*\bannotations\b", re.MULTILINE)
 _ANNOTATED = re.compile(r"(?:->|[\w)\]][ \t]*:)[ \t]*[\w\[\]., |]*$")
+#: Characters of a line that are looked at before a name.
+_LONGEST = 2_000
 #: Where a colon begins no annotation.
 _STATEMENT = re.compile(
     r"\s*(?:if|elif|else|for|while|with|try|except|finally|class|return|lambda|assert|case)\b|[^#]*[{]|[^#]*\[[^\]]*:|[^#]*\blambda\b"
@@ -115,7 +117,7 @@ def _is_in_annotation(result: Result, text: str) -> bool:
     lines, at = text.split("\n"), result.location
     if not at.line or not at.column or at.line > len(lines) or not _LATE.search(text):
         return False
-    before = lines[at.line - 1][: at.column - 1]
+    before = lines[at.line - 1][: at.column - 1][-_LONGEST:]
     return _ANNOTATED.search(before) is not None and not _STATEMENT.match(before)
 
 
