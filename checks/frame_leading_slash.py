@@ -285,7 +285,7 @@ def _is_marker(found: re.Match[str], text: str) -> bool:
     kinds = kinds or [each["type"] or each["made"] for each in re.finditer(_DECLARED.format(word=word), text)]
     if not kinds or re.fullmatch(r"Marker(?:::)?", kinds[-1]) is None:
         return False
-    return re.search(rf"ransform\w*\s*\([^;\n]{{0,200}}\b{word}\s*(?:\.|->)\s*header\b", text) is None
+    return re.search(rf"ransform\w{{0,80}}\s*\([^;\n]{{0,200}}\b{word}\s*(?:\.|->)\s*header\b", text) is None
 
 
 def _marker(use: _Use, node: SystemNode | str) -> Finding:
