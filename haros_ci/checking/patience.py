@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
 
-#: Seconds of the processor that one check may take, in all systems together; half of it for the others once one has been ended, and
-#: so on. On the largest workspaces that were tried a check takes a few, the call graph and the base revision that it asks for included.
+#: Seconds of the processor that one check may take, in all systems together, with the call graph and the base revision that it asks for;
+#: half of it for the others once one has been ended, and so on.
 MOST = 200.0
 
 
