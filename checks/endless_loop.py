@@ -26,11 +26,12 @@ _ASKED = ("ros::ok", "rclcpp::ok")
 
 #: A request that the machine goes off, which the loop repeats until it does.
 _POWER = re.compile(
-    r"\bsystem\s*\([^;]*\b(?:shutdown|poweroff|reboot|halt)\b|\b\w*(?:power_?off|reboot)\w*\s*\(", re.IGNORECASE
+    r"\bsystem\s*\([^;]{0,400}\b(?:shutdown|poweroff|reboot|halt)\b|\b\w{0,80}?(?:power_?off|reboot)\w{0,80}\s*\(",
+    re.IGNORECASE,
 )
 #: What interrupts a boost::thread or a group of them; what the thread may be interrupted at, and waits that are no such place.
 _INTERRUPT = re.compile(r"(?:\.|->)\s*interrupt(?:_all)?\s*\(")
-_INTERRUPTION_POINT = re.compile(r"(?:wait|sleep|pop|join|take|receive|acquire)\w*\s*\(", re.IGNORECASE)
+_INTERRUPTION_POINT = re.compile(r"(?:wait|sleep|pop|join|take|receive|acquire)\w{0,80}\s*\(", re.IGNORECASE)
 _NO_INTERRUPTION_POINT = re.compile(
     r"\b(?:std::this_thread::sleep_\w+|(?:ros|rclcpp)::\w+|usleep|nanosleep|(?<!:)sleep|\w*(?:r|[rR]ate)_?\.sleep)\s*\("
 )
@@ -110,7 +111,7 @@ def _text(code: Codebase, routine: Routine, statement: syntax.Loop) -> str | Non
             body.append(re.sub(r"#.*|\"[^\"]*\"|'[^']*'", "", line))
         return "\n".join(body)
     text = "\n".join([lines[0][statement.column - 1 :], *lines[1:]])
-    text = re.sub(r"//[^\n]*|/\*.*?\*/|\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.)*'", " ", text, flags=re.S)
+    text = re.sub(r"//[^\n]*|/\*.*?(?:\*/|\Z)|\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.)*'", " ", text, flags=re.S)
     start = text.find("{")
     if start < 0 or ";" in text[:start].replace("(;;)", "").replace("( ; ; )", ""):
         return None

@@ -36,7 +36,7 @@ _DEFINED = re.compile(r"\b(?:def\s+)?([A-Za-z_]\w*)\s*\([^;{}()]{0,400}\)\s*(?:c
 #: The declaration of a variable: its type, or what it is made by.
 _DECLARED = (
     r"(?:\b(?P<type>[A-Z]\w*)(?:::(?:Shared|Unique|)Ptr|Ptr|>)?[\s&*]+{word}\s*[;=,)({{:\[]"
-    r"|\b{word}\s*(?::[^=\n]{{1,80}})?=[^=;\n]{{0,80}}?\b(?P<made>[A-Z]\w*)\s*>?\s*[({{])"
+    r"|\b{word}\s*(?::[^=\n]{{1,80}})?=[^=;\n]{{0,80}}?\b(?P<made>[A-Z]\w*)\s*(?:>\s*)?[({{])"
 )
 #: An element of an array of markers, before its header.
 _ELEMENT = re.compile(r"\bmarkers\s*(?:\[[^\[\]\n]{0,40}\]|\.(?:back|front)\(\)|\.at\([^()\n]{0,40}\))\s*(?:\.|->)\s*$")
@@ -285,7 +285,7 @@ def _is_marker(found: re.Match[str], text: str) -> bool:
     kinds = kinds or [each["type"] or each["made"] for each in re.finditer(_DECLARED.format(word=word), text)]
     if not kinds or re.fullmatch(r"Marker(?:::)?", kinds[-1]) is None:
         return False
-    return re.search(rf"ransform\w*\s*\([^;\n]{{0,200}}\b{word}\s*(?:\.|->)\s*header\b", text) is None
+    return re.search(rf"ransform\w{{0,80}}\s*\([^;\n]{{0,200}}\b{word}\s*(?:\.|->)\s*header\b", text) is None
 
 
 def _marker(use: _Use, node: SystemNode | str) -> Finding:

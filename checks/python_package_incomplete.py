@@ -125,7 +125,7 @@ def _missing_name(each: EntryPoint, package: ProjectPackage) -> Finding | None:
         rf"(?:def|class|as)\s+{name}\b|\b{name}\s*(?::[^=\n]*)?=[^=]|import\b[^\n]*\b{name}\b", text
     ):
         return None
-    if re.search(rf"^\s*{name}\s*,?\s*(?:#.*)?$", text, re.M):
+    if re.search(rf"^[ \t]*{name}[ \t]*(?:,[ \t]*)?(?:#.*)?$", text, re.M):
         return None  # perhaps a line of an import in parentheses
     alike = sorted(other for other in own if is_slip(other, name))
     meant = f"; write {alike[0]}" if alike else ""

@@ -166,7 +166,7 @@ def _is_destroyed(end: End, system: System) -> bool:
 def _statement(lines: list[str], column: int | None) -> str:
     """The text before the call in the last of *lines*, with the lines before it where it begins its own."""
     last = lines[-1] if lines else ""
-    call = re.search(r"[\w.>-]*\b(?:create_service|advertiseService|Service)\b", last)
+    call = re.search(r"(?<![\w.>-])[\w.>-]*\b(?:create_service|advertiseService|Service)\b", last)
     before = last[: column - 1] if column else last[: call.start()] if call is not None else ""
     return before if before.strip() else "\n".join((*lines[-3:-1], before))
 

@@ -15,12 +15,12 @@ from haros_ci.api.packages import landings, may_appear
 #: What gives the directory of a package: ament_index_cpp, ament_index_python, roslib, rospkg.
 _DIRECTORY = (
     r"(?:(?:\w+(?:::|\.))*(?:get_package_share_directory|get_package_share_path|getPath)|(?:\w+\.RosPack\(\)|\w*rospack\w*)\.get_path)"
-    r"\(\s*[\"'](\w+)[\"']\s*,?\s*\)"
+    r"\(\s*[\"'](\w+)[\"']\s*(?:,\s*)?\)"
 )
 _ASSIGNED = re.compile(
-    rf"(?m)^[ \t]*(?:(?:const[ \t]+)?(?:(?:std::)?string|auto)[ \t]+)?((?:self\.)?\w+)[ \t]*=[ \t]*(?:Path\()?{_DIRECTORY}\)?[ \t]*;?[ \t]*$"
+    rf"(?m)^[ \t]*(?:(?:const[ \t]+)?(?:(?:std::)?string|auto)[ \t]+)?((?:self\.)?\w+)[ \t]*=[ \t]*(?:Path\()?{_DIRECTORY}\)?[ \t]*(?:;[ \t]*)?$"
 )
-_LITERALS = r"((?:\s*,\s*[\"'][^\"'\n{}%]+[\"'])+)\s*,?\s*\)"
+_LITERALS = r"((?:\s*,\s*[\"'][^\"'\n{}%]+[\"'])+)\s*(?:,\s*)?\)"
 _ADDED = r"\s*\+\s*(?:std::string\()?[\"']/([^\"'\n{}%]+)[\"']\)?(?!\s*(?:\+|%|\.format))"
 _SLASHED = r"((?:\s*/\s*[\"'][^\"'\n{}%]+[\"'])+)(?!\s*(?:/|\+))"
 #: Files that somebody wrote by hand, which nodes read.

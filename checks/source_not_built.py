@@ -87,7 +87,7 @@ def _caller(
         text = package.project.text(source)[:MAX_TEXT]
         plain = _COMMENT.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
         for owner, name in own:
-            made = rf"(?:new\s+|make_shared<\s*|make_unique<\s*|^\s*)(?:\w+::)*{re.escape(owner)}\b\s*(?:>\s*\(|\(|\w+\s*[;({{])"
+            made = rf"(?:new\s+|make_shared<\s*|make_unique<\s*|^[ \t]*)(?:\w+::)*{re.escape(owner)}\b\s*(?:>\s*\(|\(|\w+\s*[;({{])"
             used = made if name == owner else rf"\b{re.escape(owner)}::{re.escape(name)}\s*\("
             match = re.search(used, plain, re.MULTILINE)
             if match is not None:

@@ -36,7 +36,7 @@ _OF_AMENT = {
 #: What finds packages for tests besides find_package().
 _AUTO = ("ament_lint_auto_find_test_dependencies", "ament_auto_find_test_dependencies")
 #: What asks the other way round, or decides by itself whether there are tests.
-_OTHERWISE = r"\bnot\s+\(?\s*(?:defined\s+)?{0}\b|\bset\s*\(\s*{0}\b"
+_OTHERWISE = r"\bnot\s+(?:\(\s*)?(?:defined\s+)?{0}\b|\bset\s*\(\s*{0}\b"
 _SHOWN = 4
 
 

@@ -14,6 +14,7 @@ from haros_ci.api import (
     Level,
     Location,
     System,
+    by_types,
     can_meet,
     line_of,
     named_at,
@@ -21,8 +22,6 @@ from haros_ci.api import (
     way_to,
 )
 
-#: Two types, the publisher's first, with all ends that have them.
-Pair = tuple[str, str]
 #: Lines of one statement.
 _STATEMENT = 3
 #: Defaults of parameters that have to be set: no names of topics.
@@ -34,37 +33,46 @@ def check(system: System) -> Iterator[Finding]:
     for topic in system.topics:
         if len(topic.types) < 2 or topic.name.rpartition("/")[2].lower() in PLACEHOLDERS:
             continue
-        found: dict[Pair, dict[End, None]] = {}
-        for publisher, subscriber in topic.pairs():
-            if _differ(publisher, subscriber, topic, system):
-                ends = found.setdefault((publisher.type or "", subscriber.type or ""), {})
-                ends.update({publisher: None, subscriber: None})
-        for pair, ends in found.items():
+        types = _Types(topic, system)
+        for pair, ends in by_types(topic.publishers, topic.subscribers, types.differ).items():
             about = by_place.setdefault((named_at(_wrong(tuple(ends))), *pair), {})
             about[topic] = None
             about.update(dict.fromkeys(ends))
         if not topic.subscribers:
-            yield from _among(topic, topic.publishers, system)
+            yield from _among(topic, topic.publishers, types)
         if not topic.publishers:
-            yield from _among(topic, topic.subscribers, system)
+            yield from _among(topic, topic.subscribers, types)
     for (_, given, taken), about in by_place.items():
         yield _finding(tuple(about), given, taken)
 
 
-def _differ(one: End, other: End, topic: Channel, system: System) -> bool:
-    """Whether their types differ, whichever of the alternatives in their code they are."""
-    if one.type is None or other.type is None or one.implicit or other.implicit:
-        return False
-    types, others = _types(one, topic, system), _types(other, topic, system)
-    return None not in types | others and not types & others
+class _Types:
+    """The types that each end of a topic may have, whichever of the alternatives in its code it is."""
 
+    def __init__(self, topic: Channel, system: System) -> None:
+        self._system = system
+        self._known: dict[End, frozenset[str | None]] = {}
+        self._alike: dict[tuple[int, str], list[End]] = {}
+        for end in topic.ends:
+            self._alike.setdefault((id(end.node), end.kind), []).append(end)
 
-def _types(end: End, topic: Channel, system: System) -> frozenset[str | None]:
-    """Its type, and those of the ends that the same node has instead: under other conditions, or in other releases."""
-    others = [each for each in topic.ends if each.node is end.node and each.kind == end.kind]
-    if not _is_choice(end):
-        return frozenset(each.type for each in others if each is end or _is_beside(each, end, system))
-    return frozenset(each.type for each in others if _is_choice(each))
+    def differ(self, one: End, other: End) -> bool:
+        """Whether the types of two ends differ."""
+        if one.type is None or other.type is None or one.implicit or other.implicit:
+            return False
+        types, others = self._of(one), self._of(other)
+        return None not in types | others and not types & others
+
+    def _of(self, end: End) -> frozenset[str | None]:
+        """Its type, and those of the ends that the same node has instead: under other conditions, or in other releases."""
+        if end not in self._known:
+            alike = self._alike[id(end.node), end.kind]
+            if _is_choice(end):
+                self._known[end] = frozenset(each.type for each in alike if _is_choice(each))
+            else:
+                beside = (each for each in alike if each is end or _is_beside(each, end, self._system))
+                self._known[end] = frozenset(each.type for each in beside)
+        return self._known[end]
 
 
 def _is_choice(end: End) -> bool:
@@ -120,10 +128,10 @@ def _nodes(ends: list[End]) -> str:
     return f"{names[0]}{more} ({line_of(first.location)})"
 
 
-def _among(topic: Channel, ends: tuple[End, ...], system: System) -> Iterator[Finding]:
+def _among(topic: Channel, ends: tuple[End, ...], types: _Types) -> Iterator[Finding]:
     """Ends of one kind without another end in the system: who is there outside of it fits one of their types."""
     for one, other in can_meet(ends, ends):
-        if _differ(one, other, topic, system):
+        if types.differ(one, other):
             wrong = next((end for end in (other, one) if rule_of(end) is not None), other)
             verb, effect = (
                 ("publishes", "a subscriber receives the messages of one of the two only")

@@ -12,7 +12,9 @@ from haros_ci.api.launch import ArgumentDeclaration, IncludeUse, PassedArgument,
 
 #: A declaration is this many lines long at most.
 LINES = 12
-_NEXT = re.compile(r"Declare\w*Launch\w*Arg|<arg\b|<include\b|<node\b|<!--|^\s*- \w+:|^\s*\w+ = |^\s*\w+\(", re.M)
+_NEXT = re.compile(
+    r"Declare\w{0,40}Launch\w{0,40}Arg|<arg\b|<include\b|<node\b|<!--|^[ \t]*- \w+:|^[ \t]*\w+ = |^[ \t]*\w+\(", re.M
+)
 #: So many files make a family, whose names begin alike.
 _MANY = 3
 _FAMILY = re.compile(r"[A-Za-z0-9]+[_-]")

@@ -13,6 +13,7 @@ from haros_ci.analysis.inspection import asks
 from haros_ci.config.selection import Selection
 from haros_ci.config.selector import is_glob
 from haros_ci.config.settings import Settings
+from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.in_default import IN_TESTS, is_idle, is_of_linter, is_test
 from haros_ci.linters.linter import LintOptions, When
 from haros_ci.linters.loaded_files import loaded_files
@@ -81,9 +82,11 @@ def worthwhile(
         return is_of_linter(result) and not selection.is_asked_for(result.tool, result.rule, result.location.path)
 
     kept: list[tuple[Result, bool]] = []
+    doubting = Doubting()
     for result in results:
         extra = is_extra(result)
-        if extra and is_refuted_around(result, workspace):
+        path = result.location.path
+        if extra and doubting.may(path, result.full_id, workspace.text(path)) and is_refuted_around(result, workspace):
             continue
         if not extra or not is_idle(result, ros.get(package_of(result.location.path) or "")):
             kept.append((result, extra))

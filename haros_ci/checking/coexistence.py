@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from itertools import product
 from typing import TYPE_CHECKING
 
@@ -23,6 +23,37 @@ def can_meet(first: Iterable[End], second: Iterable[End]) -> Iterator[tuple[End,
     for one, other in product(tuple(first), tuple(second)):
         if one is not other and together(one.presence, other.presence) is not None and not _on_branches(one, other):
             yield one, other
+
+
+def by_types(
+    givers: Iterable[End], takers: Iterable[End], apart: Callable[[End, End], bool]
+) -> dict[tuple[str, str], dict[End, None]]:
+    """All ends that meet one from which they are *apart*, by the types of the two, in the order of the pairs.
+
+    A pair is looked at only if it may tell something new: there may be thousands of ends on both sides.
+    """
+    found: dict[tuple[str, str], dict[End, None]] = {}
+    groups: dict[str, dict[int, End]] = {}
+    for number, taker in enumerate(takers):
+        groups.setdefault(taker.type or "", {})[number] = taker
+    left: dict[tuple[str, str], dict[int, End]] = {}
+    for giver in givers:
+        new: list[tuple[int, End, tuple[str, str]]] = []
+        for type, group in groups.items():
+            pair = (giver.type or "", type)
+            waiting = left.setdefault(pair, dict(group))
+            hits = [(number, taker, pair) for number, taker in waiting.items() if _meet_apart(giver, taker, apart)]
+            if not hits and any(n not in waiting and _meet_apart(giver, taker, apart) for n, taker in group.items()):
+                found[pair][giver] = None
+            new += hits
+        for number, taker, pair in sorted(new, key=lambda each: each[0]):
+            found.setdefault(pair, {}).update({giver: None, taker: None})
+            del left[pair][number]
+    return found
+
+
+def _meet_apart(giver: End, taker: End, apart: Callable[[End, End], bool]) -> bool:
+    return apart(giver, taker) and any(can_meet((giver,), (taker,)))
 
 
 def _on_branches(one: End, other: End) -> bool:

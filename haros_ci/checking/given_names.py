@@ -18,7 +18,7 @@ _FOUND: WeakKeyDictionary[Whole, Mapping[str, Mapping[str, frozenset[str]]]] = W
 _PARTS: WeakKeyDictionary[Whole, dict[str, bool]] = WeakKeyDictionary()
 #: What is read of a file, and how far before a string the call that it is given to may begin.
 _MOST, _BEFORE = 400_000, 400
-_COMMENT = re.compile(r"//[^\n]*|/\*.{0,4000}?\*/", re.DOTALL)
+_COMMENT = re.compile(r"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
 _HASH = re.compile(r"^[ \t]*#[^\n]*", re.MULTILINE)
 #: Calls that make no topic of a string: of parameters, transforms, messages for people, nodes and paths, conversions and look-ups.
 _OTHER = re.compile(
@@ -29,13 +29,13 @@ _OTHER = re.compile(
 )
 #: A variable of a class in a namespace, plain or behind a pointer; namespaces whose classes are followed, or make no topics.
 _HELD = re.compile(
-    r"\b(?:(?:std|boost)::(?:unique_ptr|shared_ptr|optional)<\s*)?((?:\w+::)+)(\w+)(?:<[^;{}()<>]{0,100}>)?[\s>]+(\w+)\s*[;({]"
+    r"\b(?<!\w::)(?:(?:std|boost)::(?:unique_ptr|shared_ptr|optional)<\s*)?((?:\w+::)+)(\w+)(?:<[^;{}()<>]{0,100}>)?[\s>]+(\w+)\s*[;({]"
 )
 _FOLLOWED = frozenset(
     "std ros rclcpp rclcpp_lifecycle tf tf2 tf2_ros boost Eigen message_filters image_transport sensor_msgs".split()
 )
 _HANDLE = r"\b{}\s*[({{][^;{{}}]{{0,200}}?\b(?:\w*nh\w*|\w*node_?handle\w*|shared_from_this\s*\(\s*\)|node_?)\s*[,)}}]"
-_CALLEE = re.compile(r"(\w+)\s*(?:<[^;(){}]{0,200}>\s*)?(?:\w+\s*)?$")
+_CALLEE = re.compile(r"(?<!\w)(\w+)\s*(?:<[^;(){}]{0,200}>\s*)?(?:(?<!\w)\w+\s*)?$")
 
 
 def is_given_away(node: SystemNode, rule: RemapRule, system: System) -> bool:

@@ -14,7 +14,7 @@ from haros_ci.model.location import Location
 
 _COMMENT = re.compile(r"/\*.*?(?:\*/|\Z)", re.S)  # one that is not closed goes to the end
 _DIRECTIVE = re.compile(r"^[ \t]*#[ \t]*(include|if|ifdef|ifndef|elif|else|endif|define)\b[ \t]*(.*)$", re.M)
-_GUARD = re.compile(r"(?:ifndef|if\s*!\s*defined\s*\(?)\s*(\w+)")
+_GUARD = re.compile(r"(?:ifndef|if\s*!\s*defined(?:\s*\()?)\s*(\w+)")
 _TARGET = re.compile(r"([<\"])([^>\"\n]+)[>\"]")
 _HEADERS = (".h", ".hh", ".hpp", ".hxx", ".h++", ".ipp", ".inl", ".tpp", ".cuh")
 #: Classes for which Qt's moc makes a source that includes their header.

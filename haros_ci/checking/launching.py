@@ -12,7 +12,7 @@ from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 
 #: A comment of a launch file, in XML, Python or YAML.
-_COMMENT = re.compile(r"<!--.{0,20000}?-->|(?:^|(?<=\s))#[^\n]*", re.DOTALL)
+_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)|(?:^|(?<=\s))#[^\n]*", re.DOTALL)
 
 
 def owner(system: System, location: Location) -> Package | None:

@@ -217,7 +217,7 @@ def _is_asked(code: Codebase, routine: Routine, name: str) -> bool:
     for call in code.body(routine).calls:
         if call.name in ASKING and any(isinstance(each, syntax.Name) and each.name == name for each in call.args):
             return True
-    shared = re.compile(rf"^\s*(?:global|nonlocal)\s[^\n]*\b{re.escape(name)}\b", re.M)
+    shared = re.compile(rf"^[ \t]*(?:global|nonlocal)\s[^\n]*\b{re.escape(name)}\b", re.M)
     return shared.search(code.text(routine.path)) is not None
 
 

@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from functools import partial
 
 from haros_ci.checking.check import Finding
+from haros_ci.checking.coexistence import by_types
 from haros_ci.checking.remapping import named_at, rule_of, way_to
 from haros_ci.checking.system import Channel, End
 from haros_ci.checking.wording import line_of
@@ -16,16 +18,14 @@ def type_mismatches(channels: Iterable[Channel], consequence: str) -> Iterator[F
     for channel in channels:
         if len(channel.types) < 2:
             continue
-        found: dict[tuple[str, str], dict[End, None]] = {}
-        for server, client in channel.pairs():
-            if server.type is None or client.type is None or server.type == client.type:
-                continue
-            if server.implicit or client.implicit or _has_other(server, client.type) or _has_other(client, server.type):
-                continue
-            found.setdefault((server.type, client.type), {}).update({server: None, client: None})
+        types: dict[tuple[int, str], set[str | None]] = {}
+        for end in channel.ends:
+            types.setdefault((id(end.node), end.kind), set()).add(end.type)
+        found = by_types(channel.servers, channel.clients, partial(_differ, types))
         for (given, wanted), ends in found.items():
-            clients = [end for end in ends if end in channel.clients]
-            servers = [end for end in ends if end in channel.servers]
+            takers = set(channel.clients)
+            clients = [end for end in ends if end in takers]
+            servers = [end for end in ends if end not in takers]
             wrong = next((end for end in (*clients, *servers) if rule_of(end) is not None), None)
             wrong = wrong or next((end for end in (*clients, *servers) if end.in_source), clients[0])
             rule = rule_of(wrong)
@@ -43,6 +43,12 @@ def type_mismatches(channels: Iterable[Channel], consequence: str) -> Iterator[F
             )
 
 
-def _has_other(end: End, kind: str) -> bool:
-    """Whether the node has an end of that *kind* of type, too: one of them is made, as its conditions say."""
-    return any(other.name == end.name and other.type in (kind, None) for other in end.node.of(end.kind))
+def _differ(types: Mapping[tuple[int, str], Collection[str | None]], server: End, client: End) -> bool:
+    """Whether the types differ, and neither node has an end of the other's type, too: one of them is made, as its conditions say.
+
+    *types* has those that each node has at the channel, by its identity and the kind of end.
+    """
+    if server.type is None or client.type is None or server.type == client.type or server.implicit or client.implicit:
+        return False
+    wanted, given = types[id(client.node), client.kind], types[id(server.node), server.kind]
+    return not (client.type in given or None in given or server.type in wanted or None in wanted)

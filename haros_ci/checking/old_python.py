@@ -30,7 +30,7 @@ LOADS = re.compile(
 )
 #: What defines names in ways that no table shows, or asks for a name that may be missing.
 _OPEN = re.compile(
-    r"\bimport[ \t]*\(?[ \t]*\*|\bexec\b|\bexecfile\b|\bglobals[ \t]*\(|\blocals[ \t]*\(|\bNameError\b|\b__builtin__\b|\bvars[ \t]*\("
+    r"\bimport[ \t]*(?:\([ \t]*)?\*|\bexec\b|\bexecfile\b|\bglobals[ \t]*\(|\blocals[ \t]*\(|\bNameError\b|\b__builtin__\b|\bvars[ \t]*\("
 )
 _PLACE = re.compile(r"%(?:\((\w*)\))?[#0\- +]*(\*|\d+)?(?:\.(\*|\d+))?[hlL]?([diouxXeEfFgGcrsa%])")
 #: An import or an assignment in a comment: all that is imported, and what is assigned.

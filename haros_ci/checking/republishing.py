@@ -16,12 +16,12 @@ _ASKS = re.compile(
 #: Calls whose functions run again and again, or on request.
 _AGAIN = re.compile(
     r"\b(?:create_(?:wall_)?timer|create(?:Wall|Steady)?Timer|create_service|create_server|advertiseService|Timer|Service|ActionServer"
-    r"|create_rate|add_on_set_parameters_callback)\s*(?:<[^<>;]{0,200}>)?\s*\("
+    r"|create_rate|add_on_set_parameters_callback)\s*(?:<[^<>;]{0,200}>\s*)?\("
 )
 _LOOP = re.compile(r"\bwhile\b[^\n;]{0,200}|\bfor\s*\(\s*;\s*;\s*\)")
 _WAITS = re.compile(r"\b(?:sleep|sleep_for|sleep_until|spin_some|spin_once|spinOnce|wait)\b")
 _PUBLISHER = re.compile(
-    r"\b(?:([A-Za-z_]\w*)\s*(?:\[[^\]\n]{0,100}\])?\s*(?::[\w.\[\], ]{1,100})?=(?!=)\s*|([A-Za-z_]\w*)\s*[({]\s*)"
+    r"\b(?:([A-Za-z_]\w*)\s*(?:\[[^\]\n]{0,100}\]\s*)?(?::[\w.\[\], ]{1,100})?=(?!=)\s*|([A-Za-z_]\w*)\s*[({]\s*)"
     r"(?:[\w.>()\[\]:&* -]{0,80}[.>:]\s*)?(?:create_publisher|advertise)\b"
 )
 _FUNCTION = re.compile(r"\b([A-Za-z_]\w*)\s*\([^;{}]{0,400}\)[^;{}()]{0,100}\{")

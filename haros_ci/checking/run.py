@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 from haros_ci.checking.check import About, Check, Finding
 from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC
+from haros_ci.checking.patience import Overrun, Patience
 from haros_ci.checking.project import Project
 from haros_ci.checking.system import Channel, End, System, SystemNode
 from haros_ci.model.location import Location
@@ -65,18 +66,19 @@ def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, unde
 
     In launch files that launch refuses as a whole only the checks made for that are heard. A finding that holds only in contradictory contexts is dropped. One that needs other launch arguments than the defaults names
     them, and is confirmed by running its check *under* them, where that can be done: else it is dropped, too. A check that
-    fails is a notification, and loses no other check's findings.
+    fails, or that takes too long, is a notification, and loses no other check's findings.
     """
     told: dict[tuple[object, ...], dict[tuple[str, ...], _Told]] = {}
     failures: dict[str, Notification] = {}
     confirm = _Confirmation(under)
+    patience = Patience()
     ones = [(check, check.run) for check in checks if check.run is not None]
     for system in found:
         for check, run in ones:
-            if system.is_refused and not check.of_refused:
+            if patience.has_ended(check.id) or (system.is_refused and not check.of_refused):
                 continue
             try:
-                with stage(CHECKS, check.id):
+                with stage(CHECKS, check.id), patience.with_(check.id):
                     for finding in run(system):
                         if finding.at.path in system.refused and not check.of_refused:
                             continue
@@ -90,6 +92,8 @@ def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, unde
             except Exception as err:  # a fault of one check must not lose the others
                 said = f"the check {check.id} failed on {system.name}: {type(err).__name__}: {err}"
                 failures.setdefault(check.id, Notification(Level.ERROR, said, tool=tool))
+            except Overrun:
+                failures[check.id] = _ended(check, tool, f" on {system.name}")
     chosen = [(best, _other_names(best, alike)) for alike in told.values() for best in [_best(alike.values())]]
     used = {
         each.system.name: each.system for each, _ in chosen if each.system is not None and _edges(each.finding.about)
@@ -100,15 +104,16 @@ def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, unde
 
 
 def run_on_project(checks: Sequence[Check], project: Project, tool: str) -> Checked:
-    """Run those of *checks* that look at the whole workspace; one that fails loses no other's findings."""
+    """Run those of *checks* that look at the whole workspace; one that fails, or takes too long, loses no other's findings."""
     results: dict[tuple[object, ...], Result] = {}
     failures = []
     unseen = _marked(project)
+    patience = Patience()
     for check in checks:
         if check.project is None:
             continue
         try:
-            with stage(CHECKS, check.id):
+            with stage(CHECKS, check.id), patience.with_(check.id):
                 for finding in check.project(project):
                     if unseen and _OF_BUILDS.intersection(check.tags):
                         finding = _of_no_build(finding, unseen)
@@ -117,7 +122,13 @@ def run_on_project(checks: Sequence[Check], project: Project, tool: str) -> Chec
         except Exception as err:  # a fault of one check must not lose the others
             said = f"the check {check.id} failed: {type(err).__name__}: {err}"
             failures.append(Notification(Level.ERROR, said, tool=tool))
+        except Overrun:
+            failures.append(_ended(check, tool))
     return Checked(tuple(sorted(results.values(), key=lambda result: result.sort_key)), (), tuple(failures))
+
+
+def _ended(check: Check, tool: str, where: str = "") -> Notification:
+    return Notification(Level.ERROR, f"the check {check.id} was ended{where}: it took too long", tool=tool)
 
 
 def _marked(project: Project) -> tuple[str, ...]:

@@ -201,7 +201,7 @@ def _is_node(package: ProjectPackage, text: str) -> bool:
     """Whether a script is a node of the package's own ROS, to be run as it stands."""
     client = "rospy" if package.ros == 1 else "rclpy"
     is_main = re.search(r"__name__\s*==\s*['\"]__main__['\"]", text)
-    return bool(is_main) and re.search(rf"(?m)^\s*(?:import|from)\s+{client}\b", text) is not None
+    return bool(is_main) and re.search(rf"(?m)^[ \t]*(?:import|from)\s+{client}\b", text) is not None
 
 
 def _is_module(package: ProjectPackage, path: str) -> bool:

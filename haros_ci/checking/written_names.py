@@ -76,7 +76,7 @@ def _defined(names: set[str], system: System) -> set[str]:
     for file in system.workspace.files if system.workspace is not None else ():
         if file.language == "python" and system.workspace is not None and not names <= found:
             text = system.workspace.text(file.path)[:_MOST]
-            found |= {name for name in names - found if re.search(rf"^\s*class\s+{name}\b", text, re.MULTILINE)}
+            found |= {name for name in names - found if re.search(rf"^[ \t]*class\s+{name}\b", text, re.MULTILINE)}
     return found
 
 

@@ -200,7 +200,7 @@ def exposed(run: Run, frame: Frame, expression: Expression) -> None:
 def deleted(run: Run, frame: Frame, text: str) -> None:
     """Python's ``del``: variables have no value, lists and maps that lose an element are not known."""
     for target in text.removeprefix("del ").split(","):
-        found = re.match(r"\s*\(?\s*([A-Za-z_]\w*(?:\s*\.\s*\w+)*)\s*([\[(.]?)", target)
+        found = re.match(r"\s*(?:\(\s*)?([A-Za-z_]\w*(?:\s*\.\s*\w+)*)\s*([\[(.]?)", target)
         if found is None:
             continue
         first, *rest = re.split(r"\s*\.\s*", found[1])

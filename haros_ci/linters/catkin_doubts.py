@@ -32,7 +32,7 @@ _EXTENSIONS = "c C c++ cc cpp cxx cu mpp m M mm ixx cppm h hh h++ hm hpp hxx in 
 _SOURCE_OF = re.compile(
     r"\w*(?:add_\w*(?:executable|library)|target_sources|catkin_add_gtest|add_rostest_gtest)\(\)", re.IGNORECASE
 )
-_SIMPLE = re.compile(r"^\s*(?:cs_export\s*\(|find_package\s*\(\s*catkin_simple\b)", re.MULTILINE | re.IGNORECASE)
+_SIMPLE = re.compile(r"^[ \t]*(?:cs_export\s*\(|find_package\s*\(\s*catkin_simple\b)", re.MULTILINE | re.IGNORECASE)
 #: Commands that install: ``install()``, ``catkin_install_python()``, ``cs_install()`` and such of one's own.
 _INSTALLS = re.compile(r"^[ \t]*\w*install\w*[ \t]*\(", re.MULTILINE | re.IGNORECASE)
 #: Rules about files and directories that are not there.

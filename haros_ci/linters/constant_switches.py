@@ -9,7 +9,7 @@ from haros_ci.results.scope import scopes
 
 _IF = re.compile(r"\bif\s*(?:constexpr\s*)?\(")
 _NAME = re.compile(r"(?<![\w.>:])[A-Za-z_]\w*(?!\w|\s*(?:\(|\.|->|::|\[))")
-_COMMENT = re.compile(r"//[^\n]*|/\*.{0,4000}?\*/", re.DOTALL)
+_COMMENT = re.compile(r"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
 _WORDS = frozenset(("true", "false", "not", "and", "or"))
 #: Lines that a condition may have, and names in it.
 _LINES = 6

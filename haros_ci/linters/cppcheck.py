@@ -13,6 +13,7 @@ from posixpath import join, relpath
 from haros_ci.linters import compile_db, cppcheck_libraries, includes, installed, ros_macros
 from haros_ci.linters.catalogue.cppcheck import UNSURE
 from haros_ci.linters.cppcheck_doubts import is_refuted, self_initialized_line
+from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.linters.tool_xml import Element, elements
 from haros_ci.model.location import Location
@@ -131,6 +132,7 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     if output.code != 0:
         raise ValueError(f"exit code {output.code}")
     silenced: set[str] = set()
+    doubting = Doubting()
     root = os.path.realpath(batch.workspace.root) + "/"
     for error in elements(output.stderr, "error", "location"):
         for place in (error.attributes, *error.children):
@@ -144,7 +146,9 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
                 raise ValueError("an included file cannot be read")
             units = [batch.files[0].path]
         at, line = error.children[0]["file"], int(error.children[0]["line"])
-        if rule not in GAVE_UP and is_refuted(rule, error.attributes["msg"], line, batch.workspace.text(at)):
+        text = batch.workspace.text(at)
+        is_doubted = rule not in GAVE_UP and doubting.may(at, rule, text)
+        if is_doubted and is_refuted(rule, error.attributes["msg"], line, text):
             continue
         if rule == "selfInitialization":
             right = self_initialized_line(error.attributes["msg"], line, batch.workspace.text(at))

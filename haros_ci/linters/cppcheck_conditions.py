@@ -16,7 +16,7 @@ _NUMBER = re.compile(r"(?<![\w.'])(?:0[xX]([0-9a-fA-F']{1,40})|([1-9][0-9']{0,40
 _LARGEST = 2**63 - 1
 _OPPOSITE = re.compile(r"opposite to previous condition")
 _HIDDEN = re.compile(
-    r"//[^\n]*|/\*.{0,4000}?\*/|\"(?:[^\"\\\n]|\\.){0,1000}\"|'(?:[^'\\\n]|\\.){1,8}'|\bR\"\(.{0,4000}?\)\"", re.DOTALL
+    r"//[^\n]*|/\*.*?(?:\*/|\Z)|\"(?:[^\"\\\n]|\\.){0,1000}\"|'(?:[^'\\\n]|\\.){1,8}'|\bR\"\(.{0,4000}?\)\"", re.DOTALL
 )
 _ELSE_IF = re.compile(r"\belse\s+if\s*(?:constexpr\s*)?\(|\bif\s*(?:constexpr\s*)?\(")
 _ELSE = re.compile(r"\s*else\b")

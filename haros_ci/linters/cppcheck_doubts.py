@@ -27,7 +27,7 @@ _MEMBER = re.compile(r": (\w+)\.\w+$")
 #: Types whose objects refer to what others own: who writes to them writes there.
 _VIEW = (
     r"\b(?:(?:Ref|Map|Block|VectorBlock|span|mdspan|ArrayRef|reference_wrapper)\s*<[^;{{}}()]{{0,200}}>|Mat_?(?:<[^;<>]{{0,200}}>)?)"
-    r"\s*&?\s*{name}\b"
+    r"\s*(?:&\s*)?{name}\b"
 )
 #: Functions of Eigen and OpenCV that return a part of a matrix and copy nothing.
 _PART = (
@@ -36,7 +36,7 @@ _PART = (
     r"|bottomRightCorner|linear|translation|rotation|coeffRef|transpose|reshaped|rowRange|colRange)\s*[<(]"
 )
 _BINDING = r"\bauto\s*&?&?\s*\[[^\]]{{0,200}}\b{name}\b[^\]]{{0,200}}\]"
-_COMMENT = re.compile(r"//[^\n]*|/\*.{0,4000}?\*/", re.DOTALL)
+_COMMENT = re.compile(r"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
 #: What stands in a statement and seldom in a sentence.
 _STATEMENT = re.compile(r";[ \t]*(?:$|\*/)|<<|\w\(|\)[ \t]*\{", re.MULTILINE)
 _SWITCH = re.compile(r"[^\n{}]{0,200}\bswitch\s*\([^{};]{0,300}\)\s*\{")
@@ -77,8 +77,8 @@ _ARGUMENT = re.compile(r"argument type is '(?:const )?(\w+)(?: const)?'")
 #: Lines of the last statement that are looked at.
 _STATEMENT_LINES = 8
 _LOOP = re.compile(r"\bfor\s*\(\s*\w+\s*;")
-_BY_NAME = re.compile(r"%=?\s*\(?\s*[A-Za-z_]")
-_BY_ONE = re.compile(r"%=?\s*\(?\s*1\b")
+_BY_NAME = re.compile(r"%=?\s*(?:\(\s*)?[A-Za-z_]")
+_BY_ONE = re.compile(r"%=?\s*(?:\(\s*)?1\b")
 _OF_CONDITIONS = frozenset({"identicalInnerCondition", "duplicateCondition"})
 
 

@@ -8,7 +8,7 @@ import re
 from haros_ci.results.scope import scopes
 
 _HIDDEN = re.compile(
-    r"//[^\n]*|/\*.{0,4000}?\*/|\"(?:[^\"\\\n]|\\.){0,1000}\"|'(?:[^'\\\n]|\\.){1,8}'|\bR\"\(.{0,4000}?\)\"", re.DOTALL
+    r"//[^\n]*|/\*.*?(?:\*/|\Z)|\"(?:[^\"\\\n]|\\.){0,1000}\"|'(?:[^'\\\n]|\\.){1,8}'|\bR\"\(.{0,4000}?\)\"", re.DOTALL
 )
 _LOOP = re.compile(r"\bwhile\s*\([^;{}]{0,200}?\bfeof\s*\(\s*([\w.>-]{1,80}?)\s*\)[^;{}]{0,80}\)\s*\{")
 _READ = r"(?:std\s*::\s*)?(?:w?fgets|fgetws|v?fw?scanf|fread|fgetw?c|getw?c|getline|getdelim)\s*\("
@@ -27,7 +27,7 @@ _ELEMENT = re.compile(
 _HOLDERS = (
     r"(?:nlohmann\s*::\s*(?:ordered_)?json|(?:ordered_)?json|Json\s*::\s*Value|YAML\s*::\s*Node|(?:XmlRpc\s*::\s*)?XmlRpcValue"
     r"|(?:std\s*::\s*)?(?:unordered_)?map\s*<[^<>;{{}}]{{0,80}}?,\s*(?:std\s*::\s*)?string\s*>|(?:std\s*::\s*)?vector\s*<\s*(?:std\s*::\s*)?string\s*>)"
-    r"\s*&?\s*\b{name}\b"
+    r"\s*(?:&\s*)?\b{name}\b"
 )
 
 

@@ -13,7 +13,7 @@ from haros_ci.results.result import Result
 #: pylint cannot know these names when a wildcard import brings them from a package that is not installed, as messages
 #: and dynamic_reconfigure seldom are where no ROS is (``from std_msgs.msg import *``).
 _UNFOUNDED = "pylint:undefined-variable"
-_WILDCARD = re.compile(r"^[ \t]*from[ \t]+[\w.]+[ \t]+import[ \t]*\(?[ \t]*\*", re.MULTILINE)
+_WILDCARD = re.compile(r"^[ \t]*from[ \t]+[\w.]+[ \t]+import[ \t]*(?:\([ \t]*)?\*", re.MULTILINE)
 
 #: cpplint counts a function's lines and reports them at its closing brace, the others at its head.
 _AT_THE_END = "cpplint:readability/fn_size"

@@ -21,7 +21,7 @@ from haros_ci.model.workspace import Workspace
 
 CUT = "…"
 #: Where code is quoted, as tools do it; an apostrophe within a word is none.
-_QUOTED = re.compile(r"(?<!\w)'[^'\n]*'(?!\w)|\"[^\"\n]*\"|`[^`\n]*`|‘[^’\n]*’")
+_QUOTED = re.compile(r"(?<!\w)'[^'\n]*'(?!\w)|\"[^\"\n]*\"|`[^`\n]*`|‘[^‘’\n]*’")
 _WORD = re.compile(r"\w{3,}")
 #: A word of a sentence: small letters, perhaps with a capital at the beginning, or a short abbreviation or number.
 _PLAIN = re.compile(r"[A-Z]?[a-z]{1,23}|[A-Z]{1,5}s?|\d{1,5}")

@@ -20,7 +20,8 @@ PROBED = "?"
 
 _INCLUDE = re.compile(r'^[ \t]*#[ \t]*(?:include(?:_next)?|import)[ \t]*["<]([^">\n]+)', re.MULTILINE)
 _ANY_INCLUDE = re.compile(
-    r"^(?:[ \t\f\v]|/\*.*?\*/)*(?:#|%:|\?\?=)(?:[ \t\f\v]|/\*.*?\*/)*(?:include|import|embed)", re.MULTILINE
+    r"^(?:[ \t\f\v]|/\*(?:[^*\n]|\*(?!/))*\*/)*(?:#|%:|\?\?=)(?:[ \t\f\v]|/\*(?:[^*\n]|\*(?!/))*\*/)*(?:include|import|embed)",
+    re.MULTILINE,
 )
 _PROBE = re.compile(r'__has_(?:include(?:_next)?|embed)[ \t]*\(?[ \t]*(?:["<]([^">\n]+))?')
 

@@ -35,7 +35,7 @@ def _spliced(word: str) -> str:
 
 _HAS = re.compile("|".join(map(_spliced, ("__has_include_next", "__has_include", "__has_embed"))))
 #: What may stand before the name of such a function where it is only asked whether there is one.
-_ASKED = re.compile(r"(?:defined[ \t]*\(?|#[ \t]*ifn?def)[ \t]*$")
+_ASKED = re.compile(r"(?:defined(?:[ \t]*\()?|#[ \t]*ifn?def)[ \t]*$")
 #: An import of a header (C++20), and what it follows: the beginning of a line or a statement, a comment, ``export``.
 _IMPORT = re.compile(rf"(?<![A-Za-z0-9_]){_spliced('import')}(?=(?:[ \t\v\f\r]|{_SPLICE}|/\*)*[\"<])")
 _BEFORE_IMPORT = (";", "{", "}", "*/", "export", "\n")

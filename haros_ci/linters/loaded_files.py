@@ -12,8 +12,8 @@ _LOADS = re.compile(
     r"|\bexec\s*\(\s*(?:compile\s*\(\s*)?(?:open\b|\w+\.read(?:_text)?\s*\()"
 )
 #: A file as code names it, and as a parameter does: by a path.
-_IN_CODE = re.compile(r"([\w-]+\.py)\b")
-_IN_PATH = re.compile(r"/([\w-]+\.py)\b")
+_IN_CODE = re.compile(r"(?<![\w-])([\w-]+\.py)\b")
+_IN_PATH = re.compile(r"/(?<![\w-])([\w-]+\.py)\b")
 #: Files that install, and load the version of the package.
 _ASIDE = ("setup.py", "conf.py")
 _NAMING = frozenset(("yaml", "launch", "xml"))

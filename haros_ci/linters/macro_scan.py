@@ -27,7 +27,7 @@ _BEFORE_A_VALUE = re.compile(r"(?:[=!|?+/,(.]|::|\breturn|\bcase)[ \t]*$")
 #: What follows a value; or the arguments of a macro, which a decoration has not.
 _AFTER_A_VALUE = re.compile(r"\s*(?:[-(),;.=!?|&+*/<>}\]^%]|:(?!:))")
 _CALL = re.compile(r"\b[A-Z][A-Z0-9]*_[A-Z0-9_]*[A-Z0-9](?=[ \t]*\()")
-_GAP = re.compile(r"(?:\s+|//[^\n]*|/\*(?:[^*]|\*(?!/))*\*/)*")
+_GAP = re.compile(r"(?:\s+|//[^\n]*|/\*(?:[^*]|\*(?!/)){0,4000}\*/)*")
 _BRACKET = re.compile(r"[()\"';{}]")
 #: The arguments of a registration are no longer than this, in characters, and nest no deeper.
 _LONGEST, _DEEPEST = 2_000, 8

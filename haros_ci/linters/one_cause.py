@@ -70,11 +70,11 @@ MOST = 40
 
 _BRACKET = re.compile(r"[()\[\]{}]")
 _STRING = re.compile(r"'[^'\n]*'|\"[^\"\n]*\"")
-_CALLEE = re.compile(r"(\w+)\s*$")
+_CALLEE = re.compile(r"(?<!\w)(\w+)\s*$")
 #: Lines of a call, and characters before its bracket, that are looked at.
 _LONGEST = 200
 
-_REMARK = re.compile(r"//[^\n]*|/\*.{0,2000}?\*/", re.DOTALL)
+_REMARK = re.compile(r"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
 #: Lines of a declaration that are looked at.
 _DECLARATION = 8
 

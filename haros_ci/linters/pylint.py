@@ -10,6 +10,7 @@ from typing import Any
 
 from haros_ci.linters import columns, imports, installed, python2
 from haros_ci.linters.catalogue.pylint import NOT_FATAL
+from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.linters.noqa import is_silenced
 from haros_ci.linters.pylint_config import config_path, inert_options
@@ -97,7 +98,7 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     if output.code & 32:
         raise ValueError("wrong usage")
     files = {"./" + file.path: file for file in batch.files} | {file.path: file for file in batch.files}
-    silenced = set()
+    silenced, doubting = set(), Doubting()
     for said in json.loads(output.stdout)["messages"]:
         file, rule = files.get(said["path"]), said["symbol"]
         if file is None or rule in ABOUT_OPTIONS or file.path in silenced:
@@ -109,13 +110,16 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
             yield GaveUp(file.path, python2.why_unreadable(batch.workspace.text(file.path)), said["line"] or None)
         elif rule in TROUBLE:
             yield GaveUp(file.path, f"{rule}, a fault of pylint")  # the message holds paths of this machine
-        elif not is_doubted(rule, said["line"], said["column"], batch.workspace.text(file.path)):
+        elif not _is_doubted(said, file.path, batch.workspace.text(file.path), doubting):
             yield Finding(file.path, _result(file.path, said))
 
 
-def is_doubted(rule: str, line: int, column: int, text: str) -> bool:
-    """Whether the *text* refutes what pylint says by *rule*, or its author has silenced the same of another tool."""
-    return is_refuted(rule, line, column, text) or is_silenced(rule, columns.line_of(text, line))
+def _is_doubted(said: dict[str, Any], path: str, text: str, doubting: Doubting) -> bool:
+    """Whether the *text* refutes what pylint has *said*, or its author has silenced the same of another tool."""
+    rule, line = said["symbol"], said["line"]
+    if doubting.may(path, rule, text) and is_refuted(rule, line, said["column"], text):
+        return True
+    return is_silenced(rule, columns.line_of(text, line))
 
 
 def _is_of_another_python(text: str, said: dict[str, Any]) -> bool:

@@ -24,9 +24,9 @@ from haros_ci.linters.python2 import runs_only_on_python2
 from haros_ci.linters.python_defaults import is_only_read
 from haros_ci.results.scope import scopes
 
-_CALLEE = re.compile(r"(\w+)[ \t]*\(")
+_CALLEE = re.compile(r"(?<!\w)(\w+)[ \t]*\(")
 #: The idiom of ROS 2's tutorials: ``self.subscription  # prevent unused variable warning``.
-_KEPT = re.compile(r"#.*\b(?:unused|warnings?|lint\w*|pylint|flake8|noqa|keep|reference)\b", re.IGNORECASE)
+_KEPT = re.compile(r"\A[^#]*#.*\b(?:unused|warnings?|lint\w*|pylint|flake8|noqa|keep|reference)\b", re.IGNORECASE)
 #: What is evaluated to see whether it raises.
 _RAISING = re.compile(
     r"\s*(?:async\s+)?with\b.*\b(?:raises|assertRaises\w*|warns|assertWarns\w*|suppress|deprecated_call)\b|\s*try\s*:"

@@ -8,7 +8,7 @@ import builtins
 import re
 import textwrap
 import warnings
-from collections.abc import Iterator
+from functools import lru_cache
 
 from haros_ci.results.scope import scopes
 
@@ -62,15 +62,16 @@ def is_choice_of_calls(text: str, line: int) -> bool:
     return isinstance(statement, ast.Expr) and isinstance(statement.value, ast.IfExp) and _only_calls(statement.value)
 
 
-def nodes(text: str) -> Iterator[ast.AST]:
-    """All that a Python file is made of; nothing of one that is not understood."""
+@lru_cache(maxsize=2)
+def nodes(text: str) -> tuple[ast.AST, ...]:
+    """All that a Python file is made of, from the outermost to the innermost; nothing of one that is not understood."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             tree = ast.parse(text)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return
-    yield from ast.walk(tree)
+        return ()
+    return tuple(ast.walk(tree))
 
 
 def is_to_fail(text: str, line: int) -> bool:

@@ -68,10 +68,9 @@ def _is_joined(text: str, node: ast.expr) -> bool:
 
 def is_surplus(text: str, line: int, column: int) -> bool:
     """Whether ``str.format`` has more arguments there than fields, of which there are some: it ignores the rest, where ``%`` raises."""
-    found = False
+    found, place = False, (line, _byte(text, line, column))
     for node in nodes(text):
-        at = (getattr(node, "lineno", 0), getattr(node, "col_offset", -1))
-        if at != (line, _byte(text, line, column)):
+        if (getattr(node, "lineno", 0), getattr(node, "col_offset", -1)) != place:
             continue
         if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mod):
             return False

@@ -7,13 +7,13 @@ import re
 import sys
 from collections.abc import Iterable
 
-_SHEBANG = re.compile(r"#!.*\bpython2")
+_SHEBANG = re.compile(r"#!(?:(?!#!).)*\bpython2")
 #: Statements that no Python 3 parser accepts and every Python 2 did.
 _STATEMENTS = re.compile(
     r"""^[ \t]*(?:
         print[ \t]+(?![=.,:)\]%*/+&|<-])(?:>>|["'\w(\[{`]).*
         | print[ \t]*>>[ \t]*\w.*
-        | except[ \t]+[\w.()\[\], \t]*?[\w.)][ \t]*,[ \t]*\w+[ \t]*:.*
+        | except[ \t]+(?![ \t])[\w.()\[\], \t]*?[\w.)][ \t]*,[ \t]*\w+[ \t]*:.*
         | raise[ \t]+[\w.]+[ \t]*,[ \t]*.+
         | exec[ \t]+["'\w].*
     )$""",
@@ -34,7 +34,7 @@ _EITHER = re.compile(
 _PYTHON3 = re.compile(r"#![^\n]*\bpython3")
 #: ``<run_depend>python-yaml</run_depend>``: the key of rosdep for Python 2.
 _KEY = re.compile(r"<(?:\w+_)?depend>\s*python-[\w-]+\s*<")
-_REMARK = re.compile(r"<!--.{0,10000}?-->", re.DOTALL)
+_REMARK = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 #: Texts over several lines, in which a line may begin with any word.
 _TEXTS = re.compile(r"\"\"\".{0,20000}?\"\"\"|'''.{0,20000}?'''", re.DOTALL)
 #: What Python 3 does anyhow, and Python 2 by request.

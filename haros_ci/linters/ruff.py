@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from haros_ci.linters import installed, pylint_doubts, python2, ruff_config, settings_files
+from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.linters.python_defaults import is_only_read
 from haros_ci.model.location import Location
@@ -97,14 +98,17 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
             broken.setdefault(suspect, bound)
     for each in sorted(old):
         yield GaveUp(each, "it is Python 2", broken[each])
+    doubting = Doubting()
     for said in answers:
         path, rule = paths.get(said["filename"]), said["code"] or SYNTAX
         if path is None or path in old or (path in broken and rule != SYNTAX):
             continue  # what ruff makes of the rest of a file that it cannot parse is a guess
         start, end = said["location"], said["end_location"]
-        if rule == "F811" and _loads_submodules(said["message"], batch.workspace.text(path)):
+        text = batch.workspace.text(path)
+        is_doubted = doubting.may(path, rule, text)
+        if is_doubted and rule == "F811" and _loads_submodules(said["message"], text):
             continue
-        if _is_refuted(rule, start["row"], start["column"] - 1, batch.workspace.text(path)):
+        if is_doubted and _is_refuted(rule, start["row"], start["column"] - 1, text):
             continue
         place = Location(path, start["row"], start["column"], end["row"], end["column"])
         level = Level.ERROR if rule == SYNTAX else Level.WARNING

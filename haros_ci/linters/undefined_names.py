@@ -8,6 +8,7 @@ import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
+from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
@@ -37,6 +38,8 @@ _OWN_EXIT = re.compile(
 
 _LATE = re.compile(r"^from __future__ import [^\n]*\bannotations\b", re.MULTILINE)
 _ANNOTATED = re.compile(r"(?:->|[\w)\]][ \t]*:)[ \t]*[\w\[\]., |]*$")
+#: Characters of a line that are looked at before a name.
+_LONGEST = 2_000
 #: Where a colon begins no annotation.
 _STATEMENT = re.compile(
     r"\s*(?:if|elif|else|for|while|with|try|except|finally|class|return|lambda|assert|case)\b|[^#]*[{]|[^#]*\[[^\]]*:|[^#]*\blambda\b"
@@ -61,12 +64,16 @@ def weighed_names(
     is evaluated.
     """
     weighed = []
+    doubting = Doubting()
     for result in results:
         name = _QUOTED.search(result.message) if result.full_id in RULES else None
         if name is not None:
             if is_loaded(result.location.path):
                 continue
             whole = text(result.location.path)
+            if not doubting.may(result.location.path, result.full_id, whole):
+                weighed.append(result)
+                continue
             if _is_behind_exit(result, whole):
                 continue
             if name[1] in _BROUGHT or (name[1] in OF_PYTHON_2 and _ASKS_FOR_VERSION.search(whole)):
@@ -110,7 +117,7 @@ def _is_in_annotation(result: Result, text: str) -> bool:
     lines, at = text.split("\n"), result.location
     if not at.line or not at.column or at.line > len(lines) or not _LATE.search(text):
         return False
-    before = lines[at.line - 1][: at.column - 1]
+    before = lines[at.line - 1][: at.column - 1][-_LONGEST:]
     return _ANNOTATED.search(before) is not None and not _STATEMENT.match(before)
 
 

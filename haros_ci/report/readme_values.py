@@ -16,7 +16,7 @@ _SCALARS = {
 }
 _KINDS = {word: kind for kind, words in _SCALARS.items() for word in words}
 _LIST = re.compile(r"\b(?:list|vector|array|sequence)\b|\[")
-_NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
+_NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?")
 _NOTHING = frozenset(
     ("", "-", "--", "—", "n/a", "na", "none", "null", "nil", "?", "...", "undefined", "not set", "required", "tbd")
 )

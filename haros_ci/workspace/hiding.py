@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import hashlib
 import os
+import re
 import stat
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import replace
@@ -34,6 +35,7 @@ _DATA = frozenset(("yaml", "xml", "dockerfile", "shell", "setup"))
 _UNTOLD = frozenset(("markdown", OTHER))
 _PIECE = 1 << 20
 _MANIFEST = "package.xml"
+_INCLUDE = re.compile(r"^[ \t]*#[ \t]*(?:include|import)[^\"<\n]{0,200}[\"<]([^\">\n]{1,1000})", re.MULTILINE)
 
 
 class Change:
@@ -104,7 +106,7 @@ class Change:
         away = tuple(self._led_away(workspace.links, analysed, excludes))
         hiding = Hiding(
             warnings=(*self._warnings(candidates, scope), *self._enclosing(candidates, workspace)),
-            notes=tuple(self._notes(candidates, scope, excludes)),
+            notes=(*self._notes(candidates, scope, excludes), *self._included(workspace, scope, excludes)),
             unread=(*workspace.hiding.unread, *away),
         )
         return replace(workspace, hiding=hiding)
@@ -181,6 +183,26 @@ class Change:
             named = _named(aside)
             yield Problem(
                 ".", f"{_plural(len(aside), 'changed file')} {verb} in directories that are never analysed: {named}"
+            )
+
+    def _included(self, workspace: Workspace, scope: Scope, excludes: Excludes) -> Iterator[Problem]:
+        """One for all changed files that C++ includes and that are not analysed, as their names are not those of C++."""
+        if not self.is_known:
+            return
+        others = [
+            path
+            for path, name in sorted(self.tracked.items())
+            if self.base.get(path) != name and path not in self.submodules and scope.given(path) is not None
+            if language_of(path.rpartition("/")[2]) is None and not _excluded(path, excludes)
+        ]
+        sources = [file.path for file in workspace.files if file.language == "cpp"] if others else []
+        names = {name.rpartition("/")[2] for path in sources for name in _INCLUDE.findall(workspace.text(path))}
+        found = [path for path in others if path.rpartition("/")[2] in names and self.has_changed(path)]
+        if found:
+            are = "is" if len(found) == 1 else "are"
+            yield Problem(
+                ".",
+                f"{_plural(len(found), 'changed file')} that C++ includes {are} not analysed, as no C++ file is called so: {_named(found)}",
             )
 
     def _never_analysed(self, path: str, outputs: frozenset[str]) -> str:

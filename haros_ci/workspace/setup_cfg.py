@@ -15,7 +15,7 @@ from haros_ci.workspace.tree import Tree
 MAX_LINES = 10_000
 
 _SECTION = re.compile(r"\[([^\]]+)\]")
-_ENTRY = re.compile(r"\s*([\w.-]+)\s*=\s*([\w.]+)\s*:\s*([\w.]+)\s*(?:\[.*\])?\s*\Z")
+_ENTRY = re.compile(r"\s*([\w.-]+)\s*=\s*([\w.]+)\s*:\s*([\w.]+)\s*(?:\[.*\]\s*)?\Z")
 _SCRIPT = re.compile(r"""\s*["']?([\w.-]+)["']?\s*=\s*["']([^"']+)["']""")
 _KEY = re.compile(r"([\w.\- ]+?)\s*[=:]\s*(.*)\Z", re.DOTALL)
 

@@ -3,18 +3,26 @@
 
 from __future__ import annotations
 
+import re
+import signal
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import replace
+from importlib import import_module
+from pathlib import Path
 
 import pytest
 
+from haros_ci.checking import patience
 from haros_ci.checking.check import Check, Finding
-from haros_ci.checking.run import Assigned, graph_of, run_checks
+from haros_ci.checking.project import Project
+from haros_ci.checking.run import Assigned, graph_of, run_checks, run_on_project
 from haros_ci.checking.system import System
 from haros_ci.model.architecture import Architecture, Condition, Configuration, Endpoint, Node
 from haros_ci.model.launch_facts import ConstructUse
 from haros_ci.model.location import Location
 from haros_ci.model.presence import Choice
+from haros_ci.model.workspace import Workspace
 from haros_ci.results.rule import Level
 
 
@@ -47,6 +55,20 @@ def pairs(found: System) -> Iterator[Finding]:
 MEET = Check(id="meet", summary="Nobody meets.", level=Level.WARNING, run=pairs)
 TALKER = node("/talker", end("publishers", "/chat", 7))
 LISTENER = node("/listener", end("subscribers", "/chat", 9))
+
+
+class Nothing:
+    def text(self, path: str) -> str:
+        return ""
+
+    def data(self, path: str) -> bytes | None:
+        return None
+
+    def head(self, path: str, length: int) -> bytes:
+        return b""
+
+
+EMPTY = Project(Workspace(root=Path("/"), packages=(), files=(), reader=Nothing()), {}, {})
 
 
 def messages(*found: System, **more: object) -> list[str]:
@@ -93,6 +115,29 @@ def test_a_check_that_fails_loses_nothing_else() -> None:
     (note,) = checked.notifications
     assert (note.level, note.tool) == (Level.ERROR, "haros-ci")
     assert note.message.startswith("the check broken failed on demo/launch/all.launch.py: KeyError")
+
+
+def test_a_check_that_takes_too_long_is_ended_and_loses_nothing_else(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(patience, "MOST", 0.05)
+    began = []
+
+    def endless(found: System | Project) -> Iterator[Finding]:
+        began.append(found)
+        while True:
+            with suppress(Exception):
+                re.search(r"(?:a|b|ab)*c", "ab" * 9 + "!")
+        yield from ()
+
+    systems = (system(TALKER, LISTENER), system(TALKER, LISTENER, name="demo/launch/b.launch.py"))
+    checked = run_checks((replace(MEET, id="endless", run=endless), MEET), systems, "haros-ci")
+    assert len(checked.results) == 1
+    (note,) = checked.notifications
+    assert (note.level, note.tool) == (Level.ERROR, "haros-ci")
+    assert note.message == "the check endless was ended on demo/launch/all.launch.py: it took too long"
+    assert len(began) == 1, "it is not begun again on the next system"
+    once = run_on_project((replace(MEET, id="endless", run=None, project=endless),), EMPTY, "haros-ci")
+    assert [note.message for note in once.notifications] == ["the check endless was ended: it took too long"]
+    assert signal.getsignal(signal.SIGPROF) is signal.SIG_DFL and signal.getitimer(signal.ITIMER_PROF)[0] == 0
 
 
 def test_stays_quiet_where_two_never_exist_together() -> None:
@@ -172,3 +217,23 @@ def test_what_launch_refuses_is_one_finding(facts: tuple[ConstructUse, ...], pla
     found = system(TALKER, launch_facts=facts)
     assert len(run_checks((located(place),), (found,), "haros-ci").results) == is_heard
     assert len(run_checks((replace(located(place), of_refused=True),), (found,), "haros-ci").results) == 1
+
+
+@pytest.mark.parametrize(
+    ("name", "kinds"),
+    [
+        ("topic_type_mismatch", ("publishers", "subscribers")),
+        ("action_type_mismatch", ("action_servers", "action_clients")),
+    ],
+)
+def test_many_ends_of_one_name_do_not_take_long(name: str, kinds: tuple[str, str]) -> None:
+    """Thousands of ends on both sides: what is asked of one end is found out once, and pairs that tell nothing new are passed over."""
+    check: Check = import_module(f"haros_ci_checks.{name}").CHECK
+    few = 50
+    givers = [node(f"/g{n}", *[end(kinds[0], "/chat", 7)] * few) for n in range(few)]
+    takers = [node(f"/t{n}", *[end(kinds[1], "/chat", 9, "std_msgs/msg/Empty")] * few) for n in range(few)]
+    checked = run_checks((check,), (system(*givers, *takers),), "haros-ci")
+    assert not checked.notifications
+    (result,) = checked.results
+    assert result.location.line == 9
+    assert {f"/g{few - 1}", f"/t{few - 1}", "/chat"} <= set(result.subject)

@@ -406,6 +406,25 @@ def test_sources_that_move_where_nobody_looks_are_named(directory: str, trap: Tr
     assert_harmless(trap, outcome)
 
 
+@pytest.mark.parametrize("name", ["lift.inc", "lift.txt", "lift"])
+def test_code_that_is_included_under_any_name_is_named(name: str, trap: Trap) -> None:
+    """C++ includes what it likes: a header that is called otherwise would leave with all its findings."""
+
+    def change(t: Trap) -> None:
+        (t.root / "src/lift.hpp").unlink()
+        t.write(f"src/{name}", DEFECT)
+        t.write("src/lift.cpp", f'#include "{name}"\n')
+        t.write("src/other.txt", "nothing includes it\n")
+
+    pull_request(
+        trap, lambda t: [t.write("src/lift.hpp", ""), t.write("src/lift.cpp", '#include "lift.hpp"\n')], change
+    )
+    outcome = trap.run("--baseline-rev=main", *QUICK)
+    said = f"1 changed file that C++ includes is not analysed, as no C++ file is called so: src/{name}"
+    assert outcome.says(said) and said in outcome.formats["text"], outcome.notes()
+    assert_harmless(trap, outcome)
+
+
 @pytest.mark.parametrize(
     ("path", "text"),
     [

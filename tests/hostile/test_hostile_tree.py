@@ -138,6 +138,9 @@ CONTENTS = [
     holding("one_line.py", b"X = [" + b"1," * 2_500_000 + b"]\n", "more than the limit"),
     holding("minified.py", b"X = [" + b"1," * 500_000 + b"]\n", "a line of more than 5000 characters"),
     holding("lists.py", b"X = " + b"[" * 3_000 + b"]" * 3_000 + b"\n", "a line of more than 5000 characters"),
+    holding(
+        "comments.cpp", b"/**/" * 500 + b"int y;\nint f(int x) { int *unset = 0; return *unset + x; }\n", "nullPointer"
+    ),
     holding("nested_lists.py", b"X = " + b"[\n" * 3_000 + b"]\n" * 3_000, "syntax-error"),
     holding("nested_calls.py", b"X = X" + b"()\\\n" * 3_000 + b"\n", "pylint could not analyse this file"),
     holding("nul.py", b"X = 1\n\0\n", "binary data"),

@@ -16,7 +16,7 @@ _PURE = frozenset(("eval", "equals", "not-equals", "not", "and", "or", "any", "a
 _SLOT = "\ue003{}\ue003"
 _LEFT = re.compile(r"(['\"]?)\ue003(\d+)\ue003\1\s*(==|!=)\s*(['\"])([^'\"]*)\4")
 _RIGHT = re.compile(r"(['\"])([^'\"]*)\1\s*(==|!=)\s*(['\"]?)\ue003(\d+)\ue003\4")
-_LITERAL = re.compile(r"\w+\(\s*(?:predicate_expression\s*=\s*)?(['\"])[^'\"]*\1\s*,?\s*\)")
+_LITERAL = re.compile(r"\w+\(\s*(?:predicate_expression\s*=\s*)?(['\"])[^'\"]*\1\s*(?:,\s*)?\)")
 #: How launch files spell truths.
 TRUTHS = frozenset(("true", "false", "1", "0"))
 

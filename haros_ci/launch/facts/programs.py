@@ -15,7 +15,7 @@ from haros_ci.model.similar_files import similar_names
 
 #: Commands of CMake that make programs under names of their own.
 _MAKERS = re.compile(
-    r"^\s*(\w*(?:add_executable|add_node|register_node\w*|python_install\w*|add_program)\w*)\s*\(", re.M
+    r"^[ \t]*(\w{0,80}?(?:add_executable|add_node|register_node|python_install|add_program)\w*)\s*\(", re.M
 )
 _KNOWN_MAKERS = frozenset(
     (

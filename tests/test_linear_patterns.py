@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Regular expressions that read whole files: text made to be read again from each of its places takes no longer than other text."""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+import pytest
+
+#: Characters that each is given: a quadratic one takes minutes for them.
+SIZE = 300_000
+CASES = (
+    ("haros_ci.linters.python2._SHEBANG", "#!a"),
+    ("haros_ci.linters.python2._STATEMENTS", "except" + " " * SIZE),
+    ("haros_ci.linters.python2._REMARK", "<!--"),
+    ("haros_ci.linters.gate._QUOTED", "‘"),
+    ("haros_ci.linters.inclusions._ASKED", "defined" + " " * SIZE + "!"),
+    ("haros_ci.linters.loaded_files._IN_CODE", "-"),
+    ("haros_ci.linters.one_cause._CALLEE", "a" * SIZE + "!"),
+    ("haros_ci.linters.pylint_doubts._CALLEE", "a"),
+    ("haros_ci.linters.pylint_doubts._KEPT", "#"),
+    ("haros_ci.extract.cpp.literals._FLOAT", "1" * SIZE + "z"),
+    ("haros_ci.launch.ros2.parameter_yaml._FLOAT", "1" * SIZE + "z"),
+    ("haros_ci.linters.cppcheck_doubts._BY_NAME", "%" + " " * SIZE),
+    ("haros_ci.linters.duplicates._WILDCARD", "from a import" + " " * SIZE),
+    ("haros_ci.checking.given_names._HELD", "A::"),
+    ("haros_ci.checking.given_names._COMMENT", "/*a"),
+    ("haros_ci.linters.cppcheck_doubts._COMMENT", "/*a"),
+    ("haros_ci.linters.constant_switches._COMMENT", "/*a"),
+    ("haros_ci.linters.one_cause._REMARK", "/*a"),
+    ("haros_ci.linters.includes._ANY_INCLUDE", "/**/"),
+    ("haros_ci.linters.catkin_doubts._SIMPLE", "\n"),
+    ("haros_ci.checking.includes._GUARD", "if ! defined" + " " * SIZE + "!"),
+    ("haros_ci.checking.launching._COMMENT", "<!--"),
+    ("haros_ci.checking.old_python._OPEN", "import" + " " * SIZE),
+    ("haros_ci.checking.republishing._AGAIN", "Timer" + " " * SIZE),
+    ("haros_ci.checking.republishing._PUBLISHER", "a" + " " * SIZE),
+    ("haros_ci.launch.facts.programs._MAKERS", "\n"),
+    ("haros_ci_checks.unused_launch_argument._NEXT", "\n"),
+)
+
+
+@pytest.mark.parametrize(("name", "pump"), CASES)
+def test_one_text_over_and_over(name: str, pump: str) -> None:
+    module, _, attribute = name.rpartition(".")
+    pattern = getattr(import_module(module), attribute)
+    text = pump * max(SIZE // len(pump), 1)
+    if attribute == "_FLOAT":  # asked at the beginning of a word alone
+        assert pattern.fullmatch(text) is None
+    else:
+        assert sum(1 for _ in pattern.finditer(text)) <= 1
