@@ -13,7 +13,7 @@ from haros_ci.coverage import judge
 from haros_ci.coverage.blanked import blanked
 from haros_ci.coverage.judge import Found, Places, Syntax
 from haros_ci.coverage.names import Names, joined, names_of
-from haros_ci.coverage.pieces import Piece, last_name
+from haros_ci.coverage.pieces import Piece, at, last_name, pieces_of
 from haros_ci.coverage.reach import Reach, reach_of
 from haros_ci.coverage.search import shown
 from haros_ci.index.index import HEADERS, is_test
@@ -33,6 +33,11 @@ _EXAMPLES = frozenset("example examples demo demos tutorial tutorials sample sam
 _TEST_FILE = re.compile(r"(?:test_\w+|\w+_tests?|conftest|\w+[._]gtest)\.\w+")
 _TEST_PACKAGE = re.compile(r"(?:.+_)?(?:tests?|testing|system_tests)|test_.+")
 _LOADER = re.compile(r"\bClassLoader\s*<\s*([\w:]+)")
+#: What registers a class with Gazebo.
+_SIMULATED = re.compile(r"(?:GZ|IGN|IGNITION|GAZEBO)_(?:REGISTER_\w*PLUGIN|ADD_PLUGIN)$")
+#: Kinds of files that name plug-ins which are to be loaded, and ends of names of others.
+_NAMING = frozenset(("yaml", "launch", "xml"))
+_DESCRIBING = (".world", ".sdf", ".urdf", ".xacro", ".gazebo", ".launch.py")
 _PROGRAM = re.compile(r"^if[ \t(]+__name__\b|^#!", re.MULTILINE)
 
 
@@ -77,19 +82,35 @@ class _Judge:
         where = Syntax(self.code)
         wrappers = judge.wrapped(self.code, where, places)
         untested, tested = _built(self.code, self.made.builds, self.workspace.packages)
-        reach = reach_of(self.code, texts, untested | tested, _modules(self.code, self.made.builds, texts))
-        plugins = _plugins(self.made.builds)
-        found_here = [(each, _at(reach, each)) for each in found]
-        reach.start(
-            [piece for each, piece in found_here if piece is not None and places.has(each)],
-            _roots(self.made.architecture, plugins, texts),
-        )
         packages = {package.name: package for package in self.workspace.packages}
+        areas = {
+            source.path: _area(source.path, packages.get(source.package or ""), source.path in tested - untested)
+            for source in self.code.sources
+        }
+        tests = frozenset(path for path, area in areas.items() if area == TEST)
+        pieces = {
+            source.path: list(pieces_of(self.code, source, texts[source.path]))
+            for source in self.code.sources
+            if source.path in texts and source.path in untested and source.path not in tests
+        }
+        modules = _modules(self.code, self.made.builds, texts)
+        plugins = _plugins(self.workspace, self.code, self.made.builds)
+        loaded = {*_roots(self.made.architecture), *_loaded(self.workspace, plugins, texts)}
+        reach = reach_of(self.code, pieces, modules)
+        found_here = [(each, _at(pieces, each)) for each in found]
+        reach.start([piece for each, piece in found_here if piece is not None and places.has(each)], loaded)
+        told = {id(piece) for each, piece in found_here if places.has(each)}
         for each, piece in found_here:
             path = each.source.path
             package = each.source.package or ""
-            area = _area(path, packages.get(package), path in tested and path not in untested)
+            area = areas[path]
+            if each.call.made and piece is not None and piece.owner == each.call.name:
+                continue  # a constructor of that class itself
             state, reason, detail = self._verdict(each, piece, places, where, wrappers, names[path], reach, plugins)
+            if area == TEST and state in (OPEN, UNREACHED):
+                state, reason, detail = UNREACHED, "code of a test", ""
+            if state == OPEN and not reason:
+                reason, detail = _about(piece, plugins, told, reach)
             yield Site(
                 path=path,
                 line=each.line,
@@ -112,7 +133,7 @@ class _Judge:
         wrappers: Mapping[object, str],
         names: Names,
         reach: Reach,
-        plugins: Mapping[str, str],
+        plugins: Mapping[str, Plugin],
     ) -> tuple[str, str, str]:
         """The state of a site, why, and what is special about it."""
         if places.has(found):
@@ -129,17 +150,43 @@ class _Judge:
         return OPEN, *_missing(self.made.architecture, found)
 
 
-def _at(reach: Reach, found: Found) -> Piece | None:
-    return reach.at(found.source.path, found.call.offset)
+def _at(pieces: Mapping[str, list[Piece]], found: Found) -> Piece | None:
+    return at(pieces, found.source.path, found.call.offset)
 
 
-def _idle(piece: Piece, reach: Reach, plugins: Mapping[str, str]) -> tuple[str, str]:
+def _about(piece: Piece | None, plugins: Mapping[str, Plugin], told: set[int], reach: Reach) -> tuple[str, str]:
+    """Where a site stands that the model does not have."""
+    if piece is None:
+        return "", ""
+    title = piece.routine.title if piece.routine is not None else piece.name
+    if id(piece) in told:
+        return "other calls of the function are in the model", title
+    names = [piece.owner, *(name for name in plugins if piece.owner in _above(reach, name))]
+    for name in names:
+        if name in plugins:
+            return "in a plug-in", f"{title}, of {plugins[name].base}"
+    return "nothing of the function is in the model", title
+
+
+def _above(reach: Reach, name: str) -> frozenset[str]:
+    """The last parts of the names of a class's bases in the workspace."""
+    found: set[str] = set()
+    waiting = [name]
+    while waiting:
+        for base in reach.bases.get(waiting.pop(), ()):
+            if base not in found:
+                found.add(base)
+                waiting.append(base)
+    return frozenset(found)
+
+
+def _idle(piece: Piece, reach: Reach, plugins: Mapping[str, Plugin]) -> tuple[str, str]:
     """Why a piece of code is never run."""
     if piece.routine is None and piece.definition is None:
         return "nothing imports the module", ""
     if piece.owner in reach.classes and piece.owner not in reach.made:
         if piece.owner in plugins:
-            return "a plug-in that nothing in the workspace loads", plugins[piece.owner]
+            return "a plug-in that nothing in the workspace loads", f"{piece.owner}, of {plugins[piece.owner].base}"
         above = reach.bases.get(piece.owner, frozenset())
         return "the class is never made", piece.owner if not above else f"{piece.owner} ({', '.join(sorted(above))})"
     title = piece.routine.title if piece.routine is not None else piece.name
@@ -166,24 +213,53 @@ def _locations(found: Architecture) -> Iterator[tuple[str, int, int]]:
                     yield at.path, at.line, at.column or 0
 
 
-def _roots(found: Architecture, plugins: Mapping[str, str], texts: Mapping[str, str]) -> Iterator[str]:
-    """The last parts of the names of classes that nodes are made of, or that a loader of the workspace may load."""
+def _roots(found: Architecture) -> Iterator[str]:
+    """The last parts of the names of classes that nodes are made of."""
     nodes: Iterable[Node] = (node for each in found.configurations for node in (*each.nodes, *each.alternatives))
     for node in nodes:
         yield last_name((node.class_name or node.type).replace("/", "::"))
-    loaded = {last_name(base) for text in texts.values() if "ClassLoader" in text for base in _LOADER.findall(text)}
-    for name, base in plugins.items():
-        if last_name(base) in loaded:
-            yield name
 
 
-def _plugins(builds: Mapping[str, Build]) -> dict[str, str]:
-    """The last parts of the names of the classes that plug-in descriptions name, with their bases."""
-    return {
-        last_name(plugin.type.strip().partition("<")[0]): plugin.base.strip()
-        for build in builds.values()
-        for plugin in build.plugins
-    }
+@dataclass(frozen=True, slots=True)
+class Plugin:
+    """A class that others load by a name: one of *words* stands where it is loaded, in files of configurations."""
+
+    base: str
+    words: frozenset[str]
+
+
+def _plugins(workspace: Workspace, code: Codebase, builds: Mapping[str, Build]) -> dict[str, Plugin]:
+    """The classes that plug-in descriptions name, and those that macros of Gazebo register, by the last parts of their names."""
+    found: dict[str, Plugin] = {}
+    for build in builds.values():
+        for plugin in build.plugins:
+            words = frozenset((plugin.name.strip(), plugin.type.strip()))
+            found[last_name(plugin.type.strip().partition("<")[0])] = Plugin(plugin.base.strip(), words)
+    libraries = {path: target for build in builds.values() for target in build.targets for path in target.sources}
+    for source in code.sources:
+        for macro, arguments, _, _ in source.program.registered:
+            if _SIMULATED.match(macro) and arguments:
+                target = libraries.get(source.path)
+                words = frozenset((target.output, target.name) if target is not None else ())
+                found.setdefault(last_name(arguments[0].strip()), Plugin("the simulator", words))
+    return found
+
+
+def _loaded(workspace: Workspace, plugins: Mapping[str, Plugin], texts: Mapping[str, str]) -> Iterator[str]:
+    """Those of *plugins* that a loader of the workspace may load, or that a file of a configuration names."""
+    bases = {last_name(base) for text in texts.values() if "ClassLoader" in text for base in _LOADER.findall(text)}
+    waiting = {name: plugin for name, plugin in plugins.items() if last_name(plugin.base) not in bases}
+    yield from (name for name in plugins if name not in waiting)
+    for file in workspace.files if waiting else ():
+        if file.language not in _NAMING and not file.path.endswith(_DESCRIBING) or is_test(file.path):
+            continue
+        text = workspace.text(file.path)
+        if "<class" in text and "base_class_type" in text:
+            continue  # the description itself
+        for name, plugin in tuple(waiting.items()):
+            if any(word in text for word in plugin.words):
+                del waiting[name]
+                yield name
 
 
 def _built(

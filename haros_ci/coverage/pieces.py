@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from haros_ci.code.codebase import Codebase, Routine
@@ -46,6 +46,12 @@ class Piece:
 def last_name(name: str) -> str:
     """The last part of a name of C++ or Python."""
     return name.rpartition("::")[2].rpartition(".")[2]
+
+
+def at(pieces: Mapping[str, Sequence[Piece]], path: str, offset: int) -> Piece | None:
+    """The innermost piece around an offset of a file; None for a file without pieces."""
+    around = [each for each in pieces.get(path, ()) if each.begin <= offset < each.end]
+    return max(around, key=lambda each: (each.begin, -each.end)) if around else None
 
 
 def pieces_of(code: Codebase, source: Source, text: str) -> Iterator[Piece]:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 from haros_ci.code.classes import base_names, class_named
 from haros_ci.code.codebase import Codebase
-from haros_ci.coverage.pieces import Piece, last_name, pieces_of
+from haros_ci.coverage.pieces import Piece, last_name
 
 #: The bases that call no method but those that are theirs.
 _NODES = frozenset(
@@ -37,11 +37,6 @@ class Reach:
     running: set[Piece] = field(default_factory=set)
     made: set[str] = field(default_factory=set)
     mentioned: set[str] = field(default_factory=set)
-
-    def at(self, path: str, offset: int) -> Piece | None:
-        """The innermost piece around an offset of a file; None for a file without a program."""
-        around = [each for each in self.pieces.get(path, ()) if each.begin <= offset < each.end]
-        return max(around, key=lambda each: (each.begin, -each.end)) if around else None
 
     def is_free(self, piece: Piece) -> bool:
         """Whether it is of no class of the workspace."""
@@ -89,16 +84,11 @@ class Reach:
         return (piece.owner, piece.name) in self.framework
 
 
-def reach_of(code: Codebase, texts: Mapping[str, str], files: frozenset[str], modules: frozenset[str]) -> Reach:
-    """The pieces of the *files* that are built or started, whose blanked text is in *texts*; programs run.
+def reach_of(code: Codebase, pieces: dict[str, list[Piece]], modules: frozenset[str]) -> Reach:
+    """What runs of the *pieces* of files that are built or started, to begin with the programs.
 
     *modules* are the Python files that run when something imports them.
     """
-    pieces = {
-        source.path: list(pieces_of(code, source, texts[source.path]))
-        for source in code.sources
-        if source.path in files and source.path in texts
-    }
     classes: dict[str, set[str]] = {}
     framework: set[tuple[str, str]] = set()
     for source in code.sources:
