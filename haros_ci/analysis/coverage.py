@@ -8,7 +8,9 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from haros_ci.code.codebase import Codebase, codebase
+from haros_ci.analysis.architecture import api_rows, plugin_rows
+from haros_ci.code.codebase import Codebase, Routine, codebase
+from haros_ci.config.settings import Settings
 from haros_ci.coverage import judge
 from haros_ci.coverage.blanked import blanked
 from haros_ci.coverage.judge import Found, Places, Syntax
@@ -20,7 +22,7 @@ from haros_ci.index.index import HEADERS, is_test
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import Architecture, Node
 from haros_ci.model.build import Build
-from haros_ci.model.coverage import ENDPOINT, EXAMPLE, OPEN, OTHER, PRODUCTION, TEST, UNREACHED, Coverage, Site
+from haros_ci.model.coverage import ENDPOINT, ENOUGH, EXAMPLE, OPEN, OTHER, PRODUCTION, TEST, UNREACHED, Coverage, Site
 from haros_ci.model.package import Package
 from haros_ci.model.unbuilt import is_whole
 from haros_ci.model.workspace import Workspace
@@ -42,12 +44,25 @@ _PROGRAM = re.compile(r"^if[ \t(]+__name__\b|^#!", re.MULTILINE)
 
 
 @timed("coverage")
-def coverage_of(made: Linked, workspace: Workspace, rows: Rows, code: Codebase | None = None) -> Coverage:
-    """The call sites in *workspace*, found by the API *rows*, and what the architecture that was *made* says of each."""
+def coverage_of(made: Linked, workspace: Workspace, settings: Settings, code: Codebase | None = None) -> Coverage:
+    """The call sites in *workspace*, found by the names of API rows, and what the architecture that was *made* says of each."""
+    rows = api_rows(settings.project.get("apis"), "", [], plugin_rows(settings))
     if code is None:
         ros = {package.name: package.ros for package in workspace.packages if package.ros is not None}
         code = codebase(made.sources, workspace.text, ros)
     return Coverage(sites=tuple(sorted(_Judge(made, workspace, rows, code).sites(), key=_order)))
+
+
+def too_little(found: Coverage) -> tuple[str, ...]:
+    """A sentence where the model accounts for less than ``ENOUGH`` of the production code's call sites."""
+    counts = found.counts()
+    if counts.share is None or counts.share >= ENOUGH:
+        return ()
+    return (
+        f"The model accounts for {counts.accounted:,} of {counts.sites:,} calls of ROS APIs in production code "
+        f"({int(counts.share * 100)}%), so nodes may have more topics, services and parameters than the checks know; "
+        "haros-ci model --coverage lists the calls that are missing",
+    )
 
 
 def _order(site: Site) -> tuple[str, int, int]:
@@ -130,7 +145,7 @@ class _Judge:
         piece: Piece | None,
         places: Places,
         where: Syntax,
-        wrappers: Mapping[object, str],
+        wrappers: Mapping[Routine, str],
         names: Names,
         reach: Reach,
         plugins: Mapping[str, Plugin],
@@ -138,7 +153,7 @@ class _Judge:
         """The state of a site, why, and what is special about it."""
         if places.has(found):
             return ENDPOINT, "", ""
-        if piece is not None and piece.routine in wrappers:
+        if piece is not None and piece.routine is not None and piece.routine in wrappers:
             return ENDPOINT, "told where the function is called that it stands in", wrappers[piece.routine]
         none = judge.other(self.code, where, found, names)
         if none is not None:
@@ -273,9 +288,8 @@ def _built(
             sides[target.is_test].update((*target.sources, *target.conditional_sources))
     for source in code.sources:
         is_header = source.path.endswith(HEADERS)
-        if source.separator == ".":
-            sides[0].add(source.path)
-        elif source.package not in known and not is_header and source.path not in sides[1]:
+        is_unknown = source.package not in known and not is_header and source.path not in sides[1]
+        if source.separator == "." or is_unknown:
             sides[0].add(source.path)
     for side in sides:
         for path in tuple(side):
@@ -306,5 +320,3 @@ def _area(path: str, package: Package | None, is_of_test: bool) -> str:
         return TEST
     inside = path if package.path == "." else path[len(package.path) + 1 :]
     return EXAMPLE if _EXAMPLES.intersection(inside.split("/")[:-1]) else PRODUCTION
-
-

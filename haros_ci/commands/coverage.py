@@ -3,17 +3,13 @@
 
 from __future__ import annotations
 
-from haros_ci.analysis.architecture import api_rows, plugin_rows
-from haros_ci.analysis.coverage import coverage_of
-from haros_ci.config.settings import Settings
-from haros_ci.model.workspace import Workspace
-from haros_ci.systems.link import Linked
+from haros_ci.model.coverage import Coverage
+from haros_ci.timing import timed
 
 
-def content(made: Linked, workspace: Workspace, settings: Settings, format: str) -> bytes:
-    """The coverage of what was *made*, as text or json."""
-    rows = api_rows(settings.project.get("apis"), "", [], plugin_rows(settings))
-    found = coverage_of(made, workspace, rows)
+@timed("render")
+def content(found: Coverage, format: str) -> bytes:
+    """*found* as text or json."""
     if format == "json":
         from haros_ci.report.coverage_json import render
     else:

@@ -86,11 +86,12 @@ def model(flags: Mapping[str, Any]) -> int:
     path = Path(flags["output"]) if flags["output"] else None
     code = 0
     if flags["coverage"]:
+        from haros_ci.analysis.coverage import coverage_of
         from haros_ci.commands.coverage import content
 
-        said_of = content(link(), workspace, settings, format)
+        covered = content(coverage_of(link(), workspace, settings), format)
         end(store, notes(settings.notes))
-        put_content(said_of, format, path)
+        put_content(covered, format, path)
         return 0
     if is_kept(flags, settings):
         from haros_ci.config.digests import settings_digests

@@ -70,9 +70,7 @@ def _pattern(names: Names) -> re.Pattern[str]:
     return _compiled(tuple(sorted(words)))
 
 
-def _function(
-    text: str, names: Names, name: str, offset: int, end: int, before: str, is_python: bool
-) -> Call | None:
+def _function(text: str, names: Names, name: str, offset: int, end: int, before: str, is_python: bool) -> Call | None:
     opening = _opening(text, end, is_python)
     if opening is None or text[opening] != "(":
         return None

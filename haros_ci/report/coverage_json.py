@@ -22,7 +22,12 @@ def render(found: Coverage) -> str:
             for name in found.packages()
         ],
         "sites": [
-            {**asdict(site), "package": site.package or None, "reason": site.reason or None, "detail": site.detail or None}
+            {
+                **asdict(site),
+                "package": site.package or None,
+                "reason": site.reason or None,
+                "detail": site.detail or None,
+            }
             for site in found.sites
         ],
     }

@@ -28,7 +28,7 @@ def percent(part: float | None) -> str:
 
 
 def _lines(found: Coverage) -> Iterator[str]:
-    rows = [HEAD]
+    rows: list[tuple[str, ...]] = [HEAD]
     for area in AREAS:
         for package in found.packages():
             counts = found.counts(area, package)
