@@ -13,7 +13,7 @@ from haros_ci.code import calls, classes, kinds
 from haros_ci.code.body import Call as Called
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.coverage.names import Names
-from haros_ci.coverage.pieces import last_name
+from haros_ci.coverage.pieces import Piece, last_name
 from haros_ci.coverage.search import Call, calls_in
 from haros_ci.index.index import Source
 from haros_ci.syntax import Type
@@ -90,7 +90,58 @@ class Syntax:
         return self._files[path].get((line, column), [])
 
 
-def other(code: Codebase, where: Syntax, found: Found, names: Names) -> tuple[str, str] | None:
+@dataclass(slots=True)
+class Places:
+    """Where the model has endpoints and parameters, by file."""
+
+    exact: frozenset[tuple[str, int, int]]
+    lines: frozenset[tuple[str, int]]
+
+    def has(self, found: Found) -> bool:
+        """Whether one stands at the call: where its expression or its name begins."""
+        path = found.source.path
+        if (path, found.start_line, found.start_column) in self.exact:
+            return True
+        return (path, found.line) in self.lines or (path, found.start_line) in self.lines
+
+
+def places_of(locations: Iterable[tuple[str, int, int]]) -> Places:
+    """*locations* as they are looked up."""
+    every = frozenset(locations)
+    return Places(every, frozenset((path, line) for path, line, _ in every))
+
+
+@dataclass(frozen=True, slots=True)
+class Seen:
+    """What the model has: *places*, the functions in *wrappers* whose endpoints are told where they are called, and all *sites* by function."""
+
+    places: Places
+    wrappers: Mapping[Routine, str]
+    sites: Mapping[Routine, tuple[Found, ...]]
+
+    def lacks(self, code: Codebase, found: Found, target: Routine) -> bool:
+        """Whether a call runs a function of the workspace that makes what the model does not have."""
+        inner = [
+            (each, routine)
+            for routine, _ in calls.reached(code, target, depth=2)
+            for each in self.sites.get(routine, ())
+            if each is not found
+        ]
+        if inner and found.call.name in WRAPPERS and code.ros_of(found.source) == 2:
+            return True  # what it makes would be told here
+        return any(not self.places.has(each) and routine not in self.wrappers for each, routine in inner)
+
+
+def by_routine(sites: Iterable[tuple[Found, Piece | None]]) -> Mapping[Routine, tuple[Found, ...]]:
+    """The sites that stand in each function."""
+    found: dict[Routine, list[Found]] = {}
+    for site, piece in sites:
+        if piece is not None and piece.routine is not None:
+            found.setdefault(piece.routine, []).append(site)
+    return {routine: tuple(each) for routine, each in found.items()}
+
+
+def other(code: Codebase, where: Syntax, found: Found, seen: Seen) -> tuple[str, str] | None:
     """Why a call is none of a ROS API, and of what it is one; None where that is not known."""
     if found.source.path in code.firmware:
         return "code of a microcontroller", ""
@@ -103,6 +154,8 @@ def other(code: Codebase, where: Syntax, found: Found, names: Names) -> tuple[st
     routine, call = placed
     targets = calls.function_meant(code, routine, call.callee)
     if targets:
+        if any(seen.lacks(code, found, target) for target in targets):
+            return None
         return "a function of the workspace", f"{targets[0].title} at {targets[0].location}"
     receiver = call.receiver
     if isinstance(receiver, (syntax.This, type(None))):
@@ -140,27 +193,6 @@ def _receiver(code: Codebase, routine: Routine, receiver: syntax.Expression) -> 
         name = kinds.dotted(code, routine, receiver)
         return name if "." in name or name in _OTHERS else ""
     return name
-
-
-@dataclass(slots=True)
-class Places:
-    """Where the model has endpoints and parameters, by file."""
-
-    exact: frozenset[tuple[str, int, int]]
-    lines: frozenset[tuple[str, int]]
-
-    def has(self, found: Found) -> bool:
-        """Whether one stands at the call: where its expression or its name begins."""
-        path = found.source.path
-        if (path, found.start_line, found.start_column) in self.exact:
-            return True
-        return (path, found.line) in self.lines or (path, found.start_line) in self.lines
-
-
-def places_of(locations: Iterable[tuple[str, int, int]]) -> Places:
-    """*locations* as they are looked up."""
-    every = frozenset(locations)
-    return Places(every, frozenset((path, line) for path, line, _ in every))
 
 
 def wrapped(code: Codebase, where: Syntax, places: Places) -> Mapping[Routine, str]:

@@ -90,19 +90,20 @@ def reach_of(code: Codebase, pieces: dict[str, list[Piece]], modules: frozenset[
     *modules* are the Python files that run when something imports them.
     """
     classes: dict[str, set[str]] = {}
-    framework: set[tuple[str, str]] = set()
+    unseen: set[str] = set()
     for source in code.sources:
-        unseen: set[str] = set()
         for definition in source.program.classes:
             last = last_name(definition.name)
             classes.setdefault(last, set()).update(last_name(base.name) for base in definition.bases)
             names = base_names(code, (source, definition)) - _NODES
             if any(class_named(code, name, source) is None for name in names):
                 unseen.add(last)
-        for function in source.program.functions:
-            owner = last_name(function.owner)
-            if owner in unseen and (function.is_virtual or source.separator == "."):
-                framework.add((owner, last_name(function.name)))
+    framework = {
+        (last_name(function.owner), last_name(function.name))
+        for source in code.sources
+        for function in source.program.functions
+        if last_name(function.owner) in unseen
+    }
     bases = {name: frozenset(found) for name, found in classes.items()}
     found = Reach(pieces, frozenset(classes), bases, frozenset(framework))
     roots = []
