@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
 
 from haros_ci.analysis.architecture import api_rows, plugin_rows
 from haros_ci.analysis.coverage_files import Plugins, area_of, built, imported, loaded, plugins_of
@@ -12,11 +12,12 @@ from haros_ci.code.codebase import Codebase, codebase
 from haros_ci.config.settings import Settings
 from haros_ci.coverage import judge
 from haros_ci.coverage.blanked import blanked
-from haros_ci.coverage.judge import Found, Seen, Syntax
+from haros_ci.coverage.judge import Found, Places, Seen, Syntax
 from haros_ci.coverage.names import Names, joined, names_of
 from haros_ci.coverage.pieces import Piece, at, last_name, pieces_of
 from haros_ci.coverage.reach import Reach, reach_of
-from haros_ci.coverage.search import shown
+from haros_ci.coverage.search import may_have, shown
+from haros_ci.index.index import Source
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import Architecture, Node
 from haros_ci.model.coverage import ENDPOINT, ENOUGH, OPEN, OTHER, TEST, UNREACHED, Coverage, Site
@@ -59,87 +60,107 @@ class _Judge:
     workspace: Workspace
     rows: Rows
     code: Codebase
+    texts: dict[str, str] = field(default_factory=dict)
 
-    def sites(self) -> Iterator[Site]:
+    def found(self) -> list[Found]:
         """All call sites, file by file."""
         table: dict[tuple[str, int | None], Names] = {}
         for language in ("cpp", "python"):
             one, two = (names_of(self.rows.get((language, ros), ())) for ros in (1, 2))
             table.update({(language, 1): one, (language, 2): two, (language, None): joined(one, two)})
-        texts: dict[str, str] = {}
         found: list[Found] = []
         for source in self.code.sources:
-            if not source.path.endswith((".yaml", ".yml")):
-                language = "python" if source.separator == "." else "cpp"
-                texts[source.path] = text = blanked(self.workspace.text(source.path), language)
-                names = table[language, self.code.ros_of(source)]
-                found += judge.found_in(self.code, source, text, names)
-        if not found:
-            return
+            language = "python" if source.separator == "." else "cpp"
+            names = table[language, self.code.ros_of(source)]
+            text = self.workspace.text(source.path)
+            if not source.path.endswith((".yaml", ".yml")) and may_have(text, names):
+                found += judge.found_in(self.code, source, self.text(source), names)
+        return found
+
+    def text(self, source: Source) -> str:
+        """The text of a file with blanks for comments and texts."""
+        if source.path not in self.texts:
+            language = "python" if source.separator == "." else "cpp"
+            self.texts[source.path] = blanked(self.workspace.text(source.path), language)
+        return self.texts[source.path]
+
+    def sites(self) -> Iterator[Site]:
+        """All call sites with what the model says of each."""
+        found = self.found()
         places = judge.places_of(_locations(self.made.architecture))
-        where = Syntax(self.code)
-        wrappers = judge.wrapped(self.code, where, places)
         untested, tested = built(self.code, self.made.builds, self.workspace.packages)
         packages = {package.name: package for package in self.workspace.packages}
-        areas = {
-            source.path: area_of(source.path, packages.get(source.package or ""), source.path in tested - untested)
-            for source in self.code.sources
-        }
-        tests = frozenset(path for path, area in areas.items() if area == TEST)
-        pieces = {
-            source.path: list(pieces_of(self.code, source, texts[source.path]))
-            for source in self.code.sources
-            if source.path in texts and source.path in untested and source.path not in tests
-        }
-        plugins = plugins_of(self.code, self.made.builds)
-        reach = reach_of(self.code, pieces, imported(self.code, self.made.builds, self.workspace))
-        found_here = [(each, _at(pieces, each)) for each in found]
-        roots = {*_roots(self.made.architecture), *loaded(self.workspace, plugins, texts, reach.classes)}
-        reach.start([piece for each, piece in found_here if piece is not None and places.has(each)], sorted(roots))
-        told = {id(piece) for each, piece in found_here if places.has(each)}
-        gaps = dict(_gaps(self.made.architecture))
-        seen = Seen(places, wrappers, judge.by_routine(found_here))
-        for each, piece in found_here:
+
+        def area(source: Source) -> str:
+            return area_of(source.path, packages.get(source.package or ""), source.path in tested - untested)
+
+        areas = {each.source.path: area(each.source) for each in found}
+        pending = [each for each in found if not places.has(each)]
+        told = dict(self.judged(found, places, untested, area)) if pending else {}
+        for each in found:
             path = each.source.path
-            package = each.source.package or ""
-            area = areas[path]
-            if each.call.made and piece is not None and piece.owner == each.call.name:
-                continue  # a constructor of that class itself
-            state, reason, detail = self._verdict(each, piece, seen, where, reach, plugins)
-            if area == TEST and state in (OPEN, UNREACHED):
+            state, reason, detail = told.get(id(each), (ENDPOINT, "", ""))
+            if not state:
+                continue
+            if areas[path] == TEST and state in (OPEN, UNREACHED):
                 state, reason, detail = UNREACHED, "code of a test", ""
-            if state == OPEN and path in gaps:
-                reason, detail = "a node is not known as a whole", gaps[path]
-            elif state == OPEN and not reason:
-                reason, detail = _about(piece, plugins, told, reach)
             yield Site(
                 path=path,
                 line=each.line,
                 column=each.column,
                 name=each.call.name,
                 call=shown(self.workspace.text(path), each.call),
-                package=package,
-                area=area,
+                package=each.source.package or "",
+                area=areas[path],
                 state=state,
                 reason=reason,
                 detail=detail,
             )
 
+    def judged(
+        self, found: list[Found], places: Places, untested: frozenset[str], area: Callable[[Source], str]
+    ) -> Iterator[tuple[int, tuple[str, str, str]]]:
+        """State, reason and detail of the sites that stand at no endpoint, by identity; no state for what is none."""
+        pieces = {
+            source.path: list(pieces_of(source, self.text(source)))
+            for source in self.code.sources
+            if source.path in untested and not source.path.endswith((".yaml", ".yml")) and area(source) != TEST
+        }
+        where = Syntax(self.code)
+        plugins = plugins_of(self.code, self.made.builds)
+        reach = reach_of(self.code, pieces, imported(self.code, self.made.builds, self.workspace))
+        found_here = [(each, _at(pieces, each)) for each in found]
+        loading = loaded(self.workspace, plugins, self.texts, reach.classes)
+        roots = {*_roots(self.made.architecture), *loading}
+        reach.start([piece for each, piece in found_here if piece is not None and places.has(each)], sorted(roots))
+        told = {id(piece) for each, piece in found_here if places.has(each)}
+        gaps = dict(_gaps(self.made.architecture))
+        seen = Seen(places, judge.wrapped(self.code, where, places), judge.by_routine(self.code, found_here))
+        for each, piece in found_here:
+            if each.call.made and piece is not None and piece.owner == each.call.name:
+                yield id(each), ("", "", "")  # a constructor of that class itself
+            elif not places.has(each):
+                state, reason, detail = self._verdict(each, piece, seen, where, reach, plugins)
+                if state == OPEN and each.source.path in gaps:
+                    reason, detail = "a node is not known as a whole", gaps[each.source.path]
+                elif state == OPEN:
+                    reason, detail = _about(each, piece, plugins, told, reach)
+                yield id(each), (state, reason, detail)
+
     def _verdict(
         self, found: Found, piece: Piece | None, seen: Seen, where: Syntax, reach: Reach, plugins: Plugins
     ) -> tuple[str, str, str]:
         """The state of a site, why, and what is special about it."""
-        if seen.places.has(found):
-            return ENDPOINT, "", ""
-        if piece is not None and piece.routine is not None and piece.routine in seen.wrappers:
-            return ENDPOINT, "told where the function is called that it stands in", seen.wrappers[piece.routine]
+        routine = judge.routine_of(self.code, found, piece)
+        if routine is not None and routine in seen.wrappers:
+            return ENDPOINT, "told where the function is called that it stands in", seen.wrappers[routine]
         none = judge.other(self.code, where, found, seen)
         if none is not None:
             return OTHER, *none
         if piece is None:
             return UNREACHED, "the file is in no target", ""
         if piece not in reach.running:
-            return UNREACHED, *_idle(piece, reach, plugins)
+            return UNREACHED, *_idle(found, piece, reach, plugins)
         return OPEN, "", ""
 
 
@@ -147,15 +168,15 @@ def _at(pieces: Mapping[str, list[Piece]], found: Found) -> Piece | None:
     return at(pieces, found.source.path, found.call.offset)
 
 
-def _about(piece: Piece | None, plugins: Plugins, told: set[int], reach: Reach) -> tuple[str, str]:
+def _about(found: Found, piece: Piece | None, plugins: Plugins, told: set[int], reach: Reach) -> tuple[str, str]:
     """Where a site stands that the model does not have."""
     if piece is None:
         return "", ""
-    title = piece.routine.title if piece.routine is not None else piece.name
+    title = _title(piece)
     if id(piece) in told:
         return "other calls of the function are in the model", title
     for name in (piece.owner, *(each for each in plugins.every if piece.owner in _above(reach, each))):
-        plugin = plugins.of(piece, name)
+        plugin = plugins.of(piece, name, found.source.package)
         if plugin is not None:
             return "in a plug-in", f"{title}, of {plugin.base}"
     return "nothing of the function is in the model", title
@@ -173,18 +194,23 @@ def _above(reach: Reach, name: str) -> frozenset[str]:
     return frozenset(found)
 
 
-def _idle(piece: Piece, reach: Reach, plugins: Plugins) -> tuple[str, str]:
+def _idle(found: Found, piece: Piece, reach: Reach, plugins: Plugins) -> tuple[str, str]:
     """Why a piece of code is never run."""
-    if piece.routine is None and piece.definition is None:
+    if piece.function is None and piece.definition is None:
         return "nothing imports the module", ""
     if piece.owner in reach.classes and piece.owner not in reach.made:
-        plugin = plugins.of(piece, piece.owner)
+        plugin = plugins.of(piece, piece.owner, found.source.package)
         if plugin is not None:
             return "a plug-in that nothing in the workspace loads", f"{piece.owner}, of {plugin.base}"
         above = reach.bases.get(piece.owner, frozenset())
         return "the class is never made", piece.owner if not above else f"{piece.owner} ({', '.join(sorted(above))})"
-    title = piece.routine.title if piece.routine is not None else piece.name
-    return "the function is never called", title
+    return "the function is never called", _title(piece)
+
+
+def _title(piece: Piece) -> str:
+    """The name of a function with its class's."""
+    separator = "::" if piece.function is not None and "::" in piece.function.name else "."
+    return separator.join(each for each in (piece.owner, piece.name) if each)
 
 
 def _gaps(found: Architecture) -> Iterator[tuple[str, str]]:

@@ -49,15 +49,15 @@ class Plugins:
 
     every: Mapping[str, tuple[Plugin, ...]]
 
-    def of(self, piece: Piece, name: str) -> Plugin | None:
-        """The plug-in called *name* that a method of *piece* can be of; None if there is none."""
+    def of(self, piece: Piece, name: str, package: str | None) -> Plugin | None:
+        """The plug-in called *name* that a method of *piece*, of a *package*, can be of; None if there is none."""
         found = self.every.get(name, ())
-        routine = piece.routine
-        if not found or routine is None:
+        function = piece.function
+        if not found or function is None:
             return None
         ways = (
-            lambda each: each.type == routine.owner,
-            lambda each: each.package == routine.source.package,
+            lambda each: each.type == function.owner,
+            lambda each: each.package == package,
             lambda each: name != piece.owner or len(found) == 1,
         )
         return next((each for fits in ways for each in found if fits(each)), None)

@@ -132,13 +132,19 @@ class Seen:
         return any(not self.places.has(each) and routine not in self.wrappers for each, routine in inner)
 
 
-def by_routine(sites: Iterable[tuple[Found, Piece | None]]) -> Mapping[Routine, tuple[Found, ...]]:
+def by_routine(code: Codebase, sites: Iterable[tuple[Found, Piece | None]]) -> Mapping[Routine, tuple[Found, ...]]:
     """The sites that stand in each function."""
     found: dict[Routine, list[Found]] = {}
     for site, piece in sites:
-        if piece is not None and piece.routine is not None:
-            found.setdefault(piece.routine, []).append(site)
+        routine = routine_of(code, site, piece)
+        if routine is not None:
+            found.setdefault(routine, []).append(site)
     return {routine: tuple(each) for routine, each in found.items()}
+
+
+def routine_of(code: Codebase, site: Found, piece: Piece | None) -> Routine | None:
+    """The function that a site stands in."""
+    return code.routine(site.source, piece.function) if piece is not None and piece.function is not None else None
 
 
 def other(code: Codebase, where: Syntax, found: Found, seen: Seen) -> tuple[str, str] | None:

@@ -7,10 +7,9 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.coverage.blanked import closed
 from haros_ci.index.index import Source
-from haros_ci.syntax import Class
+from haros_ci.syntax import Class, Function
 
 _WORDS = re.compile(r"(?<![\w\"'])[A-Za-z_]\w*")
 #: A function that is declared or defined, with its type or class before it; the head of a class.
@@ -39,7 +38,7 @@ class Piece:
     words: frozenset[str]
     name: str = ""
     owner: str = ""
-    routine: Routine | None = None
+    function: Function | None = None
     definition: Class | None = None
 
 
@@ -54,18 +53,20 @@ def at(pieces: Mapping[str, Sequence[Piece]], path: str, offset: int) -> Piece |
     return max(around, key=lambda each: (each.begin, -each.end)) if around else None
 
 
-def pieces_of(code: Codebase, source: Source, text: str) -> Iterator[Piece]:
+def pieces_of(source: Source, text: str) -> Iterator[Piece]:
     """The pieces of a file whose blanked text is *text*: what is outside of functions and classes first."""
     lines = [0, *(found.end() for found in re.finditer(r"\n", text))]
     is_python = source.separator == "."
-    routines = [each for each in code.routines(source.path) if each.outer is None and each.function.kind != "module"]
-    spans = [(each, span) for each in routines if (span := _span(each, text, lines)) is not None]
+    functions = [
+        each for each in source.program.functions if each.kind not in ("lambda", "module") and each.body is not None
+    ]
+    spans = [(each, span) for each in functions if (span := _span(each, is_python, text, lines)) is not None]
     outside = list(text)
     made = []
-    for routine, (begin, end) in spans:
-        name = routine.function.name.rpartition(source.separator)[2]
+    for function, (begin, end) in spans:
+        name = function.name.rpartition(source.separator)[2]
         words = _words(text[begin:end], is_python)
-        made.append(Piece(source.path, begin, end, words, name, last_name(routine.owner), routine))
+        made.append(Piece(source.path, begin, end, words, name, last_name(function.owner), function))
     for _, (begin, end) in spans:
         outside[begin:end] = " " * (end - begin)
     if not is_python:
@@ -84,13 +85,12 @@ def pieces_of(code: Codebase, source: Source, text: str) -> Iterator[Piece]:
     yield from made
 
 
-def _span(routine: Routine, text: str, lines: list[int]) -> tuple[int, int] | None:
+def _span(function: Function, is_python: bool, text: str, lines: list[int]) -> tuple[int, int] | None:
     """Where a function begins and ends in its file's text."""
-    function = routine.function
     if not 0 < function.line <= len(lines):
         return None
     begin = lines[function.line - 1]
-    if routine.is_python:
+    if is_python:
         return begin, _indented(text, begin)
     begin += max(function.column - 1, 0)
     if not 0 < function.body_line <= len(lines):

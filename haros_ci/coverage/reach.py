@@ -79,7 +79,7 @@ class Reach:
 
     def _is_alone(self, piece: Piece) -> bool:
         """Whether a method runs when its class is made: constructors, operators, and what bases may call."""
-        if piece.routine is None or piece.name.lstrip("~") == piece.owner or piece.name.startswith(_CALLED):
+        if piece.function is None or piece.name.lstrip("~") == piece.owner or piece.name.startswith(_CALLED):
             return True
         return (piece.owner, piece.name) in self.framework
 
@@ -109,7 +109,7 @@ def reach_of(code: Codebase, pieces: dict[str, list[Piece]], modules: frozenset[
     roots = []
     for path, every in pieces.items():
         for piece in every:
-            if piece.routine is None and piece.definition is None:
+            if piece.function is None and piece.definition is None:
                 if path in modules:
                     found.by_name[stem(path)].append(piece)
                 else:
@@ -117,7 +117,7 @@ def reach_of(code: Codebase, pieces: dict[str, list[Piece]], modules: frozenset[
             elif piece.name == "main" and not piece.owner:
                 roots.append(piece)
             else:
-                if piece.routine is not None:
+                if piece.function is not None:
                     found.by_name[piece.name].append(piece)
                 if not found.is_free(piece):
                     found.by_class[piece.owner].append(piece)

@@ -49,6 +49,8 @@ def calls_in(text: str, names: Names, language: str) -> Iterator[Call]:
     is_python = language == "python"
     for found in _pattern(names).finditer(text):
         name, offset = found[0], found.start()
+        if offset and (text[offset - 1].isalnum() or text[offset - 1] == "_"):
+            continue
         before = text[max(0, offset - 200) : offset]
         if _DEF.search(before):
             continue
@@ -62,7 +64,12 @@ def calls_in(text: str, names: Names, language: str) -> Iterator[Call]:
 
 @lru_cache(maxsize=8)
 def _compiled(words: tuple[str, ...]) -> re.Pattern[str]:
-    return re.compile(rf"(?<!\w)(?:{'|'.join(words)})(?!\w)")
+    return re.compile(rf"(?:{'|'.join(words)})(?!\w)")  # what stands before is looked at later: this is faster
+
+
+def may_have(text: str, names: Names) -> bool:
+    """Whether a name stands anywhere in *text*."""
+    return _pattern(names).search(text) is not None
 
 
 def _pattern(names: Names) -> re.Pattern[str]:
