@@ -248,6 +248,26 @@ def test_a_plugin_is_missing_where_a_file_names_it(
     assert (found.state, found.reason) == (state, reason) and "acme::Tool" in found.detail
 
 
+def test_the_summary_of_a_check_says_a_small_share(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    said = "The model accounts for"
+    command = ["check", "--no-cache", "--profile", "architecture"]
+    assert main(command) in (0, 1)
+    assert said not in capsys.readouterr().out
+    more = "\n".join(f'node.declare_parameter("level{number}", 1);' for number in range(9))
+    write(
+        workspace / "src/lamp",
+        {
+            "CMakeLists.txt": CMAKE.replace("install(", "add_library(dimmer SHARED src/dimmer.cpp)\ninstall("),
+            "src/dimmer.cpp": PLUGIN.replace("node.declare_parameter", f"{more}\nnode.declare_parameter").partition(
+                "PLUGINLIB"
+            )[0],
+            "config/tools.yaml": "tools: [lamp::Dimmer]\n",
+        },
+    )
+    assert main(command) in (0, 1)
+    assert f"{said} 10 of 20 calls of ROS APIs in production code (50%)" in capsys.readouterr().out
+
+
 def test_other_formats_are_refused(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["model", "--coverage", "--format", "dot"]) == 2
     assert "--coverage is text or json" in capsys.readouterr().err

@@ -20,7 +20,7 @@ from haros_ci.coverage.search import may_have, shown
 from haros_ci.index.index import Source
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import Architecture, Node
-from haros_ci.model.coverage import ENDPOINT, ENOUGH, OPEN, OTHER, TEST, UNREACHED, Coverage, Site
+from haros_ci.model.coverage import ENDPOINT, ENOUGH, OPEN, OTHER, PRODUCTION, TEST, UNREACHED, Coverage, Site
 from haros_ci.model.workspace import Workspace
 from haros_ci.systems.link import Linked
 from haros_ci.timing import timed
@@ -38,8 +38,25 @@ def coverage_of(made: Linked, workspace: Workspace, settings: Settings, code: Co
     return Coverage(sites=tuple(sorted(_Judge(made, workspace, rows, code).sites(), key=_order)))
 
 
+@timed("coverage")
+def uncovered(made: Linked, workspace: Workspace, settings: Settings, code: Codebase) -> tuple[str, ...]:
+    """A sentence where the model accounts for less than ``ENOUGH`` of the production code's call sites.
+
+    Where enough of them are endpoints, nothing is asked of the others.
+    """
+    rows = api_rows(settings.project.get("apis"), "", [], plugin_rows(settings))
+    judging = _Judge(made, workspace, rows, code)
+    found = judging.found()
+    places = judge.places_of(_locations(made.architecture))
+    area = judging.areas()
+    here = [places.has(each) for each in found if area(each.source) == PRODUCTION]
+    if sum(here) >= ENOUGH * len(here):
+        return ()
+    return too_little(Coverage(sites=tuple(judging.sites())))
+
+
 def too_little(found: Coverage) -> tuple[str, ...]:
-    """A sentence where the model accounts for less than ``ENOUGH`` of the production code's call sites."""
+    """The sentence of ``uncovered``."""
     counts = found.counts()
     if counts.share is None or counts.share >= ENOUGH:
         return ()
@@ -61,21 +78,27 @@ class _Judge:
     rows: Rows
     code: Codebase
     texts: dict[str, str] = field(default_factory=dict)
+    #: The files of the product's targets and of those for tests, made when they are asked for.
+    files: list[tuple[frozenset[str], frozenset[str]]] = field(default_factory=list)
+    sought: list[Found] | None = None
 
     def found(self) -> list[Found]:
-        """All call sites, file by file."""
+        """All call sites, file by file; they are looked for once."""
+        if self.sought is None:
+            self.sought = list(self._found())
+        return self.sought
+
+    def _found(self) -> Iterator[Found]:
         table: dict[tuple[str, int | None], Names] = {}
         for language in ("cpp", "python"):
             one, two = (names_of(self.rows.get((language, ros), ())) for ros in (1, 2))
             table.update({(language, 1): one, (language, 2): two, (language, None): joined(one, two)})
-        found: list[Found] = []
         for source in self.code.sources:
             language = "python" if source.separator == "." else "cpp"
             names = table[language, self.code.ros_of(source)]
             text = self.workspace.text(source.path)
             if not source.path.endswith((".yaml", ".yml")) and may_have(text, names):
-                found += judge.found_in(self.code, source, self.text(source), names)
-        return found
+                yield from judge.found_in(self.code, source, self.text(source), names)
 
     def text(self, source: Source) -> str:
         """The text of a file with blanks for comments and texts."""
@@ -88,15 +111,10 @@ class _Judge:
         """All call sites with what the model says of each."""
         found = self.found()
         places = judge.places_of(_locations(self.made.architecture))
-        untested, tested = built(self.code, self.made.builds, self.workspace.packages)
-        packages = {package.name: package for package in self.workspace.packages}
-
-        def area(source: Source) -> str:
-            return area_of(source.path, packages.get(source.package or ""), source.path in tested - untested)
-
+        area = self.areas()
         areas = {each.source.path: area(each.source) for each in found}
         pending = [each for each in found if not places.has(each)]
-        told = dict(self.judged(found, places, untested, area)) if pending else {}
+        told = dict(self.judged(found, places, area)) if pending else {}
         for each in found:
             path = each.source.path
             state, reason, detail = told.get(id(each), (ENDPOINT, "", ""))
@@ -117,14 +135,23 @@ class _Judge:
                 detail=detail,
             )
 
+    def areas(self) -> Callable[[Source], str]:
+        """A function that says what a file is for."""
+        if not self.files:
+            self.files.append(built(self.code, self.made.builds, self.workspace.packages))
+        untested, tested = self.files[0]
+        packages = {package.name: package for package in self.workspace.packages}
+        of_tests = tested - untested
+        return lambda source: area_of(source.path, packages.get(source.package or ""), source.path in of_tests)
+
     def judged(
-        self, found: list[Found], places: Places, untested: frozenset[str], area: Callable[[Source], str]
+        self, found: list[Found], places: Places, area: Callable[[Source], str]
     ) -> Iterator[tuple[int, tuple[str, str, str]]]:
         """State, reason and detail of the sites that stand at no endpoint, by identity; no state for what is none."""
         pieces = {
             source.path: list(pieces_of(source, self.text(source)))
             for source in self.code.sources
-            if source.path in untested and not source.path.endswith((".yaml", ".yml")) and area(source) != TEST
+            if source.path in self.files[0][0] and not source.path.endswith((".yaml", ".yml")) and area(source) != TEST
         }
         where = Syntax(self.code)
         plugins = plugins_of(self.code, self.made.builds)

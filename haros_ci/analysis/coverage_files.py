@@ -29,6 +29,8 @@ _SIMULATED = re.compile(r"(?:GZ|IGN|IGNITION|GAZEBO)_(?:REGISTER_\w*PLUGIN|ADD_P
 _NAMING = frozenset(("yaml", "launch", "xml", "shell"))
 _DESCRIBING = (".world", ".sdf", ".urdf", ".xacro", ".gazebo", ".launch.py")
 _NAMED = re.compile(r"(?:::|\.|/)(\w+)")
+#: A name that may be looked up in a library that is loaded.
+_LOOKED_UP = re.compile(r'"(\w{1,80})"')
 #: Bases of plug-ins that are nodes themselves: one that nothing loads is in the model all the same.
 _NODES = frozenset(("nodelet::Nodelet", "rclcpp_components::NodeFactory"))
 
@@ -85,7 +87,7 @@ def plugins_of(code: Codebase, builds: Mapping[str, Build]) -> Plugins:
 
 
 def loaded(workspace: Workspace, plugins: Plugins, texts: Mapping[str, str], classes: frozenset[str]) -> Iterator[str]:
-    """The last parts of the names of classes that a loader of the workspace may load, or that a file of a configuration names."""
+    """The last parts of the names of classes and functions that the workspace may load by their names: those in its configurations."""
     bases = {last_name(base) for text in texts.values() if "ClassLoader" in text for base in _LOADER.findall(text)}
     waiting = []
     for name, found in plugins.every.items():
@@ -93,6 +95,8 @@ def loaded(workspace: Workspace, plugins: Plugins, texts: Mapping[str, str], cla
             yield name
         else:
             waiting += [(word, name) for each in found for word in each.words if word]
+    for path in sorted(path for path, text in texts.items() if "dlsym" in text):
+        yield from _LOOKED_UP.findall(workspace.text(path))
     for file in workspace.files:
         if file.language not in _NAMING and not file.path.endswith(_DESCRIBING) or is_test(file.path):
             continue

@@ -152,9 +152,9 @@ def chosen_checks(workspace: Workspace, selection: Selection, known: Registry) -
 def _uncovered(made: Linked, workspace: Workspace, settings: Settings, project: Project) -> tuple[str, ...]:
     """A sentence where the model lacks many of the calls of ROS APIs."""
     with stage("loading"):
-        from haros_ci.analysis.coverage import coverage_of, too_little
+        from haros_ci.analysis.coverage import uncovered
 
-    return too_little(coverage_of(made, workspace, settings, project.code))
+    return uncovered(made, workspace, settings, project.code)
 
 
 def _past(base: Base | None, architectures: Architectures) -> Callable[[], Project | None]:
