@@ -26,8 +26,8 @@ _OTHERS = frozenset(
 )
 #: Library classes whose methods have such names, and make nothing in the node that calls them.
 _QUIET = {
-    "rclcpp::AsyncParametersClient": "a client of another node's parameters",
-    "rclcpp::SyncParametersClient": "a client of another node's parameters",
+    "rclcpp::AsyncParametersClient": "it asks through the client's own services",
+    "rclcpp::SyncParametersClient": "it asks through the client's own services",
     "rclcpp::Parameter": "a parameter's value",
     "dynamic_reconfigure::Config": "a message",
 }
