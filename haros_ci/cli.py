@@ -191,6 +191,7 @@ def show(**flags: Any) -> int:
     "--expect", type=click.Path(dir_okay=False), help="Compare with the architecture that this file declares."
 )
 @click.option("--check-readme", is_flag=True, help="Compare with the interface tables of the packages' READMEs.")
+@click.option("--coverage", is_flag=True, help="Tell which calls of ROS APIs the model has, and which it lacks.")
 @workspace_options
 @click.option("--timings", is_flag=True, help="Say on stderr where the time went.")
 def model(**flags: Any) -> int:

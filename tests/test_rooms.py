@@ -32,6 +32,8 @@ DOORS: dict[str, set[str]] = {
     "index": {"model", "substitutions", "syntax"},
     # the call graph stands on the index of the programs; it knows no system and no check
     "code": {"index", "model", "syntax"},
+    # call sites as text, and what the call graph says of them
+    "coverage": {"code", "index", "model", "syntax"},
     "knowledge": set(),
     "checking": {"bounded_yaml", "changes", "code", "interfaces", "knowledge", "model", "results", "syntax", "timing"},
     "config": {"bounded_yaml", "errors", "model", "results"},
@@ -70,6 +72,7 @@ DOORS: dict[str, set[str]] = {
         "checking",
         "code",
         "config",
+        "coverage",
         "declared",
         "errors",
         "extract",

@@ -109,6 +109,10 @@ def inspected(
                 if (p.path, p.line) not in as_findings
             ),
             *(Notification(Level.NOTE, sentence, ARCHITECTURE) for sentence in unmodelled(found, made.builds)),
+            *(
+                Notification(Level.NOTE, sentence, ARCHITECTURE)
+                for sentence in _uncovered(made, workspace, settings, project)
+            ),
         ),
         graphs=said.graphs,
         architecture=not failures,
@@ -149,6 +153,14 @@ def is_inspected(workspace: Workspace, selection: Selection, settings: Settings,
 def chosen_checks(workspace: Workspace, selection: Selection, known: Registry) -> tuple[Check, ...]:
     """The checks that are on in any file."""
     return tuple(check for check in known.checks if is_on(known.check_rules[check.id], workspace, selection))
+
+
+def _uncovered(made: Linked, workspace: Workspace, settings: Settings, project: Project) -> tuple[str, ...]:
+    """A sentence where the model lacks many of the calls of ROS APIs."""
+    with stage("loading"):
+        from haros_ci.analysis.coverage import uncovered
+
+    return uncovered(made, workspace, settings, project.code)
 
 
 def _past(base: Base | None, architectures: Architectures) -> Callable[[], Project | None]:

@@ -38,7 +38,7 @@ Every command has a --help of its own. The pages: https://github.com/haros-ci/ha
 #: The section that an option stands in, by its first name; what is named nowhere stands under Options.
 SECTIONS: Mapping[str, tuple[str, ...]] = {
     "What is looked at": ("--project", "--isolated", "--exclude", "--compile-database", "--configuration", "--launch", "--arg", "--env", "--path", "--no-known-nodes", "--exact"),
-    "What is reported": ("--profile", "--select", "--ignore", "--import", "--metric", "--level", "--scope", "--expect", "--check-readme"),
+    "What is reported": ("--profile", "--select", "--ignore", "--import", "--metric", "--level", "--scope", "--expect", "--check-readme", "--coverage"),
     "What is known already": ("--baseline", "--baseline-rev", "--no-baseline", "--require-baseline", "--file", "--accept-new", "--force"),
     "What comes out": (
         "--output", "--format", "--sarif-for", "--why", "--statistics", "--show-settings", "--fail-on", "--allow-tool-failure",
@@ -81,6 +81,7 @@ EXAMPLES: Mapping[str, tuple[tuple[str, str], ...]] = {
             "haros-ci model --launch robot/launch/robot.launch.xml --arg sim:=true --format dot | dot -Tsvg",
         ),
         ("for other tools", "haros-ci model --format json --output model.json"),
+        ("which calls of ROS APIs are not in the model", "haros-ci model --coverage"),
     ),
     "query": (
         ("topics with more than one publisher", 'haros-ci query "topics[len(self.publishers) > 1]"'),

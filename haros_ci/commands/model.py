@@ -6,6 +6,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -44,6 +45,8 @@ def model(flags: Mapping[str, Any]) -> int:
 
     if flags["compact"] and flags["format"] != "json":
         raise UserError(f"--compact is for json, not {flags['format']}", help="write --format json --compact")
+    if flags["coverage"] and (flags["compact"] or flags["format"] not in ("text", "json")):
+        raise UserError("--coverage is text or json", help="write --coverage --format json")
     format = COMPACT if flags["compact"] else flags["format"]
     gc.disable()
     settings = settings_from({**flags, "no_baseline": True})
@@ -55,18 +58,21 @@ def model(flags: Mapping[str, Any]) -> int:
     if arguments and wanted is None:
         raise UserError("--arg is for the launch files of --launch", help="name them: --launch package/launch/x.launch")
 
+    link = partial(
+        varied,
+        workspace,
+        settings,
+        store,
+        wanted=wanted,
+        alternatives=False,
+        environment=environment,
+        known_nodes=not flags["no_known_nodes"],
+        exact=flags["exact"],
+        processes=cores(),
+    )
+
     def make() -> tuple[Architecture, tuple[str, ...]]:
-        made = varied(
-            workspace,
-            settings,
-            store,
-            wanted=wanted,
-            alternatives=False,
-            environment=environment,
-            known_nodes=not flags["no_known_nodes"],
-            exact=flags["exact"],
-            processes=cores(),
-        )
+        made = link()
         found = selected(made.architecture, flags["configuration"])
         problems = (*workspace.problems, *workspace.faults, *found.problems)
         found = replace(found, problems=tuple(dict.fromkeys(problems)))
@@ -79,6 +85,14 @@ def model(flags: Mapping[str, Any]) -> int:
 
     path = Path(flags["output"]) if flags["output"] else None
     code = 0
+    if flags["coverage"]:
+        from haros_ci.analysis.coverage import coverage_of
+        from haros_ci.commands.coverage import content
+
+        covered = content(coverage_of(link(), workspace, settings), format)
+        end(store, notes(settings.notes))
+        put_content(covered, format, path)
+        return 0
     if is_kept(flags, settings):
         from haros_ci.config.digests import settings_digests
 

@@ -1,0 +1,265 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How many of the call sites of ROS APIs in a workspace's code the model accounts for, and which it does not."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+
+from haros_ci.analysis.architecture import api_rows, plugin_rows
+from haros_ci.analysis.coverage_files import Plugins, area_of, built, imported, loaded, plugins_of
+from haros_ci.code.codebase import Codebase, codebase
+from haros_ci.config.settings import Settings
+from haros_ci.coverage import judge
+from haros_ci.coverage.blanked import blanked
+from haros_ci.coverage.judge import Found, Places, Seen, Syntax
+from haros_ci.coverage.names import Names, joined, names_of
+from haros_ci.coverage.pieces import Piece, at, last_name, pieces_of
+from haros_ci.coverage.reach import Reach, reach_of
+from haros_ci.coverage.search import may_have, shown
+from haros_ci.index.index import Source
+from haros_ci.model.api import Row
+from haros_ci.model.architecture import Architecture, Node
+from haros_ci.model.coverage import ENDPOINT, ENOUGH, OPEN, OTHER, PRODUCTION, TEST, UNREACHED, Coverage, Site
+from haros_ci.model.workspace import Workspace
+from haros_ci.systems.link import Linked
+from haros_ci.timing import timed
+
+Rows = Mapping[tuple[str, int], Iterable[Row]]
+
+
+@timed("coverage")
+def coverage_of(made: Linked, workspace: Workspace, settings: Settings, code: Codebase | None = None) -> Coverage:
+    """The call sites in *workspace*, found by the names of API rows, and what the architecture that was *made* says of each."""
+    rows = api_rows(settings.project.get("apis"), "", [], plugin_rows(settings))
+    if code is None:
+        ros = {package.name: package.ros for package in workspace.packages if package.ros is not None}
+        code = codebase(made.sources, workspace.text, ros)
+    return Coverage(sites=tuple(sorted(_Judge(made, workspace, rows, code).sites(), key=_order)))
+
+
+@timed("coverage")
+def uncovered(made: Linked, workspace: Workspace, settings: Settings, code: Codebase) -> tuple[str, ...]:
+    """A sentence where the model accounts for less than ``ENOUGH`` of the production code's call sites.
+
+    Where enough of them are endpoints, nothing is asked of the others.
+    """
+    rows = api_rows(settings.project.get("apis"), "", [], plugin_rows(settings))
+    judging = _Judge(made, workspace, rows, code)
+    found = judging.found()
+    places = judge.places_of(_locations(made.architecture))
+    area = judging.areas()
+    here = [places.has(each) for each in found if area(each.source) == PRODUCTION]
+    if sum(here) >= ENOUGH * len(here):
+        return ()
+    return too_little(Coverage(sites=tuple(judging.sites())))
+
+
+def too_little(found: Coverage) -> tuple[str, ...]:
+    """The sentence of ``uncovered``."""
+    counts = found.counts()
+    if counts.share is None or counts.share >= ENOUGH:
+        return ()
+    return (
+        f"The model accounts for {counts.accounted:,} of {counts.sites:,} calls of ROS APIs in production code "
+        f"({int(counts.share * 100)}%), so nodes may have more topics, services and parameters than the checks know; "
+        "haros-ci model --coverage lists the calls that are missing",
+    )
+
+
+def _order(site: Site) -> tuple[str, int, int]:
+    return site.path, site.line, site.column
+
+
+@dataclass(slots=True)
+class _Judge:
+    made: Linked
+    workspace: Workspace
+    rows: Rows
+    code: Codebase
+    texts: dict[str, str] = field(default_factory=dict)
+    #: The files of the product's targets and of those for tests, made when they are asked for.
+    files: list[tuple[frozenset[str], frozenset[str]]] = field(default_factory=list)
+    sought: list[Found] | None = None
+
+    def found(self) -> list[Found]:
+        """All call sites, file by file; they are looked for once."""
+        if self.sought is None:
+            self.sought = list(self._found())
+        return self.sought
+
+    def _found(self) -> Iterator[Found]:
+        table: dict[tuple[str, int | None], Names] = {}
+        for language in ("cpp", "python"):
+            one, two = (names_of(self.rows.get((language, ros), ())) for ros in (1, 2))
+            table.update({(language, 1): one, (language, 2): two, (language, None): joined(one, two)})
+        for source in self.code.sources:
+            language = "python" if source.separator == "." else "cpp"
+            names = table[language, self.code.ros_of(source)]
+            text = self.workspace.text(source.path)
+            if not source.path.endswith((".yaml", ".yml")) and may_have(text, names):
+                yield from judge.found_in(self.code, source, self.text(source), names)
+
+    def text(self, source: Source) -> str:
+        """The text of a file with blanks for comments and texts."""
+        if source.path not in self.texts:
+            language = "python" if source.separator == "." else "cpp"
+            self.texts[source.path] = blanked(self.workspace.text(source.path), language)
+        return self.texts[source.path]
+
+    def sites(self) -> Iterator[Site]:
+        """All call sites with what the model says of each."""
+        found = self.found()
+        places = judge.places_of(_locations(self.made.architecture))
+        area = self.areas()
+        areas = {each.source.path: area(each.source) for each in found}
+        pending = [each for each in found if not places.has(each)]
+        told = dict(self.judged(found, places, area)) if pending else {}
+        for each in found:
+            path = each.source.path
+            state, reason, detail = told.get(id(each), (ENDPOINT, "", ""))
+            if not state:
+                continue
+            if areas[path] == TEST and state in (OPEN, UNREACHED):
+                state, reason, detail = UNREACHED, "code of a test", ""
+            yield Site(
+                path=path,
+                line=each.line,
+                column=each.column,
+                name=each.call.name,
+                call=shown(self.workspace.text(path), each.call),
+                package=each.source.package or "",
+                area=areas[path],
+                state=state,
+                reason=reason,
+                detail=detail,
+            )
+
+    def areas(self) -> Callable[[Source], str]:
+        """A function that says what a file is for."""
+        if not self.files:
+            self.files.append(built(self.code, self.made.builds, self.workspace.packages))
+        untested, tested = self.files[0]
+        packages = {package.name: package for package in self.workspace.packages}
+        of_tests = tested - untested
+        return lambda source: area_of(source.path, packages.get(source.package or ""), source.path in of_tests)
+
+    def judged(
+        self, found: list[Found], places: Places, area: Callable[[Source], str]
+    ) -> Iterator[tuple[int, tuple[str, str, str]]]:
+        """State, reason and detail of the sites that stand at no endpoint, by identity; no state for what is none."""
+        pieces = {
+            source.path: list(pieces_of(source, self.text(source)))
+            for source in self.code.sources
+            if source.path in self.files[0][0] and not source.path.endswith((".yaml", ".yml")) and area(source) != TEST
+        }
+        where = Syntax(self.code)
+        plugins = plugins_of(self.code, self.made.builds)
+        reach = reach_of(self.code, pieces, imported(self.code, self.made.builds, self.workspace))
+        found_here = [(each, _at(pieces, each)) for each in found]
+        loading = loaded(self.workspace, plugins, self.texts, reach.classes)
+        roots = {*_roots(self.made.architecture), *loading}
+        reach.start([piece for each, piece in found_here if piece is not None and places.has(each)], sorted(roots))
+        told = {id(piece) for each, piece in found_here if places.has(each)}
+        gaps = dict(_gaps(self.made.architecture))
+        seen = Seen(places, judge.wrapped(self.code, where, places), judge.by_routine(self.code, found_here))
+        for each, piece in found_here:
+            if each.call.made and piece is not None and piece.owner == each.call.name:
+                yield id(each), ("", "", "")  # a constructor of that class itself
+            elif not places.has(each):
+                state, reason, detail = self._verdict(each, piece, seen, where, reach, plugins)
+                if state == OPEN and each.source.path in gaps:
+                    reason, detail = "a node is not known as a whole", gaps[each.source.path]
+                elif state == OPEN:
+                    reason, detail = _about(each, piece, plugins, told, reach)
+                yield id(each), (state, reason, detail)
+
+    def _verdict(
+        self, found: Found, piece: Piece | None, seen: Seen, where: Syntax, reach: Reach, plugins: Plugins
+    ) -> tuple[str, str, str]:
+        """The state of a site, why, and what is special about it."""
+        routine = judge.routine_of(self.code, found, piece)
+        if routine is not None and routine in seen.wrappers:
+            return ENDPOINT, "told where the function is called that it stands in", seen.wrappers[routine]
+        none = judge.other(self.code, where, found, seen)
+        if none is not None:
+            return OTHER, *none
+        if piece is None:
+            return UNREACHED, "the file is in no target", ""
+        if piece not in reach.running:
+            return UNREACHED, *_idle(found, piece, reach, plugins)
+        return OPEN, "", ""
+
+
+def _at(pieces: Mapping[str, list[Piece]], found: Found) -> Piece | None:
+    return at(pieces, found.source.path, found.call.offset)
+
+
+def _about(found: Found, piece: Piece | None, plugins: Plugins, told: set[int], reach: Reach) -> tuple[str, str]:
+    """Where a site stands that the model does not have."""
+    if piece is None:
+        return "", ""
+    title = _title(piece)
+    if id(piece) in told:
+        return "other calls of the function are in the model", title
+    for name in (piece.owner, *(each for each in plugins.every if piece.owner in _above(reach, each))):
+        plugin = plugins.of(piece, name, found.source.package)
+        if plugin is not None:
+            return "in a plug-in", f"{title}, of {plugin.base}"
+    return "nothing of the function is in the model", title
+
+
+def _above(reach: Reach, name: str) -> frozenset[str]:
+    """The last parts of the names of a class's bases in the workspace."""
+    found: set[str] = set()
+    waiting = [name]
+    while waiting:
+        for base in reach.bases.get(waiting.pop(), ()):
+            if base not in found:
+                found.add(base)
+                waiting.append(base)
+    return frozenset(found)
+
+
+def _idle(found: Found, piece: Piece, reach: Reach, plugins: Plugins) -> tuple[str, str]:
+    """Why a piece of code is never run."""
+    if piece.function is None and piece.definition is None:
+        return "nothing imports the module", ""
+    if piece.owner in reach.classes and piece.owner not in reach.made:
+        plugin = plugins.of(piece, piece.owner, found.source.package)
+        if plugin is not None:
+            return "a plug-in that nothing in the workspace loads", f"{piece.owner}, of {plugin.base}"
+        above = reach.bases.get(piece.owner, frozenset())
+        return "the class is never made", piece.owner if not above else f"{piece.owner} ({', '.join(sorted(above))})"
+    return "the function is never called", _title(piece)
+
+
+def _title(piece: Piece) -> str:
+    """The name of a function with its class's."""
+    separator = "::" if piece.function is not None and "::" in piece.function.name else "."
+    return separator.join(each for each in (piece.owner, piece.name) if each)
+
+
+def _gaps(found: Architecture) -> Iterator[tuple[str, str]]:
+    """The files in which something keeps a node from being known as a whole, with the node and what it is."""
+    for configuration in found.configurations:
+        for node in configuration.nodes:
+            for unknown in node.unknowns:
+                if unknown.field == "endpoints" and unknown.location is not None:
+                    yield unknown.location.path, f"{node.name}: {unknown.reason}"
+
+
+def _locations(found: Architecture) -> Iterator[tuple[str, int, int]]:
+    for configuration in found.configurations:
+        for node in (*configuration.nodes, *configuration.alternatives):
+            for endpoint in node.endpoints:
+                at = endpoint.location
+                if at is not None and at.line is not None:
+                    yield at.path, at.line, at.column or 0
+
+
+def _roots(found: Architecture) -> Iterator[str]:
+    """The last parts of the names of classes that nodes are made of."""
+    nodes: Iterable[Node] = (node for each in found.configurations for node in (*each.nodes, *each.alternatives))
+    for node in nodes:
+        yield last_name((node.class_name or node.type).replace("/", "::"))

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a workspace's files are for: which are built, which modules are imported only, which plug-ins anything loads."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+from haros_ci.code.codebase import Codebase
+from haros_ci.coverage.pieces import Piece, last_name
+from haros_ci.index.index import HEADERS, is_test
+from haros_ci.model.build import Build
+from haros_ci.model.coverage import EXAMPLE, PRODUCTION, TEST
+from haros_ci.model.package import Package
+from haros_ci.model.unbuilt import is_whole
+from haros_ci.model.workspace import Workspace
+
+#: Names of folders, inside a package, for code that shows how others are used.
+_EXAMPLES = frozenset("example examples demo demos tutorial tutorials sample samples".split())
+_TEST_FILE = re.compile(r"(?:test_\w+|\w+_tests?|conftest|\w+[._]gtest)\.\w+")
+_TEST_PACKAGE = re.compile(r"(?:\w+_)?(?:tests?|testing)|test_\w+")
+_LOADER = re.compile(r"\bClassLoader\s*<\s*([\w:]+)")
+_PROGRAM = re.compile(r"^if[ \t(]+__name__\b|^#!", re.MULTILINE)
+#: What registers a class with Gazebo.
+_SIMULATED = re.compile(r"(?:GZ|IGN|IGNITION|GAZEBO)_(?:REGISTER_\w*PLUGIN|ADD_PLUGIN)")
+#: Kinds of files that name plug-ins and classes which are to be loaded, and ends of names of others.
+_NAMING = frozenset(("yaml", "launch", "xml", "shell"))
+_DESCRIBING = (".world", ".sdf", ".urdf", ".xacro", ".gazebo", ".launch.py")
+_NAMED = re.compile(r"(?:::|\.|/)(\w+)")
+#: A name that may be looked up in a library that is loaded.
+_LOOKED_UP = re.compile(r'"(\w{1,80})"')
+#: Bases of plug-ins that are nodes themselves: one that nothing loads is in the model all the same.
+_NODES = frozenset(("nodelet::Nodelet", "rclcpp_components::NodeFactory"))
+
+
+@dataclass(frozen=True, slots=True)
+class Plugin:
+    """A class, *type*, that others load by a name: one of *words* stands where it is loaded, in files of configurations."""
+
+    type: str
+    base: str
+    package: str
+    words: frozenset[str]
+
+
+@dataclass(frozen=True, slots=True)
+class Plugins:
+    """All plug-ins of a workspace, by the last parts of their types."""
+
+    every: Mapping[str, tuple[Plugin, ...]]
+
+    def of(self, piece: Piece, name: str, package: str | None) -> Plugin | None:
+        """The plug-in called *name* that a method of *piece*, of a *package*, can be of; None if there is none."""
+        found = self.every.get(name, ())
+        function = piece.function
+        if not found or function is None:
+            return None
+        ways = (
+            lambda each: each.type == function.owner,
+            lambda each: each.package == package,
+            lambda each: name != piece.owner or len(found) == 1,
+        )
+        return next((each for fits in ways for each in found if fits(each)), None)
+
+
+def plugins_of(code: Codebase, builds: Mapping[str, Build]) -> Plugins:
+    """The classes that plug-in descriptions name, and those that macros of Gazebo register."""
+    found: dict[str, list[Plugin]] = {}
+    for package, build in sorted(builds.items()):
+        for each in build.plugins:
+            kind, base = each.type.strip().partition("<")[0], each.base.replace(" ", "")
+            if base not in _NODES:
+                words = frozenset((each.name.strip(), each.type.strip()))
+                found.setdefault(last_name(kind), []).append(Plugin(kind, base, package, words))
+    libraries = {path: target for build in builds.values() for target in build.targets for path in target.sources}
+    for source in code.sources:
+        for macro, arguments, _, _ in source.program.registered:
+            if _SIMULATED.fullmatch(macro) and arguments:
+                target = libraries.get(source.path)
+                words = frozenset((target.output, target.name) if target is not None else ())
+                kind = arguments[0].strip()
+                plugin = Plugin(kind, "the simulator", source.package or "", words)
+                found.setdefault(last_name(kind), []).append(plugin)
+    return Plugins({name: tuple(each) for name, each in found.items()})
+
+
+def loaded(workspace: Workspace, plugins: Plugins, texts: Mapping[str, str], classes: frozenset[str]) -> Iterator[str]:
+    """The last parts of the names of classes and functions that the workspace may load by their names: those in its configurations."""
+    bases = {last_name(base) for text in texts.values() if "ClassLoader" in text for base in _LOADER.findall(text)}
+    waiting = []
+    for name, found in plugins.every.items():
+        if any(last_name(each.base) in bases for each in found):
+            yield name
+        else:
+            waiting += [(word, name) for each in found for word in each.words if word]
+    for path in sorted(path for path, text in texts.items() if "dlsym" in text):
+        yield from _LOOKED_UP.findall(workspace.text(path))
+    for file in workspace.files:
+        if file.language not in _NAMING and not file.path.endswith(_DESCRIBING) or is_test(file.path):
+            continue
+        text = workspace.text(file.path)
+        if "<class" in text and "base_class_type" in text:
+            continue  # a description of plug-ins
+        yield from classes.intersection(_NAMED.findall(text))
+        yield from (name for word, name in waiting if word in text)
+
+
+def built(
+    code: Codebase, builds: Mapping[str, Build], packages: Iterable[Package]
+) -> tuple[frozenset[str], frozenset[str]]:
+    """The files that targets are made of, of others and of tests; Python is in both. All where a build is not known as a whole."""
+    known = {each.name for each in packages if each.name in builds and is_whole(builds[each.name], each)}
+    sides: list[set[str]] = [set(), set()]
+    for build in builds.values():
+        for target in build.targets:
+            sides[target.is_test].update((*target.sources, *target.conditional_sources))
+    for source in code.sources:
+        is_header = source.path.endswith(HEADERS)
+        is_unknown = source.package not in known and not is_header and source.path not in sides[1]
+        if source.separator == "." or is_unknown:
+            sides[0].add(source.path)
+    for side in sides:
+        for path in tuple(side):
+            if path in code.cpp.sources:
+                side |= code.cpp.reach(path)
+    return frozenset(sides[0]), frozenset(sides[1])
+
+
+def imported(code: Codebase, builds: Mapping[str, Build], workspace: Workspace) -> frozenset[str]:
+    """The Python files that run only if something imports them."""
+    programs = {path for build in builds.values() for path in build.scripts}
+    programs |= {entry.path for build in builds.values() for entry in build.entry_points}
+    programs |= {each.path for build in builds.values() for each in build.installed if each.kind == "program"}
+    return frozenset(
+        source.path
+        for source in code.sources
+        if source.separator == "." and source.path not in programs and not _PROGRAM.search(workspace.text(source.path))
+    )
+
+
+def area_of(path: str, package: Package | None, is_of_test: bool) -> str:
+    name = posixpath.basename(path)
+    if is_of_test or is_test(path) or _TEST_FILE.fullmatch(name):
+        return TEST
+    if package is None:
+        return PRODUCTION
+    if _TEST_PACKAGE.fullmatch(package.name):
+        return TEST
+    inside = path if package.path == "." else path[len(package.path) + 1 :]
+    return EXAMPLE if _EXAMPLES.intersection(inside.split("/")[:-1]) else PRODUCTION

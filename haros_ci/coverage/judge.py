@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the model says of each call site: an endpoint, no API call, code that nothing runs, or nothing."""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+
+from haros_ci import syntax
+from haros_ci.code import calls, classes, kinds
+from haros_ci.code.body import Call as Called
+from haros_ci.code.codebase import Codebase, Routine
+from haros_ci.coverage.names import Names
+from haros_ci.coverage.pieces import Piece, last_name
+from haros_ci.coverage.search import Call, calls_in
+from haros_ci.index.index import Source
+from haros_ci.syntax import Type
+
+#: Libraries without ROS: namespaces and modules whose methods are never calls of ROS.
+_OTHERS = frozenset(
+    "std boost YAML cv pcl Eigen mqtt zmq Json nlohmann rapidjson ompl fcl grpc sol websocketpp fmt tinyxml2 octomap "
+    "paho redis asyncio aiohttp requests pika smbus serial numpy cv2 torch tensorflow yaml json websocket socketio flask "
+    "tornado argparse subprocess threading queue kivy tkinter matplotlib".split()
+)
+#: Library classes whose methods have such names, and make nothing in the node that calls them.
+_QUIET = {
+    "rclcpp::AsyncParametersClient": "it asks through the client's own services",
+    "rclcpp::SyncParametersClient": "it asks through the client's own services",
+    "rclcpp::Parameter": "a parameter's value",
+    "dynamic_reconfigure::Config": "a message",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """A call of a file as text, at its place; *made* is the full name of the class that it constructs."""
+
+    source: Source
+    call: Call
+    line: int
+    column: int
+    start_line: int
+    start_column: int
+
+
+def found_in(code: Codebase, source: Source, text: str, names: Names) -> Iterator[Found]:
+    """The call sites of a file whose blanked text is *text*."""
+    lines = [0, *(each.end() for each in re.finditer(r"\n", text))]
+    for call in calls_in(text, names, source.program.language):
+        if call.made and not _is_api_class(code, source, call, names):
+            continue
+        line, first = bisect_right(lines, call.offset), bisect_right(lines, call.start)
+        column, start = call.offset - lines[line - 1] + 1, call.start - lines[first - 1] + 1
+        yield Found(source, call, line, column, first, start)
+
+
+def _is_api_class(code: Codebase, source: Source, call: Call, names: Names) -> bool:
+    wanted = names.classes[call.name]
+    if source.separator == ".":
+        return classes.dotted_name(source, call.made).replace(".", "::") in wanted
+    if call.made.removeprefix("::") in wanted:
+        return True
+    scopes = {each.name.rpartition("::")[0] for each in source.program.functions}
+    kind = Type(call.made)
+    return any(classes.resolved(code, kind, scope, source).name in wanted for scope in sorted(scopes)[:20])
+
+
+@dataclass(slots=True)
+class Syntax:
+    """The calls of a file by where they begin, each with the routine that it stands in."""
+
+    code: Codebase
+    _files: dict[str, dict[tuple[int, int], list[tuple[Routine, Called]]]] = field(default_factory=dict)
+
+    def of(self, found: Found) -> tuple[Routine, Called] | None:
+        """The call that a site is in the program; None where no front end has it."""
+        here = self.at(found.source.path, found.start_line, found.start_column)
+        return next((each for each in here if last_name(each[1].name) == found.call.name), None)
+
+    def at(self, path: str, line: int, column: int) -> list[tuple[Routine, Called]]:
+        """The calls whose expressions begin at a place, the outer ones first."""
+        if path not in self._files:
+            table: dict[tuple[int, int], list[tuple[Routine, Called]]] = {}
+            for routine in self.code.routines(path):
+                for call in self.code.body(routine).calls:
+                    table.setdefault((call.line, call.column), []).append((routine, call))
+            self._files[path] = table
+        return self._files[path].get((line, column), [])
+
+
+@dataclass(slots=True)
+class Places:
+    """Where the model has endpoints and parameters, by file."""
+
+    exact: frozenset[tuple[str, int, int]]
+    lines: frozenset[tuple[str, int]]
+
+    def has(self, found: Found) -> bool:
+        """Whether one stands at the call: where its expression or its name begins."""
+        path = found.source.path
+        if (path, found.start_line, found.start_column) in self.exact:
+            return True
+        return (path, found.line) in self.lines or (path, found.start_line) in self.lines
+
+
+def places_of(locations: Iterable[tuple[str, int, int]]) -> Places:
+    """*locations* as they are looked up."""
+    every = frozenset(locations)
+    return Places(every, frozenset((path, line) for path, line, _ in every))
+
+
+@dataclass(frozen=True, slots=True)
+class Seen:
+    """What the model has: *places*, the functions in *wrappers* whose endpoints are told where they are called, and all *sites* by function."""
+
+    places: Places
+    wrappers: Mapping[Routine, str]
+    sites: Mapping[Routine, tuple[Found, ...]]
+
+    def lacks(self, code: Codebase, found: Found, target: Routine) -> bool:
+        """Whether a call runs a function of the workspace that makes what the model does not have."""
+        inner = [
+            (each, routine)
+            for routine, _ in calls.reached(code, target, depth=2)
+            for each in self.sites.get(routine, ())
+            if each is not found
+        ]
+        if inner and found.call.name in WRAPPERS and code.ros_of(found.source) == 2:
+            return True  # what it makes would be told here
+        return any(not self.places.has(each) and routine not in self.wrappers for each, routine in inner)
+
+
+def by_routine(code: Codebase, sites: Iterable[tuple[Found, Piece | None]]) -> Mapping[Routine, tuple[Found, ...]]:
+    """The sites that stand in each function."""
+    found: dict[Routine, list[Found]] = {}
+    for site, piece in sites:
+        routine = routine_of(code, site, piece)
+        if routine is not None:
+            found.setdefault(routine, []).append(site)
+    return {routine: tuple(each) for routine, each in found.items()}
+
+
+def routine_of(code: Codebase, site: Found, piece: Piece | None) -> Routine | None:
+    """The function that a site stands in."""
+    return code.routine(site.source, piece.function) if piece is not None and piece.function is not None else None
+
+
+def other(code: Codebase, where: Syntax, found: Found, seen: Seen) -> tuple[str, str] | None:
+    """Why a call is none of a ROS API, and of what it is one; None where that is not known."""
+    if found.source.path in code.firmware:
+        return "code of a microcontroller", ""
+    if found.call.made:
+        made = _class_here(code, found)
+        return ("a class of the workspace", made) if made else None
+    placed = where.of(found)
+    if placed is None:
+        return None
+    routine, call = placed
+    targets = calls.function_meant(code, routine, call.callee)
+    if targets:
+        if any(seen.lacks(code, found, target) for target in targets):
+            return None
+        return "a function of the workspace", f"{targets[0].title} at {targets[0].location}"
+    receiver = call.receiver
+    if isinstance(receiver, (syntax.This, type(None))):
+        return None
+    name = _receiver(code, routine, receiver)
+    head = re.split(r"::|\.", name, maxsplit=1)[0]
+    if name and (head in _OTHERS or re.fullmatch(r"Q[A-Z]\w+", head)):
+        return "a function of a library without ROS", name
+    if name in _QUIET:
+        return "a library call that makes nothing here", f"{name}: {_QUIET[name]}"
+    return None
+
+
+def _class_here(code: Codebase, found: Found) -> str:
+    """The class of the workspace that is constructed, where it has the name of a library's; "" if it is the library's."""
+    source, made = found.source, found.call.made
+    name = classes.dotted_name(source, made) if source.separator == "." else made.removeprefix("::")
+    if source.separator == ".":
+        owner = classes.class_named(code, name, source)
+        last = last_name(name)
+        every = [owner] if owner is not None else []
+        every += [(s, c) for s in code.sources if s.separator == "." for c in s.program.classes if c.name == last]
+        root = name.partition(".")[0]
+        every = [each for each in every if each[0].module.partition(".")[0] == root or each[0] is source]
+    else:
+        scopes = {each.name.rpartition("::")[0] for each in source.program.functions}
+        names = {classes.resolved(code, Type(name), scope, source).name for scope in sorted(scopes)[:20]} | {name}
+        every = [each for one in sorted(names) for each in code.cpp.classes.get(one, ())]
+    return f"{every[0][1].name} at {every[0][0].path}:{every[0][1].line}" if every else ""
+
+
+def _receiver(code: Codebase, routine: Routine, receiver: syntax.Expression) -> str:
+    name = kinds.type_name(code, routine, receiver)
+    if not name and routine.is_python:
+        name = kinds.dotted(code, routine, receiver)
+        return name if "." in name or name in _OTHERS else ""
+    return name
+
+
+def wrapped(code: Codebase, where: Syntax, places: Places) -> Mapping[Routine, str]:
+    """The functions of the workspace whose endpoints the model tells where they are called, each with such a place."""
+    found: dict[Routine, str] = {}
+    for path, line, column in sorted(places.exact):
+        for routine, call in where.at(path, line, column):
+            for target in calls.function_meant(code, routine, call.callee):
+                if _last(target) not in WRAPPERS:
+                    continue
+                for inner, _ in calls.reached(code, target, depth=3):
+                    found.setdefault(inner, f"{path}:{line}:{column}")
+    return found
+
+
+def _last(routine: Routine) -> str:
+    return last_name(routine.function.name)
+
+
+#: Names of functions that wrap an API.
+WRAPPERS = frozenset(
+    "create_publisher create_lifecycle_publisher create_subscription create_service create_client create_server "
+    "create_generic_publisher create_generic_subscription create_generic_service create_generic_client "
+    "create_action_server create_action_client declare_parameter declare_parameter_if_not_declared "
+    "declare_or_get_parameter get_or_declare_parameter get_parameter get_parameter_or set_parameter "
+    "declareParameter declare_param getParameter getParam get_param readParameter read_parameter".split()
+)

@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which functions anything in the workspace may run, by the names that code mentions: more than run, never less.
+
+A function counts as run if code that runs mentions its name and, for a method, its class. It begins with programs, with the classes
+that nodes of the model are made of, and with all code in which the model has seen an endpoint. What is left is run by nothing here.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+from haros_ci.code.classes import base_names, class_named
+from haros_ci.code.codebase import Codebase
+from haros_ci.coverage.pieces import Piece, last_name
+
+#: The bases that call no method but those that are theirs.
+_NODES = frozenset(
+    "rclcpp::Node rclcpp_lifecycle::LifecycleNode nodelet::Nodelet rclpy.node.Node rclpy.Node object".split()
+)
+#: How names of methods begin that nodes and components call by themselves.
+_CALLED = ("on_", "onInit", "operator", "__")
+
+
+@dataclass(slots=True)
+class Reach:
+    """All pieces by file, and those that run; *classes* has the last parts of the names of those of the workspace."""
+
+    pieces: dict[str, list[Piece]]
+    classes: frozenset[str]
+    bases: Mapping[str, frozenset[str]]
+    #: The methods, by class and name, that a base which is not seen may call.
+    framework: frozenset[tuple[str, str]]
+    by_name: dict[str, list[Piece]] = field(default_factory=lambda: defaultdict(list))
+    by_class: dict[str, list[Piece]] = field(default_factory=lambda: defaultdict(list))
+    running: set[Piece] = field(default_factory=set)
+    made: set[str] = field(default_factory=set)
+    mentioned: set[str] = field(default_factory=set)
+
+    def is_free(self, piece: Piece) -> bool:
+        """Whether it is of no class of the workspace."""
+        return piece.owner not in self.classes
+
+    def start(self, pieces: Iterable[Piece], names: Iterable[str]) -> None:
+        """Let run *pieces*, and whatever is called one of *names*; and what these lead to."""
+        waiting = [*pieces]
+        for name in names:
+            self._mention(name, waiting)
+        while waiting:
+            piece = waiting.pop()
+            if piece in self.running:
+                continue
+            self.running.add(piece)
+            if piece.owner:
+                self._make(piece.owner, waiting)
+            for word in piece.words - self.mentioned:
+                self._mention(word, waiting)
+
+    def _mention(self, word: str, waiting: list[Piece]) -> None:
+        self.mentioned.add(word)
+        self._make(word, waiting)
+        for piece in self.by_name.get(word, ()):
+            if self.is_free(piece) or piece.owner in self.made:
+                waiting.append(piece)
+
+    def _make(self, name: str, waiting: list[Piece]) -> None:
+        """An object of a class is made: its bases are, too, and what runs by itself or is mentioned already."""
+        names = [name]
+        while names:
+            name = names.pop()
+            if name not in self.classes or name in self.made:
+                continue
+            self.made.add(name)
+            names += self.bases.get(name, ())
+            waiting += [
+                each for each in self.by_class.get(name, ()) if each.name in self.mentioned or self._is_alone(each)
+            ]
+
+    def _is_alone(self, piece: Piece) -> bool:
+        """Whether a method runs when its class is made: constructors, operators, and what bases may call."""
+        if piece.function is None or piece.name.lstrip("~") == piece.owner or piece.name.startswith(_CALLED):
+            return True
+        return (piece.owner, piece.name) in self.framework
+
+
+def reach_of(code: Codebase, pieces: dict[str, list[Piece]], modules: frozenset[str]) -> Reach:
+    """What runs of the *pieces* of files that are built or started, to begin with the programs.
+
+    *modules* are the Python files that run when something imports them.
+    """
+    classes: dict[str, set[str]] = {}
+    unseen: set[str] = set()
+    for source in code.sources:
+        for definition in source.program.classes:
+            last = last_name(definition.name)
+            classes.setdefault(last, set()).update(last_name(base.name) for base in definition.bases)
+            names = base_names(code, (source, definition)) - _NODES
+            if any(class_named(code, name, source) is None for name in names):
+                unseen.add(last)
+    framework = {
+        (last_name(function.owner), last_name(function.name))
+        for source in code.sources
+        for function in source.program.functions
+        if last_name(function.owner) in unseen
+    }
+    bases = {name: frozenset(found) for name, found in classes.items()}
+    found = Reach(pieces, frozenset(classes), bases, frozenset(framework))
+    roots = []
+    for path, every in pieces.items():
+        for piece in every:
+            if piece.function is None and piece.definition is None:
+                if path in modules:
+                    found.by_name[stem(path)].append(piece)
+                else:
+                    roots.append(piece)
+            elif piece.name == "main" and not piece.owner:
+                roots.append(piece)
+            else:
+                if piece.function is not None:
+                    found.by_name[piece.name].append(piece)
+                if not found.is_free(piece):
+                    found.by_class[piece.owner].append(piece)
+    found.start(roots, ())
+    return found
+
+
+def stem(path: str) -> str:
+    """The name by which a Python module is imported: of a package, that of its directory."""
+    head, _, name = path.removesuffix(".py").rpartition("/")
+    return name if name != "__init__" else head.rpartition("/")[2]

@@ -1,0 +1,291 @@
+# SPDX-License-Identifier: Apache-2.0
+"""``model --coverage``: which calls of ROS APIs the code has, and what the model says of each."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from commandline import write
+
+from haros_ci.analysis.coverage import too_little
+from haros_ci.cli import main
+from haros_ci.coverage.blanked import blanked
+from haros_ci.coverage.names import Names, names_of
+from haros_ci.coverage.search import calls_in, shown
+from haros_ci.extract.apis.tables import rows
+from haros_ci.model.coverage import OPEN, Coverage, Site, counted
+from haros_ci.report.coverage_text import percent
+
+ROS2 = names_of(rows("cpp", 2))
+ROS1 = names_of(rows("cpp", 1))
+RCLPY = names_of(rows("python", 2))
+ROSPY = names_of(rows("python", 1))
+
+
+def found(text: str, names: Names, language: str = "cpp") -> list[str]:
+    """The texts of the calls that are found."""
+    return [shown(text, call) for call in calls_in(blanked(text, language), names, language)]
+
+
+@pytest.mark.parametrize(
+    ("text", "names", "call"),
+    [
+        ('void f() { nh.advertise<Lamp>("lamp", 1); }', ROS1, 'nh.advertise<Lamp>("lamp", 1)'),
+        ('p = nh_->subscribe("a", 1, &C::m, this);', ROS1, 'nh_->subscribe("a", 1, &C::m, this)'),
+        (
+            'x = get().node()\n  ->create_publisher<A::B<C>>(\n  "a", 1);',
+            ROS2,
+            'get().node() ->create_publisher<A::B<C>>( "a", 1)',
+        ),
+        ('declare_parameter("rate", 5);', ROS2, 'declare_parameter("rate", 5)'),
+        ('return declare_parameter("rate", 5);', ROS2, 'declare_parameter("rate", 5)'),
+        ('if (a && getParam("x", y)) {}', ROS1, 'getParam("x", y)'),
+        ('ros::param::get("/x", y);', ROS1, 'ros::param::get("/x", y)'),
+        ("#define P(n) nh.param(n, n##_, 1)", ROS1, "nh.param(n, n##_, 1)"),
+        (
+            'rclcpp_action::create_server<A>(this, "a", h, c, d);',
+            ROS2,
+            'rclcpp_action::create_server<A>(this, "a", h, c, d)',
+        ),
+        (
+            'message_filters::Subscriber<Lamp> lamp(nh, "lamp", 1);',
+            ROS1,
+            'message_filters::Subscriber<Lamp> lamp(nh, "lamp", 1)',
+        ),
+        (
+            "l = std::make_shared<tf2_ros::TransformListener>(*b);",
+            ROS2,
+            "std::make_shared<tf2_ros::TransformListener>(*b)",
+        ),
+        ('auto s = R"x(")x"; nh.setParam("a", 1);', ROS1, 'nh.setParam("a", 1)'),
+    ],
+)
+def test_a_call_is_found(text: str, names: Names, call: str) -> None:
+    assert found(text, names) == [call]
+
+
+@pytest.mark.parametrize(
+    ("text", "names"),
+    [
+        ('// nh.advertise<Lamp>("lamp", 1);', ROS1),
+        ('/* nh.advertise<Lamp>(\n"lamp", 1); */', ROS1),
+        ('puts("nh.advertise(1)");', ROS1),
+        ('auto s = R"x(nh.setParam("a", 1);)x";', ROS1),
+        ("bool getParam(const std::string & name);", ROS1),
+        ("void Lamp::subscribe(int a) { }", ROS1),
+        ("std::vector<int> Lamp::declare_parameter(int a) { }", ROS2),
+        ("const std::string & get_parameter(int a);", ROS2),
+        ("signal.subscribe();", ROS1),
+        ("nh.advertise_all(1);", ROS1),
+        ("map.get(1);", ROS1),
+        ("publisher.publish(message);", ROS2),
+        ("message_filters::Subscriber<Lamp> lamp;", ROS1),
+        ("void f(tf2_ros::TransformListener & l);", ROS2),
+        ("auto f = &Lamp::subscribe;", ROS1),
+    ],
+)
+def test_what_is_no_call_is_not_found(text: str, names: Names) -> None:
+    assert found(text, names) == []
+
+
+def test_python_is_searched_like_it() -> None:
+    text = (
+        "import rospy\nrospy.Publisher('a', A)  # rospy.Publisher('b', B)\n'''rospy.Publisher('c', C)'''\n"
+        "def get_param(name): pass\nx = self.node.get_param('~a', f(1))\nclass Subscriber(object): pass\n"
+    )
+    assert found(text, ROSPY, "python") == ["rospy.Publisher('a', A)", "self.node.get_param('~a', f(1))"]
+    assert found("self.create_timer(1, f)\nself.create_publisher(A, 'a', 1)\n", RCLPY, "python") == [
+        "self.create_publisher(A, 'a', 1)"
+    ]
+
+
+def test_blanks_stand_where_comments_and_texts_stood() -> None:
+    text = "a(\"x//y\", '\"'); // b\nc(1'000); /* d\n e */ f"
+    bare = blanked(text, "cpp")
+    assert len(bare) == len(text)
+    assert bare.split() == ['a("', '",', "'", "');", "c(1'000);", "f"]
+
+
+MANIFEST = (
+    "<package format='3'><name>{name}</name><version>1.0.0</version><description>x</description>"
+    "<maintainer email='a@b.c'>a</maintainer><license>MIT</license><buildtool_depend>ament_cmake</buildtool_depend>"
+    "<depend>rclcpp</depend><export><build_type>ament_cmake</build_type></export></package>"
+)
+CMAKE = (
+    "cmake_minimum_required(VERSION 3.8)\nproject(lamp)\nfind_package(ament_cmake REQUIRED)\nfind_package(rclcpp REQUIRED)\n"
+    "add_executable(lamp src/lamp.cpp)\ninstall(TARGETS lamp DESTINATION lib/lamp)\nament_package()\n"
+)
+LAMP = """#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/bool.hpp"
+
+struct Register { void subscribe(const char * name, int size) { (void)name; (void)size; } };
+
+class Spare : public rclcpp::Node
+{
+public:
+  Spare() : Node("spare") { create_publisher<std_msgs::msg::Bool>("spare", 1); }
+};
+
+class Lamp : public rclcpp::Node
+{
+public:
+  Lamp() : Node("lamp")
+  {
+    light_ = create_publisher<std_msgs::msg::Bool>("light", 1);
+    declare_parameter("rate", 5);
+    register_.subscribe("a", 1);
+  }
+  void never() { declare_parameter("never", 5); }
+
+private:
+  Register register_;
+  rclcpp::Publisher<std_msgs::msg::Bool>::SharedPtr light_;
+};
+
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<Lamp>());
+}
+"""
+
+
+@pytest.fixture
+def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    write(
+        tmp_path,
+        {
+            "src/lamp/package.xml": MANIFEST.format(name="lamp"),
+            "src/lamp/CMakeLists.txt": CMAKE,
+            "src/lamp/src/lamp.cpp": LAMP,
+            "src/lamp/src/old.cpp": LAMP.replace("Lamp", "Old"),
+            "src/lamp/test/test_lamp.cpp": 'void f(rclcpp::Node & n) { n.declare_parameter("x", 1); }',
+        },
+    )
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def sites(capsys: pytest.CaptureFixture[str]) -> list[Site]:
+    assert main(["model", "--no-cache", "--coverage", "--format", "json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert document["schema_version"] == 1
+    return [
+        Site(
+            **{**each, "reason": each["reason"] or "", "detail": each["detail"] or "", "package": each["package"] or ""}
+        )
+        for each in document["sites"]
+    ]
+
+
+def test_each_call_is_accounted_for_with_a_reason(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    every = [
+        (site.line, site.state, site.reason, site.detail) for site in sites(capsys) if site.path.endswith("/lamp.cpp")
+    ]
+    assert every == [
+        (9, "unreached", "the class is never made", "Spare (Node)"),
+        (17, "endpoint", "", ""),
+        (18, "endpoint", "", ""),
+        (19, "other", "a function of the workspace", "Register::subscribe at src/lamp/src/lamp.cpp:4:24"),
+        (21, "unreached", "the function is never called", "Lamp::never"),
+    ]
+
+
+def test_files_without_a_target_and_tests_are_told_apart(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    found = sites(capsys)
+    old = {(each.state, each.reason) for each in found if each.path.endswith("old.cpp")}
+    assert ("unreached", "the file is in no target") in old and OPEN not in {state for state, _ in old}
+    (test,) = [each for each in found if each.area == "test"]
+    assert (test.state, test.reason) == ("unreached", "code of a test")
+
+
+def test_the_table_has_a_line_for_each_package(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["model", "--no-cache", "--coverage"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].split() == ["package", "sites", "endpoints", "no", "API", "unreached", "missing", "accounted"]
+    assert lines[1].split() == ["lamp", "10", "2", "2", "6", "0", "100.0%"]
+    assert lines[2].split() == ["lamp", "(tests)", "1", "0", "0", "1", "0", "100.0%"]
+
+
+PLUGIN = """#include "acme/tool.hpp"
+namespace lamp {
+class Dimmer : public acme::Tool
+{
+  void start(rclcpp::Node & node) override { node.declare_parameter("level", 1); }
+};
+}
+PLUGINLIB_EXPORT_CLASS(lamp::Dimmer, acme::Tool)
+"""
+DESCRIPTION = '<library path="dimmer"><class type="lamp::Dimmer" base_class_type="acme::Tool"/></library>'
+
+
+@pytest.mark.parametrize(
+    ("named", "state", "reason"),
+    [
+        ("tools: [lamp::Dimmer]", "open", "in a plug-in"),
+        ("tools: []", "unreached", "a plug-in that nothing in the workspace loads"),
+    ],
+)
+def test_a_plugin_is_missing_where_a_file_names_it(
+    workspace: Path, capsys: pytest.CaptureFixture[str], named: str, state: str, reason: str
+) -> None:
+    write(
+        workspace / "src/lamp",
+        {
+            "CMakeLists.txt": CMAKE.replace("install(", "add_library(dimmer SHARED src/dimmer.cpp)\ninstall("),
+            "package.xml": MANIFEST.format(name="lamp").replace(
+                "<export>", '<export><acme plugin="${prefix}/plugins.xml"/>'
+            ),
+            "plugins.xml": DESCRIPTION,
+            "src/dimmer.cpp": PLUGIN,
+            "config/tools.yaml": f"{named}\n",
+        },
+    )
+    (found,) = [site for site in sites(capsys) if site.path.endswith("dimmer.cpp")]
+    assert (found.line, found.call) == (5, 'node.declare_parameter("level", 1)')
+    assert (found.state, found.reason) == (state, reason) and "acme::Tool" in found.detail
+
+
+def test_the_summary_of_a_check_says_a_small_share(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    said = "The model accounts for"
+    command = ["check", "--no-cache", "--profile", "architecture"]
+    assert main(command) in (0, 1)
+    assert said not in capsys.readouterr().out
+    more = "\n".join(f'node.declare_parameter("level{number}", 1);' for number in range(9))
+    write(
+        workspace / "src/lamp",
+        {
+            "CMakeLists.txt": CMAKE.replace("install(", "add_library(dimmer SHARED src/dimmer.cpp)\ninstall("),
+            "src/dimmer.cpp": PLUGIN.replace("node.declare_parameter", f"{more}\nnode.declare_parameter").partition(
+                "PLUGINLIB"
+            )[0],
+            "config/tools.yaml": "tools: [lamp::Dimmer]\n",
+        },
+    )
+    assert main(command) in (0, 1)
+    assert f"{said} 10 of 20 calls of ROS APIs in production code (50%)" in capsys.readouterr().out
+
+
+def test_other_formats_are_refused(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["model", "--coverage", "--format", "dot"]) == 2
+    assert "--coverage is text or json" in capsys.readouterr().err
+
+
+def site(state: str, area: str = "production") -> Site:
+    return Site(path="a.cpp", line=1, column=1, name="f", call="f(1)", package="a", area=area, state=state)
+
+
+def test_too_little_is_said_of_production_code_alone() -> None:
+    many = tuple(site("endpoint") for _ in range(9))
+    assert too_little(Coverage(sites=(*many, site(OPEN)))) == ()
+    assert too_little(Coverage(sites=(*many, site("endpoint"), *(site(OPEN, "test") for _ in range(9))))) == ()
+    assert too_little(Coverage()) == ()
+    (said,) = too_little(Coverage(sites=(*many[1:], site(OPEN))))
+    assert said.startswith("The model accounts for 8 of 9 calls of ROS APIs in production code (88%)")
+
+
+def test_shares_are_rounded_down() -> None:
+    assert percent(counted([site("other")] * 9999 + [site(OPEN)]).share) == "99.9%"
+    assert (percent(1.0), percent(None), percent(0.0)) == ("100.0%", "-", "0.0%")
