@@ -60,6 +60,7 @@ DOORS: dict[str, set[str]] = {
         "keeping",
         "launch",
         "model",
+        "robot",
         "substitutions",
         "syntax",
         "timing",

@@ -45,7 +45,11 @@ from haros_ci.systems.following import KnownNodes, Types
 from haros_ci.systems.keeping import Keeper
 from haros_ci.systems.launch_facts import Completion
 from haros_ci.systems.node_types import path_name, types_of
+from haros_ci.systems.ros2_hosts import ros2_alone
 from haros_ci.systems.ros2_library import Library, Seen
+from haros_ci.systems.simulation import ros1 as ros1_simulation
+from haros_ci.systems.simulation.simulators import Completes
+from haros_ci.systems.simulation.trees import Trees
 from haros_ci.systems.system import Job
 from haros_ci.timing import timed
 
@@ -102,6 +106,8 @@ class Opened:
     others: tuple[Job, ...] = ()
     other_parameters: tuple[Parameter, ...] = ()
     facts: tuple[LaunchFact, ...] = ()
+    #: What completes simulators with what their plug-ins make.
+    completes: tuple[Completes, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,6 +132,7 @@ def open_(
     ros2: Ros2Launch | None,
     wanted: Wanted,
     environment: Mapping[str, str],
+    trees: Trees,
     alternatives: bool = False,
 ) -> Opened:
     """Evaluate the launch files of a configuration, each in its own dialect; perhaps with what other arguments start."""
@@ -138,6 +145,7 @@ def open_(
     others: list[Job] = []
     other_parameters: tuple[Parameter, ...] = ()
     facts: list[LaunchFact] = []
+    completes: list[Completes | None] = []
     if older or not newer:
         launched = evaluate(older, workspace, load, wanted.arguments, environment, alternatives)
         server = ParameterServer(launched.parameters)
@@ -147,6 +155,7 @@ def open_(
         arguments += launched.arguments
         problems += launched.problems
         facts += launched.facts
+        completes.append(ros1_simulation.simulation(launched, trees, environment))
     if newer and ros2 is not None:
         found = launch_system(
             newer, workspace, ros2.load, wanted.arguments, environment, ros2.places, ros2.memo, alternatives
@@ -159,7 +168,14 @@ def open_(
         problems += found.problems
         facts += found.facts
     return Opened(
-        tuple(jobs), parameters, tuple(arguments), tuple(problems), tuple(others), other_parameters, tuple(facts)
+        tuple(jobs),
+        parameters,
+        tuple(arguments),
+        tuple(problems),
+        tuple(others),
+        other_parameters,
+        tuple(facts),
+        tuple(each for each in completes if each is not None),
     )
 
 
@@ -203,9 +219,10 @@ def linked(
     others: list[Job] = []
     started: set[tuple[str, str]] = set()
     opened: list[tuple[Wanted, Opened]] = []
+    trees = Trees(workspace, builds)
     for item in chosen:
         seen = {**item.environment, **(environment or {})}
-        each = open_(types, workspace, load, ros2, item, seen, alternatives)
+        each = open_(types, workspace, load, ros2, item, seen, trees, alternatives)
         problems.update(dict.fromkeys(each.problems))
         started.update((job.node.package, job.node.type) for job in each.jobs)
         opened.append((item, each))
@@ -270,7 +287,7 @@ def linked(
         if name not in items:
             return None
         item = replace(items[name], arguments={**items[name].arguments, **assignment})
-        each = open_(types, workspace, load, ros2, item, {**item.environment, **(environment or {})})
+        each = open_(types, workspace, load, ros2, item, {**item.environment, **(environment or {})}, trees)
         return _configuration(completion, item, each, [job.follow() for job in each.jobs], ())
 
     found = Architecture(
@@ -287,10 +304,13 @@ def _configuration(
     """The configuration *item* of what its jobs have given."""
     done = (*zip(each.jobs, followed, strict=True), *zip(each.others, others, strict=True))
     files = dict.fromkeys(fact for job, (nodes, _) in done for fact in completion.given(job, nodes))
+    nodes = tuple(node for nodes, _ in followed for node in nodes)
+    for complete in each.completes:
+        nodes = complete(nodes)
     return Configuration(
         name=item.name,
         launch=tuple(path_name(completion.workspace, path) for path in item.launch),
-        nodes=tuple(node for nodes, _ in followed for node in nodes),
+        nodes=nodes,
         parameters=(*each.parameters, *_given(each.jobs, followed)),
         arguments=tuple((name, str(value)) for name, value in each.arguments),
         user_data=item.user_data,
@@ -327,19 +347,3 @@ def _count(types: Types, done: Iterable[Worked]) -> None:
 def _libraries(types: Types, made: Seen) -> Iterator[Library]:
     yield from ros2_library_classes.libraries(types, made)
     yield from ros2_library_modules.libraries(types, made)
-
-
-def ros2_alone(types: Types, started: set[tuple[str, str]]) -> Iterator[Job]:
-    """The ROS 2 node types that nothing starts: executables, and components that no executable runs."""
-    tables = (types.components, types.ros2_programs)
-    running = {id(table[each][0]) for table in tables for each in started if each in table}
-    for package, name in sorted(types.ros2_programs):
-        entry = types.ros2_programs[package, name][0]
-        if (package, name) not in started and id(entry) not in running:
-            running.add(id(entry))
-            yield ros2_system.alone(types, package, name)
-    for package, name in sorted(types.components):
-        if id(types.components[package, name][0]) not in running:
-            yield ros2_system.alone(types, package, name, is_component=True)
-    for package, name in sorted(types.hosted):
-        yield ros2_system.plugin(types, package, name)
