@@ -48,6 +48,7 @@ from haros_ci.systems.node_types import path_name, types_of
 from haros_ci.systems.ros2_hosts import ros2_alone
 from haros_ci.systems.ros2_library import Library, Seen
 from haros_ci.systems.simulation import ros1 as ros1_simulation
+from haros_ci.systems.simulation import ros2 as ros2_simulation
 from haros_ci.systems.simulation.simulators import Completes
 from haros_ci.systems.simulation.trees import Trees
 from haros_ci.systems.system import Job
@@ -164,19 +165,13 @@ def open_(
         containers = {clean(f"{each.namespace or '/'}/{each.name}"): each for each in nodes if each.name is not None}
         jobs += [ros2_system.launched(types, each, containers) for each in nodes]
         others += present.ros2_launched(types, found, partial(parameter_file, ros2.places))
+        completes.append(ros2_simulation.simulation(found, nodes, trees, environment, types.known))
         arguments += found.arguments
         problems += found.problems
         facts += found.facts
-    return Opened(
-        tuple(jobs),
-        parameters,
-        tuple(arguments),
-        tuple(problems),
-        tuple(others),
-        other_parameters,
-        tuple(facts),
-        tuple(each for each in completes if each is not None),
-    )
+    done = tuple(each for each in completes if each is not None)
+    told = (tuple(arguments), tuple(problems), tuple(others), other_parameters, tuple(facts))
+    return Opened(tuple(jobs), parameters, *told, done)
 
 
 def linked(

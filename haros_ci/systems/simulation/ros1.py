@@ -20,6 +20,7 @@ from haros_ci.systems.simulation.simulators import (
     command_line,
     completed,
     gather,
+    option,
     others,
 )
 from haros_ci.systems.simulation.trees import Tree, Trees
@@ -89,21 +90,21 @@ class _Simulation:
 
     def _spawn(self, spawner: Started, server: Started, into: Found) -> None:
         words = split(spawner.arguments)
-        target = _after(words, "-gazebo_namespace")
+        target = option(words.rest, "-gazebo_namespace")
         if target is not None and "?" not in target and clean(target) != server.name and len(self.servers) > 1:
             return
         if target is None and len(self.servers) > 1 and server.name != "/gazebo":
             return
-        space = _after(words, "-robot_namespace")
+        space = option(words.rest, "-robot_namespace")
         if space is None:
             space = next((value for name, value in words.special if name == "ns"), spawner.namespace)
         conditions = tuple(each for each in spawner.conditions if each not in server.conditions)
-        model = _after(words, "-model") or "?"
+        model = option(words.rest, "-model") or "?"
         spawned = Spawned(model="?" if "?" in model else model, namespace=space, conditions=conditions)
         gather(self.trees, self._description(spawner, words), spawned, 1, into, spawner.location)
 
     def _description(self, spawner: Started, words: Words) -> Tree:
-        parameter, file, model = (_after(words, option) for option in ("-param", "-file", "-database"))
+        parameter, file, model = (option(words.rest, name) for name in ("-param", "-file", "-database"))
         if file is not None:
             return self.trees.of_file(file)
         if model is not None:
@@ -124,12 +125,3 @@ class _Simulation:
             return self.trees.of_text(parameter.value, parameter.location)
         why = next((each.reason for each in parameter.unknowns), "it is no text")
         return Tree(None, f"the value of {parameter.name} is not known: {why}")
-
-
-def _after(words: Words, option: str) -> str | None:
-    """The word that follows an option."""
-    rest = words.rest
-    for number, word in enumerate(rest):
-        if word in (option, f"-{option}") and number + 1 < len(rest):
-            return rest[number + 1]
-    return None

@@ -56,19 +56,19 @@ def command_line(words: Iterable[str]) -> CommandLine:
     """The world and plug-ins that Gazebo's server is given in *words*."""
     world: str | None = ""
     named: list[str] = []
-    option = ""
+    taking = ""
     is_ros = False
     for word in words:
         if is_ros:
             is_ros = word != "--"
-        elif option:
-            if option in ("-s", "--server-plugin"):
+        elif taking:
+            if taking in ("-s", "--server-plugin"):
                 named.append(library_of(word))
-            option = ""
+            taking = ""
         elif word == "--ros-args":
             is_ros = True
         elif word in TAKING:
-            option = word
+            taking = word
         elif word.startswith("--server-plugin="):
             named.append(library_of(word.partition("=")[2]))
         elif word.startswith("-"):
@@ -78,6 +78,16 @@ def command_line(words: Iterable[str]) -> CommandLine:
         elif world == "":
             world = word
     return CommandLine(world, tuple(named))
+
+
+def option(words: Sequence[str], name: str) -> str | None:
+    """The word that follows an option, which may be written with one or two dashes."""
+    for number, word in enumerate(words):
+        if word in (name, f"-{name}") and number + 1 < len(words):
+            return words[number + 1]
+        if word.startswith((f"{name}=", f"-{name}=")):
+            return word.partition("=")[2]
+    return None
 
 
 def gather(trees: Trees, tree: Tree, spawned: Spawned, ros: int, into: Found, place: Location | None, depth: int = 0) -> None:

@@ -44,11 +44,12 @@ class Space:
 class KnownPlugin:
     """A plug-in by its *library*, without ``lib`` and ``.so``; *at* is one of ``PLACES``.
 
-    *elements* are those that it reads, with their defaults (None: without one); it makes nothing without those that it *requires*.
+    *package* is whose data file it is in; *elements* are those that it reads, with their defaults (None: without one); it makes nothing without those that it *requires*.
     *node* has its endpoints, in whose names ``~x`` is the element ``<x>``. *beside* are the package and type of a known node that it makes besides.
     """
 
     library: str
+    package: str
     source: str
     at: str
     node: KnownNode
@@ -141,6 +142,7 @@ def _row(library: str, row: object, where: str, ros: int) -> KnownPlugin | list[
         return said
     return KnownPlugin(
         library=library,
+        package=where.partition(".")[0],
         source=str(source),
         at=str(at),
         node=nodes[library],

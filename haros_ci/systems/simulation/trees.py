@@ -79,6 +79,8 @@ class Trees:
 
     def of_file(self, text: str) -> Tree:
         """The file that a launch file names *text*, as it is."""
+        if "?" in text:
+            return Tree(None, f"which file {text} is, is not known")
         path = found(self.finder, text).path if text.startswith("$(") else None
         if path is None:
             return Tree(None, f"{text or 'a file'} is not in the workspace")
@@ -107,7 +109,7 @@ class Trees:
                 return Tree(None, f"where {uri} is, is not known")
             return Tree(None, f"the model {uri or '?'} is not in the workspace")
         name = uri.removeprefix(MODEL).strip("/")
-        places = self._by_name().get(name.rpartition("/")[2], [])
+        places = [at for at in self._by_name().get(name.rpartition("/")[2], []) if f"/{at}".endswith(f"/{name}")]
         if len(places) == 1:
             return self._of_directory(places[0])
         if not places and name in MODELS:
