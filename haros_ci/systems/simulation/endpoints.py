@@ -101,13 +101,19 @@ def ros1_endpoints(
 
 
 def ros2_nodes(
-    use: Use, known: KnownPlugin, simulator: Node, spawned: Spawned, beside: KnownNode | None = None
+    use: Use,
+    known: KnownPlugin,
+    simulator: Node,
+    spawned: Spawned,
+    process: tuple[Rule, ...] = (),
+    beside: KnownNode | None = None,
 ) -> Iterator[Node]:
-    """The node that a ROS 2 plug-in makes, and the one *beside* it."""
+    """The node that a ROS 2 plug-in makes, and the one *beside* it; *process* are the rules that the server is started with."""
     inner = next(use.element.all("ros"), use.element)
     given = value(inner, "namespace") if spawned.namespace in (None, "") else spawned.namespace
     name, why = use.name, None
     rules, unread = _rules(inner)
+    rules = (*rules, *process)
     if name is None or isinstance(given, NotKnown) or unread:
         why = Unknown("name", "what the description gives it is not known", use.element.location)
     own = name if name is not None else UNKNOWN
@@ -144,6 +150,17 @@ def on_server(known: KnownPlugin, node: Node, rules: tuple[Rule, ...]) -> tuple[
         known.node, name=node.name, namespace=space, arguments=(), parameter=lambda name: None, remap=itself.remap, ros=2
     )
     return tuple(replace(end, location=node.location) for end in ends)
+
+
+def by_simulated_time(node: Node) -> Node:
+    """*node* as Gazebo makes one: its time is that of the simulation, whatever it is given."""
+    ends = [
+        replace(end, effective=True) if end.name == f"{node.name}:use_sim_time" else end for end in node.endpoints
+    ]
+    if not any(end.kind == "subscribers" and end.name == "/clock" for end in ends):
+        made = implicit(node.name, "node", {}, True, node.location)
+        ends += [replace(end, source="known-node") for end in made if end.kind == "subscribers"]
+    return replace(node, endpoints=tuple(ends))
 
 
 def _ros2_ends(

@@ -15,7 +15,7 @@ from haros_ci.model.launch_facts import CommandUse
 from haros_ci.substitutions.names import quoted
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.ros2_system import started_by
-from haros_ci.systems.simulation.endpoints import Spawned, on_server, ros2_nodes
+from haros_ci.systems.simulation.endpoints import Spawned, by_simulated_time, on_server, ros2_nodes
 from haros_ci.systems.simulation.simulators import (
     PACKAGE,
     SERVERS,
@@ -77,15 +77,15 @@ class _Simulation:
             into = self._found(started)
             for name in others(nodes, SPAWNERS):
                 into.lose(f"{name} may bring models while it runs", node.location)
+            rules = started_by(started).rules
             made: dict[str, Node] = {}
             for use, known, spawned in into.uses:
                 beside = self.known(*known.beside, 2) if known.beside is not None else None
-                for each in ros2_nodes(use, known, node, spawned, beside):
+                for each in ros2_nodes(use, known, node, spawned, rules, beside):
                     made.setdefault(each.name, each)
-            rules = started_by(started).rules
             line = command_line(split(started.arguments).rest)
             own = [end for name in line.plugins if name in plugins(2) for end in on_server(plugins(2)[name], node, rules)]
-            done += [completed(node, own, into.lost), *made.values()]
+            done += [by_simulated_time(completed(node, own, into.lost)), *made.values()]
         return tuple(done)
 
     def _found(self, server: LaunchedNode) -> Found:
