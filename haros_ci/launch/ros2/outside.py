@@ -90,5 +90,6 @@ def include_known(
     context.facts = Recorder()
     run.inside(context.path, actions(action.location), conditions)
     facts.read |= context.facts.read
+    facts.is_open = True  # it reads more arguments than matter here, and inherits them
     context.facts = facts
     return True

@@ -147,7 +147,13 @@ def on_server(known: KnownPlugin, node: Node, rules: tuple[Rule, ...]) -> tuple[
     space = node.name.rpartition("/")[0] or "/"
     itself = RosNode(node.name, space, space, "node", "", node.location or Location(""), rules=rules)
     ends = instantiate(
-        known.node, name=node.name, namespace=space, arguments=(), parameter=lambda name: None, remap=itself.remap, ros=2
+        known.node,
+        name=node.name,
+        namespace=space,
+        arguments=(),
+        parameter=lambda name: None,
+        remap=itself.remap,
+        ros=2,
     )
     return tuple(replace(end, location=node.location) for end in ends)
 
@@ -205,7 +211,8 @@ def _placed(end: Endpoint, use: Use, spawned: Spawned, more: tuple[Unknown, ...]
 def _doubt(use: Use) -> Unknown | None:
     if use.certain:
         return None
-    return Unknown("conditions", "it stands in the description under a condition that is not known", use.element.location)
+    why = "it stands in the description under a condition that is not known"
+    return Unknown("conditions", why, use.element.location)
 
 
 def _namespace(use: Use, known: KnownPlugin, spawned: Spawned) -> str | Unknown:

@@ -84,7 +84,8 @@ class _Simulation:
                 for each in ros2_nodes(use, known, node, spawned, rules, beside):
                     made.setdefault(each.name, each)
             line = command_line(split(started.arguments).rest)
-            own = [end for name in line.plugins if name in plugins(2) for end in on_server(plugins(2)[name], node, rules)]
+            named = [plugins(2)[name] for name in line.plugins if name in plugins(2)]
+            own = [end for each in named if each.at == "system" for end in on_server(each, node, rules)]
             done += [by_simulated_time(completed(node, own, into.lost)), *made.values()]
         return tuple(done)
 

@@ -90,7 +90,9 @@ def option(words: Sequence[str], name: str) -> str | None:
     return None
 
 
-def gather(trees: Trees, tree: Tree, spawned: Spawned, ros: int, into: Found, place: Location | None, depth: int = 0) -> None:
+def gather(
+    trees: Trees, tree: Tree, spawned: Spawned, ros: int, into: Found, place: Location | None, depth: int = 0
+) -> None:
     """The plug-ins of a description, and of the models that it includes."""
     if tree.reason:
         into.lose(tree.reason, place)

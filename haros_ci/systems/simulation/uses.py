@@ -15,7 +15,14 @@ from haros_ci.robot.unknown import Unknown
 #: Elements below one another that are looked into.
 DEEPEST = 60
 #: Parents whose plug-ins Gazebo loads, and what these are then.
-_LOADING = {"world": "world", "model": "model", "actor": "model", "include": "model", "sensor": "sensor", "visual": "visual"}
+_LOADING = {
+    "world": "world",
+    "model": "model",
+    "actor": "model",
+    "include": "model",
+    "sensor": "sensor",
+    "visual": "visual",
+}
 _THROUGH = ("sdf", "gazebo", "link", "joint", "collision", *_LOADING)
 
 
