@@ -62,6 +62,7 @@ DOORS: dict[str, set[str]] = {
         "keeping",
         "launch",
         "model",
+        "robot",
         "substitutions",
         "syntax",
         "timing",

@@ -285,7 +285,7 @@ def launch_reader(workspace: Workspace) -> Callable[[str], LaunchFile | None]:
 def known_types(declared: object, where: str, problems: list[Problem], here: frozenset[str]) -> KnownNodes:
     """What is known of node types outside the workspace; a project file's ``known_nodes`` come first.
 
-    Of the packages that are *here*, in the workspace, the project file alone is asked.
+    Of the packages that are *here*, in the workspace, the project file alone is asked; but for scripts that are not followed.
     """
     from haros_ci.systems.known.load import load_known, load_user
 
@@ -295,9 +295,10 @@ def known_types(declared: object, where: str, problems: list[Problem], here: fro
         problems += said
 
     def known(package: str, name: str, ros: int) -> KnownNode | None:
-        for nodes in (own.get(package), None if package in here else load_known(package, ros)):
-            if nodes is not None and name in nodes and nodes[name].ros in (None, ros):
-                return nodes[name]
+        for nodes, is_ours in ((own.get(package), False), (load_known(package, ros), package in here)):
+            found = nodes.get(name) if nodes is not None else None
+            if found is not None and found.ros in (None, ros) and (found.script or not is_ours):
+                return found
         return None
 
     return known

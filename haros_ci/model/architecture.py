@@ -176,6 +176,8 @@ class Parameter:
     unknowns: tuple[Unknown, ...] = ()
     #: Under which launch arguments it is there.
     presence: Presence = ()
+    #: The command whose output is its value, ``?`` for what is not known in it; "" without one.
+    command: str = field(default="", compare=False)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-#: The kinds of file that anything here reads. ``cpp`` is C and C++, headers included.
+#: The kinds of file that anything here reads. ``cpp`` is C and C++, headers included, ``world`` what Gazebo reads besides SDF.
 LANGUAGES = (
     "cpp",
     "python",
@@ -19,6 +19,7 @@ LANGUAGES = (
     "shell",
     "dockerfile",
     "markdown",
+    "world",
 )
 
 #: The kind of any other file, which only a tool that a project file declares reads.

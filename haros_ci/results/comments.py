@@ -41,6 +41,7 @@ _BY_LANGUAGE = {
     "interface": "interface",
     "package": "xml",
     "xml": "xml",
+    "world": "xml",
     "shell": "shell",
     "dockerfile": "dockerfile",
     "markdown": "xml",

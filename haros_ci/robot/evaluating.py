@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import ast
 import posixpath
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any, Union
 
@@ -45,6 +45,7 @@ class Evaluating:
         self.faults: dict[tuple[object, ...], Fault] = {}
         self.steps = min(MAX_STEPS, max(sources.steps, LEAST_STEPS))
         self.takes_any = False
+        self.environment: Mapping[str, str] = {}
         self.world = World(self.text, self._offers())
         self._loaded: dict[str, Any] = {}
 
@@ -135,6 +136,8 @@ class Evaluating:
             return f"{FIND}{given[0]}"
         if kind == "arg" and len(given) == 1:
             return self.argument_value(given[0])
+        if kind in ("env", "optenv") and given and given[0] in self.environment:
+            return self.environment[given[0]]
         if kind == "optenv" and len(given) > 1:  # without a default it is what a user's environment has
             return " ".join(given[1:])
         if kind == "dirname":

@@ -43,13 +43,15 @@ def expand(
     *,
     legacy: bool = False,
     is_open: bool = False,
+    environment: Mapping[str, str] | None = None,
 ) -> Expanded:
-    """Expand the file at *path* with *arguments*.
+    """Expand the file at *path* with *arguments*, where the *environment* has such variables.
 
     *legacy* takes tags without ``xacro:``, too, as xacro did before ROS Noetic. With *is_open* any argument may be given besides.
     """
     made = Expansion(sources, path, dict(arguments or {}), legacy)
     made.takes_any = is_open
+    made.environment = environment or {}
     return made.run()
 
 

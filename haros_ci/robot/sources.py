@@ -56,15 +56,15 @@ class Sources:
     def read(self, path: str) -> Node | None:
         """The root element of an XML file; None if it cannot be read, or is not for us."""
         if path not in self._nodes:
-            text = self.workspace.text(path)
-            node = None
-            if text:
-                try:
-                    node = nodes_of(parse_xml(text.encode("utf-8")), path)
-                except (XmlError, RecursionError):
-                    node = None
-            self._nodes[path] = node
+            self._nodes[path] = self.parsed(self.workspace.text(path), path)
         return self._nodes[path]
+
+    def parsed(self, text: str, path: str) -> Node | None:
+        """The root element of a *text* that is told to be of the file *path*; None if it is no XML."""
+        try:
+            return nodes_of(parse_xml(text.encode("utf-8")), path) if text else None
+        except (XmlError, RecursionError, UnicodeEncodeError):
+            return None
 
     def text(self, path: str) -> str:
         return self.workspace.text(path)

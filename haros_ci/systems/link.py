@@ -43,7 +43,12 @@ from haros_ci.systems.following import KnownNodes, Types
 from haros_ci.systems.keeping import Keeper
 from haros_ci.systems.launch_facts import Completion
 from haros_ci.systems.node_types import path_name, types_of
+from haros_ci.systems.ros2_hosts import ros2_alone
 from haros_ci.systems.ros2_library import Library, Seen
+from haros_ci.systems.simulation import ros1 as ros1_simulation
+from haros_ci.systems.simulation import ros2 as ros2_simulation
+from haros_ci.systems.simulation.simulators import Completes
+from haros_ci.systems.simulation.trees import Trees
 from haros_ci.systems.system import Job
 from haros_ci.timing import timed
 
@@ -103,6 +108,8 @@ class Opened:
     others: tuple[Job, ...] = ()
     other_parameters: tuple[Parameter, ...] = ()
     facts: tuple[LaunchFact, ...] = ()
+    #: What completes simulators with what their plug-ins make.
+    completes: tuple[Completes, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,6 +134,7 @@ def open_(
     ros2: Ros2Launch | None,
     wanted: Wanted,
     environment: Mapping[str, str],
+    trees: Trees,
     alternatives: bool = False,
 ) -> Opened:
     """Evaluate the launch files of a configuration, each in its own dialect; perhaps with what other arguments start."""
@@ -139,6 +147,7 @@ def open_(
     others: list[Job] = []
     other_parameters: tuple[Parameter, ...] = ()
     facts: list[LaunchFact] = []
+    completes: list[Completes | None] = []
     if older or not newer:
         memo = ros2.memo if ros2 is not None else None
         launched = evaluate(older, workspace, load, wanted.arguments, environment, alternatives, memo)
@@ -149,6 +158,7 @@ def open_(
         arguments += launched.arguments
         problems += launched.problems
         facts += launched.facts
+        completes.append(ros1_simulation.simulation(launched, trees, environment))
     if newer and ros2 is not None:
         found = launch_system(
             newer, workspace, ros2.load, wanted.arguments, environment, ros2.places, ros2.memo, alternatives
@@ -157,12 +167,13 @@ def open_(
         containers = {clean(f"{each.namespace or '/'}/{each.name}"): each for each in nodes if each.name is not None}
         jobs += [ros2_system.launched(types, each, containers) for each in nodes]
         others += present.ros2_launched(types, found, partial(parameter_file, ros2.places))
+        completes.append(ros2_simulation.simulation(found, nodes, trees, environment, types.known))
         arguments += found.arguments
         problems += found.problems
         facts += found.facts
-    return Opened(
-        tuple(jobs), parameters, tuple(arguments), tuple(problems), tuple(others), other_parameters, tuple(facts)
-    )
+    done = tuple(each for each in completes if each is not None)
+    told = (tuple(arguments), tuple(problems), tuple(others), other_parameters, tuple(facts))
+    return Opened(tuple(jobs), parameters, *told, done)
 
 
 def linked(
@@ -205,9 +216,10 @@ def linked(
     others: list[Job] = []
     started: set[tuple[str, str]] = set()
     opened: list[tuple[Wanted, Opened]] = []
+    trees = Trees(workspace, builds)
     for item in chosen:
         seen = {**item.environment, **(environment or {})}
-        each = open_(types, workspace, load, ros2, item, seen, alternatives)
+        each = open_(types, workspace, load, ros2, item, seen, trees, alternatives)
         problems.update(dict.fromkeys(each.problems))
         started.update((job.node.package, job.node.type) for job in each.jobs)
         opened.append((item, each))
@@ -262,7 +274,7 @@ def linked(
         if name not in items:
             return None
         item = replace(items[name], arguments={**items[name].arguments, **assignment})
-        each = open_(types, workspace, load, ros2, item, {**item.environment, **(environment or {})})
+        each = open_(types, workspace, load, ros2, item, {**item.environment, **(environment or {})}, trees)
         return _configuration(completion, item, each, [job.follow() for job in each.jobs], ())
 
     found = Architecture(
@@ -279,10 +291,13 @@ def _configuration(
     """The configuration *item* of what its jobs have given."""
     done = (*zip(each.jobs, followed, strict=True), *zip(each.others, others, strict=True))
     files = dict.fromkeys(fact for job, (nodes, _) in done for fact in completion.given(job, nodes))
+    nodes = tuple(node for nodes, _ in followed for node in nodes)
+    for complete in each.completes:
+        nodes = complete(nodes)
     return Configuration(
         name=item.name,
         launch=tuple(path_name(completion.workspace, path) for path in item.launch),
-        nodes=tuple(node for nodes, _ in followed for node in nodes),
+        nodes=nodes,
         parameters=(*each.parameters, *_given(each.jobs, followed)),
         arguments=tuple((name, str(value)) for name, value in each.arguments),
         user_data=item.user_data,

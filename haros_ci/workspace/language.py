@@ -12,6 +12,7 @@ NAMES = {
     "CMakeLists.txt": "cmake",
     "package.xml": "package",
     "setup.cfg": "setup",
+    "model.config": "world",
     **dict.fromkeys(("Dockerfile", "Containerfile"), "dockerfile"),
 }
 
@@ -28,6 +29,7 @@ SUFFIXES = {
     **dict.fromkeys(("yaml", "yml"), "yaml"),
     **dict.fromkeys(("msg", "srv", "action"), "interface"),
     **dict.fromkeys(("xml", "urdf", "xacro", "srdf", "sdf"), "xml"),
+    **dict.fromkeys(("world", "gazebo"), "world"),
     **dict.fromkeys(("sh", "bash"), "shell"),
     "dockerfile": "dockerfile",
     "md": "markdown",

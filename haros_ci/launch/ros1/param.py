@@ -160,6 +160,7 @@ def _of_command(text: Text, kind: str, blank: Parameter) -> Parameter:
     """The value is what a command prints, and none is run here; what xacro prints is XML."""
     at = blank.location
     assert at is not None
+    blank = replace(blank, command=text.shown)
     file = _xacro_file(text.shown)
     if file is not None and kind == "auto":
         return replace(blank, type="str", unknowns=unset("value", f"xacro makes it of {quoted(file)}", at))

@@ -8,6 +8,8 @@ from dataclasses import replace
 from typing import Any
 
 from haros_ci.launch.facts import ros1
+from haros_ci.launch.facts.record import Recorder
+from haros_ci.launch.ros1 import outside
 from haros_ci.launch.ros1.arg import arg, passed_arg
 from haros_ci.launch.ros1.node import environment as environment_tag
 from haros_ci.launch.ros1.node import machine, node, remap
@@ -179,6 +181,10 @@ def _include(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[C
     for child in tag.children:
         _include_child(state, inner, child, passed, doubtful, set() if pass_all else named)
     place = state.files.place(needed[0])
+    known = outside.known(needed[0], tag) if place.path is None and place.outside else None
+    if known is not None and inner.depth <= MAX_DEPTH:
+        _outside(state, scope, replace(inner, args=passed, doubtful=doubtful), tag, needed[0], known, pass_all is True)
+        return
     if place.path is None:
         shown = quoted(needed[0].shown)
         state.wrong(scope, tag, f"includes {shown}: {place.reason}; what it starts is unknown")
@@ -221,6 +227,23 @@ def _include(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[C
     if unused and pass_all is False:
         listed = ", ".join(quoted(name) for name in unused[:5])
         state.wrong(scope, tag, f"passes {listed}, which {place.path} does not declare; remove it, or declare it there")
+
+
+def _outside(
+    state: State, scope: Scope, inner: Scope, tag: LaunchElement, file: Text, root: LaunchElement, pass_all: bool
+) -> None:
+    """Evaluate the *root* of a launch file outside the workspace; what it says by itself is no fact of the workspace."""
+    passed = tuple(inner.args)
+    inner.declared, inner.missing = {}, {}
+    inner.unset = dict(scope.unset) if pass_all else {}
+    inner.overrides_allowed = pass_all
+    inner.included_at = location(scope, tag)
+    inner.includes = (*scope.includes, location(scope, tag))
+    facts = state.facts
+    state.facts = Recorder()
+    _walk(state, inner, root.children)
+    state.facts = facts
+    ros1.included(state, scope, tag, file, passed=passed)
 
 
 def _include_child(

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from haros_ci.launch.facts import includes, ros2
 from haros_ci.launch.ros2.context import Context
+from haros_ci.launch.ros2.outside import include_known
 from haros_ci.model.architecture import Condition
 from haros_ci.model.launch_actions import Action, Description
 from haros_ci.substitutions.names import MARK, quoted, unknown
@@ -28,6 +29,8 @@ def include(run: Run, action: Action, conditions: tuple[Condition, ...]) -> None
         includes.lost(context, action, file, message)
         return
     place = context.places.find(file.raw)
+    if place.path is None and place.outside and include_known(run, action, file, passed, conditions):
+        return
     if place.path is None:
         includes.lost(context, action, file, f"includes {quoted(file.raw)}: {place.reason}; what it starts is unknown")
         return

@@ -142,6 +142,8 @@ def _program(words: list[str]) -> tuple[str, str, int] | None:
         while len(words) > start and words[start].startswith("-"):
             start += 2 if words[start] == "--prefix" else 1
         return (words[start], words[start + 1], start + 2) if len(words) > start + 1 else None
+    if words[:1] in (["gazebo"], ["gzserver"]) and any(word.startswith("libgazebo_ros_") for word in words):
+        return "gazebo_ros", words[0], 1
     if words[:1] in (["python3"], ["python"], ["/usr/bin/python3"]):
         start = 1
     match = _IN_PACKAGE.fullmatch(words[start]) if len(words) > start else None

@@ -258,9 +258,10 @@ class Run:
     def executable(self, action: Action, conditions: _Conditions) -> None:
         self.context.facts.taken()
         started = command(self.context, action, conditions)
-        if started is not None:
+        if started is not None and started.type not in ("gazebo", "gzserver"):
             self.nodes.append(ros2.started(self.context, started))
         else:
+            self.nodes += [started] if started is not None else []
             ros2.command(self.context, self.context.text(action.get("cmd") or ()), action.location)
             asking = loading(self.context, action, conditions)
             if asking is not None:

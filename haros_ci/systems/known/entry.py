@@ -63,6 +63,8 @@ class KnownNode:
     lifecycle: bool = False
     plugin: bool = False
     node_name: str = ""
+    #: A script that is not followed: it is known where its package is in the workspace, too.
+    script: bool = False
     source: str = ""
     distributions: tuple[str, ...] = ()
     endpoints: tuple[KnownEndpoint, ...] = ()

@@ -21,8 +21,9 @@ ROS2_DISTRIBUTIONS = ("foxy", "galactic", "humble", "iron", "jazzy", "kilted", "
 PARAMETERS = ("getters", "setters", "parameters")
 PARAMETER_TYPES = ("bool", "int", "double", "str", "yaml")
 ROS2_PARAMETER_TYPES = ("bool", "int", "double", "str", "bytes", "bool[]", "int[]", "double[]", "str[]")
+SCRIPT = "script"
 ROS2_KEYS = ("component", "lifecycle", "plugin", "node_name", "parameters")
-NODE_KEYS = ("source", "nodelet", "distributions", "ros", *ROS2_KEYS[:-1], *KINDS)
+NODE_KEYS = ("source", SCRIPT, "nodelet", "distributions", "ros", *ROS2_KEYS[:-1], *KINDS)
 COMMON_KEYS = ("name", "type", "each", "if", "unless", "implicit", "distributions")
 _TYPE = re.compile(r"[A-Za-z]\w*/(?:(msg|srv|action)/)?[A-Za-z]\w*")
 _NAME = re.compile(r"[~/]?[A-Za-z0-9_?/]*")
@@ -163,6 +164,7 @@ def _node(entry: object, name: object, package: str, at: str, reading: _Reading)
         component=component,
         node_name=node_name,
         **flags,
+        script=_or_test(entry.get(SCRIPT, False), bool, f"{at}.{SCRIPT}", reading) is True,
         source=source,
         distributions=distributions,
         endpoints=tuple(endpoints),

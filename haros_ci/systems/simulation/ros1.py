@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Gazebo in ROS 1: its plug-ins work in the simulator's own node, and ``spawn_model`` brings models to it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from haros_ci.graph.names import clean, resolve
+from haros_ci.graph.parameters import ParameterServer
+from haros_ci.graph.words import Words, split
+from haros_ci.model.architecture import Node, Parameter, Unknown
+from haros_ci.model.launch import Launched, Started
+from haros_ci.systems.simulation.endpoints import Spawned, ros1_endpoints
+from haros_ci.systems.simulation.simulators import (
+    PACKAGE,
+    SERVERS,
+    Completes,
+    Found,
+    command_line,
+    completed,
+    gather,
+    option,
+    others,
+)
+from haros_ci.systems.simulation.trees import Tree, Trees
+from haros_ci.values.abstract import data_of, opaque_of
+
+SPAWNERS = frozenset(("spawn_model", "spawn_urdf", "spawn_gazebo_model"))
+
+
+def simulation(launched: Launched, trees: Trees, environment: Mapping[str, str]) -> Completes | None:
+    """What completes the simulators of what was *launched*; None if there is none."""
+    servers = [each for each in launched.nodes if each.package == PACKAGE and each.type in SERVERS]
+    if not servers:
+        return None
+    return _Simulation(launched, servers, trees, environment).complete
+
+
+@dataclass(frozen=True, slots=True)
+class _Simulation:
+    launched: Launched
+    servers: list[Started]
+    trees: Trees
+    environment: Mapping[str, str]
+
+    def complete(self, nodes: Sequence[Node]) -> tuple[Node, ...]:
+        server = ParameterServer(self.launched.parameters)
+        by_place: dict[tuple[str, object], Started] = {(each.name, each.location): each for each in self.servers}
+
+        def parameter(name: str) -> object | None:
+            value = server.get(name)
+            if value is None:
+                return None
+            held, plain = data_of(value)
+            why = opaque_of(value)
+            return plain if held else Unknown("name", why.reason if why else "it is not plain data")
+
+        done = []
+        for node in nodes:
+            started = by_place.get((node.name, node.location)) if node.source == "launch" and node.ros == 1 else None
+            if started is None:
+                done.append(node)
+                continue
+            into = self._found(started)
+            for name in others(nodes, SPAWNERS):
+                into.lose(f"{name} may bring models while it runs", node.location)
+            made = [
+                end
+                for use, known, spawned in into.uses
+                for end in ros1_endpoints(use, known, node, spawned, parameter)
+            ]
+            done.append(completed(node, made, into.lost))
+        return tuple(done)
+
+    def _found(self, server: Started) -> Found:
+        into = Found()
+        line = command_line(split(server.arguments).rest)
+        if line.world is None:
+            into.lose("which world it is given is not known", server.location)
+        else:
+            gather(self.trees, self.trees.of_world(line.world), Spawned(), 1, into, server.location)
+        for library in line.plugins:
+            if library not in ("gazebo_ros_api_plugin", "gazebo_ros_paths_plugin"):
+                into.lose(f"what the plug-in {library} makes is not known", server.location)
+        for each in self.launched.nodes:
+            if each.package == PACKAGE and each.type in SPAWNERS:
+                self._spawn(each, server, into)
+        return into
+
+    def _spawn(self, spawner: Started, server: Started, into: Found) -> None:
+        words = split(spawner.arguments)
+        target = option(words.rest, "-gazebo_namespace")
+        if target is not None and "?" not in target and clean(target) != server.name and len(self.servers) > 1:
+            return
+        if target is None and len(self.servers) > 1 and server.name != "/gazebo":
+            return
+        space = option(words.rest, "-robot_namespace")
+        if space is None:
+            space = next((value for name, value in words.special if name == "ns"), spawner.namespace)
+        conditions = tuple(each for each in spawner.conditions if each not in server.conditions)
+        model = option(words.rest, "-model") or "?"
+        spawned = Spawned(model="?" if "?" in model else model, namespace=space, conditions=conditions)
+        gather(self.trees, self._description(spawner, words), spawned, 1, into, spawner.location)
+
+    def _description(self, spawner: Started, words: Words) -> Tree:
+        parameter, file, model = (option(words.rest, name) for name in ("-param", "-file", "-database"))
+        if file is not None:
+            return self.trees.of_file(file)
+        if model is not None:
+            return self.trees.of_model(f"model://{model}")
+        if parameter is None:
+            return Tree(None, f"what {spawner.name} spawns is not known")
+        name = resolve(parameter, spawner.namespace, spawner.name)
+        given = [each for each in self.launched.parameters if each.name == name]
+        if len(given) != 1 or given[0].conditions or "?" in parameter:
+            why = "is set by no launch file" if not given else "is not known"
+            return Tree(None, f"the parameter {name} that {spawner.name} spawns {why}")
+        return self._text(given[0])
+
+    def _text(self, parameter: Parameter) -> Tree:
+        if parameter.command:
+            return self.trees.of_command(parameter.command, self.environment)
+        if isinstance(parameter.value, str) and not parameter.unknowns and parameter.location is not None:
+            return self.trees.of_text(parameter.value, parameter.location)
+        why = next((each.reason for each in parameter.unknowns), "it is no text")
+        return Tree(None, f"the value of {parameter.name} is not known: {why}")

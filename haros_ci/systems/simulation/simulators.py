@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the simulators of a configuration are given: their worlds and what is spawned, and what its plug-ins make there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+
+from haros_ci.model.architecture import Endpoint, Node, Unknown
+from haros_ci.model.location import Location
+from haros_ci.systems.simulation.endpoints import Spawned, is_idle
+from haros_ci.systems.simulation.table import KnownPlugin, library_of, plugins, silent
+from haros_ci.systems.simulation.trees import Tree, Trees
+from haros_ci.systems.simulation.uses import Include, Use, found
+
+#: The package of the simulator, and its programs.
+PACKAGE = "gazebo_ros"
+SERVERS = ("gzserver", "gazebo", "debug", "gdbrun", "perf")
+#: What the data on known nodes says of the simulator as long as nothing is known of its plug-ins.
+UNDECIDED = "the plug-ins of its world and its models decide"
+#: Options of Gazebo's server that a value follows.
+TAKING = frozenset(
+    """-e --physics -p --play -o --profile -s --server-plugin -g --gui-client-plugin --gui-plugin --seed --iters
+    --record_encoding --record_path --record_period --record_filter --initial_sim_time --params-file""".split()
+)
+#: Services of the simulator by which any node can bring a model.
+SPAWNING = frozenset(("gazebo_msgs/SpawnModel", "gazebo_msgs/srv/SpawnEntity"))
+#: From the nodes of a configuration to the same with what plug-ins make.
+Completes = Callable[[Sequence[Node]], tuple[Node, ...]]
+#: Plug-ins that one simulator may have, and models in one another.
+MOST = 2_000
+DEEPEST = 10
+
+
+@dataclass(slots=True)
+class Found:
+    """The plug-ins of one simulator, each with its row and how it was brought; *lost* says where there may be more."""
+
+    uses: list[tuple[Use, KnownPlugin, Spawned]] = field(default_factory=list)
+    lost: dict[str, Location | None] = field(default_factory=dict)
+
+    def lose(self, reason: str, location: Location | None) -> None:
+        if len(self.lost) < MOST:
+            self.lost.setdefault(reason, location)
+
+
+@dataclass(frozen=True, slots=True)
+class CommandLine:
+    """What a server is told: *world* ("" for none, None if it is not known) and the *plugins* that ``-s`` names."""
+
+    world: str | None
+    plugins: tuple[str, ...]
+
+
+def command_line(words: Iterable[str]) -> CommandLine:
+    """The world and plug-ins that Gazebo's server is given in *words*."""
+    world: str | None = ""
+    named: list[str] = []
+    taking = ""
+    is_ros = False
+    for word in words:
+        if is_ros:
+            is_ros = word != "--"
+        elif taking:
+            if taking in ("-s", "--server-plugin"):
+                named.append(library_of(word))
+            taking = ""
+        elif word == "--ros-args":
+            is_ros = True
+        elif word in TAKING:
+            taking = word
+        elif word.startswith("--server-plugin="):
+            named.append(library_of(word.partition("=")[2]))
+        elif word.startswith("-"):
+            continue
+        elif "?" in word:
+            world = None
+        elif world == "":
+            world = word
+    return CommandLine(world, tuple(named))
+
+
+def option(words: Sequence[str], name: str) -> str | None:
+    """The word that follows an option, which may be written with one or two dashes."""
+    for number, word in enumerate(words):
+        if word in (name, f"-{name}") and number + 1 < len(words):
+            return words[number + 1]
+        if word.startswith((f"{name}=", f"-{name}=")):
+            return word.partition("=")[2]
+    return None
+
+
+def gather(
+    trees: Trees, tree: Tree, spawned: Spawned, ros: int, into: Found, place: Location | None, depth: int = 0
+) -> None:
+    """The plug-ins of a description, and of the models that it includes."""
+    if tree.reason:
+        into.lose(tree.reason, place)
+    if tree.root is None:
+        return
+    for each in found(tree.root, spawned.model):
+        if len(into.uses) >= MOST or depth > DEEPEST:
+            into.lose("it has more plug-ins and models than are looked at", place)
+            return
+        if isinstance(each, Use):
+            _take(each, spawned, ros, into)
+        else:
+            _include(trees, each, spawned, ros, into, depth)
+
+
+def _include(trees: Trees, include: Include, spawned: Spawned, ros: int, into: Found, depth: int) -> None:
+    if include.uri is None:
+        into.lose("which model an <include> brings is not known", include.element.location)
+        return
+    name = include.name or include.uri.strip("/").rpartition("/")[2]
+    inner = replace(spawned, model=name if not spawned.model else "?")
+    gather(trees, trees.of_model(include.uri), inner, ros, into, include.element.location, depth + 1)
+
+
+def _take(use: Use, spawned: Spawned, ros: int, into: Found) -> None:
+    if use.filename is None:
+        into.lose("which library a plug-in is, is not known", use.element.location)
+        return
+    library = library_of(use.filename)
+    known = plugins(ros).get(library)
+    if known is not None:
+        if not is_idle(use, known):
+            into.uses.append((use, known, spawned))
+    elif library not in silent():
+        into.lose(f"what the plug-in {use.filename[:100]} makes is not known", use.element.location)
+
+
+def completed(node: Node, made: Iterable[Endpoint], lost: dict[str, Location | None]) -> Node:
+    """The simulator's *node* with what its plug-ins make; where there may be more, that is said with the reasons."""
+    ends: list[Endpoint] = []
+    reason = next(iter(lost), "")
+    for end in node.endpoints:
+        if not any(each.reason == UNDECIDED for each in end.unknowns):
+            ends.append(end)
+        elif lost:
+            said = tuple(replace(u, reason=reason) if u.reason == UNDECIDED else u for u in end.unknowns)
+            ends.append(replace(end, unknowns=said))
+    unknowns = tuple(Unknown("endpoints", why, place or node.location) for why, place in lost.items())
+    return replace(node, endpoints=tuple(dict.fromkeys((*ends, *made))), unknowns=(*node.unknowns, *unknowns))
+
+
+def others(nodes: Iterable[Node], spawners: frozenset[str]) -> Iterator[str]:
+    """The nodes that may bring models while the system runs, but for the known programs that do."""
+    for node in nodes:
+        if node.type not in spawners and any(e.kind == "clients" and e.type in SPAWNING for e in node.endpoints):
+            yield node.name

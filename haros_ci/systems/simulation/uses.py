@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The plug-ins in a description that has been expanded: where each stands, and in which model and sensor.
+
+What counts is sdformat's reading of URDF (``<gazebo>``, with a reference to a link or joint or without) and of SDF.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from haros_ci.robot.nodes import Node
+from haros_ci.robot.unknown import Unknown
+
+#: Elements below one another that are looked into.
+DEEPEST = 60
+#: Parents whose plug-ins Gazebo loads, and what these are then.
+_LOADING = {
+    "world": "world",
+    "model": "model",
+    "actor": "model",
+    "include": "model",
+    "sensor": "sensor",
+    "visual": "visual",
+}
+_THROUGH = ("sdf", "gazebo", "link", "joint", "collision", *_LOADING)
+
+
+@dataclass(frozen=True, slots=True)
+class Use:
+    """A ``<plugin>`` in a description.
+
+    *filename* and *name* are None where they are not known. *at* is the kind of its parent, *model* the name of the model around
+    (``?``: not known; "" in a world), *sensor* and *sensor_type* those of the sensor, *cameras* the names of its cameras. Not *certain*: it stands
+    under a condition that is not known.
+    """
+
+    filename: str | None
+    name: str | None
+    element: Node
+    at: str
+    model: str = ""
+    sensor: str | None = ""
+    sensor_type: str | None = ""
+    cameras: tuple[str, ...] = ()
+    certain: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Include:
+    """An ``<include>`` of a model by its *uri*, None where it is not known; it is called *name* there, if that is given."""
+
+    uri: str | None
+    name: str | None
+    element: Node
+
+
+def found(root: Node, model: str = "") -> Iterator[Use | Include]:
+    """The plug-ins and includes of a description; the outermost model of it is called *model*, if that is given."""
+    start = Use(None, None, root, "", model)
+    if root.tag == "robot":
+        yield from _of_urdf(root, replace(start, at="model", model=model or root.given("name") or "?"))
+    elif root.tag in ("world", "model"):
+        yield from _inside(Node("sdf", {}, root.location, children=[root]), start, model, 0)
+    else:
+        yield from _inside(root, start, model, 0)
+
+
+def value(element: Node, name: str) -> str | Unknown | None:
+    """The text of the first child called *name*, without blanks around it; None if there is none."""
+    child = next(element.all(name), None)
+    if child is None:
+        return None
+    return child.text.strip() if isinstance(child.text, str) and child.certain else Unknown()
+
+
+def _of_urdf(root: Node, around: Use) -> Iterator[Use | Include]:
+    for extension in root.all("gazebo"):
+        reference = extension.given("reference")
+        here = replace(around, certain=around.certain and extension.certain)
+        if reference == "":
+            for plugin in extension.all("plugin"):
+                yield _use(plugin, here)
+        for tag in ("sensor", "visual"):
+            for each in extension.all(tag):
+                if reference != "":
+                    yield from _inside(Node("link", {}, each.location, children=[each]), here, here.model, 1)
+
+
+def _inside(node: Node, around: Use, model: str, depth: int) -> Iterator[Use | Include]:
+    if depth > DEEPEST:
+        return
+    for child in node.children:
+        here = replace(around, certain=around.certain and child.certain)
+        if child.tag == "plugin":
+            if node.tag in _LOADING:
+                yield _use(child, replace(here, at=_LOADING[node.tag]))
+            continue
+        if child.tag not in _THROUGH:
+            continue
+        if child.tag == "include":
+            yield _include(child)
+            continue
+        if child.tag in ("model", "actor"):
+            is_outer = node.tag in ("sdf", "gazebo", "world")
+            given = child.given("name")
+            name = (model if is_outer and node.tag != "world" and model else given) or "?"
+            here = replace(here, model=name if is_outer else "?")
+        elif child.tag == "sensor":
+            here = replace(
+                here,
+                sensor=child.given("name"),
+                sensor_type=child.given("type"),
+                cameras=tuple(each.given("name") or "?" for each in child.all("camera")),
+            )
+        yield from _inside(child, here, model, depth + 1)
+
+
+def _use(plugin: Node, around: Use) -> Use:
+    return replace(
+        around,
+        filename=plugin.given("filename"),
+        name=plugin.given("name"),
+        element=plugin,
+        certain=around.certain and plugin.certain,
+    )
+
+
+def _include(element: Node) -> Include:
+    uri, name = value(element, "uri"), value(element, "name")
+    return Include(uri if isinstance(uri, str) else None, name if isinstance(name, str) else None, element)
