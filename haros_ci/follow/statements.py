@@ -7,14 +7,14 @@ from collections.abc import Callable
 from typing import TypeVar, cast
 
 from haros_ci import syntax
-from haros_ci.follow import construct, expressions, lookup, loops, members
-from haros_ci.follow.conversions import truth
+from haros_ci.follow import construct, expressions, library_calls, lookup, loops, members
 from haros_ci.follow.frames import BREAK, CONTINUE, NEXT, RETURN, THROW, Frame, Loop
 from haros_ci.follow.libraries import harmless
 from haros_ci.follow.run import Run
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Statement
-from haros_ci.values.abstract import Cell, Known, Library, Value
+from haros_ci.values import abstract
+from haros_ci.values.abstract import Cell, ClassValue, Known, Library, Value, tick
 from haros_ci.values.state import Writes, joined
 
 #: What holds in the script that is started, and in no other module: no condition at all.
@@ -39,7 +39,7 @@ def execute(run: Run, frame: Frame, block: Block) -> str:
 
 def _do(run: Run, frame: Frame, statement: syntax.Do) -> str:
     expressions.evaluate(run, frame, statement.value)
-    return NEXT
+    return THROW if library_calls.ends_the_program(run, frame, statement.value) else NEXT
 
 
 def _variable(run: Run, frame: Frame, statement: syntax.Variable) -> str:
@@ -54,7 +54,9 @@ def _static(run: Run, frame: Frame, statement: syntax.Static) -> str:
     kinds = (kind.name if isinstance(kind, syntax.Type) else "" for kind in frame.templates.values())
     key = ("static", frame.source.path, variable.line, variable.column, name, *kinds)
     if key not in run.statics:
+        mark, begun = run.state.mark(), tick()
         _variable(run, frame, variable)
+        run.state.settle(mark, begun)
         cell = frame.scopes[-1].get(name)
         if run.quiet or cell is None:
             return NEXT
@@ -85,7 +87,7 @@ def _if(run: Run, frame: Frame, statement: syntax.If) -> str:
     then, other, else_line, else_column = statement.then, statement.other, statement.else_line, statement.else_column
     if text.replace("'", '"').replace(" ", "").strip("()") in MAIN_GUARD and frame.source.program.language == "python":
         return execute(run, frame, then) if frame.source.path in run.files else NEXT
-    holds = truth(expressions.evaluate(run, frame, statement.test))
+    holds = expressions.holds(run, frame, statement.test, expressions.evaluate(run, frame, statement.test))
     if holds is not None and run.outer is not None:  # what a wrapper does not do as things are is nobody's
         return execute(run, frame, then if holds else other)
     branches = []
@@ -294,10 +296,9 @@ def _continue(run: Run, frame: Frame, statement: syntax.Continue) -> str:
 
 
 def _define(run: Run, frame: Frame, statement: syntax.NestedFunction) -> str:
-    from haros_ci.values.abstract import Callable
-
     function = frame.source.program.functions[statement.function]
-    frame.declare(statement.name, Cell(Callable(frame.source, function, frame.this, frame=expressions.kept(frame))))
+    made = abstract.Callable(frame.source, function, frame.this, frame=expressions.kept(frame))
+    frame.declare(statement.name, Cell(made))
     return NEXT
 
 
@@ -309,8 +310,6 @@ def _class(run: Run, frame: Frame, statement: syntax.NestedClass) -> str:
         if field.init is not None and run.relevance.matters(field.init, frame.source):
             members.static_cell(run, *found, field.name)
     if run.modules.get(frame.source.path) is not frame:
-        from haros_ci.values.abstract import ClassValue
-
         frame.declare(statement.name.rpartition(frame.source.separator)[2], Cell(ClassValue(*found)))
     return NEXT
 

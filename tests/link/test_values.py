@@ -292,7 +292,7 @@ UNKNOWN = (
         before='std::string f() {\n#ifdef X\nreturn "a";\n#else\nreturn "b";\n#endif\n}',
     ),
     case("operator bool", 'std::ifstream s("x"); std::string n = "b"; if (s) n = "a"; ADV(n, 1);', "/?"),
-    case("optional", 'boost::optional<std::string> s; std::string n = "b"; if (s) n = "a"; ADV(n, 1);', "/?"),
+    case("optional", 'boost::optional<std::string> s; std::string n = "b"; if (s) n = "a"; ADV(n, 1);', "/b"),
     case(
         "operator bool of one's own",
         'C s; std::string n = "b"; if (s) n = "a"; ADV(n, 1);',
@@ -375,11 +375,6 @@ DEFECTS = (
     | because(
         "an #if without #else is taken for sure where it assigns a local (statements._preprocessor)",
         "assigned under #if",
-    )
-    | because(
-        "any object is true, whatever its operator bool says (statements.truth)",
-        "operator bool",
-        "optional",
     )
     | because(
         "captures by value are the captured variables (expressions._lambda)",
