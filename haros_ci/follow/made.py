@@ -124,6 +124,8 @@ def make(run: Run, made: Made) -> None:
     dead = run.dead if known is None else min(run.dead, known.dead)
     if known is not None and known.is_strict and not made.is_strict:
         made = replace(made, is_strict=True)
+    if known is not None and known.type is not None and made.type is None:  # which a later reading has told
+        made = replace(made, type=known.type)
     if dead != made.dead or conditions is not made.conditions or unknowns is not made.unknowns:
         made = replace(made, conditions=conditions, unknowns=unknowns, dead=dead)
     if known is not None and (known.conditions != conditions or known.dead != dead):
