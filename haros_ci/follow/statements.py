@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import TypeVar, cast
 
 from haros_ci import syntax
-from haros_ci.follow import construct, expressions, library_calls, lookup, loops, members
+from haros_ci.follow import construct, expressions, guarded, library_calls, lookup, loops, members
 from haros_ci.follow.frames import BREAK, CONTINUE, NEXT, RETURN, THROW, Frame, Loop
 from haros_ci.follow.libraries import harmless
 from haros_ci.follow.run import Run
@@ -103,7 +103,7 @@ def _if(run: Run, frame: Frame, statement: syntax.If) -> str:
         branches.append((ended, run.state.undo(mark)))
     else:
         branches.append((NEXT, {}))
-    return _merge(run, frame, branches, None if holds is None else [0 if holds else 1])
+    return merge(run, frame, branches, None if holds is None else [0 if holds else 1])
 
 
 def _followed(run: Run, frame: Frame, block: Block, can_be: bool) -> str:
@@ -118,7 +118,7 @@ def _followed(run: Run, frame: Frame, block: Block, can_be: bool) -> str:
         run.dead -= not can_be
 
 
-def _merge(run: Run, frame: Frame, branches: list[tuple[str, Writes]], live: list[int] | None) -> str:
+def merge(run: Run, frame: Frame, branches: list[tuple[str, Writes]], live: list[int] | None) -> str:
     """Go on with the join of the branches that can be taken; one that cannot is gone through for what it makes only."""
     chosen = branches if live is None else [branches[i] for i in live]
     going = [writes for ended, writes in chosen if ended == NEXT]
@@ -178,7 +178,7 @@ def _switch(run: Run, frame: Frame, statement: syntax.Switch) -> str:
         default = len(branches) - 1
     if not branches:
         return NEXT
-    return _merge(run, frame, branches, (live or [default]) if taken is not None else None)
+    return merge(run, frame, branches, (live or [default]) if taken is not None else None)
 
 
 def _taken(run: Run, frame: Frame, value: Value, labels: list[Expression | None]) -> set[int] | None:
@@ -229,7 +229,7 @@ def _try(run: Run, frame: Frame, statement: syntax.Try) -> str:
         own = run.state.since(begun)
         run.state.undo(start)
         branches.append((how, {**after, **own}))
-    return _merge(run, frame, branches, None)
+    return merge(run, frame, branches, None)
 
 
 def _is_failure(value: Value) -> bool:
@@ -237,33 +237,6 @@ def _is_failure(value: Value) -> bool:
     if isinstance(value, Library):
         return value.name.endswith(("FAILURE", "ERROR"))
     return value in (Known(False), Known(None))
-
-
-def _preprocessor(run: Run, frame: Frame, statement: syntax.Preprocessor) -> str:
-    branches: list[tuple[str, Writes]] = []
-    for branch in statement.branches:
-        mark = run.state.mark()
-        declared: dict[str, Cell] = {}
-        with run.under("#if", branch.text, frame, branch.line, branch.column):
-            frame.scopes.append(declared)
-            ended = NEXT
-            for item in branch.body:
-                run.step()
-                ended = STATEMENTS[type(item)](run, frame, item)
-                if ended != NEXT:
-                    break
-            frame.scopes.pop()
-        for name, cell in declared.items():  # no scope of its own: what it declares is there afterwards
-            frame.scopes[-1].setdefault(name, cell)
-        branches.append((ended, run.state.undo(mark)))
-    if not any(branch.text.startswith("#else") for branch in statement.branches):
-        branches.append((NEXT, {}))
-    for _, writes in branches:  # what one branch alone declares keeps its value
-        for cell in writes:
-            if cell in frame.scopes[-1].values():
-                for _, other in branches:
-                    other.setdefault(cell, writes[cell])
-    return _merge(run, frame, branches, None)
 
 
 def _return(run: Run, frame: Frame, statement: syntax.Return) -> str:
@@ -336,7 +309,7 @@ STATEMENTS: dict[type[Statement], _Execute] = dict(
         _on(syntax.Each, lambda run, frame, s: loops.each(run, frame, s)),
         _on(syntax.Switch, _switch),
         _on(syntax.Try, _try),
-        _on(syntax.Preprocessor, _preprocessor),
+        _on(syntax.Preprocessor, lambda run, frame, s: guarded.preprocessor(run, frame, s)),
         _on(syntax.Nested, lambda run, frame, s: execute(run, frame, s.body)),
         _on(syntax.Return, _return),
         _on(syntax.Break, _break),

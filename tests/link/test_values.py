@@ -284,6 +284,14 @@ UNKNOWN = (
         before='#ifdef X\nstd::string f() { return "a"; }\n#else\nstd::string f() { return "b"; }\n#endif',
     ),
     case("locals under #if", '\n#ifdef X\nstd::string s = "a";\n#else\nstd::string s = "b";\n#endif\nADV(s, 1);', "/?"),
+    case("declared under #if alone", '\n#ifdef X\nstd::string s = "a";\nADV(s, 1);\n#endif\n', "/a"),
+    case("declared alike", '\n#ifdef X\nstd::string s = "a";\n#else\nstd::string s = "a";\n#endif\nADV(s, 1);', "/a"),
+    case("declared and used under #if", '\n#ifdef X\nstd::string s = "a";\n#endif\n#ifdef X\nADV(s, 1);\n#endif\n', "/a"),
+    case(
+        "declared by two and set",
+        '\n#ifdef X\nstd::string s = "a";\n#else\nstd::string s = "b";\n#endif\ns = "c";\nADV(s, 1);',
+        "/c",
+    ),
     case("assigned under #if", 'std::string s = "a";\n#ifdef X\ns = "b";\n#endif\nADV(s, 1);', "/?"),
     case(
         "returned under #if",
@@ -367,14 +375,6 @@ DEFECTS = (
         "integers have no width, and the remainder is Python's (operators._computed, converted)",
         "float compared with a double",
         "signed compared with unsigned",
-    )
-    | because(
-        ("of several definitions under #if, or after #undef, the first is taken for the only one (index.near)[0]"),
-        "locals under #if",
-    )
-    | because(
-        "an #if without #else is taken for sure where it assigns a local (statements._preprocessor)",
-        "assigned under #if",
     )
     | because(
         "captures by value are the captured variables (expressions._lambda)",
