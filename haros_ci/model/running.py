@@ -34,7 +34,13 @@ def _configuration(configuration: Configuration) -> Configuration:
 
 
 def _is_hosted(node: Node) -> bool:
-    return node.ros == 1 and node.kind == "nodelet" and node.process is not None and node.process != node.name and "?" not in node.process
+    return (
+        node.ros == 1
+        and node.kind == "nodelet"
+        and node.process is not None
+        and node.process != node.name
+        and "?" not in node.process
+    )
 
 
 def _hosting(manager: Node, inside: list[Node]) -> Node:

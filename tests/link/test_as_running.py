@@ -41,7 +41,9 @@ MANAGER = Node(name="/m", kind="node", package="nodelet", type="nodelet", proces
 
 
 def test_what_nodelets_make_is_their_managers() -> None:
-    assert told(nodelet("/a", "/m", "/x"), nodelet("/b", "/m", "/y"), MANAGER) == [("/m", "node", ["/rosout", "/x", "/y"])]
+    assert told(nodelet("/a", "/m", "/x"), nodelet("/b", "/m", "/y"), MANAGER) == [
+        ("/m", "node", ["/rosout", "/x", "/y"])
+    ]
 
 
 def test_a_manager_that_is_started_elsewhere_has_its_name() -> None:

@@ -231,7 +231,12 @@ THREADS = (
         ["file.empty()", "!device_", "device_"],
     ),
     ("no loop", "acme::Device device_;", "if (!device_) start();", ["file.empty()", "!device_"]),
-    ("a pointer that is not set", "std::shared_ptr<acme::Device> device_;", "if (!device_) start();", ["file.empty()", "!device_"]),
+    (
+        "a pointer that is not set",
+        "std::shared_ptr<acme::Device> device_;",
+        "if (!device_) start();",
+        ["file.empty()", "!device_"],
+    ),
 )
 
 
@@ -241,7 +246,7 @@ def test_an_else_way_through_a_thread_is_not_lost(name: str, members: str, body:
         'std::string file = declare_parameter("file", std::string(""));\n'
         "if (!file.empty()) { device_ = acme::load(file); start(); }\n"
         f"if (file.empty()) {{ thread_ = std::thread([this]() {{ {body} }}); }}",
-        f'{members} std::thread thread_; rclcpp::Publisher<String>::SharedPtr pub_;\nvoid look();\n'
+        f"{members} std::thread thread_; rclcpp::Publisher<String>::SharedPtr pub_;\nvoid look();\n"
         'void start() { pub_ = create_publisher<String>("a", 1); }',
     )
     (end,) = [each for node in found.nodes for each in ends(node) if not each.implicit]

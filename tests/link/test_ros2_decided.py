@@ -46,7 +46,7 @@ def test_what_a_default_argument_rules_out_is_marked() -> None:
     ]
 
 
-@pytest.mark.parametrize("argument", ["on", "is_on()", "declare_parameter<bool>(\"on\")"])
+@pytest.mark.parametrize("argument", ["on", "is_on()", 'declare_parameter<bool>("on")'])
 def test_what_is_not_known_rules_nothing_out(argument: str) -> None:
     body = f"bool on = is_on(); listener_ = std::make_shared<Listener>(this, {argument});"
     found = ros2_cpp(body, "std::shared_ptr<Listener> listener_;", "bool is_on();\n" + LISTENER)
@@ -84,7 +84,9 @@ def test_a_private_name_of_several_is_below_the_node() -> None:
     assert [end.name for end in made(found, "publishers")] == ["/n/?/raw"]
     body = 'for (auto& each : names()) { std::string s = "~/" + each; if (wide()) s = "~/x/" + each + "/y"; '
     body += "p_ = create_publisher<String>(s, 1); }"
-    found = ros2_cpp(body, "rclcpp::Publisher<String>::SharedPtr p_;", "std::vector<std::string> names(); bool wide();\n")
+    found = ros2_cpp(
+        body, "rclcpp::Publisher<String>::SharedPtr p_;", "std::vector<std::string> names(); bool wide();\n"
+    )
     assert {end.name for end in made(found, "publishers")} == {"/n/?"}
 
 

@@ -286,7 +286,9 @@ UNKNOWN = (
     case("locals under #if", '\n#ifdef X\nstd::string s = "a";\n#else\nstd::string s = "b";\n#endif\nADV(s, 1);', "/?"),
     case("declared under #if alone", '\n#ifdef X\nstd::string s = "a";\nADV(s, 1);\n#endif\n', "/a"),
     case("declared alike", '\n#ifdef X\nstd::string s = "a";\n#else\nstd::string s = "a";\n#endif\nADV(s, 1);', "/a"),
-    case("declared and used under #if", '\n#ifdef X\nstd::string s = "a";\n#endif\n#ifdef X\nADV(s, 1);\n#endif\n', "/a"),
+    case(
+        "declared and used under #if", '\n#ifdef X\nstd::string s = "a";\n#endif\n#ifdef X\nADV(s, 1);\n#endif\n', "/a"
+    ),
     case(
         "declared by two and set",
         '\n#ifdef X\nstd::string s = "a";\n#else\nstd::string s = "b";\n#endif\ns = "c";\nADV(s, 1);',

@@ -92,13 +92,17 @@ def _typed(end: Endpoint, server: ParameterServer) -> Endpoint:
 def _typed_by_each_other(found: list[Endpoint]) -> list[Endpoint]:
     """A ROS 2 parameter has one type: what a declaration leaves open a reading tells, and the other way round."""
     told: dict[str, set[str | None]] = {}
-    open_ = {end.name for end in found if end.kind in ("getters", "parameters") and end.type is None and ":" in end.name}
+    open_ = {
+        end.name for end in found if end.kind in ("getters", "parameters") and end.type is None and ":" in end.name
+    }
     for end in found if open_ else ():
         if end.name in open_ and end.kind in ("getters", "parameters") and end.type is not None:
             told.setdefault(end.name, set()).add(end.type)
     if not told:
         return found
-    return [_of_type(end, *told[end.name]) if _is_open(end) and len(told.get(end.name, ())) == 1 else end for end in found]
+    return [
+        _of_type(end, *told[end.name]) if _is_open(end) and len(told.get(end.name, ())) == 1 else end for end in found
+    ]
 
 
 def _is_open(end: Endpoint) -> bool:

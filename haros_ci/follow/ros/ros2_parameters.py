@@ -126,5 +126,10 @@ def read_as(run: Run, parameter: Value, name: str, kinds: tuple[syntax.Argument,
         return
     text = pattern(parameter.fields["name"].value)[0]
     for key, made in list(run.made.items()):
-        if made.kind == "getters" and made.location == parameter.location and made.written == text and made.type is None:
+        if (
+            made.kind == "getters"
+            and made.location == parameter.location
+            and made.written == text
+            and made.type is None
+        ):
             run.made[key] = replace(made, type=kind)
