@@ -66,6 +66,8 @@ class Root:
     is_tick: bool = False
     #: Why it may not be registered although the conditions hold, where no statement says so.
     doubt: str | None = None
+    #: Of the branches around its registration, those that are not taken as things are.
+    dead: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,9 +121,9 @@ def make(run: Run, made: Made) -> None:
     if run.doubts:
         unknowns = (*unknowns, ("conditions", run.doubts[-1], made.location))
     if known is not None:
-        other = replace(made, conditions=conditions, unknowns=unknowns, dead=run.dead)
+        other = replace(made, conditions=conditions, unknowns=unknowns, dead=run.ruled_out())
         conditions, unknowns = _both(run, known, other)
-    dead = run.dead if known is None else min(run.dead, known.dead)
+    dead = run.ruled_out() if known is None else min(run.ruled_out(), known.dead)
     if known is not None and known.is_strict and not made.is_strict:
         made = replace(made, is_strict=True)
     if known is not None and known.type is not None and made.type is None:  # which a later reading has told

@@ -123,6 +123,8 @@ class Run:
     outer: tuple[Location, frozenset[str]] | None = None
     #: Branches around what is followed that are not taken as things are.
     dead: int = 0
+    #: The same around the registration of the callback that is followed.
+    dead_root: int = 0
     #: ``try`` statements around what is followed.
     trying: int = 0
     #: Calls around what is followed that stand behind a return that is taken as things are.
@@ -156,6 +158,10 @@ class Run:
     def extent(self) -> tuple[int, int, int, int, int]:
         """How much there is so far of what a function may make."""
         return len(self.made), len(self.roots), len(self.nodes), len(self.gaps), self.news
+
+    def ruled_out(self) -> int:
+        """Of the branches around what is made, those that are not taken as things are."""
+        return self.dead + self.dead_root
 
     @contextmanager
     def doubted(self, reason: str | None) -> Iterator[None]:

@@ -282,3 +282,12 @@ def test_a_static_that_one_branch_makes_is_made_in_the_other() -> None:
     before += "void light(ros::NodeHandle& nh) { static C c; ADV(c.s, 1); }"
     made = ends(cpp("if (cond()) light(nh); else light(nh);", before))
     assert [(end.name, conditions(end)) for end in made] == [("/lamp", [])]
+
+
+def test_what_a_callback_makes_that_is_registered_where_nothing_is_taken_is_ruled_out() -> None:
+    body = 'bool on = false; if (on) nh.subscribe("x", 1, cb);'
+    before = "void cb(const std_msgs::String& m) { ros::NodeHandle nh; ADV(m.data, 1); }"
+    (end,) = ends(cpp(body, before))
+    assert end.is_ruled_out
+    (end,) = ends(cpp(body + ' nh.subscribe("x", 1, cb);', before))
+    assert not end.is_ruled_out and not end.conditions
