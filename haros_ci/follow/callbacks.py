@@ -84,7 +84,8 @@ def _again(run: Run, number: int, other: Root) -> None:
     certain = any(each.doubt is None and each.conditions == conditions for each in (known, other))
     doubt = None if certain else known.doubt or other.doubt or (None if is_all else SEVERAL)
     if not is_all and known.dead != other.dead:  # as of two ways to one endpoint
-        conditions = (known if known.dead < other.dead else other).conditions
+        counting = known if known.dead < other.dead else other
+        conditions, doubt = counting.conditions, counting.doubt
     dead = min(known.dead, other.dead)
     if (conditions, doubt, dead) == (known.conditions, known.doubt, known.dead):
         return
