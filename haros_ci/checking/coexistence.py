@@ -15,12 +15,14 @@ if TYPE_CHECKING:
 
 
 def can_meet(first: Iterable[End], second: Iterable[End]) -> Iterator[tuple[End, End]]:
-    """The pairs of two different ends that can exist at the same time.
+    """The pairs of two different ends that can exist at the same time, as things are.
 
     Their presence conditions do not contradict each other, they are not on different branches of one statement of a program, and
     their nodes are not under different launch conditions that nobody has decided: one may be there instead of the other.
     """
     for one, other in product(tuple(first), tuple(second)):
+        if one.raw.is_ruled_out or other.raw.is_ruled_out:
+            continue
         if one is not other and together(one.presence, other.presence) is not None and not _on_branches(one, other):
             yield one, other
 

@@ -22,6 +22,7 @@ from haros_ci.commands.timings import with_timings
 from haros_ci.config.settings import Settings
 from haros_ci.errors import UserError
 from haros_ci.model.architecture import Architecture
+from haros_ci.model.running import as_running
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.report.escape import terminal
 from haros_ci.timing import remark, timed
@@ -32,7 +33,7 @@ from haros_ci.writing import put as put_bytes
 #: Problems that are told one by one.
 SHOWN = 20
 #: Options that say what of the architecture is made, and how it is written.
-OPTIONS = ("launch", "arg", "env", "no_known_nodes", "configuration", "format", "compact")
+OPTIONS = ("launch", "arg", "env", "no_known_nodes", "as_running", "configuration", "format", "compact")
 #: What --format json --compact is called here.
 COMPACT = "compact json"
 FORMATS = ("text", "json", "dot", "mermaid", "sqlite", "nodl", "readme")
@@ -74,6 +75,7 @@ def model(flags: Mapping[str, Any]) -> int:
     def make() -> tuple[Architecture, tuple[str, ...]]:
         made = link()
         found = selected(made.architecture, flags["configuration"])
+        found = as_running(found) if flags["as_running"] else found
         problems = (*workspace.problems, *workspace.faults, *found.problems)
         found = replace(found, problems=tuple(dict.fromkeys(problems)))
         unknown = notes(unmodelled(made.architecture, made.builds))

@@ -21,7 +21,7 @@ from haros_ci.follow import (
 from haros_ci.follow.frames import NEXT, Frame
 from haros_ci.follow.libraries import library
 from haros_ci.follow.run import DEPTH, Run
-from haros_ci.index.index import EITHER
+from haros_ci.index.index import EITHER, Source
 from haros_ci.index.types import STRINGS, is_smart_pointer
 from haros_ci.model.architecture import Condition
 from haros_ci.model.location import Location
@@ -85,6 +85,7 @@ def invoke(
             if isinstance(t, syntax.Type)
         }
         templates = {**templates, **_deduced(definition, args), **explicit}
+        templates = defaulted(run, function.source, inner_scope, definition, templates, args)
     inner = Frame(
         function.source,
         inner_scope,
@@ -106,7 +107,8 @@ def invoke(
     makes_nothing = not inert.may_make(run, function, given, inner.templates)
     spent, times = run.spent.get(id(definition), (0, 0))
     is_long = spent > SPENT and (spent > SHORT * times or spent > SPENT_SHORT)
-    idle = run.idle.get(id(definition), 0) if run.is_called_back and not makes_nothing else 0
+    own = (id(definition), id(function.this))
+    idle = run.idle.get(own, 0) if run.is_called_back and not makes_nothing else 0
     if idle > IDLE:
         return inert.skipped(run, inner, function, definition, returns, given)
     if (makes_nothing and (is_long or inert.is_inert(run, function, definition, returns, given))) or (
@@ -126,7 +128,7 @@ def invoke(
         run.spent[id(definition)] = spent + run.steps - before, times + 1
     elif run.is_called_back:
         is_idle = run.extent() == there and run.steps - before > 1
-        run.idle[id(definition)] = run.idle.get(id(definition), 0) + run.steps - before if is_idle else 0
+        run.idle[own] = run.idle.get(own, 0) + run.steps - before if is_idle else 0
     return value
 
 
@@ -162,6 +164,36 @@ def _deduced(definition: Function, args: tuple[call_arguments.Argument, ...]) ->
                 ):
                     found.setdefault(inner.name, actual)
     return found
+
+
+def defaulted(
+    run: Run,
+    source: Source,
+    scope: str,
+    definition: Function,
+    templates: Mapping[str, syntax.Argument],
+    args: tuple[call_arguments.Argument, ...],
+) -> Mapping[str, syntax.Argument]:
+    """*templates* with the default types of those that neither the call nor an argument can tell."""
+    if not definition.template_defaults:
+        return templates
+    named = {argument.keyword for argument in args}
+    given = [
+        parameter.type
+        for number, parameter in enumerate(definition.parameters)
+        if number < len(args) or parameter.name in named
+    ]
+    found = dict(templates)
+    for name, kind in definition.template_defaults:
+        if name not in found and not any(_mentions(each, name) for each in given):
+            found[name] = run.resolved(kind, scope, source, found)
+    return found
+
+
+def _mentions(kind: syntax.Type, name: str) -> bool:
+    return kind.name.partition("::")[0] == name or any(
+        isinstance(each, syntax.Type) and _mentions(each, name) for each in kind.arguments
+    )
 
 
 def bind(run: Run, frame: Frame, inner: Frame, function: Function, args: tuple[call_arguments.Argument, ...]) -> None:

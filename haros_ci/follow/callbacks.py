@@ -63,7 +63,8 @@ def register(
                 value = Callable(value.source, function, inner, value.bound, value.frame, inner.templates)
                 break
     key = (id(value.function), id(value.this), len(value.bound))
-    root = Root(value, tuple(run.conditions), is_update=is_update, is_setup=is_setup, doubt=doubt)
+    dead = run.ruled_out()
+    root = Root(value, tuple(run.conditions), is_update=is_update, is_setup=is_setup, doubt=doubt, dead=dead)
     if key in run.known_roots:
         _again(run, run.known_roots[key], root)
     elif not _is_endless(run, value):
@@ -82,9 +83,13 @@ def _again(run: Run, number: int, other: Root) -> None:
     conditions, is_all = either(known.conditions, other.conditions, run.pairs)
     certain = any(each.doubt is None and each.conditions == conditions for each in (known, other))
     doubt = None if certain else known.doubt or other.doubt or (None if is_all else SEVERAL)
-    if (conditions, doubt) == (known.conditions, known.doubt):
+    if not is_all and known.dead != other.dead:  # as of two ways to one endpoint
+        counting = known if known.dead < other.dead else other
+        conditions, doubt = counting.conditions, counting.doubt
+    dead = min(known.dead, other.dead)
+    if (conditions, doubt, dead) == (known.conditions, known.doubt, known.dead):
         return
-    merged = replace(known, conditions=conditions, doubt=doubt)
+    merged = replace(known, conditions=conditions, doubt=doubt, dead=dead)
     if number not in run.called:
         run.roots[number] = merged
     elif not run.quiet:

@@ -25,7 +25,7 @@ from haros_ci.follow import (
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import library
 from haros_ci.follow.libraries import objects as library_objects
-from haros_ci.follow.ros import api_rows, forwarding
+from haros_ci.follow.ros import api_rows, forwarding, ros2_parameters
 from haros_ci.follow.run import Run
 from haros_ci.index.types import is_smart_pointer, pointee
 from haros_ci.model.location import Location
@@ -71,6 +71,9 @@ def call(run: Run, frame: Frame, expression: syntax.Call) -> Value:
         elif isinstance(receiver, Object) and receiver.name == iterators.ITERATOR:
             of = iterators.pointed(receiver)
             receiver_cell, receiver = (of, of.value) if of is not None else (receiver_cell, receiver)
+        if isinstance(receiver, Object) and receiver.name == ros2_parameters.PARAMETER:
+            kinds = tuple(run.type_in(each, frame) if isinstance(each, syntax.Type) else each for each in targs)
+            ros2_parameters.read_as(run, receiver, name, kinds)
         if isinstance(receiver, Choice) and frame.source.separator == "::":
             receiver = iterators.not_null(receiver)
         if isinstance(receiver, Choice):

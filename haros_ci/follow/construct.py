@@ -235,6 +235,8 @@ def initialise(
     short = definition.name.rpartition("::")[2]
     found = chosen or methods.class_method(run, source, definition, short, arguments, methods.BASES)
     where, function = found if found is not None else (source, None)
+    if function is not None:
+        templates = activation.defaulted(run, where, definition.name, function, templates, arguments)
     inner = Frame(where, definition.name, function, this, templates=templates, mark=run.state.mark())
     inits: dict[str, syntax.Initializer] = {}
     body_at = location

@@ -54,6 +54,20 @@ def evaluate(run: Run, frame: Frame, expression: Expression) -> Value:
     return EVALUATORS[type(expression)](run, frame, expression)
 
 
+def holds(run: Run, frame: Frame, expression: Expression, value: Value) -> bool | None:
+    """Whether *expression*, which has come to *value*, is true; None if that is not known.
+
+    A library's object that is no pointer has its own say: what its ``operator bool`` tells is not known.
+    """
+    told = conversions.truth(value)
+    if told and isinstance(value, Object) and value.definition is None and frame.source.separator == "::":
+        cell = cell_of(run, frame, expression) if isinstance(expression, (syntax.Name, syntax.Member)) else None
+        kind = cell.type if cell is not None else None
+        if kind is not None and kind.name == value.name and "*" not in kind.marks:
+            return None
+    return told
+
+
 def cell_of(run: Run, frame: Frame, expression: Expression) -> Cell | None:
     """The cell that *expression* names (an lvalue); None if it names none."""
     if isinstance(expression, syntax.Name):
@@ -86,15 +100,15 @@ def _this(run: Run, frame: Frame, expression: syntax.This) -> Value:
 
 
 def _conditional(run: Run, frame: Frame, expression: syntax.Conditional) -> Value:
-    holds = conversions.truth(evaluate(run, frame, expression.test))
+    decided = holds(run, frame, expression.test, evaluate(run, frame, expression.test))
     ways = [lambda side=side: evaluate(run, frame, side) for side in (expression.then, expression.other)]
-    if holds is None:
+    if decided is None:
         return run.either_way(ways, "it stands in one side of a conditional expression")
     mark = run.state.mark()
     with run.doubted("the other side of a conditional expression is taken as things are"):
-        ways[1 if holds else 0]()
+        ways[1 if decided else 0]()
     run.state.undo(mark)
-    return ways[0 if holds else 1]()
+    return ways[0 if decided else 1]()
 
 
 def _list(run: Run, frame: Frame, expression: syntax.ListLiteral) -> Value:

@@ -247,15 +247,15 @@ def _together(effects: Iterable[Writes], found: dict[Cell, Any] | None = None) -
 
 
 def _invoke(run: Run, frame: Frame, root: Root) -> None:
-    before = run.conditions[:]
-    run.conditions[:] = root.conditions
+    before, dead = run.conditions[:], run.dead_root
+    run.conditions[:], run.dead_root = root.conditions, root.dead
     for cell, value in root.writes.items():
         run.state.write(cell, value)
     if root.is_tick:
         run.idle.clear()  # what one node of a tree makes, others may have made
     with run.doubted(root.doubt):
         activation.invoke(run, frame, root.function, _arguments(run, root, frame))
-    run.conditions[:] = before
+    run.conditions[:], run.dead_root = before, dead
 
 
 def _arguments(run: Run, root: Root, frame: Frame) -> tuple[call_arguments.Argument, ...]:

@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 from haros_ci import syntax
-from haros_ci.follow import call_arguments, construct, copies, follow
+from haros_ci.follow import call_arguments, construct, copies, expressions, follow
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.libraries import library
+from haros_ci.follow.libraries import harmless, library
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.ros import api_rows, ros2_nodes
 from haros_ci.follow.run import Run
@@ -101,3 +101,12 @@ def library_call(
         if resolved.name != name or is_smart_pointer(resolved) or resolved.name in STRINGS:
             return construct.create(run, frame, resolved, args, location)
     return library.unknown_call(run, frame, name, args)
+
+
+def ends_the_program(run: Run, frame: Frame, expression: Expression) -> bool:
+    """Whether a statement is a call of ``exit`` and its kin: nothing comes after it."""
+    callee = expression.callee if isinstance(expression, syntax.Call) else None
+    if not isinstance(callee, (syntax.Name, syntax.Member)) or callee.name.rpartition("::")[2] not in harmless.EXITS:
+        return False
+    called = expressions.evaluate(run, frame, callee)
+    return isinstance(called, Library) and called.name.removeprefix("::") in harmless.ENDING

@@ -20,7 +20,7 @@ from haros_ci.index.common_messages import COMMON, NAMES
 from haros_ci.index.index import EITHER, Source
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression, Type
-from haros_ci.values.abstract import Callable, Cell, ClassValue, Known, Library, Module, Object, Value, join
+from haros_ci.values.abstract import Callable, Cell, ClassValue, Known, Library, Module, Object, Value, join, tick
 
 
 def named_cell(run: Run, frame: Frame, name: str) -> Cell | None:
@@ -82,6 +82,7 @@ def global_cell(run: Run, source: Source, name: str, init: syntax.Init | None, k
     if cell is None:
         frame = Frame(source, name.rpartition(source.separator)[0])
         resolved = run.type_in(kind, frame)
+        mark, begun = run.state.mark(), tick()
         cell = run.globals[key] = Cell(run.opaque(f"{name} is not set", frame, None, resolved), resolved)
         if init is not None:
             cell.value = construct.initial(run, frame, resolved, init, Location(source.path))
@@ -91,6 +92,7 @@ def global_cell(run: Run, source: Source, name: str, init: syntax.Init | None, k
                     there = Frame(where, frame.scope)
                     cell.value = construct.initial(run, there, resolved, variable.init, Location(where.path))
                     break
+        run.state.settle(mark, begun)
     return cell
 
 
@@ -330,6 +332,7 @@ def module_frame(run: Run, source: Source) -> Frame:
     if frame is None:
         from haros_ci.follow import statements
 
+        mark, begun = run.state.mark(), tick()
         frame = run.modules[source.path] = Frame(source, "")
         if run.index.trace is not None:
             run.index.trace.paths.add(source.path)
@@ -339,6 +342,7 @@ def module_frame(run: Run, source: Source) -> Frame:
                 run.step()
                 if statements.STATEMENTS[type(statement)](run, frame, statement) != NEXT:
                     break
+        run.state.settle(mark, begun)  # the next branch finds the module loaded
         for name in _rebound(source):
             if name in frame.scopes[0]:
                 run.found["first", source.path, name] = frame.scopes[0][name].value

@@ -8,7 +8,7 @@ from functools import partial
 from typing import Any
 
 from haros_ci import syntax
-from haros_ci.follow import alternatives, conversions, expressions, statements, static_types
+from haros_ci.follow import alternatives, expressions, statements, static_types
 from haros_ci.follow.frames import BREAK, CONTINUE, NEXT, Frame, Loop
 from haros_ci.follow.made import forget_dead, go_back, keep
 from haros_ci.follow.run import TURNS, Run
@@ -58,7 +58,8 @@ def loop(run: Run, frame: Frame, statement: syntax.Loop) -> str:
             worthwhile = _worthwhile(run, frame, body, test)
             for turn in range(TURNS):
                 if turn or keyword != "do":
-                    holds = conversions.truth(expressions.evaluate(run, frame, test)) if test is not None else None
+                    met = expressions.evaluate(run, frame, test) if test is not None else None
+                    holds = expressions.holds(run, frame, test, met) if test is not None and met is not None else None
                     if holds is False:
                         return _leave(run, current, goes_on=True)
                     if holds is None:

@@ -66,6 +66,8 @@ class Root:
     is_tick: bool = False
     #: Why it may not be registered although the conditions hold, where no statement says so.
     doubt: str | None = None
+    #: Of the branches around its registration, those that are not taken as things are.
+    dead: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,16 +121,31 @@ def make(run: Run, made: Made) -> None:
     if run.doubts:
         unknowns = (*unknowns, ("conditions", run.doubts[-1], made.location))
     if known is not None:
-        conditions, is_all = either(known.conditions, conditions, run.pairs)
-        if not is_all and SEVERAL not in (unknown[1] for unknown in known.unknowns):
-            unknowns = (*unknowns, ("conditions", SEVERAL, made.location))
-        unknowns = tuple(dict.fromkeys((*known.unknowns, *unknowns)))
-    dead = run.dead if known is None else min(run.dead, known.dead)
+        other = replace(made, conditions=conditions, unknowns=unknowns, dead=run.ruled_out())
+        conditions, unknowns = _both(run, known, other)
+    dead = run.ruled_out() if known is None else min(run.ruled_out(), known.dead)
     if known is not None and known.is_strict and not made.is_strict:
         made = replace(made, is_strict=True)
+    if known is not None and known.type is not None and made.type is None:  # which a later reading has told
+        made = replace(made, type=known.type)
     if dead != made.dead or conditions is not made.conditions or unknowns is not made.unknowns:
         made = replace(made, conditions=conditions, unknowns=unknowns, dead=dead)
+    if known is not None and (known.conditions != conditions or known.dead != dead):
+        run.news += 1
     run.made[key] = made
+
+
+def _both(
+    run: Run, known: Made, other: Made
+) -> tuple[tuple[Condition, ...], tuple[tuple[str, str, Location | None], ...]]:
+    """The conditions and unknowns of what is made on two ways; one that fewer branches rule out as things are counts alone."""
+    conditions, is_all = either(known.conditions, other.conditions, run.pairs)
+    unknowns = other.unknowns
+    if not is_all and known.dead != other.dead:
+        conditions = (known if known.dead < other.dead else other).conditions
+    elif not is_all and SEVERAL not in (unknown[1] for unknown in known.unknowns):
+        unknowns = (*unknowns, ("conditions", SEVERAL, other.location))
+    return conditions, tuple(dict.fromkeys((*known.unknowns, *unknowns)))
 
 
 def keep(run: Run) -> Kept:
@@ -180,8 +197,21 @@ def forget_dead(run: Run, known: int) -> None:
 
 
 def forget_unowned(run: Run) -> None:
-    """Drop what is made on a node that is not known where the same call is seen to make it on one that is."""
-    owned = {(made.kind, made.location) for made in run.made.values() if made.node is not None}
+    """Drop what is made on a node that is not known where the same call is seen to make it on one that is.
+
+    It is another way to that: the conditions are those of both.
+    """
+    owned: dict[tuple[str, Location], list[Any]] = {}
+    for key, made in run.made.items():
+        if made.node is not None:
+            owned.setdefault((made.kind, made.location), []).append(key)
     for key, made in list(run.made.items()):
-        if made.node is None and made.name.startswith("/?") and (made.kind, made.location) in owned:
+        same = owned.get((made.kind, made.location), ())
+        if made.node is None and made.name.startswith("/?") and same:
             del run.made[key]
+            for each in same:
+                known = run.made[each]
+                told = replace(made, unknowns=tuple(each for each in made.unknowns if each[0] == "conditions"))
+                conditions, unknowns = _both(run, known, told)
+                dead = min(known.dead, made.dead)
+                run.made[each] = replace(known, conditions=conditions, unknowns=unknowns, dead=dead)

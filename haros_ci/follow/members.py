@@ -10,6 +10,7 @@ from haros_ci.follow import expressions, lookup, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import python as library_python
 from haros_ci.follow.libraries import python_modules
+from haros_ci.follow.ros import ros2_parameters
 from haros_ci.follow.run import Run
 from haros_ci.index.index import Source
 from haros_ci.index.types import pointee
@@ -45,6 +46,8 @@ def member(run: Run, value: Value, name: str, frame: Frame) -> Cell | None:
             return lookup.module_frame(run, value.source).scopes[0].get(name)
         return static_cell(run, value.source, value.definition, name) if isinstance(value, ClassValue) else None
     cell = value.fields.get(name)
+    if value.definition is None and name in ros2_parameters.READ_AS and "of" in value.fields:
+        ros2_parameters.read_as(run, value.fields["of"].value, name)
     if cell is None and value.definition is not None:
         source, definition = value.definition
         if source.program.language == "python":

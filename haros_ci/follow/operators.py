@@ -59,6 +59,8 @@ def operation(run: Run, frame: Frame, expression: syntax.Operation) -> Value:
         return _logical(run, frame, symbol, operands)
     left = expressions.evaluate(run, frame, operands[0])
     if len(operands) == 1:
+        if symbol == "!":
+            return _negated(run, frame, expressions.holds(run, frame, operands[0], left))
         return _unary(run, frame, symbol, left)
     if symbol in ("<<", ">>"):
         return _shift(run, frame, symbol, operands, left)
@@ -192,7 +194,7 @@ def _computed(run: Run, frame: Frame, symbol: str, left: Any, right: Any) -> Val
 
 def _logical(run: Run, frame: Frame, symbol: str, operands: tuple[Expression, ...]) -> Value:
     left = expressions.evaluate(run, frame, operands[0])
-    first = conversions.truth(left)
+    first = expressions.holds(run, frame, operands[0], left)
     reason = f"it stands behind {symbol}"
     mark = run.state.mark()
     with run.doubted(reason if first is None or first is not (symbol == "&&") else None):
@@ -201,7 +203,7 @@ def _logical(run: Run, frame: Frame, symbol: str, operands: tuple[Expression, ..
         run.state.merge([{}, run.state.undo(mark)])
     elif first is not (symbol == "&&"):  # not evaluated at all
         run.state.undo(mark)
-    one, other = conversions.truth(left), conversions.truth(right)
+    one, other = first, expressions.holds(run, frame, operands[1], right)
     if frame.source.program.language == "python":
         if one is not None:
             return (right if one else left) if symbol == "&&" else (left if one else right)
@@ -215,12 +217,13 @@ def _logical(run: Run, frame: Frame, symbol: str, operands: tuple[Expression, ..
     return run.opaque("it is computed from what is not known", frame, None, syntax.Type("bool"))
 
 
+def _negated(run: Run, frame: Frame, holds: bool | None) -> Value:
+    if holds is None:
+        return run.opaque("it is computed from what is not known", frame, None, syntax.Type("bool"))
+    return FALSE if holds else TRUE
+
+
 def _unary(run: Run, frame: Frame, symbol: str, value: Value) -> Value:
-    if symbol == "!":
-        holds = conversions.truth(value)
-        if holds is None:
-            return run.opaque("it is computed from what is not known", frame, None, syntax.Type("bool"))
-        return FALSE if holds else TRUE
     if isinstance(value, Known) and issubclass(value.kind, (int, float)):
         if symbol == "-":
             return Known(-value.value)

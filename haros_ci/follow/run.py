@@ -116,11 +116,15 @@ class Run:
     joined: int = 0
     #: Why what is made now may not be made at all, where no statement is the condition.
     doubts: list[str] = field(default_factory=list)
+    #: How often what was made already was made on a way that changes its conditions.
+    news: int = 0
     quiet: int = 0
     #: Where the call stands that a wrapper forwards to an API, and the texts that it is given.
     outer: tuple[Location, frozenset[str]] | None = None
     #: Branches around what is followed that are not taken as things are.
     dead: int = 0
+    #: The same around the registration of the callback that is followed.
+    dead_root: int = 0
     #: ``try`` statements around what is followed.
     trying: int = 0
     #: Calls around what is followed that stand behind a return that is taken as things are.
@@ -134,8 +138,8 @@ class Run:
     most: int = STEPS
     #: Steps spent in functions that make nothing, by function, and how often they were called.
     spent: dict[int, tuple[int, int]] = field(default_factory=dict)
-    #: Steps that callbacks have put into functions that could make something, since they last did, by function.
-    idle: dict[int, int] = field(default_factory=dict)
+    #: Steps that callbacks have put into functions that could make something, since they last did, by function and object.
+    idle: dict[tuple[int, int], int] = field(default_factory=dict)
     #: By identity, what stands for template arguments in look-ups.
     numbers: dict[int, tuple[int, Mapping[str, syntax.Argument]]] = field(default_factory=dict)
     #: Look-ups that depend on the name, the scope and the file only.
@@ -151,9 +155,13 @@ class Run:
         if self.quiet_steps > self.most or self.steps - self.quiet_steps > self.most:
             raise OutOfSteps
 
-    def extent(self) -> tuple[int, int, int, int]:
+    def extent(self) -> tuple[int, int, int, int, int]:
         """How much there is so far of what a function may make."""
-        return len(self.made), len(self.roots), len(self.nodes), len(self.gaps)
+        return len(self.made), len(self.roots), len(self.nodes), len(self.gaps), self.news
+
+    def ruled_out(self) -> int:
+        """Of the branches around what is made, those that are not taken as things are."""
+        return self.dead + self.dead_root
 
     @contextmanager
     def doubted(self, reason: str | None) -> Iterator[None]:

@@ -7,14 +7,14 @@ from collections.abc import Callable
 from typing import TypeVar, cast
 
 from haros_ci import syntax
-from haros_ci.follow import construct, expressions, lookup, loops, members
-from haros_ci.follow.conversions import truth
+from haros_ci.follow import construct, expressions, guarded, library_calls, lookup, loops, members
 from haros_ci.follow.frames import BREAK, CONTINUE, NEXT, RETURN, THROW, Frame, Loop
 from haros_ci.follow.libraries import harmless
 from haros_ci.follow.run import Run
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Statement
-from haros_ci.values.abstract import Cell, Known, Library, Value
+from haros_ci.values import abstract
+from haros_ci.values.abstract import Cell, ClassValue, Known, Library, Value, tick
 from haros_ci.values.state import Writes, joined
 
 #: What holds in the script that is started, and in no other module: no condition at all.
@@ -39,7 +39,7 @@ def execute(run: Run, frame: Frame, block: Block) -> str:
 
 def _do(run: Run, frame: Frame, statement: syntax.Do) -> str:
     expressions.evaluate(run, frame, statement.value)
-    return NEXT
+    return THROW if library_calls.ends_the_program(run, frame, statement.value) else NEXT
 
 
 def _variable(run: Run, frame: Frame, statement: syntax.Variable) -> str:
@@ -54,7 +54,9 @@ def _static(run: Run, frame: Frame, statement: syntax.Static) -> str:
     kinds = (kind.name if isinstance(kind, syntax.Type) else "" for kind in frame.templates.values())
     key = ("static", frame.source.path, variable.line, variable.column, name, *kinds)
     if key not in run.statics:
+        mark, begun = run.state.mark(), tick()
         _variable(run, frame, variable)
+        run.state.settle(mark, begun)
         cell = frame.scopes[-1].get(name)
         if run.quiet or cell is None:
             return NEXT
@@ -85,7 +87,7 @@ def _if(run: Run, frame: Frame, statement: syntax.If) -> str:
     then, other, else_line, else_column = statement.then, statement.other, statement.else_line, statement.else_column
     if text.replace("'", '"').replace(" ", "").strip("()") in MAIN_GUARD and frame.source.program.language == "python":
         return execute(run, frame, then) if frame.source.path in run.files else NEXT
-    holds = truth(expressions.evaluate(run, frame, statement.test))
+    holds = expressions.holds(run, frame, statement.test, expressions.evaluate(run, frame, statement.test))
     if holds is not None and run.outer is not None:  # what a wrapper does not do as things are is nobody's
         return execute(run, frame, then if holds else other)
     branches = []
@@ -101,7 +103,7 @@ def _if(run: Run, frame: Frame, statement: syntax.If) -> str:
         branches.append((ended, run.state.undo(mark)))
     else:
         branches.append((NEXT, {}))
-    return _merge(run, frame, branches, None if holds is None else [0 if holds else 1])
+    return merge(run, frame, branches, None if holds is None else [0 if holds else 1])
 
 
 def _followed(run: Run, frame: Frame, block: Block, can_be: bool) -> str:
@@ -116,7 +118,7 @@ def _followed(run: Run, frame: Frame, block: Block, can_be: bool) -> str:
         run.dead -= not can_be
 
 
-def _merge(run: Run, frame: Frame, branches: list[tuple[str, Writes]], live: list[int] | None) -> str:
+def merge(run: Run, frame: Frame, branches: list[tuple[str, Writes]], live: list[int] | None) -> str:
     """Go on with the join of the branches that can be taken; one that cannot is gone through for what it makes only."""
     chosen = branches if live is None else [branches[i] for i in live]
     going = [writes for ended, writes in chosen if ended == NEXT]
@@ -176,7 +178,7 @@ def _switch(run: Run, frame: Frame, statement: syntax.Switch) -> str:
         default = len(branches) - 1
     if not branches:
         return NEXT
-    return _merge(run, frame, branches, (live or [default]) if taken is not None else None)
+    return merge(run, frame, branches, (live or [default]) if taken is not None else None)
 
 
 def _taken(run: Run, frame: Frame, value: Value, labels: list[Expression | None]) -> set[int] | None:
@@ -227,7 +229,7 @@ def _try(run: Run, frame: Frame, statement: syntax.Try) -> str:
         own = run.state.since(begun)
         run.state.undo(start)
         branches.append((how, {**after, **own}))
-    return _merge(run, frame, branches, None)
+    return merge(run, frame, branches, None)
 
 
 def _is_failure(value: Value) -> bool:
@@ -235,33 +237,6 @@ def _is_failure(value: Value) -> bool:
     if isinstance(value, Library):
         return value.name.endswith(("FAILURE", "ERROR"))
     return value in (Known(False), Known(None))
-
-
-def _preprocessor(run: Run, frame: Frame, statement: syntax.Preprocessor) -> str:
-    branches: list[tuple[str, Writes]] = []
-    for branch in statement.branches:
-        mark = run.state.mark()
-        declared: dict[str, Cell] = {}
-        with run.under("#if", branch.text, frame, branch.line, branch.column):
-            frame.scopes.append(declared)
-            ended = NEXT
-            for item in branch.body:
-                run.step()
-                ended = STATEMENTS[type(item)](run, frame, item)
-                if ended != NEXT:
-                    break
-            frame.scopes.pop()
-        for name, cell in declared.items():  # no scope of its own: what it declares is there afterwards
-            frame.scopes[-1].setdefault(name, cell)
-        branches.append((ended, run.state.undo(mark)))
-    if not any(branch.text.startswith("#else") for branch in statement.branches):
-        branches.append((NEXT, {}))
-    for _, writes in branches:  # what one branch alone declares keeps its value
-        for cell in writes:
-            if cell in frame.scopes[-1].values():
-                for _, other in branches:
-                    other.setdefault(cell, writes[cell])
-    return _merge(run, frame, branches, None)
 
 
 def _return(run: Run, frame: Frame, statement: syntax.Return) -> str:
@@ -294,10 +269,9 @@ def _continue(run: Run, frame: Frame, statement: syntax.Continue) -> str:
 
 
 def _define(run: Run, frame: Frame, statement: syntax.NestedFunction) -> str:
-    from haros_ci.values.abstract import Callable
-
     function = frame.source.program.functions[statement.function]
-    frame.declare(statement.name, Cell(Callable(frame.source, function, frame.this, frame=expressions.kept(frame))))
+    made = abstract.Callable(frame.source, function, frame.this, frame=expressions.kept(frame))
+    frame.declare(statement.name, Cell(made))
     return NEXT
 
 
@@ -309,8 +283,6 @@ def _class(run: Run, frame: Frame, statement: syntax.NestedClass) -> str:
         if field.init is not None and run.relevance.matters(field.init, frame.source):
             members.static_cell(run, *found, field.name)
     if run.modules.get(frame.source.path) is not frame:
-        from haros_ci.values.abstract import ClassValue
-
         frame.declare(statement.name.rpartition(frame.source.separator)[2], Cell(ClassValue(*found)))
     return NEXT
 
@@ -337,7 +309,7 @@ STATEMENTS: dict[type[Statement], _Execute] = dict(
         _on(syntax.Each, lambda run, frame, s: loops.each(run, frame, s)),
         _on(syntax.Switch, _switch),
         _on(syntax.Try, _try),
-        _on(syntax.Preprocessor, _preprocessor),
+        _on(syntax.Preprocessor, lambda run, frame, s: guarded.preprocessor(run, frame, s)),
         _on(syntax.Nested, lambda run, frame, s: execute(run, frame, s.body)),
         _on(syntax.Return, _return),
         _on(syntax.Break, _break),

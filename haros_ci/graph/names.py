@@ -24,8 +24,10 @@ def pattern(value: Value) -> tuple[str, str | None, Location | None]:
         text = "".join(part if isinstance(part, str) else UNKNOWN for part in value.parts)
         return re.sub(r"\?{2,}", UNKNOWN, text), why.reason, why.location
     if isinstance(value, Choice):
-        first = {pattern(option)[0][:1] for option in value.options}
-        head = "/" if "/" in first else "~" if first == {"~"} else ""
+        texts = [pattern(option)[0] for option in value.options]
+        private = "~/" if all(text.startswith("~/") for text in texts) else "~"
+        first = {text[:1] for text in texts}
+        head = "/" if "/" in first else private if first == {"~"} else ""
         return f"{head}{UNKNOWN}", why.reason, why.location
     return UNKNOWN, why.reason, why.location
 

@@ -85,8 +85,8 @@ class RosNode:
             name = name.replace(word, text)
         if name.startswith("/"):
             return clean(name)
-        if name == "~" or name.startswith("~/"):
-            return clean(f"{self.name}/{name[2:]}")
+        if name == "~" or name.startswith(("~/", "~?")):
+            return clean(f"{self.name}/{name[1:]}")
         return clean(f"{self.space}/{name}")
 
     def remap(self, name: str, is_service: bool = False) -> str:

@@ -82,7 +82,8 @@ class Endpoint:
     default in the code, or what a setter writes; None if it has none or it is unknown. *effective* is what a declared
     parameter has once launch files and YAML are applied, *range* its least and greatest value and step, *is_dynamic* whether it
     may change its type, or whether that is not known. *is_strict* says that the call fails, and nobody around it catches that: a
-    declaration where the parameter has no value, a reading where it is not declared. *queue_size* and
+    declaration where the parameter has no value, a reading where it is not declared. *is_ruled_out* says that a condition around it
+    does not hold as things are, so that it is not made. *queue_size* and
     *latched* are of ROS 1 topics, *qos* of ROS 2 topics and services.
     """
 
@@ -105,6 +106,7 @@ class Endpoint:
     written: str | None = field(default=None, compare=False)
     is_dynamic: bool = False
     is_strict: bool = False
+    is_ruled_out: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

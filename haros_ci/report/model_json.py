@@ -199,6 +199,7 @@ def _endpoint_anew(end: Endpoint, place: Places) -> dict[str, Any]:
         **_particulars(end),
         "implicit": end.implicit,
         "conditions": _conditions(end.conditions, place),
+        **({"ruled_out": True} if end.is_ruled_out else {}),
         "location": place.location(end.location),
         "source": end.source,
         "unknowns": _unknowns((_of_key(why, end) for why in end.unknowns), place),

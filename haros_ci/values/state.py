@@ -51,6 +51,11 @@ class State:
             cell.value = old
         return writes
 
+    def settle(self, mark: int, begun: int) -> None:
+        """What cells that were made after the tick *begun* hold stays, whichever branch made them: it is not made again."""
+        kept = [entry for entry in self._log[mark:] if entry[0].born <= begun]
+        self._log[mark:] = kept
+
     def merge(self, branches: list[Writes]) -> None:
         """Let each cell hold the join of what it holds after each branch; a branch that leaves it alone counts, too."""
         if len(branches) == 1:

@@ -26,7 +26,9 @@ SEVERAL = [("conditions", "it is made on several ways, each under conditions of 
         (f"if (one) {{ {A} if (two) {{ {B} }} }}", [("if", "one")], []),
         (f"if (one) {{ if (two) {{ {A} }} else {{ {B} }} }}", [("if", "one")], []),
         (f"if (one) {{ if (two) {{ {A} }} else {{ {B} }} }} else {{ {C} }}", [], []),
-        (f"if (one) {{ if (two) {{ {A} }} }} else {{ {B} }}", [], SEVERAL),
+        (f"if (one) {{ if (two) {{ {A} }} }} else {{ {B} }}", [("else", "one")], []),  # as it is false
+        (f"one = std::rand() > 1; if (one) {{ if (two) {{ {A} }} }} else {{ {B} }}", [("else", "one")], []),
+        (f"one = two = std::rand() > 1; if (one) {{ if (two) {{ {A} }} }} else {{ {B} }}", [], SEVERAL),
     ),
 )
 def test_several_registrations(body: str, conditions: list[tuple[str, str]], unknowns: list[tuple[str, str]]) -> None:

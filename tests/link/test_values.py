@@ -284,6 +284,16 @@ UNKNOWN = (
         before='#ifdef X\nstd::string f() { return "a"; }\n#else\nstd::string f() { return "b"; }\n#endif',
     ),
     case("locals under #if", '\n#ifdef X\nstd::string s = "a";\n#else\nstd::string s = "b";\n#endif\nADV(s, 1);', "/?"),
+    case("declared under #if alone", '\n#ifdef X\nstd::string s = "a";\nADV(s, 1);\n#endif\n', "/a"),
+    case("declared alike", '\n#ifdef X\nstd::string s = "a";\n#else\nstd::string s = "a";\n#endif\nADV(s, 1);', "/a"),
+    case(
+        "declared and used under #if", '\n#ifdef X\nstd::string s = "a";\n#endif\n#ifdef X\nADV(s, 1);\n#endif\n', "/a"
+    ),
+    case(
+        "declared by two and set",
+        '\n#ifdef X\nstd::string s = "a";\n#else\nstd::string s = "b";\n#endif\ns = "c";\nADV(s, 1);',
+        "/c",
+    ),
     case("assigned under #if", 'std::string s = "a";\n#ifdef X\ns = "b";\n#endif\nADV(s, 1);', "/?"),
     case(
         "returned under #if",
@@ -292,7 +302,7 @@ UNKNOWN = (
         before='std::string f() {\n#ifdef X\nreturn "a";\n#else\nreturn "b";\n#endif\n}',
     ),
     case("operator bool", 'std::ifstream s("x"); std::string n = "b"; if (s) n = "a"; ADV(n, 1);', "/?"),
-    case("optional", 'boost::optional<std::string> s; std::string n = "b"; if (s) n = "a"; ADV(n, 1);', "/?"),
+    case("optional", 'boost::optional<std::string> s; std::string n = "b"; if (s) n = "a"; ADV(n, 1);', "/b"),
     case(
         "operator bool of one's own",
         'C s; std::string n = "b"; if (s) n = "a"; ADV(n, 1);',
@@ -367,19 +377,6 @@ DEFECTS = (
         "integers have no width, and the remainder is Python's (operators._computed, converted)",
         "float compared with a double",
         "signed compared with unsigned",
-    )
-    | because(
-        ("of several definitions under #if, or after #undef, the first is taken for the only one (index.near)[0]"),
-        "locals under #if",
-    )
-    | because(
-        "an #if without #else is taken for sure where it assigns a local (statements._preprocessor)",
-        "assigned under #if",
-    )
-    | because(
-        "any object is true, whatever its operator bool says (statements.truth)",
-        "operator bool",
-        "optional",
     )
     | because(
         "captures by value are the captured variables (expressions._lambda)",

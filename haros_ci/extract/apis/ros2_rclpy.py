@@ -147,7 +147,7 @@ ROWS: tuple[dict[str, object], ...] = (
     {"call": "rclpy.parameter.Parameter",
      "fills": {"name": "{0|name}", "type_": "{1|type_}", "value": "{2|value}"}},
     {"call": "rclpy.parameter.Parameter.get_parameter_value", "returns": "rcl_interfaces.msg.ParameterValue",
-     "fills": {f"{kind}_value": "{this.value}" for kind in VALUES.split()}},
+     "fills": {**{f"{kind}_value": "{this.value}" for kind in VALUES.split()}, "of": "{this}"}},
     {"call": "rclpy.parameter.Parameter.to_parameter_msg", "returns": "rcl_interfaces.msg.Parameter",
      "fills": {"name": "{this.name}", "value": "{this}"}},
 

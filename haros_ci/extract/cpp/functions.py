@@ -9,7 +9,7 @@ from tree_sitter import Node
 
 from haros_ci import syntax
 from haros_ci.extract.cpp import expressions, statements, types
-from haros_ci.extract.cpp.grammar import ERROR, errors, kinds
+from haros_ci.extract.cpp.grammar import ERROR, errors, field, kinds
 from haros_ci.extract.cpp.unit import Scope, Unit
 from haros_ci.syntax import Function
 
@@ -27,6 +27,8 @@ _TEMPLATE_PARAMETERS = kinds("template_parameter_list")
 _TYPE_PARAMETERS = kinds(
     "type_parameter_declaration optional_type_parameter_declaration variadic_type_parameter_declaration"
 )
+_DEFAULTED = kinds("optional_type_parameter_declaration")
+_NAME, _DEFAULT = field("name"), field("default_type")
 _TEMPLATE_TEMPLATE = kinds("template_template_parameter_declaration")
 _VALUE_PARAMETERS = kinds("parameter_declaration optional_parameter_declaration variadic_parameter_declaration")
 _TRAILING = kinds("trailing_return_type")
@@ -49,6 +51,17 @@ def template_names(unit: Unit, node: Node) -> tuple[str, ...]:
         elif child.kind_id in _VALUE_PARAMETERS:
             found.append(types.parameter(unit, child, 0).name.lstrip("*"))
     return tuple(name for name in found if name)
+
+
+def template_defaults(unit: Unit, node: Node) -> tuple[tuple[str, syntax.Type], ...]:
+    """The names in a ``template_parameter_list`` that have a default type, with that."""
+    found: list[tuple[str, syntax.Type]] = []
+    for child in node.children:
+        if child.kind_id in _DEFAULTED:
+            named, default = child.child_by_field_id(_NAME), child.child_by_field_id(_DEFAULT)
+            if named is not None and default is not None:
+                found.append((unit.cut(named), types.plain_type(unit, default, 0)))
+    return tuple(found)
 
 
 def declare(unit: Unit, declared: types.Declared, before: types.Specifiers, scope: Scope, node: Node | None) -> None:
@@ -88,6 +101,7 @@ def declare(unit: Unit, declared: types.Declared, before: types.Specifiers, scop
         body_line=brace[0],
         body_column=brace[1],
         templates=scope.templates,
+        template_defaults=scope.defaults,
         inits=inits,
         guards=scope.guards,
         is_static=before.is_static,

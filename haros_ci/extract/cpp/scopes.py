@@ -80,11 +80,12 @@ def _function(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
 
 
 def _template(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
-    names = scope.templates
+    names, defaults = scope.templates, scope.defaults
     for child in node.children:
         if child.kind_id in _TEMPLATE_PARAMETERS:
             names = (*names, *functions.template_names(unit, child))
-    declare(unit, node.children, Scope(scope.name, scope.space, scope.members, scope.guards, names), depth)
+            defaults = (*defaults, *functions.template_defaults(unit, child))
+    declare(unit, node.children, Scope(scope.name, scope.space, scope.members, scope.guards, names, defaults), depth)
 
 
 def _namespace(unit: Unit, node: Node, scope: Scope, depth: int) -> None:

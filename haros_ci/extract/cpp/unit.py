@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from tree_sitter import Node
 
 from haros_ci import syntax
-from haros_ci.syntax import Alias, Class, Field, Function
+from haros_ci.syntax import Alias, Class, Field, Function, Type
 
 #: Statements and expressions nested deeper than this are unknown: what reads them may recurse.
 DEEPEST = 100
@@ -107,6 +107,8 @@ class Scope:
     members: list[Field] | None = None
     guards: tuple[tuple[int, int, str], ...] = ()
     templates: tuple[str, ...] = ()
+    #: The types that template parameters stand for by default.
+    defaults: tuple[tuple[str, Type], ...] = ()
 
     def qualified(self, name: str) -> str:
         """*name* as seen from outside this scope."""

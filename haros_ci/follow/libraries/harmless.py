@@ -131,6 +131,13 @@ READERS = frozenset(
 #: Exceptions that end a program (docs.python.org/3/library/exceptions.html; rclpy/executors.py).
 ENDS = ("KeyboardInterrupt", "SystemExit", "ShutdownException", "GeneratorExit")
 
+#: Functions that end the program, of C++ and of Python, and the last parts of their names.
+ENDING = frozenset(
+    "exit std::exit _exit _Exit std::_Exit quick_exit std::quick_exit abort std::abort std::terminate quit sys.exit "
+    "os._exit os.abort".split()
+)
+EXITS = frozenset(name.rpartition("::")[2].rpartition(".")[2] for name in ENDING)
+
 
 def is_harmless(name: str, is_python: bool) -> bool:
     """Whether a library's function of that full name leaves lists, texts and maps alone that it is given."""

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from math import isfinite
+from math import ceil, floor, fmod, isfinite
 from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
@@ -26,6 +26,10 @@ if TYPE_CHECKING:
 
 Unknowns = list[tuple[str, str, Location | None]]
 PARAMETERS = ("getters", "setters")
+
+
+#: The types of data that a parameter of roscpp may have to be read as another.
+_READ: dict[str, tuple[type, ...]] = {"bool": (bool,), "int": (int, float), "double": (int, float), "str": (str,)}
 
 
 def emit(applied: Applied, entry: Entry) -> Value | None:
@@ -85,8 +89,27 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
     from haros_ci.follow.ros.api_rows import parameter_value
 
     found = parameter_value(applied, run.context.remap(name), default)
+    if found is not None and found is not default and applied.frame.source.separator == "::":
+        found = _fitting(found, endpoint_type, default)
     if entry.each is not None:
         _remember(applied, entry, found)
+    return found
+
+
+def _fitting(found: Value, kind: str | None, default: Value | None) -> Value | None:
+    """What roscpp makes of a parameter that is read as *kind* (param.cpp, getImpl): one of another type counts as not set.
+
+    Whole numbers are read as real ones, and real ones as the nearest whole ones.
+    """
+    if not isinstance(found, Known) or kind not in _READ:
+        return found
+    data = found.value
+    if type(data) not in _READ[kind]:
+        return default
+    if kind == "int" and isinstance(data, float):
+        if not isfinite(data):
+            return Opaque("it is no number")
+        return Known(floor(data) if fmod(data, 1.0) < 0.5 else ceil(data))
     return found
 
 

@@ -44,6 +44,7 @@ def endpoints(
             written=item.written,
             is_dynamic=item.is_dynamic,
             is_strict=item.is_strict,
+            is_ruled_out=item.dead > 0,
             source="exact-tier" if item.is_exact else "source",
             unknowns=(
                 *(Unknown(*unknown) for unknown in dict.fromkeys(item.unknowns)),
@@ -55,7 +56,7 @@ def endpoints(
     found = [_typed(end, server) if end.kind == "getters" and end.type is None else end for end in found]
     return tuple(
         sorted(
-            found,
+            _typed_by_each_other(found),
             key=lambda e: (
                 order[e.kind],
                 e.location.sort_key if e.location else (),
@@ -86,6 +87,30 @@ def _typed(end: Endpoint, server: ParameterServer) -> Endpoint:
     if kind is None:
         return end
     return replace(end, type=kind, unknowns=tuple(u for u in end.unknowns if u.field != "type"))
+
+
+def _typed_by_each_other(found: list[Endpoint]) -> list[Endpoint]:
+    """A ROS 2 parameter has one type: what a declaration leaves open a reading tells, and the other way round."""
+    told: dict[str, set[str | None]] = {}
+    open_ = {
+        end.name for end in found if end.kind in ("getters", "parameters") and end.type is None and ":" in end.name
+    }
+    for end in found if open_ else ():
+        if end.name in open_ and end.kind in ("getters", "parameters") and end.type is not None:
+            told.setdefault(end.name, set()).add(end.type)
+    if not told:
+        return found
+    return [
+        _of_type(end, *told[end.name]) if _is_open(end) and len(told.get(end.name, ())) == 1 else end for end in found
+    ]
+
+
+def _is_open(end: Endpoint) -> bool:
+    return end.kind in ("getters", "parameters") and end.type is None and "?" not in end.name and not end.is_dynamic
+
+
+def _of_type(end: Endpoint, kind: str | None) -> Endpoint:
+    return replace(end, type=kind, unknowns=tuple(each for each in end.unknowns if each.field != "type"))
 
 
 def _distinct(conditions: tuple[Condition, ...]) -> tuple[Condition, ...]:

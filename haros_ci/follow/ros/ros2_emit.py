@@ -52,6 +52,8 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
         return None
     run = applied.run
     node, why_not = ros2_nodes.of_entry(applied, entry)
+    if why_not == ros2_nodes.NO_NODE:
+        return None
     given = value_of(applied, entry.values["name"]) if "name" in entry.values else None
     if isinstance(given, Choice) and entry.kind not in PARAMETERS:
         names = [option for option in given.options if option != Known("")]

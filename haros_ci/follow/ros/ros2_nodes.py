@@ -320,6 +320,10 @@ def _as_named(run: Run, node: RosNode) -> RosNode:
     return replace(node, name=name, own=own, space=space, rules=rules, main=main)
 
 
+#: Why there is no node: the pointer to it is null, so nothing is made on it.
+NO_NODE = "there is no node: it is null"
+
+
 def of_entry(applied: Applied, entry: Entry) -> tuple[RosNode | None, str]:
     """The node that an entry is made on: what ``namespace`` selects, else the receiver; and why it is not known."""
     from haros_ci.follow.ros.selectors import value_of
@@ -334,6 +338,8 @@ def of_entry(applied: Applied, entry: Entry) -> tuple[RosNode | None, str]:
     found = of_value(run, chosen)
     if found is not None:
         return found, ""
+    if chosen == NONE:
+        return None, NO_NODE
     if isinstance(chosen, Object) and chosen.definition is not None and chosen is applied.receiver:
         chosen.node = made(run, chosen, None, None, None, chosen.location or applied.location)
         return chosen.node, ""

@@ -4,16 +4,46 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from haros_ci import syntax
 from haros_ci.follow.ros import ros2_nodes
 from haros_ci.graph.names import pattern
 from haros_ci.graph.ros2_process import NO_NAME, RosNode, fits
-from haros_ci.values.abstract import NONE, Known, Opaque, Value
+from haros_ci.index.ros_types import ros2_parameter_type
+from haros_ci.values.abstract import NONE, Known, Object, Opaque, Value
 from haros_ci.values.state import Held
 
 if TYPE_CHECKING:
     from haros_ci.follow.ros.selectors import Applied
+    from haros_ci.follow.run import Run
+
+#: The type that a parameter has which is read so (rclcpp/parameter.hpp), or by that member (rcl_interfaces/ParameterValue).
+READ_AS = {
+    "as_bool": "bool",
+    "as_int": "int",
+    "as_double": "double",
+    "as_string": "str",
+    "as_byte_array": "bytes",
+    "as_bool_array": "bool[]",
+    "as_integer_array": "int[]",
+    "as_double_array": "double[]",
+    "as_string_array": "str[]",
+    "bool_value": "bool",
+    "integer_value": "int",
+    "double_value": "double",
+    "string_value": "str",
+    "byte_array_value": "bytes",
+    "bool_array_value": "bool[]",
+    "integer_array_value": "int[]",
+    "double_array_value": "double[]",
+    "string_array_value": "str[]",
+}
+#: What reads it as the type of a template argument.
+READ_BY = frozenset(("get_value", "get"))
+#: The class of what ``get_parameter`` returns.
+PARAMETER = "rclcpp::Parameter"
 
 
 def parameter(applied: Applied, node: RosNode, name: str, is_declared: bool = False) -> Value | None:
@@ -85,3 +115,21 @@ def remember(applied: Applied, full: str, value: Value) -> None:
     if "?" in name and not is_telling(name):
         return  # one more under a name that is not known; the others stay as they are
     run.state.write(run.server, {**own, full: Held(value)})
+
+
+def read_as(run: Run, parameter: Value, name: str, kinds: tuple[syntax.Argument, ...] = ()) -> None:
+    """What ``get_parameter`` has returned is read by *name*, as a template argument if that says so: that is its type."""
+    kind = READ_AS.get(name)
+    if kind is None and name in READ_BY and kinds and isinstance(kinds[0], syntax.Type):
+        kind = ros2_parameter_type(kinds[0])
+    if kind is None or run.quiet or not isinstance(parameter, Object) or "name" not in parameter.fields:
+        return
+    text = pattern(parameter.fields["name"].value)[0]
+    for key, made in list(run.made.items()):
+        if (
+            made.kind == "getters"
+            and made.location == parameter.location
+            and made.written == text
+            and made.type is None
+        ):
+            run.made[key] = replace(made, type=kind)

@@ -578,6 +578,7 @@ def test_a_parameter_value_has_all_its_members() -> None:
         "integer_array_value",
         "double_array_value",
         "string_array_value",
+        "of",
     }
 
 

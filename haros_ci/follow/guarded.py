@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Statements between ``#if`` and ``#endif``: of several branches the build takes one, or none."""
+
+from __future__ import annotations
+
+from haros_ci import syntax
+from haros_ci.follow import statements
+from haros_ci.follow.frames import NEXT, Frame
+from haros_ci.follow.run import Run
+from haros_ci.values.abstract import Cell
+from haros_ci.values.state import Writes, joined
+
+
+def preprocessor(run: Run, frame: Frame, statement: syntax.Preprocessor) -> str:
+    """Follow each branch, and go on with their join; what they declare is there afterwards."""
+    branches: list[tuple[str, Writes]] = []
+    fresh: dict[str, Cell] = {}
+    for branch in statement.branches:
+        mark = run.state.mark()
+        declared: dict[str, Cell] = {}
+        with run.under("#if", branch.text, frame, branch.line, branch.column):
+            frame.scopes.append(declared)
+            ended = NEXT
+            for item in branch.body:
+                run.step()
+                ended = statements.STATEMENTS[type(item)](run, frame, item)
+                if ended != NEXT:
+                    break
+            frame.scopes.pop()
+        writes = run.state.undo(mark)
+        for name, cell in declared.items():  # no scope of its own
+            first = fresh.setdefault(name, cell)
+            if first is not cell:  # one variable, declared by each branch anew
+                writes[first] = writes.pop(cell, cell.value)
+            else:
+                writes.setdefault(cell, cell.value)
+        branches.append((ended, writes))
+    if not any(branch.text.startswith("#else") for branch in statement.branches):
+        branches.append((NEXT, {}))
+    for cell in fresh.values():  # who reads it was built with a branch that declares it
+        told = [writes[cell] for _, writes in branches if cell in writes]
+        value = told[0]
+        for other in told[1:]:
+            value = joined(value, other)
+        for _, writes in branches:
+            writes.setdefault(cell, value)
+    frame.scopes[-1].update((name, cell) for name, cell in fresh.items() if name not in frame.scopes[-1])
+    return statements.merge(run, frame, branches, None)
