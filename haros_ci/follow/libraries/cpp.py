@@ -11,6 +11,7 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import (
     algorithms,
     cpp_data,
+    patterns,
     texts,
 )
 from haros_ci.follow.libraries import (
@@ -169,6 +170,8 @@ def function(
         return library_yaml.yaml_file(run, args[0].value)
     if name in ("YAML::Load", "YAML::LoadAll") and args:
         return library_yaml.yaml_stream(run, args[0].value)
+    if name in patterns.NAMES:
+        return patterns.matched(name, args)
     if name in ("std::find_if", "std::find") and args:
         return algorithms.found(run, frame, args)
     if name in ("std::getline",) and len(args) >= 2 and args[1].cell is not None:

@@ -12,7 +12,7 @@ from haros_ci.follow.run import Run
 from haros_ci.index.plugins import Plugin
 from haros_ci.index.trace import YAML_FILES
 from haros_ci.model.location import Location
-from haros_ci.values.abstract import Cell, Choice, Known, Object, Opaque, Sequence, Value, opaque_of
+from haros_ci.values.abstract import NONE, Cell, Choice, Known, Object, Opaque, Sequence, Value, opaque_of
 
 #: Why it is not known whether what a plug-in makes is made.
 ANY = "which plug-ins are loaded is a matter of parameters"
@@ -25,9 +25,11 @@ def plugin(run: Run, frame: Frame, loader: Object, name: Value, location: Locati
 
     These are loaded once at each place of the program for each base class, however often it is gone through.
     """
-    named = _named(run, frame, loader, name, location)
     of_base, base = run.context.of_base, _base_name(loader)
     is_told = base in run.told and isinstance(name, Known) and name.value in run.context.declared.get(base, ())
+    if is_told and (run.dead or run.beyond or frame.is_dead):
+        return NONE  # the program goes through all names, and passes this one over as things are
+    named = _named(run, frame, loader, name, location)
     if of_base is None or run.quiet or (location, base) in run.offered or is_told:
         return named
     run.offered.add((location, base))
