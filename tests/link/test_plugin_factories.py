@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import pytest
 from follow_kit import CMAKE, CPP_HEAD, ROS2_CMAKE, ROS2_HEAD, ends, follow
 
 from haros_ci.model.architecture import Architecture
@@ -159,3 +158,200 @@ def test_lists_of_a_launch_file() -> None:
     for names, made in (("deny: [hook]", ["/tone"]), ("allow: ['h*k']", ["/cabin/hook/load"])):
         found = cabin(yaml=f"/**:\n  ros__parameters:\n    {names}\n")
         assert publishers(found, "p/launch/l.launch.xml") == made
+
+
+def test_the_host_of_a_product_calls_its_methods() -> None:
+    begin = 'auto made = create("hook"); made->lift(); create("horn")->lift();'
+    assert publishers(cabin(begin=begin)) == ["/cabin/hook/lifted", "/cabin/hook/load", "/tone"]
+
+
+def test_a_factory_that_a_parameter_names() -> None:
+    begin = 'declare_parameter("kind", "horn"); add(get_parameter("kind").as_string());'
+    assert publishers(cabin(begin=begin)) == ["/tone"]
+
+
+def test_a_factory_of_which_the_name_is_not_known_is_told() -> None:
+    begin = "std::ifstream file(path()); std::string name; file >> name; add(name);"
+    found = cabin(begin=begin)
+    assert publishers(found) == []
+    assert publishers(found, "p/n (plug-ins)") == ["/cabin/hook/load", "/tone"]
+    assert any("a plug-in is loaded" in gap for gap in gaps(found))
+
+
+def test_each_way_to_an_instance() -> None:
+    whole = "std::static_pointer_cast<Cabin>(shared_from_this())"
+    for way in (
+        f'makers_.createUniqueInstance("horn")->make({whole});',
+        f'Maker * maker = makers_.createUnmanagedInstance("horn"); maker->make({whole});',
+        f'boost::shared_ptr<Maker> maker = makers_.createInstance("horn"); maker->make({whole});',
+        f'std::map<std::string, std::shared_ptr<Maker>> all; all["x"] = makers_.createSharedInstance("horn"); all["x"]->make({whole});',
+        f'auto own = std::make_unique<pluginlib::ClassLoader<Maker>>("p", "crane::Maker"); own->createSharedInstance("horn")->make({whole});',
+        f'pluginlib::ClassLoader<Maker> own("p", "crane::Maker"); for (auto & n : own.getDeclaredClasses()) {{ if (n == "horn") {{ own.createUniqueInstance(n)->make({whole}); }} }}',
+        f'if (makers_.isClassAvailable("horn")) {{ makers_.createSharedInstance("horn")->make({whole}); }}',
+    ):
+        assert publishers(cabin(begin=way)) == ["/tone"], way
+
+
+def test_a_product_on_a_node_below_the_host() -> None:
+    for made, name in (
+        ("node_->create_sub_node(\"below\")->create_publisher<std_msgs::msg::String>", "/below/tone"),
+        ("std::make_shared<rclcpp::Node>(\"bell\", \"/deck\")->create_publisher<std_msgs::msg::String>", "/deck/tone"),
+        ("(new rclcpp::Node(\"bell\", \"deck\"))->create_publisher<std_msgs::msg::String>", "/deck/tone"),
+    ):
+        other = GADGETS.replace('tone_ = node_->create_publisher<std_msgs::msg::String>("tone"', f'tone_ = {made}("tone"')
+        assert publishers(cabin(gadgets=other)) == sorted(("/cabin/hook/load", name)), made
+
+
+def test_a_template_that_a_description_names_by_an_alias() -> None:
+    gadgets = GADGETS + "using HornMaker = MakerOf<Horn>;\n}\nnamespace crane {\n"
+    xml = MAKERS.replace("crane::MakerOf&lt;crane::Horn&gt;", "crane::HornMaker")
+    assert publishers(cabin(gadgets=gadgets, xml=xml)) == ["/cabin/hook/load", "/tone"]
+
+
+def test_a_factory_that_is_no_template_with_an_argument() -> None:
+    maker = """
+class Plain : public Maker {
+public:
+  Gadget::SharedPtr make(CabinPtr cabin) override { return pick("horn", cabin); }
+  Gadget::SharedPtr pick(const std::string & kind, CabinPtr cabin) {
+    if (kind == "horn") { return std::make_shared<Horn>(cabin); }
+    return nullptr;
+  }
+};
+"""
+    xml = MAKERS.replace("crane::MakerOf&lt;crane::Horn&gt;", "crane::Plain")
+    assert publishers(cabin(gadgets=GADGETS + maker, xml=xml)) == ["/cabin/hook/load", "/tone"]
+
+
+def test_a_factory_that_nothing_asks_makes_nothing() -> None:
+    assert publishers(cabin(begin='auto maker = makers_.createSharedInstance("horn");')) == []
+    assert publishers(cabin(begin="")) == []
+    assert publishers(cabin(begin="for (auto & name : makers_.getDeclaredClasses()) { log(name); }")) == []
+
+
+def test_a_class_that_no_description_names_is_not_made() -> None:
+    found = cabin(begin='add("unlisted"); add("crane::MakerOf<crane::Unlisted>");')
+    assert publishers(found) == []
+    assert any("it is not in the workspace" in gap for gap in gaps(found))
+
+
+def test_a_factory_of_another_base_is_not_among_the_classes() -> None:
+    xml = MAKERS.replace('type="crane::MakerOf&lt;crane::Horn&gt;" base_class_type="crane::Maker"', 'type="crane::Horn" base_class_type="crane::Gadget"')
+    assert publishers(cabin(xml=xml)) == ["/cabin/hook/load"]
+
+
+def test_a_factory_that_gives_nothing_makes_nothing() -> None:
+    nothing = GADGETS.replace("return std::make_shared<T>(cabin);", "return nullptr;")
+    assert publishers(cabin(gadgets=nothing)) == []
+    guarded = cabin(gadgets=nothing, begin='auto made = create("hook"); if (made) { made->lift(); }')
+    assert publishers(guarded) == []
+
+
+def test_a_class_that_is_not_available_is_not_loaded() -> None:
+    begin = 'if (makers_.isClassAvailable("whistle")) { add("whistle"); }'
+    assert publishers(cabin(begin=begin)) == []
+
+
+def test_of_a_base_outside_the_workspace_not_all_classes_are_known() -> None:
+    outside = GADGETS.replace("class Maker {", "class MakerNearby {").replace("public Maker {", "public far::Maker {")
+    xml = MAKERS.replace('base_class_type="crane::Maker"', 'base_class_type="far::Maker"')
+    begin = 'pluginlib::ClassLoader<far::Maker> all("p", "far::Maker"); for (auto & n : all.getDeclaredClasses()) { all.createSharedInstance(n)->make(nullptr); }'
+    gadgets = "namespace far { class Maker; }\n" + outside + "using Maker = far::Maker;\n"
+    found = cabin(gadgets=gadgets, xml=xml, begin=begin)
+    assert publishers(found) == []
+    assert any("a plug-in is loaded" in gap for gap in gaps(found))
+
+
+def test_plug_ins_of_tests_are_not_among_the_classes() -> None:
+    files = {"p/test/probe.xml": MAKERS.replace('"hook"', '"probe"').replace("Hook", "Unlisted")}
+    cmake = ROS2_CMAKE.format("p") + (
+        "ament_auto_add_executable(n src/n.cpp)\npluginlib_export_plugin_description_file(p plugins.xml)\n"
+        "pluginlib_export_plugin_description_file(p test/probe.xml)\nament_auto_package()\n"
+    )
+    text = ROS2_HEAD + GADGETS + CABIN % (EVERY, "", "")
+    found = follow({"p/CMakeLists.txt": cmake, "p/src/n.cpp": text, "p/plugins.xml": MAKERS, **files}, 2)
+    assert publishers(found) == ["/cabin/hook/load", "/tone"]
+
+
+#: The same in ROS 1: plug-ins of a vehicle's bridge, which are made by factories or begin by themselves.
+BRIDGE = """
+#include <pluginlib/class_loader.h>
+namespace ferry {
+class Part {
+public:
+  virtual ~Part() {}
+  virtual void begin(ros::NodeHandle & nh) = 0;
+};
+class PartMaker {
+public:
+  virtual ~PartMaker() {}
+  virtual boost::shared_ptr<Part> make(const std::string & where) = 0;
+};
+template<class T>
+class PartMakerOf : public PartMaker {
+public:
+  boost::shared_ptr<Part> make(const std::string & where) { return boost::make_shared<T>(where); }
+};
+class Rudder : public Part {
+public:
+  Rudder(const std::string & where) : where_(where) {}
+  void begin(ros::NodeHandle & nh) { sub_ = nh.subscribe(where_ + "/angle", 1, &Rudder::turn, this); }
+  void turn(const std_msgs::String::ConstPtr & angle) {}
+  std::string where_;
+  ros::Subscriber sub_;
+};
+class Lamp : public Part {
+public:
+  Lamp(const std::string & where) : nh_("~" + where) { pub_ = nh_.advertise<std_msgs::String>("lamp", 1); }
+  void begin(ros::NodeHandle & nh) {}
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+};
+}
+"""
+FERRY = """
+int main(int argc, char ** argv) {
+  ros::init(argc, argv, "n");
+  ros::NodeHandle nh, own("~");
+  pluginlib::ClassLoader<ferry::PartMaker> loader("p", "ferry::PartMaker");
+  std::vector<std::string> skip;
+  own.getParam("skip", skip);
+  std::vector<boost::shared_ptr<ferry::Part> > parts;
+  for (auto & name : loader.getDeclaredClasses()) {
+    bool is_skipped = false;
+    for (auto & each : skip) { if (each == name) { is_skipped = true; } }
+    if (is_skipped) { continue; }
+    boost::shared_ptr<ferry::Part> part = loader.createInstance(name)->make("aft");
+    part->begin(nh);
+    parts.push_back(part);
+  }
+  ros::spin();
+}
+"""
+PARTS = """<library path="n">
+<class name="p/Rudder" type="ferry::PartMakerOf<ferry::Rudder>" base_class_type="ferry::PartMaker"/>
+<class name="p/Lamp" type="ferry::PartMakerOf<ferry::Lamp>" base_class_type="ferry::PartMaker"/></library>"""
+
+
+def ferry(launch: str = "") -> dict[str, list[str]]:
+    """The names of what the node makes, by kind."""
+    manifest = '<package><name>p</name><export><p plugin="${prefix}/plugins.xml"/></export></package>'
+    files = {
+        "p/package.xml": manifest,
+        "p/CMakeLists.txt": CMAKE.format("p") + "add_executable(n src/n.cpp)\n",
+        "p/src/n.cpp": CPP_HEAD + BRIDGE + FERRY,
+        "p/plugins.xml": PARTS,
+    }
+    if launch:
+        files["p/launch/l.launch"] = launch
+    node = follow(files, 1).configurations[0].nodes[0]
+    return {kind: [end.name for end in ends(node, kind) if not end.implicit] for kind in ("publishers", "subscribers")}
+
+
+def test_factories_of_ros_1() -> None:
+    assert ferry() == {"publishers": ["/n/aft/lamp"], "subscribers": ["/aft/angle"]}
+
+
+def test_a_factory_of_ros_1_that_a_list_leaves_out() -> None:
+    launch = '<launch><node pkg="p" type="n" name="n"><rosparam param="skip">[p/Lamp]</rosparam></node></launch>'
+    assert ferry(launch) == {"publishers": [], "subscribers": ["/aft/angle"]}
