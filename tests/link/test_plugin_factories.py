@@ -273,6 +273,25 @@ def test_plug_ins_of_tests_are_not_among_the_classes() -> None:
     assert publishers(found) == ["/cabin/hook/load", "/tone"]
 
 
+#: A host that takes the only class there is, if no parameter names one.
+ONLY = """
+std::string kind;
+if (!get_parameter("kind", kind)) {
+  auto & classes = makers_.getDeclaredClasses();
+  if (classes.size() == 1) { kind = classes[0]; } else { return; }
+}
+add(kind);
+"""
+
+
+def test_the_only_class_that_there_is() -> None:
+    one = MAKERS.replace('<class name="hook" type="crane::MakerOf&lt;crane::Hook&gt;" base_class_type="crane::Maker"/>', "")
+    assert publishers(cabin(begin=ONLY, xml=one)) == ["/tone"]
+    several = cabin(begin=ONLY)
+    assert publishers(several) == []
+    assert publishers(several, "p/n (plug-ins)") == ["/cabin/hook/load", "/tone"]
+
+
 #: The same in ROS 1: plug-ins of a vehicle's bridge, which are made by factories or begin by themselves.
 BRIDGE = """
 #include <pluginlib/class_loader.h>

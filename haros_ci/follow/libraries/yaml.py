@@ -27,10 +27,11 @@ def plugin(run: Run, frame: Frame, loader: Object, name: Value, location: Locati
     """
     of_base, base = run.context.of_base, _base_name(loader)
     is_told = base in run.told and isinstance(name, Known) and name.value in run.context.declared.get(base, ())
-    if is_told and (run.dead or run.beyond or frame.is_dead):
-        return NONE  # the program goes through all names, and passes this one over as things are
+    is_dead = bool(run.dead or run.beyond or frame.is_dead)
+    if is_told and is_dead and of_base is None:
+        return NONE  # the program asks for all names, and passes this one over as things are
     named = _named(run, frame, loader, name, location)
-    if of_base is None or run.quiet or (location, base) in run.offered or is_told:
+    if of_base is None or run.quiet or (location, base) in run.offered or (is_told and not is_dead):
         return named
     run.offered.add((location, base))
     loaded: list[Value] = [named] if isinstance(named, Object) else []
