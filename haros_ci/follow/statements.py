@@ -19,8 +19,6 @@ from haros_ci.values.state import Writes, joined
 
 #: What holds in the script that is started, and in no other module: no condition at all.
 MAIN_GUARD = ('__name__=="__main__"', '"__main__"==__name__')
-#: How a branch ends that returns as things are, and comes to its end otherwise.
-LEFT = "left"
 _Kind = TypeVar("_Kind", bound=Statement)
 _Execute = Callable[[Run, Frame, Statement], str]
 
@@ -107,13 +105,12 @@ def _if(run: Run, frame: Frame, statement: syntax.If) -> str:
 
 
 def _followed(run: Run, frame: Frame, block: Block, can_be: bool) -> str:
-    """Follow a branch; what one that cannot be taken returns does not count. ``LEFT`` if it has returned as things are."""
+    """Follow a branch; what one that cannot be taken returns does not count."""
     before = frame.is_dead
     frame.is_dead = before or not can_be
     run.dead += not can_be
     try:
-        ended = execute(run, frame, block)
-        return LEFT if ended == NEXT and can_be and frame.is_dead and not before else ended
+        return execute(run, frame, block)
     finally:
         frame.is_dead = before
         run.dead -= not can_be
@@ -126,7 +123,7 @@ def _merge(run: Run, frame: Frame, branches: list[tuple[str, Writes]], live: lis
     if going:
         run.state.merge(going)
         return NEXT
-    rest = [writes for ended, writes in branches if ended in (NEXT, LEFT)]
+    rest = [writes for ended, writes in branches if ended == NEXT]
     if rest and not (run.loops and run.loops[-1].turn):  # what no turn reaches was gone through in the first
         frame.is_dead = True
         run.state.merge(rest)

@@ -86,7 +86,9 @@ def declared(run: Run, loader: Object) -> Value | None:
         return None
     run.told.add(base)
     text = syntax.Type("std::string")
-    return Sequence(Cell(tuple(Cell(Known(name), text) for name in names)), syntax.Type("std::vector", (text,)))
+    values = [Known(name) for name in names]
+    run.look_ups.update((id(value), value) for value in values)
+    return Sequence(Cell(tuple(Cell(value, text) for value in values)), syntax.Type("std::vector", (text,)))
 
 
 def is_declared(run: Run, loader: Object, name: Value) -> Value | None:
