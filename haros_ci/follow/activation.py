@@ -32,6 +32,8 @@ from haros_ci.values.abstract import NONE, Callable, Cell, Known, Mapped, Object
 SPENT = 300
 #: Steps of one call up to which a function that makes nothing is short, and steps that may go into one that is.
 SHORT, SPENT_SHORT = 10, 4000
+#: The same for one that is asked of a plug-in's name, as whether a list leaves it out.
+SPENT_ASKED = 20_000
 #: Steps that may go into one function in rehearsals, even if it makes something.
 REHEARSED = 10_000
 #: Steps that callbacks may put into one function that could make something, and has made nothing so far.
@@ -107,6 +109,8 @@ def invoke(
     makes_nothing = not inert.may_make(run, function, given, inner.templates)
     spent, times = run.spent.get(id(definition), (0, 0))
     is_long = spent > SPENT and (spent > SHORT * times or spent > SPENT_SHORT)
+    if is_long and run.told and spent <= SPENT_ASKED and any(_is_plugin(run, argument.value) for argument in given):
+        is_long = False
     own = (id(definition), id(function.this))
     idle = run.idle.get(own, 0) if run.is_called_back and not makes_nothing else 0
     if idle > IDLE:
@@ -130,6 +134,11 @@ def invoke(
         is_idle = run.extent() == there and run.steps - before > 1
         run.idle[own] = run.idle.get(own, 0) + run.steps - before if is_idle else 0
     return value
+
+
+def _is_plugin(run: Run, value: Value) -> bool:
+    """Whether a value is the look-up name of a plug-in of which the program goes through all names."""
+    return isinstance(value, Known) and any(value.value in run.context.declared.get(base, ()) for base in run.told)
 
 
 def _with_bound(

@@ -16,6 +16,7 @@ from haros_ci.values.abstract import Cell, Mapped, Object, Sequence, Value
 if TYPE_CHECKING:
     from collections.abc import Sequence as Sequence_
 
+    from haros_ci.follow.frames import Frame
     from haros_ci.follow.run import Run
     from haros_ci.syntax import Type
     from haros_ci.values.state import Writes
@@ -37,6 +38,13 @@ def are(run: Run, options: Sequence_[Value]) -> bool:
 def of_base(run: Run, base: str) -> tuple[Object, ...]:
     """What an object of the class *base* may be that is not known: the plug-ins that have been loaded so far."""
     return tuple(each for known, group in run.alternatives if known == base for each in group)
+
+
+def looked_up(run: Run, frame: Frame, cell: Cell) -> Cell:
+    """One element of a list; of the look-up names of plug-ins none is picked where the program does not come as things are."""
+    if (run.dead or frame.is_dead) and id(cell.value) in run.look_ups:
+        return Cell(run.opaque("it is one of the plug-ins that there are", frame, None, cell.type), cell.type)
+    return cell
 
 
 def element(run: Run, kind: Type, name: str) -> Type | None:

@@ -9,6 +9,7 @@ from typing import Any
 from haros_ci import syntax
 from haros_ci.follow import (
     activation,
+    alternatives,
     braces,
     call_arguments,
     conversions,
@@ -328,7 +329,7 @@ def element(run: Run, frame: Frame, container: Value, key: Value, kind: Type | N
         cells = container.content.value
         if isinstance(key, Known) and issubclass(key.kind, int) and -len(cells) <= key.value < len(cells):
             found: Cell = cells[key.value]
-            return found
+            return found if not run.look_ups else alternatives.looked_up(run, frame, found)
         if isinstance(key, Known) and issubclass(key.kind, int) and braces.is_open(container):
             return braces.grown(run, frame, container, key.value)
         return None

@@ -11,10 +11,9 @@ from typing import Any
 from haros_ci.follow.made import Made
 from haros_ci.graph.ros2_process import Process
 from haros_ci.index.behavior_tree_files import TreeFiles
-from haros_ci.index.index import Source
+from haros_ci.index.plugins import Plugin
 from haros_ci.index.xml_files import Reader
 from haros_ci.model.location import Location
-from haros_ci.syntax import Class
 from haros_ci.values.abstract import Value
 from haros_ci.values.given import Marks
 
@@ -31,9 +30,11 @@ class Context:
     namespace: str
     arguments: tuple[str, ...] | None
     #: The classes that pluginlib can load, by look-up name: where they are defined.
-    plugins: Mapping[str, tuple[Source, Class]]
+    plugins: Mapping[str, Plugin]
     #: Where a node is followed for all that its plug-ins could make: the workspace's plug-ins by base class.
-    of_base: Mapping[str, tuple[tuple[Source, Class], ...]] | None = field(default=None, kw_only=True)
+    of_base: Mapping[str, tuple[Plugin, ...]] | None = field(default=None, kw_only=True)
+    #: The look-up names of all plug-ins of a base class, where all of them are the workspace's.
+    declared: Mapping[str, tuple[str, ...]] = field(default_factory=dict, kw_only=True)
     #: Behaviour trees in files of the workspace; None where nothing makes any.
     trees: TreeFiles | None = field(default=None, kw_only=True)
     #: The workspace's XML files and directories; None in ROS 1.

@@ -7,10 +7,13 @@ import posixpath
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
+from haros_ci import syntax
 from haros_ci.follow.follow import Entry
 from haros_ci.index.index import Index, Source, aliased, is_test
+from haros_ci.index.plugins import Plugin, written_type
+from haros_ci.index.types import resolve_type
 from haros_ci.model.build import Build, PluginClass, Target
-from haros_ci.syntax import Class
+from haros_ci.syntax import Argument, Class
 
 #: The base class that a plug-in needs to be a nodelet.
 NODELET = "nodelet::Nodelet"
@@ -59,24 +62,59 @@ def executables(programs: Programs, *, tests: bool = False) -> dict[tuple[str, s
     return found
 
 
-def plugins(programs: Programs) -> dict[str, tuple[Source, Class]]:
+def plugins(programs: Programs) -> dict[str, Plugin]:
     """All classes that plug-in descriptions name, by look-up name and by type: where they are defined."""
-    found: dict[str, tuple[Source, Class]] = {}
+    found: dict[str, Plugin] = {}
     for described, source, definition, _ in described_classes(programs):
-        found.setdefault(described.name, (source, definition))
-        found.setdefault(described.type.strip(), (source, definition))
+        plugin = Plugin(source, definition, _arguments(programs, described))
+        found.setdefault(described.name, plugin)
+        found.setdefault(described.type.strip(), plugin)
     return found
 
 
-def plugins_of_base(programs: Programs) -> dict[str, tuple[tuple[Source, Class], ...]]:
+def plugins_of_base(programs: Programs) -> dict[str, tuple[Plugin, ...]]:
     """The classes that plug-in descriptions name by their base class, in the order of their names, but for tests' own."""
-    found: dict[str, dict[str, tuple[Source, Class]]] = {}
+    found: dict[str, dict[tuple[str, str], Plugin]] = {}
     for described, source, definition, _ in described_classes(programs):
         if is_test(source.path):
             continue
-        base = described.base.replace(" ", "").removeprefix("::")
-        found.setdefault(base, {}).setdefault(definition.name, (source, definition))
+        plugin = Plugin(source, definition, _arguments(programs, described))
+        found.setdefault(base_of(described), {}).setdefault(plugin.key, plugin)
     return {base: tuple(each for _, each in sorted(classes.items())) for base, classes in found.items()}
+
+
+def declared(programs: Programs) -> dict[str, tuple[str, ...]]:
+    """By base class of the workspace's own the look-up names of all its plug-ins, in the order in which a loader tells them.
+
+    Whoever derives from such a class outside would have to be built on top of the workspace.
+    """
+    found: dict[str, set[str]] = {}
+    for _, build in sorted(programs.builds.items()):
+        for described in build.plugins:
+            if base_of(described) in programs.cpp.classes and not is_test(described.location.path):
+                found.setdefault(base_of(described), set()).add(described.name)
+    return {base: tuple(sorted(names)) for base, names in found.items()}
+
+
+def base_of(described: PluginClass) -> str:
+    """The base class that a plug-in description names."""
+    return described.base.replace(" ", "").removeprefix("::")
+
+
+def _arguments(programs: Programs, described: PluginClass) -> tuple[Argument, ...]:
+    """The template arguments of the type that a plug-in description names, also of one that it names by an alias."""
+    written = written_type(described.type)
+    found = programs.cpp.aliases.get(written.name, []) if not written.arguments else []
+    if len(found) == 1 and found[0][1].type.arguments:
+        source, alias = found[0]
+        scope = written.name.rpartition("::")[0]
+        return resolve_type(programs.cpp, alias.type, scope, source, frozenset(), {}).arguments
+    return tuple(
+        syntax.Type(aliased(programs.cpp, each.name) or each.name, each.arguments, each.marks)
+        if isinstance(each, syntax.Type) and each.name not in programs.cpp.classes
+        else each
+        for each in written.arguments
+    )
 
 
 def nodelets(programs: Programs) -> dict[str, tuple[PluginClass, Entry, frozenset[str]]]:

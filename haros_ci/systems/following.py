@@ -13,7 +13,7 @@ from haros_ci.follow.follow import Entry, follow
 from haros_ci.follow.made import Made
 from haros_ci.follow.run import Run
 from haros_ci.index.behavior_tree_files import TreeFiles
-from haros_ci.index.index import Source
+from haros_ci.index.plugins import Plugin
 from haros_ci.index.relevance import Relevance
 from haros_ci.index.trace import Trace
 from haros_ci.index.xml_files import Reader
@@ -24,7 +24,6 @@ from haros_ci.model.architecture import Endpoint, Unknown
 from haros_ci.model.build import ConfigFile, PluginClass
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
-from haros_ci.syntax import Class
 from haros_ci.systems.entries import Programs
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.values.abstract import Value
@@ -58,7 +57,7 @@ class Types:
     nodelets: Mapping[str, tuple[PluginClass, Entry, frozenset[str]]]
     #: By language and ROS version: API rows by call, and what they make relevant.
     rows: Mapping[tuple[str, int], Mapping[str, tuple[Row, ...]]]
-    plugins: Mapping[str, tuple[Source, Class]]
+    plugins: Mapping[str, Plugin]
     #: The last part of the base class's name of each plug-in, and the files of its library.
     plugin_files: list[tuple[str, frozenset[str]]]
     relevance: Mapping[tuple[str, int], Relevance]
@@ -83,7 +82,9 @@ class Types:
     #: Controllers and hardware components that a controller manager loads, by look-up name.
     controllers: Mapping[str, Controller] = field(default_factory=dict)
     #: The plug-ins of the workspace by base class.
-    of_base: Mapping[str, tuple[tuple[Source, Class], ...]] = field(default_factory=dict)
+    of_base: Mapping[str, tuple[Plugin, ...]] = field(default_factory=dict)
+    #: The look-up names of all plug-ins of a base class of the workspace.
+    declared: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     #: Behaviour trees in files of the workspace; None where nothing makes any.
     trees: TreeFiles | None = None
     xml: Reader | None = None
@@ -133,6 +134,7 @@ def run_node(
         namespace=instance.namespace,
         arguments=instance.arguments,
         plugins=types.plugins,
+        declared=types.declared,
         parameter=ask,
         read_yaml=types.read_yaml,
         remap=lambda name: instance.remaps.get(name, name),

@@ -36,14 +36,15 @@ class Keeper:
 def key_of(types: Types, rows: Mapping[tuple[str, int], Iterable[Row]]) -> str:
     """The key of all that every node depends on: API rows, interfaces, plug-ins, what is relevant by itself."""
     cpp, python = types.programs.cpp, types.programs.python
-    plugins = [(name, source.path, definition.name) for name, (source, definition) in sorted(types.plugins.items())]
+    plugins = [(name, each.source.path, *each.key) for name, each in sorted(types.plugins.items())]
     return kept.digest_of(
         [(version, tuple(items)) for version, items in sorted(rows.items())],
         [sorted(index.interfaces) for index in (cpp, python)],
         [sorted(index.packages) for index in (cpp, python)],
         sorted(cpp.defined.items(), key=repr),
         plugins,
-        [(base, [definition.name for _, definition in found]) for base, found in sorted(types.of_base.items())],
+        [(base, [each.key for each in found]) for base, found in sorted(types.of_base.items())],
+        sorted(types.declared.items()),
         sorted(types.configs.items()),
         [(version, each.rules()) for version, each in sorted(types.relevance.items())],
         [(source.path, source.module, source.package) for _, source in sorted(types.programs.sources.items())],

@@ -21,7 +21,7 @@ from haros_ci.model.launch import LaunchFile
 from haros_ci.model.workspace import Workspace
 from haros_ci.substitutions.files import files_of
 from haros_ci.systems import ros2_controllers, ros2_entries
-from haros_ci.systems.entries import Programs, executables, nodelets, plugin_files, plugins, plugins_of_base
+from haros_ci.systems.entries import Programs, declared, executables, nodelets, plugin_files, plugins, plugins_of_base
 from haros_ci.systems.following import KnownNodes, Types
 from haros_ci.timing import timed
 
@@ -85,6 +85,7 @@ def types_of(
         known,
         exact=exact,
         of_base=plugins_of_base(programs),
+        declared=declared(programs),
         ros2_programs=of_version(ros2_entries.programs_of(programs, loadable), versions, 2),
         components=loadable,
         hosted=of_version(ros2_entries.hosted(programs, tables.get(("cpp", 2), {})), versions, 2),

@@ -66,7 +66,7 @@ def _taken(types: Types, seen: Seen) -> set[str]:
     """The classes that processes of the workspace load, or make as nodes."""
     tables = (types.components, types.hosted, types.ros2_programs)
     found = {entry.definition.name for table in tables for entry, _ in table.values() if entry.definition is not None}
-    return found | {definition.name for _, definition in types.plugins.values()} | seen.classes
+    return found | {plugin.definition.name for plugin in types.plugins.values()} | seen.classes
 
 
 def _named_as_nodes(index: Index) -> frozenset[str]:

@@ -117,6 +117,7 @@ def _shared(
         namespace="/",
         arguments=words,
         plugins=types.plugins,
+        declared=types.declared,
         of_base=types.of_base if started.has_plugins else None,
         trees=types.trees,
         any_tree=started.has_trees,

@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
-from haros_ci.follow import assignments, construct, conversions
+from haros_ci.follow import alternatives, assignments, construct, conversions
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.run import Run
 from haros_ci.model.location import Location
@@ -126,7 +126,8 @@ def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[
         return run.opaque("the length of a list that is not known", frame, None, syntax.Type("int"))
     if name in ("front", "back", "at"):
         if known and cells and name != "at":
-            return cells[0 if name == "front" else -1].value
+            held: Cell = cells[0 if name == "front" else -1]
+            return alternatives.looked_up(run, frame, held).value if run.look_ups else held.value
         if name == "back" and (end := last(cells)) is not None:
             return end.value
         if name == "at" and args:

@@ -11,6 +11,7 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import (
     algorithms,
     cpp_data,
+    patterns,
     texts,
 )
 from haros_ci.follow.libraries import (
@@ -169,6 +170,8 @@ def function(
         return library_yaml.yaml_file(run, args[0].value)
     if name in ("YAML::Load", "YAML::LoadAll") and args:
         return library_yaml.yaml_stream(run, args[0].value)
+    if name in patterns.NAMES:
+        return patterns.matched(name, args)
     if name in ("std::find_if", "std::find") and args:
         return algorithms.found(run, frame, args)
     if name in ("std::getline",) and len(args) >= 2 and args[1].cell is not None:
@@ -244,11 +247,10 @@ def method(
         return NONE
     if isinstance(receiver, Opaque) and name in ("c_str", "str", "data", "get"):
         return receiver
-    if isinstance(receiver, Opaque) and name in LOADERS and args and receiver.type is not None:
+    if isinstance(receiver, Opaque) and name in OF_LOADER and receiver.type is not None:
         kind = pointee(receiver.type)
         if kind.name == LOADER:
-            this = Object(kind.name, kind.arguments)
-            return library_yaml.plugin(run, frame, this, args[0].value, location)
+            return _of_loader(run, frame, Object(kind.name, kind.arguments), name, args, location)
     if isinstance(receiver, Sequence):
         return library_containers.sequence(run, frame, receiver, name, args)
     if isinstance(receiver, Mapped):
@@ -261,7 +263,22 @@ def _is_filled(cell: Cell | None) -> bool:
     return cell is not None and cell.type is not None and cell.type.name == "rclcpp::Parameter"
 
 
+def _of_loader(
+    run: Run, frame: Frame, loader: Object, name: str, args: tuple[Argument, ...], location: Location
+) -> Value | None:
+    """Methods of pluginlib's loaders: instances by name, and which names there are."""
+    if name == "getDeclaredClasses":
+        return library_yaml.declared(run, loader)
+    if not args:
+        return None
+    if name == "isClassAvailable":
+        return library_yaml.is_declared(run, loader, args[0].value)
+    return library_yaml.plugin(run, frame, loader, args[0].value, location)
+
+
 LOADER = "pluginlib::ClassLoader"
+#: Its methods that are followed.
+OF_LOADER = LOADERS | {"getDeclaredClasses", "isClassAvailable"}
 DESCRIPTOR = "rcl_interfaces::msg::ParameterDescriptor"
 
 
@@ -270,8 +287,8 @@ def _object(
 ) -> Value | None:
     if name == "get_type" and not args and receiver.name in ros2_selectors.PARAMETERS:
         return ros2_selectors.type_constant(receiver)
-    if receiver.name == LOADER and name in LOADERS and args:
-        return library_yaml.plugin(run, frame, receiver, args[0].value, location)
+    if receiver.name == LOADER and name in OF_LOADER:
+        return _of_loader(run, frame, receiver, name, args, location)
     if receiver.name in library_xml.CLASSES:
         return library_xml.method(run, frame, receiver, name, args)
     if receiver.name == "rclcpp::NodeOptions" and name == "arguments" and not args and name not in receiver.fields:

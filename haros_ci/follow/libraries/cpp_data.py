@@ -9,10 +9,26 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import text_methods, texts
 from haros_ci.follow.libraries import xml as library_xml
 from haros_ci.follow.run import Run
-from haros_ci.values.abstract import NONE, Cell, Known, Library, Object, Pointer, Value, concatenate
+from haros_ci.index.types import SEQUENCES
+from haros_ci.values.abstract import LIST_LIMIT, NONE, Cell, Known, Library, Object, Pointer, Value, concatenate
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import Argument
+
+
+def _of_list(run: Run, data: list[Any], cell: Cell, name: str, args: tuple[Argument, ...]) -> Value | None:
+    """Methods of a vector that holds a parameter's list."""
+    if name == "empty":
+        return Known(not data)
+    if name in ("push_back", "emplace_back") and len(args) == 1 and len(data) < LIST_LIMIT:
+        added = args[0].value
+        if isinstance(added, Known):
+            run.state.write(cell, Known([*data, added.value]))
+            return NONE
+    if name == "clear":
+        run.state.write(cell, Known([]))
+        return NONE
+    return None
 
 
 #: Parts of a path.
@@ -85,6 +101,10 @@ def of_known(
         return None
     if name in ("size",) and isinstance(data, (list, dict)):
         return Known(len(data))
+    if isinstance(data, list) and cell is not None and cell.type is not None and cell.type.name in SEQUENCES:
+        told = _of_list(run, data, cell, name, args)
+        if told is not None:
+            return told
     if name in ("FindValue", "hasMember") and args and isinstance(args[0].value, Known):
         inside = isinstance(data, dict) and args[0].value.value in data
         if name == "hasMember":

@@ -9,9 +9,10 @@ from haros_ci import syntax
 from haros_ci.follow import alternatives, construct, dynamic
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.run import Run
+from haros_ci.index.plugins import Plugin
 from haros_ci.index.trace import YAML_FILES
 from haros_ci.model.location import Location
-from haros_ci.values.abstract import Choice, Known, Object, Opaque, Value, opaque_of
+from haros_ci.values.abstract import NONE, Cell, Choice, Known, Object, Opaque, Sequence, Value, opaque_of
 
 #: Why it is not known whether what a plug-in makes is made.
 ANY = "which plug-ins are loaded is a matter of parameters"
@@ -24,21 +25,29 @@ def plugin(run: Run, frame: Frame, loader: Object, name: Value, location: Locati
 
     These are loaded once at each place of the program for each base class, however often it is gone through.
     """
+    of_base, base = run.context.of_base, _base_name(loader)
+    is_told = base in run.told and isinstance(name, Known) and name.value in run.context.declared.get(base, ())
+    is_dead = bool(run.dead or run.beyond or frame.is_dead)
+    if is_told and is_dead and of_base is None:
+        return NONE  # the program asks for all names, and passes this one over as things are
     named = _named(run, frame, loader, name, location)
-    of_base, kind = run.context.of_base, _base(loader)
-    base = kind.name if kind is not None else ""
-    if of_base is None or run.quiet or (location, base) in run.offered:
+    if of_base is None or run.quiet or (location, base) in run.offered or (is_told and not is_dead):
         return named
     run.offered.add((location, base))
     loaded: list[Value] = [named] if isinstance(named, Object) else []
-    there = {each.name for each in loaded if isinstance(each, Object)}
+    there = {(each.name, each.arguments) for each in loaded if isinstance(each, Object)}
     for found in of_base.get(base, ())[:MOST]:
-        if found[1].name not in there:
+        if (found.definition.name, found.arguments) not in there:
             run.gaps.setdefault(ANY, location)
             with run.doubted(ANY):
-                loaded.append(construct.instance(run, frame, found, (), (), location))
+                loaded.append(_instance(run, frame, found, location))
     alternatives.mark(run, base, loaded)
     return named if not loaded else loaded[0] if len(loaded) == 1 else Choice(tuple(loaded))
+
+
+def _base_name(loader: Object) -> str:
+    kind = _base(loader)
+    return kind.name if kind is not None else ""
 
 
 def _base(loader: Object) -> syntax.Type | None:
@@ -62,7 +71,32 @@ def _named(run: Run, frame: Frame, loader: Object, name: Value, location: Locati
     if found is None:
         dynamic.plugin(run, name.value, "it is not in the workspace", location)
         return run.opaque(f"the plug-in {name.value} is not in the workspace", frame, location.line, base)
-    return construct.instance(run, frame, found, (), (), location)
+    return _instance(run, frame, found, location)
+
+
+def _instance(run: Run, frame: Frame, found: Plugin, location: Location) -> Value:
+    return construct.instance(run, frame, (found.source, found.definition), found.arguments, (), location)
+
+
+def declared(run: Run, loader: Object) -> Value | None:
+    """What ``getDeclaredClasses`` gives: the look-up names of the base class's plug-ins, if all are the workspace's."""
+    base = _base_name(loader)
+    names = run.context.declared.get(base)
+    if names is None:
+        return None
+    run.told.add(base)
+    text = syntax.Type("std::string")
+    values = [Known(name) for name in names]
+    run.look_ups.update((id(value), value) for value in values)
+    return Sequence(Cell(tuple(Cell(value, text) for value in values)), syntax.Type("std::vector", (text,)))
+
+
+def is_declared(run: Run, loader: Object, name: Value) -> Value | None:
+    """What ``isClassAvailable`` gives."""
+    names = run.context.declared.get(_base_name(loader))
+    if names is None or not isinstance(name, Known):
+        return None
+    return Known(name.value in names)
 
 
 def yaml_file(run: Run, path: Value) -> Value:

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Shell patterns: what ``fnmatch`` of C gives for a pattern and a text that are known (fnmatch(3))."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from haros_ci.values.abstract import Known, Value
+
+if TYPE_CHECKING:
+    from haros_ci.follow.call_arguments import Argument
+
+NAMES = frozenset(("fnmatch", "std::fnmatch"))
+#: What it gives where the text does not match: FNM_NOMATCH of glibc.
+NO_MATCH = 1
+#: Characters of a pattern and of a text up to which they are compared.
+LONGEST = 200
+
+
+def matched(name: str, args: tuple[Argument, ...]) -> Value | None:
+    """0 for a match and FNM_NOMATCH for none; None where the flags decide, or the pattern has brackets or escapes."""
+    if name not in NAMES or len(args) != 3:
+        return None
+    pattern, text, flags = (argument.value for argument in args)
+    if not isinstance(pattern, Known) or not isinstance(text, Known):
+        return None
+    if not issubclass(pattern.kind, str) or not issubclass(text.kind, str):
+        return None
+    one, other = pattern.value, text.value
+    if max(len(one), len(other)) > LONGEST or any(letter in one for letter in "[]\\()"):
+        return None
+    is_plain = isinstance(flags, Known) and flags.value == 0
+    if not is_plain and ("/" in other or other.startswith(".")):  # FNM_PATHNAME, FNM_LEADING_DIR, FNM_PERIOD
+        return None
+    is_match = _matches(one, other)
+    if not is_plain and is_match != _matches(one.lower(), other.lower()):  # FNM_CASEFOLD
+        return None
+    return Known(0 if is_match else NO_MATCH)
+
+
+def _matches(pattern: str, text: str) -> bool:
+    """Whether a text matches a pattern of ``*`` and ``?``: in as many steps as the product of their lengths at most."""
+    at, start, star, begun = 0, 0, -1, 0
+    while start < len(text):
+        if at < len(pattern) and pattern[at] == "*":
+            star, begun = at, start
+            at += 1
+        elif at < len(pattern) and pattern[at] in ("?", text[start]):
+            at, start = at + 1, start + 1
+        elif star >= 0:
+            begun += 1
+            at, start = star + 1, begun
+        else:
+            return False
+    return not pattern[at:].strip("*")
