@@ -34,6 +34,7 @@ from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.link import Linked, Ros2Launch, Wanted, linked
 from haros_ci.timing import stage, timed
 from haros_ci.workspace.build import builds
+from haros_ci.workspace.environment import environment_of
 
 TOO_DEEP = "nested too deeply to be read; split the statements"
 
@@ -98,8 +99,9 @@ def varied(
         api_rows(project.get("apis"), where, problems, plugin_rows(settings)),
         wanted=chosen_ones,
         environment=environment,
+        defaults=environment_of(workspace, built),
         known=known,
-        ros2=ros2_launch(workspace, built, environment or {}),
+        ros2=ros2_launch(workspace, built),
         share=timed("follow")(partial(shared, processes=processes)),
         alternatives=alternatives,
     )
@@ -209,7 +211,7 @@ def module_name(path: str, roots: Iterable[tuple[str, str]]) -> str:
     return best.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
 
 
-def ros2_launch(workspace: Workspace, built: Mapping[str, Build], environment: Mapping[str, str]) -> Ros2Launch:
+def ros2_launch(workspace: Workspace, built: Mapping[str, Build]) -> Ros2Launch:
     """Launch files of ROS 2 in all dialects."""
     places = Places(workspace, built)
     modules = {
@@ -226,7 +228,7 @@ def ros2_launch(workspace: Workspace, built: Mapping[str, Build], environment: M
         path = modules.get(dotted)
         return (path, workspace.text(path)) if path is not None else None
 
-    def read_python(path: str) -> Description | None:
+    def read_python(path: str, environment: Mapping[str, str]) -> Description | None:
         from haros_ci.launch.python.interpret import interpret
 
         text = workspace.text(path)
@@ -242,8 +244,8 @@ def ros2_launch(workspace: Workspace, built: Mapping[str, Build], environment: M
 
         return read_ros2_yaml(text, path)
 
-    load = description_reader(workspace, read_python, launch_reader(workspace), read_xml, read_yaml)
-    return Ros2Launch(load, places)
+    loader = description_reader(workspace, read_python, launch_reader(workspace), read_xml, read_yaml)
+    return Ros2Launch(loader, places)
 
 
 def launch_reader(workspace: Workspace) -> Callable[[str], LaunchFile | None]:

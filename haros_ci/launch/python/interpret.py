@@ -15,6 +15,7 @@ from haros_ci.launch.python.library import call_value, summary_of
 from haros_ci.launch.python.run import Run
 from haros_ci.launch.python.statements import block
 from haros_ci.launch.python.values import Call, Function, Made, Scope, Source, Unknown, Value
+from haros_ci.model.environment import lost_of
 from haros_ci.model.launch_actions import Action, Description
 from haros_ci.model.location import Location
 
@@ -43,7 +44,7 @@ def interpret(
         return Description(problems=((1, "this is not valid Python; correct the syntax"),))
     run = Run(
         read=read,
-        environment=dict(environment),
+        environment={**environment, **{name: Unknown(why, None) for name, why in lost_of(environment).items()}},
         module=module or (lambda _: None),
         known=lambda dotted: summary_of(dotted) is not None,
         evaluate=evaluate,
