@@ -9,7 +9,7 @@ from functools import partial
 from typing import Any
 
 from haros_ci.analysis.kept_nodes import keeper
-from haros_ci.analysis.wanted import configurations
+from haros_ci.analysis.wanted import configurations, named_environment
 from haros_ci.config.settings import Settings
 from haros_ci.declared import hints
 from haros_ci.extract.apis.tables import rows
@@ -99,7 +99,7 @@ def varied(
         api_rows(project.get("apis"), where, problems, plugin_rows(settings)),
         wanted=chosen_ones,
         environment=environment,
-        defaults=environment_of(workspace, built),
+        defaults=environment_of(workspace, built).over(named_environment(workspace, project, problems, where)),
         known=known,
         ros2=ros2_launch(workspace, built),
         share=timed("follow")(partial(shared, processes=processes)),
@@ -220,9 +220,13 @@ def ros2_launch(workspace: Workspace, built: Mapping[str, Build]) -> Ros2Launch:
         if file.language == "python"
     }
 
-    def read(text: str) -> str | None:
+    def locate(text: str) -> tuple[str, str] | None:
         path, content, _ = places.read(text)
-        return content if path is not None else None
+        return (path, content) if path is not None else None
+
+    def read(text: str) -> str | None:
+        found = locate(text)
+        return found[1] if found is not None else None
 
     def module(dotted: str) -> tuple[str, str] | None:
         path = modules.get(dotted)
@@ -232,7 +236,7 @@ def ros2_launch(workspace: Workspace, built: Mapping[str, Build]) -> Ros2Launch:
         from haros_ci.launch.python.interpret import interpret
 
         text = workspace.text(path)
-        return interpret(path, text, read, environment, module) if text else None
+        return interpret(path, text, read, environment, module, locate=locate) if text else None
 
     def read_xml(launch: LaunchFile, path: str) -> Description:
         from haros_ci.extract.launch.ros2_xml import read_ros2_xml

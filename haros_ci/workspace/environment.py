@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import posixpath
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
@@ -163,22 +162,12 @@ def read_dsv(text: str, given: Mapping[str, str | None]) -> Variables:
     return Variables(known, frozenset(values.keys() - known.keys()))
 
 
-def environment_files(
-    workspace: Workspace, paths: Iterable[str], wrong: Mapping[str, str] | None = None
-) -> tuple[Environment, list[str]]:
-    """What the files at the root-relative *paths* set, the later before the earlier; and those that are not there."""
-    made, missing = Environment(), []
-    there = {file.path for file in workspace.files}
+def environment_files(workspace: Workspace, paths: Iterable[str]) -> Environment:
+    """What the listed files at the root-relative *paths* set, the later before the earlier: shell scripts, or a ``NAME=value`` on each line."""
+    made = Environment()
     for path in paths:
-        normal = posixpath.normpath(path)
-        if normal not in there:
-            missing.append(path)
-            continue
-        text = workspace.text(normal)
+        text = workspace.text(path)
         given: dict[str, str | None] = {**made, **dict.fromkeys(made.lost)}
-        if posixpath.basename(normal).endswith((".sh", ".bash")):
-            found = read_script(text, given)
-        else:
-            found = read_dotenv(text, given)
-        made = made.over(Environment(found.values, {name: _reason(name, normal) for name in found.lost}))
-    return made, missing
+        found = read_script(text, given) if path.endswith((".sh", ".bash")) else read_dotenv(text, given)
+        made = made.over(Environment(found.values, {name: _reason(name, path) for name in found.lost}))
+    return made

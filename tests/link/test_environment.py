@@ -139,3 +139,21 @@ def test_an_include_that_a_variable_names_is_followed_and_is_no_entry(tmp_path: 
     files["launch/parts/big.launch"] = ROS1.replace("$(env ARM_NAME)", "big")
     names, problems = model(tmp_path, files)
     assert names == ["/big"] and not problems
+
+
+def test_files_of_the_project_file(tmp_path: Path) -> None:
+    files = {
+        **catkin("export ARM_NAME=left"),
+        "config/site.env": "ARM_NAME=middle\n",
+        ".env.lab": "ARM_NAME=lab\n",
+        "site.sh": ": ${ARM_NAME:=script}\nexport ARM_NAME\n",
+    }
+    lab = {"launch": ["arm/launch/a.launch"], "environment_files": ["arm/.env.lab"]}
+    assert model(tmp_path, files, {"environment_files": ["arm/config/site.env"]})[0] == ["/middle"]
+    assert model(tmp_path, files, {"environment_files": ["arm/config/site.env", "arm/site.sh"]})[0] == ["/middle"]
+    assert model(tmp_path, files, {"environment_files": ["arm/site.sh"]})[0] == ["/script"]
+    assert model(tmp_path, files, {"configurations": {"x": lab}})[0] == ["/lab"]
+    assert model(tmp_path, files, {"configurations": {"x": {**lab, "environment": {"ARM_NAME": "own"}}}})[0] == ["/own"]
+    assert model(tmp_path, files, {"configurations": {"x": lab}}, ARM_NAME="asked")[0] == ["/asked"]
+    names, problems = model(tmp_path, files, {"environment_files": ["arm/none.env"]})
+    assert names == ["/left"] and any("no file arm/none.env" in each for each in problems)
