@@ -35,9 +35,9 @@ def configurations(
                 name=str(name),
                 launch=tuple(path for path in paths if path is not None),
                 arguments=_scalars(entry, "args"),
-                environment=named_environment(
-                    workspace, entry, problems, where, f"configuration {name}: "
-                ).over(_scalars(entry, "environment")),
+                environment=named_environment(workspace, entry, problems, where, f"configuration {name}: ").over(
+                    _scalars(entry, "environment")
+                ),
                 user_data=entry.get("user_data") if isinstance(entry, Mapping) else None,
                 closed=isinstance(entry, Mapping) and entry.get("closed") is True,
             )

@@ -152,7 +152,9 @@ def read_dsv(text: str, given: Mapping[str, str | None]) -> Variables:
         kind, _, rest = line.strip().partition(";")
         name, found, value = rest.partition(";")
         if kind in ("set", "set-if-unset") and name:
-            is_path = not found or HOLE in value or value in _DIRECTORIES or ("/" in value and not value.startswith("/"))
+            is_path = (
+                not found or HOLE in value or value in _DIRECTORIES or ("/" in value and not value.startswith("/"))
+            )
             made = None if is_path else value
             before = values.get(name, given.get(name)) if name in values or name in given else ""
             values[name] = made if kind == "set" or before == "" else before

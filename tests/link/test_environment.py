@@ -42,12 +42,16 @@ def model(
 
 
 def catkin(hook: str, name: str = "10.arm.sh", launch: str = ROS1, more: str = "") -> dict[str, str]:
-    cmake = f"project(arm)\n{more}catkin_add_env_hooks(10.arm SHELLS sh DIRECTORY ${{CMAKE_CURRENT_SOURCE_DIR}}/hooks)\n"
+    cmake = (
+        f"project(arm)\n{more}catkin_add_env_hooks(10.arm SHELLS sh DIRECTORY ${{CMAKE_CURRENT_SOURCE_DIR}}/hooks)\n"
+    )
     return {"package.xml": CATKIN, "CMakeLists.txt": cmake, f"hooks/{name}": hook, "launch/a.launch": launch}
 
 
 def ament(hook: str, name: str, launch: str = ROS2, path: str = "launch/a.launch.xml") -> dict[str, str]:
-    cmake = f'project(arm)\nfind_package(ament_cmake REQUIRED)\nament_environment_hooks("hooks/{name}")\nament_package()\n'
+    cmake = (
+        f'project(arm)\nfind_package(ament_cmake REQUIRED)\nament_environment_hooks("hooks/{name}")\nament_package()\n'
+    )
     return {"package.xml": AMENT, "CMakeLists.txt": cmake, f"hooks/{name}": hook, path: launch}
 
 
@@ -69,8 +73,15 @@ def test_without_a_hook_it_is_not_known(tmp_path: Path) -> None:
         ament("set;ARM_NAME;left\n", "arm.dsv"),
         ament("set-if-unset;ARM_NAME;left\n", "arm.dsv.in"),
         ament("export ARM_NAME=left", "arm.sh", PYTHON, "launch/a.launch.py"),
-        ament("export ARM_NAME=left", "arm.sh", PYTHON.replace("environ['ARM_NAME']", "getenv('ARM_NAME', 'right')"), "launch/a.launch.py"),
-        ament("export ARM_NAME=@PROJECT_NAME@", "arm.sh.in", ROS2.replace("$(env ARM_NAME)", "left_of_$(env ARM_NAME)")),
+        ament(
+            "export ARM_NAME=left",
+            "arm.sh",
+            PYTHON.replace("environ['ARM_NAME']", "getenv('ARM_NAME', 'right')"),
+            "launch/a.launch.py",
+        ),
+        ament(
+            "export ARM_NAME=@PROJECT_NAME@", "arm.sh.in", ROS2.replace("$(env ARM_NAME)", "left_of_$(env ARM_NAME)")
+        ),
         ament("export ARM_NAME=left", "arm.sh", ROS2.replace("ARM_NAME)", "ARM_NAME right)")),
     ],
 )
@@ -94,7 +105,10 @@ def test_hooks_give_values(tmp_path: Path, files: dict[str, str]) -> None:
             **catkin("export ARM_NAME=left"),
             "hooks/20.arm.sh": "export ARM_NAME=right",
             "CMakeLists.txt": "project(arm)\n"
-            + "".join(f"catkin_add_env_hooks({n}.arm SHELLS sh DIRECTORY ${{CMAKE_CURRENT_SOURCE_DIR}}/hooks)\n" for n in (10, 20)),
+            + "".join(
+                f"catkin_add_env_hooks({n}.arm SHELLS sh DIRECTORY ${{CMAKE_CURRENT_SOURCE_DIR}}/hooks)\n"
+                for n in (10, 20)
+            ),
         },
         {
             **catkin("export ARM_NAME=left"),
@@ -134,7 +148,8 @@ def test_the_project_file_and_the_command_line_come_first(tmp_path: Path, files:
 
 def test_an_include_that_a_variable_names_is_followed_and_is_no_entry(tmp_path: Path) -> None:
     files = catkin(
-        "export ARM_KIND=big", launch='<launch><include file="$(find arm)/launch/parts/$(env ARM_KIND).launch"/></launch>'
+        "export ARM_KIND=big",
+        launch='<launch><include file="$(find arm)/launch/parts/$(env ARM_KIND).launch"/></launch>',
     )
     files["launch/parts/big.launch"] = ROS1.replace("$(env ARM_NAME)", "big")
     names, problems = model(tmp_path, files)

@@ -63,7 +63,10 @@ def names(root: Path, body: str, made: str, files: Mapping[str, str] | None = No
     found = architecture(discover(root, ()), Settings(root=root), MemoryCache())
     assert not list(root.rglob("ran.txt"))
     return [
-        node.name or "" for each in found.configurations if each.launch == ("arm/launch/a.launch.py",) for node in each.nodes
+        node.name or ""
+        for each in found.configurations
+        if each.launch == ("arm/launch/a.launch.py",)
+        for node in each.nodes
     ]
 
 
@@ -123,7 +126,10 @@ def test_modules_are_followed(tmp_path: Path, body: str, made: str, expected: st
         ("m = importlib.import_module('arm.absent')", "m.joy()"),
         ("m = importlib.import_module(os.environ['WHICH'])", "m.joy()"),
         ("m = importlib.import_module('.deeper')", "m.joy()"),
-        ("s = importlib.util.spec_from_file_location('p', '/opt/p.py')\nm = importlib.util.module_from_spec(s)", "m.joy()"),
+        (
+            "s = importlib.util.spec_from_file_location('p', '/opt/p.py')\nm = importlib.util.module_from_spec(s)",
+            "m.joy()",
+        ),
         ("import runpy\nm = runpy.run_path(HERE + '/../CMakeLists.txt')", "m['joy']()"),
         ("m = __import__(os.environ['WHICH'])", "m.joy()"),
     ],

@@ -106,7 +106,7 @@ def test_dsv() -> None:
 
 def test_dotenv() -> None:
     found = read_dotenv(
-        "# a comment\nA=arm\nexport B = left arm  # which\nC='it # is $A'\nD=\"${A}_$B\"\nE=$UNSET\nF=\"open\nG=$(ls)\nH=\nI=a#b\nno line\n"
+        '# a comment\nA=arm\nexport B = left arm  # which\nC=\'it # is $A\'\nD="${A}_$B"\nE=$UNSET\nF="open\nG=$(ls)\nH=\nI=a#b\nno line\n'
     )
     assert found.values == {"A": "arm", "B": "left arm", "C": "it # is $A", "D": "arm_left arm", "H": "", "I": "a#b"}
     assert found.lost == {"E", "F", "G"}

@@ -131,7 +131,9 @@ SUMMARIES: dict[str, Summary] = {
     "sys.path.extend": extend,
     "importlib.util.spec_from_file_location": specification,
     "importlib.machinery.SourceFileLoader": specification,
-    "importlib.util.spec_from_loader": lambda run, call: call.args[1] if len(call.args) > 1 else call.keywords["loader"],
+    "importlib.util.spec_from_loader": lambda run, call: (
+        call.args[1] if len(call.args) > 1 else call.keywords["loader"]
+    ),
     "importlib.util.module_from_spec": of_specification,
     "importlib.import_module": by_name,
     "importlib.reload": lambda run, call: call.args[0],

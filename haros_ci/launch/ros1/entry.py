@@ -35,7 +35,10 @@ def entry_files(
             if launch is not None and is_ros1(launch, ros.get(file.package)):
                 launches[file.path] = launch
     included = {
-        target for path, launch in launches.items() for target in _includes(files, load, path, launch, environment) if target != path
+        target
+        for path, launch in launches.items()
+        for target in _includes(files, load, path, launch, environment)
+        if target != path
     }
     return tuple(sorted(path for path in launches if path not in included))
 

@@ -22,6 +22,13 @@ from haros_ci.substitutions.names import MARK, Text, literal, unknown
 _KINDS = {"node": "node", "lifecycle-node": "lifecycle", "container": "container", "component": "component"}
 #: The executable of a package, as ExecutableInPackage gives it.
 _IN_PACKAGE = re.compile(r"\$\(find-pkg-prefix ([^\s()]+)\)/lib/\1/([^/]+)")
+#: Commands of ``ros2`` that have a node, with the package that brings each.
+TOOLS = {
+    **dict.fromkeys((("bag", "play"), ("bag", "record")), "ros2bag"),
+    **dict.fromkeys((("topic", command) for command in ("pub", "echo", "hz", "bw", "delay")), "ros2topic"),
+}
+#: What ends the words of a command in a shell.
+_SHELL = re.compile(r"[;&|<>]|[12]>|.*;\Z")
 _Remaps = tuple[tuple[str, str, Location], ...]
 
 
@@ -79,21 +86,27 @@ def full_name(started: LaunchedNode) -> str:
 def command(context: Context, action: Action, conditions: tuple[Condition, ...]) -> LaunchedNode | None:
     """The node that a process is: ``ros2 run package executable ...``, or a package's executable by its path."""
     phrase = action.get("cmd") or ()
-    if phrase and isinstance(phrase[0], Substitution) and phrase[0].kind == "find-exec" and phrase[0].arguments:
-        phrase = (*phrase[0].arguments[0], *phrase[1:])
+    at = 1 if phrase[:1] == ("'",) else 0
+    program = phrase[at] if len(phrase) > at else ""
+    if isinstance(program, Substitution) and program.kind == "find-exec" and program.arguments:
+        phrase = (*phrase[:at], *program.arguments[0], *phrase[at + 1 :])
     cmd = context.text(phrase)
     words = _words(cmd.raw)
-    started = _program(words)
+    tool = TOOLS.get((words[1], words[2])) if words[:1] == ["ros2"] and len(words) > 2 else None
+    if tool is not None:
+        words = words[: next((number for number, word in enumerate(words) if _SHELL.match(word)), None)]
+    started = _program(words) if tool is None else (tool, words[2], 3)
     if started is None:
         return None
     package, type_, count = started
-    arguments, given = split_arguments(_line(words[count:]))
+    arguments, given = split_arguments(_line(words[count:])) if tool is None else (_line(words[count:]), "")
     environment = tuple((context.text(name), context.text(value)) for name, value in action.environment)
     return LaunchedNode(
         kind="node",
         package=_shown(package),
         type=_shown(type_),
         location=action.location,
+        name=None if tool is None else _node_name(words[count:]),
         arguments=_shown(arguments),
         ros_arguments=_shown(given),
         parameters=argument_rules(context, given, action.location),
@@ -102,6 +115,16 @@ def command(context: Context, action: Action, conditions: tuple[Condition, ...])
         environment=_environment(context, environment),
         unknowns=cmd.unknown("arguments", action.location),
     )
+
+
+def _node_name(words: list[str]) -> str | None:
+    """What ``--node-name`` of ``ros2 bag`` and ``ros2 topic`` calls the node."""
+    for number, word in enumerate(words):
+        name, equals, value = word.partition("=")
+        if name in ("--node-name", "-n"):
+            given = value if equals else words[number + 1] if number + 1 < len(words) else ""
+            return _shown(given) if re.fullmatch(r"\w+", given) else None
+    return None
 
 
 def _program(words: list[str]) -> tuple[str, str, int] | None:

@@ -12,7 +12,7 @@ from haros_ci.launch.ros2 import presences
 from haros_ci.launch.ros2.assuming import assume
 from haros_ci.launch.ros2.context import Context, Exhausted, Scope
 from haros_ci.launch.ros2.including import include
-from haros_ci.launch.ros2.node import command, component, full_name, node
+from haros_ci.launch.ros2.node import TOOLS, command, component, full_name, node
 from haros_ci.launch.ros2.settings import SETTERS, doubt, kept, name_of
 from haros_ci.launch.ros2.substitutions import truth_of
 from haros_ci.model.architecture import Condition
@@ -258,9 +258,12 @@ class Run:
     def executable(self, action: Action, conditions: _Conditions) -> None:
         self.context.facts.taken()
         started = command(self.context, action, conditions)
-        if started is not None:
+        if started is not None and started.package in TOOLS.values():
+            self.nodes.append(started)  # a command, which has nodes
+        elif started is not None:
             self.nodes.append(ros2.started(self.context, started))
-        else:
+            return
+        if started is None or started.package in TOOLS.values():
             ros2.command(self.context, self.context.text(action.get("cmd") or ()), action.location)
 
     def event(self, action: Action, conditions: _Conditions) -> None:
