@@ -163,3 +163,14 @@ def test_a_directory_put_first_comes_before_packages(tmp_path: Path) -> None:
     assert names(tmp_path, first, "d.joy()", files) == ["/first"]
     last = "sys.path.append(HERE + '/../tools')\nimport arm.deeper as d"
     assert names(tmp_path, last, "d.joy()", files) == ["/package"]
+
+
+def test_a_module_that_a_function_imports_is_there_each_time(tmp_path: Path) -> None:
+    files = {
+        "launch/other.launch.xml": '<launch><include file="$(find-pkg-share arm)/launch/a.launch.py"/></launch>',
+        "launch/more.launch.xml": '<launch><include file="$(find-pkg-share arm)/launch/a.launch.py"/></launch>',
+    }
+    body = "def start(context):\n    import arm.deeper as d\n    return [d.joy()]"
+    names(tmp_path, body, "OpaqueFunction(function=start)", files)
+    found = architecture(discover(tmp_path, ()), Settings(root=tmp_path), MemoryCache())
+    assert [[node.name for node in each.nodes] for each in found.configurations] == [["/package"], ["/package"]]
