@@ -26,13 +26,15 @@ class Environment(Mapping[str, str]):
     def __len__(self) -> int:
         return len(self.given)
 
+    def __bool__(self) -> bool:
+        return bool(self.given or self.lost)
+
     def over(self, *layers: Mapping[str, str] | None) -> Environment:
         """The same with what each of *layers* sets, the later ones before the earlier."""
         values, lost, chosen = dict(self.given), dict(self.lost), set(self.chosen)
         for layer in layers:
-            if not layer and not lost_of(layer or {}):
+            if not layer:
                 continue
-            assert layer is not None
             more, doubts = dict(layer), lost_of(layer)
             for name in (*more, *doubts):
                 values.pop(name, None)

@@ -12,6 +12,7 @@ import pytest
 from haros_ci.analysis.architecture import architecture
 from haros_ci.config.settings import Settings
 from haros_ci.model.architecture import Architecture
+from haros_ci.model.environment import NOTHING, Environment
 from haros_ci.workspace.cache import MemoryCache
 from haros_ci.workspace.discover import discover
 
@@ -172,3 +173,10 @@ def test_files_of_the_project_file(tmp_path: Path) -> None:
     assert model(tmp_path, files, {"configurations": {"x": lab}}, ARM_NAME="asked")[0] == ["/asked"]
     names, problems = model(tmp_path, files, {"environment_files": ["arm/none.env"]})
     assert names == ["/left"] and any("no file arm/none.env" in each for each in problems)
+
+
+def test_a_lost_variable_alone_is_an_environment() -> None:
+    lost = Environment({}, {"A": "why"})
+    assert lost and not NOTHING
+    assert Environment({"A": "1", "B": "2"}).over(lost) == Environment({"B": "2"}, {"A": "why"})
+    assert lost.over({"A": "3"}, None, {}) == Environment({"A": "3"})
