@@ -10,7 +10,7 @@ from typing import Any
 
 from haros_ci.analysis.kept_nodes import keeper
 from haros_ci.analysis.kept_runs import launch_state
-from haros_ci.analysis.wanted import configurations
+from haros_ci.analysis.wanted import configurations, named_environment
 from haros_ci.config.settings import Settings
 from haros_ci.declared import hints
 from haros_ci.extract.apis.tables import rows
@@ -36,6 +36,7 @@ from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.link import Linked, Ros2Launch, Wanted, linked
 from haros_ci.timing import stage, timed
 from haros_ci.workspace.build import builds
+from haros_ci.workspace.environment import environment_of
 
 TOO_DEEP = "nested too deeply to be read; split the statements"
 
@@ -114,8 +115,9 @@ def varied(
         api_rows(project.get("apis"), where, problems, plugin_rows(settings)),
         wanted=chosen_ones,
         environment=environment,
+        defaults=environment_of(workspace, built).over(named_environment(workspace, project, problems, where)),
         known=known,
-        ros2=ros2_launch(workspace, built, environment or {}, common.launched.setdefault(launch_state(workspace), {})),
+        ros2=ros2_launch(workspace, built, common.launched.setdefault(launch_state(workspace), {})),
         share=timed("follow")(partial(shared, processes=processes)),
         alternatives=alternatives,
     )
@@ -226,10 +228,7 @@ def module_name(path: str, roots: Iterable[tuple[str, str]]) -> str:
 
 
 def ros2_launch(
-    workspace: Workspace,
-    built: Mapping[str, Build],
-    environment: Mapping[str, str],
-    launched: dict[tuple[object, ...], Any],
+    workspace: Workspace, built: Mapping[str, Build], launched: dict[tuple[object, ...], Any]
 ) -> Ros2Launch:
     """Launch files of ROS 2 in all dialects; *launched* has what was launched before."""
     places = Places(workspace, built)
@@ -239,19 +238,23 @@ def ros2_launch(
         if file.language == "python"
     }
 
-    def read(text: str) -> str | None:
+    def locate(text: str) -> tuple[str, str] | None:
         path, content, _ = places.read(text)
-        return content if path is not None else None
+        return (path, content) if path is not None else None
+
+    def read(text: str) -> str | None:
+        found = locate(text)
+        return found[1] if found is not None else None
 
     def module(dotted: str) -> tuple[str, str] | None:
         path = modules.get(dotted)
         return (path, workspace.text(path)) if path is not None else None
 
-    def read_python(path: str) -> Description | None:
+    def read_python(path: str, environment: Mapping[str, str]) -> Description | None:
         from haros_ci.launch.python.interpret import interpret
 
         text = workspace.text(path)
-        return interpret(path, text, read, environment, module) if text else None
+        return interpret(path, text, read, environment, module, locate=locate) if text else None
 
     def read_xml(launch: LaunchFile, path: str) -> Description:
         from haros_ci.extract.launch.ros2_xml import read_ros2_xml
@@ -263,8 +266,8 @@ def ros2_launch(
 
         return read_ros2_yaml(text, path)
 
-    load = description_reader(workspace, read_python, launch_reader(workspace), read_xml, read_yaml)
-    return Ros2Launch(load, places, launched)
+    loader = description_reader(workspace, read_python, launch_reader(workspace), read_xml, read_yaml)
+    return Ros2Launch(loader, places, launched)
 
 
 def launch_reader(workspace: Workspace) -> Callable[[str], LaunchFile | None]:

@@ -7,8 +7,10 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from haros_ci.errors import UserError
+from haros_ci.model.environment import Environment
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.systems.link import Wanted
+from haros_ci.workspace.environment import environment_files
 
 
 def configurations(
@@ -33,12 +35,31 @@ def configurations(
                 name=str(name),
                 launch=tuple(path for path in paths if path is not None),
                 arguments=_scalars(entry, "args"),
-                environment=_scalars(entry, "environment"),
+                environment=named_environment(workspace, entry, problems, where, f"configuration {name}: ").over(
+                    _scalars(entry, "environment")
+                ),
                 user_data=entry.get("user_data") if isinstance(entry, Mapping) else None,
                 closed=isinstance(entry, Mapping) and entry.get("closed") is True,
             )
         )
     return tuple(wanted)
+
+
+def named_environment(
+    workspace: Workspace, entry: object, problems: list[Problem], where: str, who: str = ""
+) -> Environment:
+    """What the files under ``environment_files`` of a project file, or of a configuration of it, set."""
+    given = entry.get("environment_files") if isinstance(entry, Mapping) else None
+    named = [str(item) for item in given] if isinstance(given, (list, tuple)) else [str(given)] if given else []
+    found: list[str] = []
+    for item in named:
+        path = launch_path(workspace, item)
+        if path is None:
+            said = f"{who}no file {item} of environment variables in the workspace; correct 'environment_files'"
+            problems.append(Problem(where, f"{said} (files called .env, *.env, *.env.*, *.sh or *.bash are read)"))
+        else:
+            found.append(path)
+    return environment_files(workspace, found)
 
 
 def _scalars(entry: object, key: str) -> dict[str, str]:

@@ -64,6 +64,9 @@ def _model(project: Mapping[str, object]) -> Iterator[tuple[str, tuple[str, ...]
         value = project.get(key)
         if isinstance(value, Mapping) and value:
             yield key, tuple(str(name) for name in value)
+    files = project.get("environment_files")
+    if files:
+        yield "environment_files", tuple(map(str, files)) if isinstance(files, (list, tuple)) else (str(files),)
     rows = project.get("apis")
     if isinstance(rows, Sequence) and rows:
         yield "apis", tuple(str(row.get("call", row.get("class"))) for row in rows if isinstance(row, Mapping))

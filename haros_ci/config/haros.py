@@ -19,8 +19,8 @@ from haros_ci.config.yaml_lines import Value
 PROJECT_KEYS = ("project", "packages", "repositories", "configurations", "nodes", "rules", "analysis")
 HOME_KEYS = ("workspace", "environment", "plugin_blacklist", "cpp")
 IGNORE_KEYS = ("tags", "rules", "metrics", "files")
-#: Keys of one configuration; HAROS has no arguments or environment of launch files and no ``closed``, they are ours.
-CONFIGURATION_KEYS = ("launch", "hints", "hpl", "user_data", "args", "environment", "closed")
+#: Keys of one configuration; HAROS has no arguments and environment of launch files and no ``closed``, they are ours.
+CONFIGURATION_KEYS = ("launch", "hints", "hpl", "user_data", "args", "environment", "environment_files", "closed")
 
 #: Repositories that one note names.
 MAX_NAMED = 10
@@ -161,6 +161,8 @@ def _check_configurations(file: File, value: Value) -> None:
                 raise file.error(
                     entries["closed"].line, f"'closed' of {what} is neither true nor false", "closed: true"
                 )
+            if "environment_files" in entries:
+                file.texts(entries["environment_files"], f"environment_files of {what}")
             for key, example in (("args", "args: {robot: kobuki}"), ("environment", "environment: {ROBOT: kobuki}")):
                 if key in entries:
                     _check_scalars(file, entries[key], f"'{key}' of {what}", example)

@@ -22,6 +22,7 @@ from haros_ci.results.rule import Level
 OWN_KEYS = (
     "profile", "select", "ignore", "levels", "per-package", "per-path", "exceptions", "exclude", "linters", "fail-on", "max-file-size",
     "compile-database", "baseline", "plugins", "plugin_whitelist", "apis", "known_nodes",
+    "environment_files",
 )  # fmt: skip
 KNOWN_KEYS = (*OWN_KEYS, *PROJECT_KEYS, *HOME_KEYS)
 POLICY_KEYS = ("select", "ignore", "levels")
@@ -70,6 +71,8 @@ def read_project(data: bytes, name: str, *, trust_config: bool = False) -> Proje
     own.check_apis(top)
     if "known_nodes" in top:
         file.map(top["known_nodes"], "'known_nodes'", "known_nodes: {package: {executable: {publishers: […]}}}")
+    if "environment_files" in top:
+        file.texts(top["environment_files"], "environment_files")
     values: dict[str, Any] = {
         "policy": Policy(
             select=policy.select,

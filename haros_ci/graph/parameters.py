@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
@@ -83,6 +84,10 @@ class ParameterServer:
         return None
 
 
+#: A path below a directory of the workspace, as Python launch files have them.
+_IN_WORKSPACE = re.compile(r"\$\(workspace ([^()$]*)\)/(.*)")
+
+
 def _fits(name: str, parts: list[str]) -> bool:
     """Whether *name* may be one of which only *parts* are known, with anything between them."""
     first, *middle, last = parts
@@ -113,10 +118,12 @@ def yaml_reader(files: Files) -> Any:
     def read(path: str) -> Value | None:
         text = path[1:] if path.startswith("\n") else None
         if text is None:
-            place = files.place(literal(path.replace("$(find-pkg-share ", "$(find ")))
-            if place.path is None or not files.has(posixpath.normpath(place.path)):
+            own = _IN_WORKSPACE.fullmatch(path)
+            place = files.place(literal(path.replace("$(find-pkg-share ", "$(find "))) if own is None else None
+            found = place.path if place is not None else posixpath.normpath(f"{own[1]}/{own[2]}") if own else None
+            if found is None or not files.has(posixpath.normpath(found)):
                 return None
-            text = files.workspace.text(place.path)
+            text = files.workspace.text(found)
         try:
             return Known(plain(read_yaml(literal(text))))
         except YamlError as error:

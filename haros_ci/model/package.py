@@ -22,7 +22,7 @@ LANGUAGES = (
     "world",
 )
 
-#: The kind of any other file, which only a tool that a project file declares reads.
+#: The kind of any other file: one that a tool of the project file reads, and one that sets environment variables.
 OTHER = "other"
 
 

@@ -13,6 +13,7 @@ from haros_ci.bounded_python.evaluation import Evaluation
 from haros_ci.bounded_python.functions import FUNCTIONS, Function
 from haros_ci.bounded_python.language import ARITHMETIC, COMPARISONS, POWER, SYNTAX, Language
 from haros_ci.bounded_python.limits import Limits, NotFollowed, TooMuch, check_text_method, parsed
+from haros_ci.model.environment import lost_of
 from haros_ci.substitutions.names import Text, literal, quoted
 from haros_ci.substitutions.presence import OTHER
 from haros_ci.substitutions.types import convert
@@ -195,6 +196,9 @@ def _substitution(name: str, operands: list[Any], scopes: Scopes) -> object:
     if name == "anon":
         raise Undecided(f"anon({quoted(key)}) is chosen anew at each launch")
     if name == "optenv":
+        lost = lost_of(scopes.environment).get(key)
+        if lost is not None:
+            raise Undecided(lost)
         default = operands[1] if len(operands) == 2 else ""
         return literal(scopes.environment.get(key, default)).raw
     if name == "env":

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
+from haros_ci.model.environment import chosen_of, lost_of
 from haros_ci.substitutions.expression import Scopes, Undecided, Wrong, evaluate
 from haros_ci.substitutions.names import Text, join_texts, literal, quoted, unknown
 
@@ -110,9 +111,9 @@ def _command(content: str, sources: Sources) -> Substituted:
     if command == "optenv":
         if not words:
             return _wrong("$(optenv NAME default) needs the name of an environment variable")
-        value = sources.environment.get(words[0])
-        if value is not None:
-            return Substituted(literal(value))
+        given = _given(words[0], sources)
+        if given is not None:
+            return Substituted(given)
         if len(words) == 1:
             return Substituted(Text("", vacant=_not_given(words[0])))
         default = " ".join(words[1:])
@@ -134,10 +135,20 @@ def _command(content: str, sources: Sources) -> Substituted:
 
 
 def environment_text(name: str, sources: Sources) -> Text:
+    given = _given(name, sources)
+    return unknown(_not_given(name)) if given is None else given
+
+
+def _given(name: str, sources: Sources) -> Text | None:
+    """The value of an environment variable; None if nothing sets it."""
+    lost = lost_of(sources.environment).get(name)
+    if lost is not None:
+        return unknown(lost)
     value = sources.environment.get(name)
     if value is None:
-        return unknown(_not_given(name))
-    return literal(value)
+        return None
+    chosen = f"{name}={value}" if name in chosen_of(sources.environment) else ""
+    return replace(literal(value), chosen=chosen)
 
 
 def _not_given(name: str) -> str:

@@ -24,6 +24,7 @@ from haros_ci.launch.ros2.places import Places
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import LIBRARY, Architecture, Configuration, Node, Parameter
 from haros_ci.model.build import Build
+from haros_ci.model.environment import NOTHING, Environment
 from haros_ci.model.launch import LaunchFile
 from haros_ci.model.launch_actions import Description
 from haros_ci.model.launch_facts import LaunchFact
@@ -43,7 +44,6 @@ from haros_ci.systems.following import KnownNodes, Types
 from haros_ci.systems.keeping import Keeper
 from haros_ci.systems.launch_facts import Completion
 from haros_ci.systems.node_types import path_name, types_of
-from haros_ci.systems.ros2_hosts import ros2_alone
 from haros_ci.systems.ros2_library import Library, Seen
 from haros_ci.systems.simulation import ros1 as ros1_simulation
 from haros_ci.systems.simulation import ros2 as ros2_simulation
@@ -79,19 +79,18 @@ class Wanted:
 
 @dataclass(frozen=True, slots=True)
 class Ros2Launch:
-    """Launch files of ROS 2: *load* gives the description of one in any dialect, None if it is none; *places* finds files.
-
-    *memo* has what was launched before, of ROS 1 too.
+    """Launch files of ROS 2: *loader* gives for an environment what gives the description of a file in any dialect, None if it is none;
+    *places* finds files. *memo* has what was launched before, of ROS 1 too.
     """
 
-    load: Callable[[str], Description | None]
+    loader: Callable[[Mapping[str, str]], Callable[[str], Description | None]]
     places: Places
     memo: dict[tuple[object, ...], Any] = field(default_factory=dict)
 
     def entries(self, workspace: Workspace, environment: Mapping[str, str]) -> tuple[str, ...]:
         """The launch files that a workspace is started by."""
         is_ros2 = is_ros2_file(workspace)
-        return ros2_entry_files(workspace, self.load, self.places, is_ros2, self.memo, environment)
+        return ros2_entry_files(workspace, self.loader(environment), self.places, is_ros2, self.memo, environment)
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,7 +137,8 @@ def open_(
     alternatives: bool = False,
 ) -> Opened:
     """Evaluate the launch files of a configuration, each in its own dialect; perhaps with what other arguments start."""
-    newer = tuple(path for path in wanted.launch if ros2 is not None and ros2.load(path) is not None)
+    describe = ros2.loader(environment) if ros2 is not None else None
+    newer = tuple(path for path in wanted.launch if describe is not None and describe(path) is not None)
     older = tuple(path for path in wanted.launch if path not in newer)
     jobs: list[Job] = []
     parameters: tuple[Parameter, ...] = ()
@@ -159,9 +159,9 @@ def open_(
         problems += launched.problems
         facts += launched.facts
         completes.append(ros1_simulation.simulation(launched, trees, environment))
-    if newer and ros2 is not None:
+    if newer and ros2 is not None and describe is not None:
         found = launch_system(
-            newer, workspace, ros2.load, wanted.arguments, environment, ros2.places, ros2.memo, alternatives
+            newer, workspace, describe, wanted.arguments, environment, ros2.places, ros2.memo, alternatives
         )
         nodes = controllers.with_controllers(found.nodes, partial(parameter_file, ros2.places))
         containers = {clean(f"{each.namespace or '/'}/{each.name}"): each for each in nodes if each.name is not None}
@@ -185,6 +185,7 @@ def linked(
     *,
     wanted: tuple[Wanted, ...] | None = None,
     environment: Mapping[str, str] | None = None,
+    defaults: Environment = NOTHING,
     known: KnownNodes | None = None,
     exact: Exact | None = None,
     share: Share = in_turn,
@@ -196,7 +197,8 @@ def linked(
 
     *sources* are its C++ and Python programs, *load* gives a launch file's facts, *rows* the API rows by language. Without
     *wanted*, every launch file that no other includes is a configuration, and every node type that none of them starts
-    is one alone. *known* tells what is known of node types that are not of the workspace, *exact* what the exact
+    is one alone. *environment* comes before what a configuration says of variables, *defaults* after it.
+    *known* tells what is known of node types that are not of the workspace, *exact* what the exact
     tier knows of calls. *share* does the jobs of following nodes; it may do them in other processes. *keeper* has what
     earlier runs followed, *ros2* reads launch files of ROS 2. With *alternatives* each configuration has the nodes that
     are there with other launch arguments, too.
@@ -206,8 +208,8 @@ def linked(
     configurations: list[Configuration] = []
     if wanted is None:
         paths = (
-            *entry_files(workspace, load),
-            *(ros2.entries(workspace, environment or {}) if ros2 is not None else ()),
+            *entry_files(workspace, load, defaults.over(environment)),
+            *(ros2.entries(workspace, defaults.over(environment)) if ros2 is not None else ()),
         )
         chosen = tuple(Wanted(name=path_name(workspace, path), launch=(path,)) for path in sorted(paths))
     else:
@@ -218,8 +220,9 @@ def linked(
     opened: list[tuple[Wanted, Opened]] = []
     trees = Trees(workspace, builds)
     for item in chosen:
-        seen = {**item.environment, **(environment or {})}
-        each = open_(types, workspace, load, ros2, item, seen, trees, alternatives)
+        each = open_(
+            types, workspace, load, ros2, item, defaults.over(item.environment, environment), trees, alternatives
+        )
         problems.update(dict.fromkeys(each.problems))
         started.update((job.node.package, job.node.type) for job in each.jobs)
         opened.append((item, each))
@@ -274,7 +277,7 @@ def linked(
         if name not in items:
             return None
         item = replace(items[name], arguments={**items[name].arguments, **assignment})
-        each = open_(types, workspace, load, ros2, item, {**item.environment, **(environment or {})}, trees)
+        each = open_(types, workspace, load, ros2, item, defaults.over(item.environment, environment), trees)
         return _configuration(completion, item, each, [job.follow() for job in each.jobs], ())
 
     found = Architecture(

@@ -12,10 +12,12 @@ from haros_ci.graph.names import clean
 from haros_ci.graph.parameters import Perhaps
 from haros_ci.graph.ros2_process import RosNode
 from haros_ci.graph.ros2_process import reason as reason_of
+from haros_ci.graph.words import shell_words
 from haros_ci.graph.words import split as words_of
 from haros_ci.model.architecture import Node, Unknown
 from haros_ci.model.location import Location
 from haros_ci.systems.entries import Programs
+from haros_ci.systems.known.command_lines import specialised
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.known.instantiate import instantiate
 from haros_ci.systems.ros2_implicit import implicit
@@ -58,7 +60,7 @@ def described(
         return Unknown(field, said, reason.location if reason else None)
 
     ends = instantiate(
-        known,
+        specialised(known, arguments, 1),
         name=node.name,
         namespace=namespace,
         arguments=arguments,
@@ -139,7 +141,7 @@ def ros2_described(node: Node, types: Types, started: LaunchedNode, rules: tuple
         return plain if held else None
 
     ends = instantiate(
-        known,
+        specialised(known, shell_words(started.arguments), 2, file),
         name=full,
         namespace=space,
         arguments=started_words(started),

@@ -73,19 +73,3 @@ def _loaded_base(kind: Type) -> str:
     while kind.name and kind.name.rpartition("::")[2] != "ClassLoader":
         kind = kind.arguments[0] if kind.arguments and isinstance(kind.arguments[0], syntax.Type) else syntax.Type("")
     return str(kind.arguments[0].name) if kind.arguments and isinstance(kind.arguments[0], syntax.Type) else "?"
-
-
-def ros2_alone(types: Types, started: set[tuple[str, str]]) -> Iterator[Job]:
-    """The ROS 2 node types that nothing starts: executables, and components that no executable runs."""
-    tables = (types.components, types.ros2_programs)
-    running = {id(table[each][0]) for table in tables for each in started if each in table}
-    for package, name in sorted(types.ros2_programs):
-        entry = types.ros2_programs[package, name][0]
-        if (package, name) not in started and id(entry) not in running:
-            running.add(id(entry))
-            yield ros2_system.alone(types, package, name)
-    for package, name in sorted(types.components):
-        if id(types.components[package, name][0]) not in running:
-            yield ros2_system.alone(types, package, name, is_component=True)
-    for package, name in sorted(types.hosted):
-        yield ros2_system.plugin(types, package, name)

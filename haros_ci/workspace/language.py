@@ -35,6 +35,9 @@ SUFFIXES = {
     "md": "markdown",
 }
 
+#: Environment hooks that are templates or of ament's own form, and files of environment variables.
+_ENVIRONMENT = re.compile(r".*\.(?:(?:sh|bash)(?:\.develspace)?\.(?:em|in)|dsv(?:\.in)?|env)|(?:.*\.)?env\.\w+|\.env")
+
 #: ``#!/usr/bin/python3``, ``#!/usr/bin/env python``, ``#!/usr/bin/env -S python3 -u``, ``#!/bin/sh -e``
 _SHEBANG = re.compile(
     rb"#![ \t]*(?:\S*/env[ \t]+(?:-\S+[ \t]+|\w+=\S*[ \t]+)*)?(?:\S*/)?(?:(python)[\d.]*|(?:ba|da|k)?sh)(?:\s|$)"
@@ -48,6 +51,11 @@ def language_of(name: str) -> str | None:
     if name.endswith(LAUNCH_ENDINGS):
         return "launch"
     return "dockerfile" if name.startswith("Dockerfile.") else SUFFIXES.get(suffix_of(name))
+
+
+def sets_environment(name: str) -> bool:
+    """Whether a file called *name* may set environment variables, as data that no tool reads."""
+    return _ENVIRONMENT.fullmatch(name) is not None
 
 
 def suffix_of(name: str) -> str:

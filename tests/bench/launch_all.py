@@ -73,15 +73,15 @@ def candidates(workspace: Workspace) -> list[str]:
 
 def count(root: Path) -> Counts:
     workspace = discover(root, ())
-    reader = ros2_launch(workspace, builds(workspace), {})
+    reader = ros2_launch(workspace, builds(workspace))
     counts = Counts()
     for path in candidates(workspace):
         start = time.perf_counter()
         try:
-            if reader.load(path) is None:
+            if reader.loader({})(path) is None:
                 counts.files["no launch file of ROS 2"] += 1
                 continue
-            system = launch_system((path,), workspace, reader.load, {}, {}, reader.places)
+            system = launch_system((path,), workspace, reader.loader({}), {}, {}, reader.places)
         except Exception:
             counts.exceptions.append((path, traceback.format_exc()))
             continue

@@ -240,7 +240,7 @@ def failures(text: str, path: str, workspace: Workspace, reader: Ros2Launch, fou
     assert description is not None
     found["described"] += any(action.kind != "?" for action in description.actions)
     found["out of budget"] += any("is not followed to its end" in action.reason for action in description.actions)
-    load = lambda other: description if other == path else reader.load(other)  # noqa: E731
+    load = lambda other: description if other == path else reader.loader({})(other)  # noqa: E731
     system = launch_system((path,), workspace, load, {}, {}, reader.places)
     checked(description)
     found["nodes"] += len(system.nodes)
@@ -258,12 +258,12 @@ def main() -> None:
     taken: list[tuple[str, str, Workspace, Ros2Launch]] = []
     for root in options.root:
         workspace = discover(root, ())
-        reader = ros2_launch(workspace, builds(workspace), {})
+        reader = ros2_launch(workspace, builds(workspace))
         for file in workspace.files:
             text = workspace.text(file.path) if file.path.endswith("launch.py") else ""
             if "generate_launch_description" in text:
                 taken.append((file.path, text, workspace, reader))
-                launch_system((file.path,), workspace, reader.load, {}, {}, reader.places)
+                launch_system((file.path,), workspace, reader.loader({}), {}, {}, reader.places)
     library = (sys.prefix, sys.base_prefix, str(Path(__file__).resolve().parents[2]))
     watch = Watch(tuple(str(root.resolve()) for root in options.root) + library)
     sys.addaudithook(watch.hook)

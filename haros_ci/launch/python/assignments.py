@@ -16,6 +16,7 @@ from haros_ci.launch.python.values import (
     Instance,
     Library,
     Made,
+    Module,
     Rest,
     Scope,
     Unknown,
@@ -35,7 +36,7 @@ def assign(run: Run, scope: Scope, target: ast.expr, value: Value) -> None:
         unpack(run, scope, target, value)
     elif isinstance(target, ast.Attribute):
         owner = run.evaluate(run, scope, target.value)
-        if isinstance(owner, (Instance, Class)):
+        if isinstance(owner, (Instance, Class, Module)):
             run.heap.touch(owner.variables)
             owner.variables[target.attr] = value
         elif isinstance(owner, Made):

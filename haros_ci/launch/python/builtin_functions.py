@@ -317,8 +317,6 @@ SUMMARIES: dict[str, Summary] = {
             "os.chmod",
             "shutil.rmtree",
             "time.sleep",
-            "sys.path.append",
-            "sys.path.insert",
             "random.seed",
             "os.environ.setdefault",
             "os.environ.update",

@@ -74,7 +74,7 @@ def look_up(run: Run, scope: Scope, word: str, node: ast.AST) -> Value:
 
 
 BUILTIN_NAMES = frozenset(
-    """abs all any bool bytes callable chr classmethod dict dir divmod enumerate eval exec filter float format frozenset
+    """__import__ abs all any bool bytes callable chr classmethod dict dir divmod enumerate eval exec filter float format frozenset
     getattr globals hasattr hash id input int isinstance issubclass iter len list locals map max min next object open
     ord pow print property range repr reversed round set setattr sorted staticmethod str sum super tuple type vars zip
     Exception ValueError KeyError TypeError RuntimeError FileNotFoundError OSError EnvironmentError IndexError

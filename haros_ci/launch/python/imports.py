@@ -68,13 +68,29 @@ def module(run: Run, dotted: str) -> Value:
         return run.modules[dotted]
     if dotted.split(".")[0] in SUMMARISED or not dotted or len(run.modules) >= MODULES:
         return Library(dotted)
-    found = run.module(dotted)
-    if found is None:
-        return Library(dotted)
-    path, text = found
-    tree = parse(text)
+    found = beside(run, run.first, dotted) or run.module(dotted) or beside(run, run.last, dotted)
+    made = None if found is None else interpreted(run, dotted, *found)
+    return Library(dotted) if made is None else made
+
+
+def beside(run: Run, directories: list[str], dotted: str) -> tuple[str, str] | None:
+    """The path and text of the module *dotted* in the first of *directories* (as ``readable`` gives them) that has it."""
+    inner = dotted.replace(".", "/")
+    for directory in directories:
+        found = run.locate(f"{directory}/{inner}.py") or run.locate(f"{directory}/{inner}/__init__.py")
+        if found is not None:
+            return found
+    return None
+
+
+def interpreted(run: Run, dotted: str, path: str, text: str) -> Module | None:
+    """The module *dotted* of the file at *path*, its statements done once; None if it is no Python."""
+    known = next((each for each in run.modules.values() if each.path == path), None)
+    tree = parse(text) if known is None else None
     if tree is None:
-        return Library(dotted)
+        if known is not None:
+            run.modules[dotted] = known
+        return known
     package = dotted if path.endswith("__init__.py") else dotted.rpartition(".")[0]
     source = Source(path, tuple(text.splitlines()), package)
     scope = Scope({}, None, source)

@@ -15,6 +15,7 @@ from haros_ci.launch.python.library import call_value, summary_of
 from haros_ci.launch.python.run import Run
 from haros_ci.launch.python.statements import block
 from haros_ci.launch.python.values import Call, Function, Made, Scope, Source, Unknown, Value
+from haros_ci.model.environment import lost_of
 from haros_ci.model.launch_actions import Action, Description
 from haros_ci.model.location import Location
 
@@ -28,11 +29,12 @@ def interpret(
     environment: Mapping[str, str],
     module: Callable[[str], tuple[str, str] | None] | None = None,
     budget: Budget | None = None,
+    locate: Callable[[str], tuple[str, str] | None] | None = None,
 ) -> Description:
     """What ``generate_launch_description()`` of the launch file *text* at the root-relative *path* returns.
 
     *read* gives the text of a file of the workspace for a path that begins with a marker of ``model/launch_actions``,
-    None if there is none; *module* the path and text of a Python module of the workspace. What cannot be known is an
+    None if there is none, *locate* its root-relative path as well; *module* the path and text of a Python module of the workspace. What cannot be known is an
     action or a substitution ``?`` with its reason; nothing is raised. *budget* tells afterwards what has been used;
     each OpaqueFunction begins it anew.
     """
@@ -43,8 +45,9 @@ def interpret(
         return Description(problems=((1, "this is not valid Python; correct the syntax"),))
     run = Run(
         read=read,
-        environment=dict(environment),
+        environment={**environment, **{name: Unknown(why, None) for name, why in lost_of(environment).items()}},
         module=module or (lambda _: None),
+        locate=locate or (lambda _: None),
         known=lambda dotted: summary_of(dotted) is not None,
         evaluate=evaluate,
         block=block,

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from haros_ci.launch.python.builtin_functions import Summary, nothing
@@ -15,7 +16,7 @@ from haros_ci.launch.python.phrases import flag, pair_of, phrases_of, words
 from haros_ci.launch.python.run import Run
 from haros_ci.launch.python.sequences import items_of
 from haros_ci.launch.python.substitutions import pairs
-from haros_ci.launch.python.values import Call, Made, Unknown, Value, mystery, phrase, why
+from haros_ci.launch.python.values import Call, Made, Unknown, Value, merged, mystery, phrase, why
 from haros_ci.model.launch_actions import Action, Phrase
 
 
@@ -153,11 +154,19 @@ def include_arguments(run: Run, value: Value, call: Call) -> tuple[tuple[Phrase,
     return ((lost, lost),) if isinstance(items, Unknown) else tuple(pair_of(item, call) for item in items)
 
 
+#: What is more than one command, or more than its words.
+_SHELL = re.compile(r"[;&|<>`\n]|\$\((?!find-pkg|workspace)")
+
+
 def process(run: Run, call: Call) -> Value:
     """ExecuteProcess: its command's words with a blank between them."""
     bound = call.bind("* cmd prefix name cwd env additional_env")
     cmd = bound.get("cmd")
-    found: list[tuple[str, Phrase]] = [("cmd", words(run, cmd, call))]
+    line = words(run, cmd, call)
+    if bound.get("shell") is True and isinstance(cmd, (list, tuple)):  # it is joined, and parted by the shell
+        joined = merged(part for item in cmd for part in (*phrase(item), " "))
+        line = line if any(isinstance(part, str) and _SHELL.search(part) for part in joined) else joined
+    found: list[tuple[str, Phrase]] = [("cmd", line)]
     found += [
         (called, phrase(bound[name]))
         for name, called in (("name", "name"), ("prefix", "launch-prefix"))

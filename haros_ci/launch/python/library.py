@@ -11,6 +11,7 @@ from haros_ci.launch.python.definitions import bound, call_function, instantiate
 from haros_ci.launch.python.imports import SUMMARISED
 from haros_ci.launch.python.launch_actions import SUMMARIES as LAUNCH
 from haros_ci.launch.python.launch_events import SUMMARIES as EVENTS
+from haros_ci.launch.python.module_files import SUMMARIES as MODULES
 from haros_ci.launch.python.moveit import SUMMARIES as MOVEIT
 from haros_ci.launch.python.moveit_launches import SUMMARIES as MOVEIT_LAUNCHES
 from haros_ci.launch.python.path_methods import SUMMARIES as PATHS
@@ -43,6 +44,7 @@ SUMMARIES: dict[str, Summary] = {
     **MOVEIT,
     **MOVEIT_LAUNCHES,
     **CONTROLLERS,
+    **MODULES,
 }
 
 

@@ -49,6 +49,8 @@ def later(run: Run, call: Call, actions: Callable[[Context], tuple[Action, ...]]
     def function(context: LaunchContext) -> tuple[Action, ...]:
         frames, places = run.frames, run.places
         run.frames, run.places = [], dict(places)
+        modules, first, last = run.modules, run.first, run.last  # those that are imported here are undone with the rest
+        run.modules, run.first, run.last = dict(modules), list(first), list(last)
         run.budget.restart()
         journal = run.heap.open()
         try:
@@ -61,6 +63,7 @@ def later(run: Run, call: Call, actions: Callable[[Context], tuple[Action, ...]]
         finally:
             run.heap.close(journal)
             run.frames, run.places = frames, places
+            run.modules, run.first, run.last = modules, first, last
 
     tests = tests_of(call.keywords.get("condition"), call.location)
     return Made(

@@ -29,12 +29,14 @@ class Run:
 
     *known* says whether a library's name has a summary, *evaluate* gives the value of an expression, *call* calls
     a value, *attribute* is ``x.y``: they are here so that the summaries need not know the interpreter. *places*
-    keeps where a literal stands, by the identity of its value.
+    keeps where a literal stands, by the identity of its value. *locate* gives the root-relative path and text of a file by such a path as
+    *read* takes; modules are looked for in the directories *first*, before those of packages, and *last*.
     """
 
     read: Callable[[str], str | None]
     environment: dict[str, Value]
     module: Callable[[str], tuple[str, str] | None]
+    locate: Callable[[str], tuple[str, str] | None]
     known: Callable[[str], bool]
     evaluate: Callable[[Run, Scope, ast.expr], Value]
     block: Callable[[Run, Scope, list[ast.stmt]], Any]
@@ -46,6 +48,8 @@ class Run:
     frames: list[Frame] = field(default_factory=list)
     places: dict[int, tuple[Value, Location]] = field(default_factory=dict)
     texts: dict[str, str | None] = field(default_factory=dict)
+    first: list[str] = field(default_factory=list)
+    last: list[str] = field(default_factory=list)
     #: How many containers have been made; what loads into one names it by its number.
     containers: int = 0
     #: What launch_ros must accept for this file to be launched at all, by its text.

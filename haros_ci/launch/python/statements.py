@@ -16,6 +16,7 @@ from haros_ci.launch.python.forks import settle
 from haros_ci.launch.python.heap import DEPTH, LOOP
 from haros_ci.launch.python.imports import import_from, import_names
 from haros_ci.launch.python.matches import match
+from haros_ci.launch.python.module_files import is_search_path, search_also
 from haros_ci.launch.python.run import Run, condition
 from haros_ci.launch.python.sequences import items_of
 from haros_ci.launch.python.truth import truth
@@ -66,6 +67,9 @@ def annotated(run: Run, scope: Scope, node: ast.AnnAssign) -> None:
 
 def changed(run: Run, scope: Scope, node: ast.AugAssign) -> None:
     old = variable(run, scope, node.target) if isinstance(node.target, ast.Name) else evaluate(run, scope, node.target)
+    if is_search_path(old) and isinstance(node.op, ast.Add):
+        search_also(run, evaluate(run, scope, node.value), scope.source.place(node))
+        return
     assign(run, scope, node.target, augmented(run, scope, node, old))
 
 

@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 
 from haros_ci.launch.ros1.arg import arg
 from haros_ci.launch.ros1.dialect import is_ros1
 from haros_ci.launch.ros1.scope import Scope
 from haros_ci.launch.ros1.state import State
+from haros_ci.model.environment import NOTHING
 from haros_ci.model.launch import LaunchElement, LaunchFile
 from haros_ci.model.workspace import Workspace
 from haros_ci.substitutions.files import Files, files_of
@@ -17,10 +18,12 @@ from haros_ci.timing import timed
 
 
 @timed("launch")
-def entry_files(workspace: Workspace, load: Callable[[str], LaunchFile | None]) -> tuple[str, ...]:
+def entry_files(
+    workspace: Workspace, load: Callable[[str], LaunchFile | None], environment: Mapping[str, str] = NOTHING
+) -> tuple[str, ...]:
     """The ROS 1 launch files in packages that no other ROS 1 launch file includes, sorted (design: configurations).
 
-    Paths of includes are followed with the args' defaults and without an environment, whether or not their conditions
+    Paths of includes are followed with the args' defaults and in *environment*, whether or not their conditions
     hold; those that stay unknown do not count.
     """
     files = files_of(workspace)
@@ -32,14 +35,23 @@ def entry_files(workspace: Workspace, load: Callable[[str], LaunchFile | None]) 
             if launch is not None and is_ros1(launch, ros.get(file.package)):
                 launches[file.path] = launch
     included = {
-        target for path, launch in launches.items() for target in _includes(files, load, path, launch) if target != path
+        target
+        for path, launch in launches.items()
+        for target in _includes(files, load, path, launch, environment)
+        if target != path
     }
     return tuple(sorted(path for path in launches if path not in included))
 
 
-def _includes(files: Files, load: Callable[[str], LaunchFile | None], path: str, launch: LaunchFile) -> Iterator[str]:
+def _includes(
+    files: Files,
+    load: Callable[[str], LaunchFile | None],
+    path: str,
+    launch: LaunchFile,
+    environment: Mapping[str, str],
+) -> Iterator[str]:
     """The files that *launch* itself includes."""
-    state = State(files=files, load=load, environment={})
+    state = State(files=files, load=load, environment=environment)
     top = Scope(path=path, namespace=Text("/"), directory=files.directory_of(path))
     todo: list[tuple[Scope, LaunchElement]] = []
     if launch.root is not None:

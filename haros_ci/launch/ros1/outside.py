@@ -46,9 +46,7 @@ _DEFAULTS = {
     "server_required": "false",
     "gui_required": "false",
 }
-_SERVER = (
-    "$(arg command_arg1) $(arg command_arg2) $(arg command_arg3) -e $(arg physics) $(arg extra_gazebo_args) $(arg world_name)"
-)
+_SERVER = "$(arg command_arg1) $(arg command_arg2) $(arg command_arg3) -e $(arg physics) $(arg extra_gazebo_args) $(arg world_name)"
 _EMPTY_WORLD = _tag(
     "launch",
     *(_tag("arg", name=name, default=default) for name, default in _DEFAULTS.items()),

@@ -19,6 +19,7 @@ from haros_ci.launch.ros1.rosparam import rosparam
 from haros_ci.launch.ros1.scope import Scope, location
 from haros_ci.launch.ros1.state import Exhausted, State, check_clear_params, inner_namespace
 from haros_ci.model.architecture import Condition, Parameter
+from haros_ci.model.environment import key_of
 from haros_ci.model.launch import Launched, LaunchElement, LaunchFile
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem, Workspace
@@ -53,7 +54,7 @@ def evaluate(
         "roslaunch",
         *launch_paths,
         tuple(sorted(arguments.items())),
-        tuple(sorted(environment.items())),
+        key_of(environment),
         alternatives,
     )
     if memo is not None and key in memo:

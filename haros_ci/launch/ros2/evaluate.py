@@ -11,11 +11,12 @@ from haros_ci.launch.ros2.assuming import assumed_problems
 from haros_ci.launch.ros2.context import Context, Exhausted
 from haros_ci.launch.ros2.places import Places
 from haros_ci.launch.ros2.run import Run
+from haros_ci.model.environment import key_of, lost_of
 from haros_ci.model.launch import LaunchedSystem
 from haros_ci.model.launch_actions import Description
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
-from haros_ci.substitutions.names import literal, quoted
+from haros_ci.substitutions.names import literal, quoted, unknown
 from haros_ci.substitutions.presence import Arguments
 
 #: What was launched before, by files, arguments and environment.
@@ -40,10 +41,11 @@ def launch_system(
     what has been launched before is not launched again. With *alternatives* all has its presence, and what is started
     with other launch arguments is told, too.
     """
-    key = (tuple(paths), tuple(sorted(arguments.items())), tuple(sorted(environment.items())), alternatives)
+    key = (tuple(paths), tuple(sorted(arguments.items())), key_of(environment), alternatives)
     if memo is not None and key in memo:
         return memo[key]
-    context = Context(shares, {name: literal(value) for name, value in sorted(environment.items())})
+    seen = {name: literal(value) for name, value in sorted(environment.items())}
+    context = Context(shares, seen | {name: unknown(reason) for name, reason in sorted(lost_of(environment).items())})
     given = {name: literal(value) for name, value in sorted(arguments.items())}
     run = Run(context, load, frozenset(given))
     if alternatives:

@@ -24,7 +24,13 @@ _KINDS = {"node": "node", "lifecycle-node": "lifecycle", "container": "container
 _IN_PACKAGE = re.compile(r"\$\(find-pkg-prefix ([^\s()]+)\)/lib/\1/([^/]+)")
 #: Verbs of ``ros2 control`` that load a controller (ros2controlcli), and words that begin another command.
 LOADING = frozenset(("load_controller", "load_start_controller", "load_configure_controller"))
-_NEXT = frozenset(("&&", "||", ";", "|", "&"))
+#: Commands of ``ros2`` that have a node, with the package that brings each.
+TOOLS = {
+    **dict.fromkeys((("bag", "play"), ("bag", "record")), "ros2bag"),
+    **dict.fromkeys((("topic", command) for command in ("pub", "echo", "hz", "bw", "delay")), "ros2topic"),
+}
+#: What ends the words of a command in a shell.
+_SHELL = re.compile(r"[;&|<>]|[12]>|.*;\Z")
 _Remaps = tuple[tuple[str, str, Location], ...]
 
 
@@ -83,17 +89,21 @@ def command(context: Context, action: Action, conditions: tuple[Condition, ...])
     """The node that a process is: ``ros2 run package executable ...``, or a package's executable by its path."""
     cmd = _command(context, action)
     words = _words(cmd.raw)
-    started = _program(words)
+    tool = TOOLS.get((words[1], words[2])) if words[:1] == ["ros2"] and len(words) > 2 else None
+    if tool is not None:
+        words = words[: next((number for number, word in enumerate(words) if _SHELL.match(word)), None)]
+    started = _program(words) if tool is None else (tool, words[2], 3)
     if started is None:
         return None
     package, type_, count = started
-    arguments, given = split_arguments(_line(words[count:]))
+    arguments, given = split_arguments(_line(words[count:])) if tool is None else (_line(words[count:]), "")
     environment = tuple((context.text(name), context.text(value)) for name, value in action.environment)
     return LaunchedNode(
         kind="node",
         package=_shown(package),
         type=_shown(type_),
         location=action.location,
+        name=None if tool is None else _node_name(words[count:]),
         arguments=_shown(arguments),
         ros_arguments=_shown(given),
         parameters=argument_rules(context, given, action.location),
@@ -119,7 +129,7 @@ def loading(context: Context, action: Action, conditions: tuple[Condition, ...])
     words = _words(_command(context, action).raw)
     if words[:2] != ["ros2", "control"] or len(words) < 3 or words[2] not in LOADING:
         return None
-    end = next((n for n, word in enumerate(words) if word in _NEXT), len(words))
+    end = next((number for number, word in enumerate(words) if _SHELL.match(word)), len(words))
     return LaunchedNode(
         kind="loading",
         package="controller_manager",
@@ -129,6 +139,16 @@ def loading(context: Context, action: Action, conditions: tuple[Condition, ...])
         conditions=conditions,
         presence=context.presence,
     )
+
+
+def _node_name(words: list[str]) -> str | None:
+    """What ``--node-name`` of ``ros2 bag`` and ``ros2 topic`` calls the node."""
+    for number, word in enumerate(words):
+        name, equals, value = word.partition("=")
+        if name in ("--node-name", "-n"):
+            given = value if equals else words[number + 1] if number + 1 < len(words) else ""
+            return _shown(given) if re.fullmatch(r"\w+", given) else None
+    return None
 
 
 def _program(words: list[str]) -> tuple[str, str, int] | None:

@@ -12,7 +12,7 @@ from haros_ci.launch.ros2 import presences
 from haros_ci.launch.ros2.assuming import assume
 from haros_ci.launch.ros2.context import Context, Exhausted, Scope
 from haros_ci.launch.ros2.including import include
-from haros_ci.launch.ros2.node import command, component, full_name, loading, node
+from haros_ci.launch.ros2.node import TOOLS, command, component, full_name, loading, node
 from haros_ci.launch.ros2.settings import SETTERS, doubt, kept, name_of
 from haros_ci.launch.ros2.substitutions import truth_of
 from haros_ci.model.architecture import Condition
@@ -258,14 +258,15 @@ class Run:
     def executable(self, action: Action, conditions: _Conditions) -> None:
         self.context.facts.taken()
         started = command(self.context, action, conditions)
-        if started is not None and started.type not in ("gazebo", "gzserver"):
+        is_command = started is not None and (
+            started.package in TOOLS.values() or started.type in ("gazebo", "gzserver")
+        )
+        if started is not None and not is_command:
             self.nodes.append(ros2.started(self.context, started))
-        else:
-            self.nodes += [started] if started is not None else []
-            ros2.command(self.context, self.context.text(action.get("cmd") or ()), action.location)
-            asking = loading(self.context, action, conditions)
-            if asking is not None:
-                self.nodes.append(asking)
+            return
+        asking = loading(self.context, action, conditions)
+        self.nodes += [each for each in (started, asking) if each is not None]  # a command, which has nodes
+        ros2.command(self.context, self.context.text(action.get("cmd") or ()), action.location)
 
     def event(self, action: Action, conditions: _Conditions) -> None:
         """Put the children off; by then every scope is left, as launch does it."""

@@ -160,9 +160,7 @@ def on_server(known: KnownPlugin, node: Node, rules: tuple[Rule, ...]) -> tuple[
 
 def by_simulated_time(node: Node) -> Node:
     """*node* as Gazebo makes one: its time is that of the simulation, whatever it is given."""
-    ends = [
-        replace(end, effective=True) if end.name == f"{node.name}:use_sim_time" else end for end in node.endpoints
-    ]
+    ends = [replace(end, effective=True) if end.name == f"{node.name}:use_sim_time" else end for end in node.endpoints]
     if not any(end.kind == "subscribers" and end.name == "/clock" for end in ends):
         made = implicit(node.name, "node", {}, True, node.location)
         ends += [replace(end, source="known-node") for end in made if end.kind == "subscribers"]
@@ -186,9 +184,7 @@ def _ros2_ends(
         name = full.rpartition(":")[2]
         return parameters[name] if name in parameters else element(use, known, name)
 
-    ends = instantiate(
-        what, name=node.name, namespace=space, arguments=(), parameter=asked, remap=itself.remap, ros=2
-    )
+    ends = instantiate(what, name=node.name, namespace=space, arguments=(), parameter=asked, remap=itself.remap, ros=2)
     has_qos = next(inner.all("qos"), None) is not None
     for end in ends:
         if has_qos and end.kind in ("publishers", "subscribers"):

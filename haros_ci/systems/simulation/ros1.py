@@ -66,9 +66,7 @@ class _Simulation:
             for name in others(nodes, SPAWNERS):
                 into.lose(f"{name} may bring models while it runs", node.location)
             made = [
-                end
-                for use, known, spawned in into.uses
-                for end in ros1_endpoints(use, known, node, spawned, parameter)
+                end for use, known, spawned in into.uses for end in ros1_endpoints(use, known, node, spawned, parameter)
             ]
             done.append(completed(node, made, into.lost))
         return tuple(done)

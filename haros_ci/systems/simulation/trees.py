@@ -143,4 +143,3 @@ class Trees:
 def _version(text: str | None) -> tuple[int, ...]:
     parts = (text or "").split(".")
     return tuple(int(part) for part in parts) if all(part.isdigit() and len(part) < 6 for part in parts) else ()
-

@@ -45,11 +45,11 @@ def loader(
 ) -> Callable[[str], Description | None]:
     return description_reader(
         workspace(files),
-        lambda path: (python or {}).get(path),
+        lambda path, environment: (python or {}).get(path),
         lambda path: read_launch(files[path]) if path in files else None,
         read_ros2_xml,
         read_ros2_yaml,
-    )
+    )({})
 
 
 def launch(

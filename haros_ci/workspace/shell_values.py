@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The variables of a shell script while its text is followed: their values, and what tests of them decide."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from haros_ci.workspace.shell_words import HOLE, Part, Unreadable, Variable, Word
+
+#: Characters of one value, and how many variables there may be.
+MAX_VALUE, MAX_NAMES = 4_000, 500
+
+#: Variables that the shell, the system, ROS or the simulator has set before: nobody knows to what.
+_TAKEN = re.compile(
+    r"(?:HOME|USER|LOGNAME|PATH|PWD|OLDPWD|SHELL|HOSTNAME|HOST|LANG|LC_\w+|TERM|DISPLAY|SHLVL|UID|EUID|TMPDIR|RANDOM|PPID|EDITOR"
+    r"|LD_LIBRARY_PATH|PYTHONPATH|PKG_CONFIG_PATH|CMAKE_\w+|AMENT_\w+|COLCON_\w+|CATKIN_\w+|_CATKIN\w*|GAZEBO_\w+|GZ_\w+|IGN_\w+|XDG_\w+|SSH_\w+|BASH\w*"
+    r"|ZSH\w*|ROS_(?:DISTRO|VERSION|PYTHON_VERSION|ROOT|PACKAGE_PATH|MASTER_URI|ETC_DIR|IP|HOSTNAME))\Z"
+)
+_SET = re.compile(r"(?<![\w$-])([A-Za-z_]\w*)\+?=|\$\{([A-Za-z_]\w*):?=")
+_ASSIGNMENT = re.compile(r"([A-Za-z_]\w*)(\+?)=")
+
+
+def names_set(text: str) -> frozenset[str]:
+    """The names that *text* seems to set."""
+    return frozenset(found[1] or found[2] for found in _SET.finditer(text))
+
+
+@dataclass(slots=True)
+class State:
+    """What is known of the variables at one place of a script."""
+
+    script: str
+    values: dict[str, str | None]
+    #: Names of which nothing is known any more.
+    stuck: set[str]
+    exported: set[str] = field(default_factory=set)
+    gone: set[str] = field(default_factory=set)
+    #: How many conditions around that do not hold, and that may hold.
+    skipped: int = 0
+    doubts: int = 0
+    is_exporting_all: bool = False
+    #: Whether another script has been sourced, which may have set anything.
+    is_open: bool = False
+    is_ended: bool = False
+    #: What is set before the script.
+    inherited: frozenset[str] = frozenset()
+
+    def known(self, name: str) -> str | None:
+        return None if name in self.stuck else self.values.get(name)
+
+    def assignment(self, word: Word) -> re.Match[str] | None:
+        first = word.parts[0] if word.parts else None
+        return _ASSIGNMENT.match(first) if isinstance(first, str) else None
+
+    def assign(self, word: Word) -> str:
+        """Do an assignment; the name."""
+        found = self.assignment(word)
+        assert found is not None and isinstance(word.parts[0], str)
+        rest: tuple[Part, ...] = (word.parts[0][found.end() :], *word.parts[1:])
+        value = self.expand(rest, is_test=False)
+        if isinstance(rest[0], str) and rest[0].startswith("~"):
+            value = None
+        if found[2]:
+            before = self.values.get(found[1])
+            value = None if before is None or value is None else before + value
+        self.put(found[1], value)
+        return found[1]
+
+    def put(self, name: str, value: str | None) -> None:
+        if self.skipped:
+            return
+        if self.doubts:
+            self.stuck.add(name)
+        if value is not None and (len(value) > MAX_VALUE or HOLE in value):
+            value = None
+        self.values[name] = value
+        self.gone.discard(name)
+        if len(self.values) > MAX_NAMES:
+            raise Unreadable
+        if self.is_exporting_all or name in self.inherited:
+            self.exported.add(name)
+
+    def expand(self, parts: Sequence[Part], *, is_test: bool) -> str | None:
+        """The text of *parts*; a variable that is not set is empty in a test, and not known in a value."""
+        found: list[str | None] = [part if isinstance(part, str) else self.part(part, is_test) for part in parts]
+        return None if None in found else "".join(each for each in found if each is not None)
+
+    def part(self, part: Variable | None, is_test: bool) -> str | None:
+        if part is None:
+            return None
+        name, operator = part.name, part.operator
+        is_unset, value = self.look(name)
+        other = self.expand(part.other, is_test=is_test) if operator and operator[-1] != "?" else None
+        if not operator or operator[-1] == "?":
+            return "" if is_unset and is_test and not operator else value
+        if not is_unset and value is None:
+            if operator[-1] == "=":
+                self.put(name, None)
+            return None
+        is_there = not is_unset and (bool(value) or ":" not in operator)
+        if operator[-1] == "+":
+            return other if is_there else ""
+        if is_there:
+            return value
+        if operator[-1] == "=":
+            self.put(name, other)
+        return other
+
+    def look(self, name: str) -> tuple[bool, str | None]:
+        """Whether a variable is not set, and its value where that is known."""
+        if name in self.stuck:
+            return False, None
+        if name in self.values:
+            return False, self.values[name]
+        return (False, None) if self.is_open or _TAKEN.match(name) else (True, None)
+
+    def test(self, words: list[Word]) -> bool | None:
+        """``[ … ]`` of texts; None for anything else."""
+        operands = [self.expand(word.parts, is_test=True) for word in words]
+        plain = [word.text for word in words]
+        if plain[:1] == ["!"]:
+            status = self.test(words[1:])
+            return None if status is None else not status
+        if len(words) == 1:
+            return None if operands[0] is None else operands[0] != ""
+        if len(words) == 2 and plain[0] in ("-z", "-n") and operands[1] is not None:
+            return (operands[1] == "") == (plain[0] == "-z")
+        if len(words) == 3 and plain[1] in ("=", "==", "!="):
+            left, _, right = operands
+            if left is None or right is None or (not words[2].is_quoted and re.search(r"[*?[]", right)):
+                return None
+            return (left == right) == (plain[1] != "!=")
+        return None
