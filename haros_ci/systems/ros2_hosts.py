@@ -3,12 +3,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 
 from haros_ci import syntax
 from haros_ci.index import behavior_tree_files
 from haros_ci.syntax import Type
-from haros_ci.systems import ros2_system
 from haros_ci.systems.following import Types
 from haros_ci.systems.ros2_system import PLUGINS, TREES, alone
 from haros_ci.systems.system import Job
