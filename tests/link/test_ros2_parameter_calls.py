@@ -75,3 +75,27 @@ def test_constants_of_messages_that_are_names() -> None:
         component("declare_parameter(bond::msg::Constants::DISABLE_HEARTBEAT_TIMEOUT_PARAM, true);"), "parameters"
     )
     assert end.name == "/n:bond_disable_heartbeat_timeout"
+
+
+@pytest.mark.parametrize(
+    ("body", "names"),
+    (
+        ('create_publisher<std_msgs::msg::String>(has_parameter("use_sim_time") ? "sim" : "real", 1);', ["/sim"]),
+        (
+            'bool sim = get_parameter("use_sim_time").as_bool(); if (!sim) { create_publisher<std_msgs::msg::String>("a", 1); }',
+            ["/a"],
+        ),
+        ('if (has_parameter("use_sim_time")) { create_publisher<std_msgs::msg::String>("a", 1); }', ["/a"]),
+    ),
+)
+def test_every_node_has_the_parameter_use_sim_time(body: str, names: list[str]) -> None:
+    """TimeSource declares it in each node, with false where it is not given (rclcpp/time_source.cpp)."""
+    ends = explicit(component(body), "publishers")
+    assert [(end.name, end.is_ruled_out) for end in ends] == [(name, False) for name in names]
+
+
+@pytest.mark.parametrize("name", ("qos_overrides./a.publisher.depth", "start_type_description_service"))
+def test_parameters_that_a_node_may_have_by_itself(name: str) -> None:
+    body = f'if (has_parameter("{name}")) {{ create_publisher<std_msgs::msg::String>("a", 1); }}'
+    (end,) = explicit(component(body), "publishers")
+    assert not end.is_ruled_out

@@ -42,6 +42,8 @@ READ_AS = {
 }
 #: What reads it as the type of a template argument.
 READ_BY = frozenset(("get_value", "get"))
+#: Beginnings of names of parameters that a node may declare by itself, besides ``use_sim_time`` (rclcpp/node_impl.hpp).
+BY_ITSELF = ("qos_overrides.", "start_type_description_service")
 #: The class of what ``get_parameter`` returns.
 PARAMETER = "rclcpp::Parameter"
 
@@ -75,7 +77,12 @@ def _has_like(own: Mapping[str, Held], node: RosNode, name: str) -> bool:
 
 
 def given(applied: Applied, node: RosNode, name: str) -> Value | None:
-    """What *node* is given for a parameter from outside."""
+    """What *node* is given for a parameter from outside; ``use_sim_time`` is false where nobody sets it (rclcpp/time_source.cpp)."""
+    found = _given(applied, node, name)
+    return Known(False) if found is None and name == ros2_nodes.SIM_TIME else found
+
+
+def _given(applied: Applied, node: RosNode, name: str) -> Value | None:
     own = node.whole.given
     if name in own and name != "?":
         return own[name]
@@ -96,8 +103,10 @@ def is_declared(applied: Applied, node: RosNode | None, name: Value) -> Value:
     if node is None or not is_told or isinstance(own, Opaque):
         return applied.run.opaque("whether the parameter is declared", applied.frame, applied.location.line)
     held: Held | None = own.get(f"{node.whole.name}:{text}") if "?" not in text else None
-    if held is not None and held.value != NONE and held.is_certain:
+    if text == ros2_nodes.SIM_TIME or (held is not None and held.value != NONE and held.is_certain):
         return Known(True)
+    if text.startswith(BY_ITSELF):
+        return applied.run.opaque("whether the parameter is declared", applied.frame, applied.location.line)
     if (held is not None and held.value != NONE) or ("?" in text and _has_like(own, node, text)):
         return applied.run.opaque("whether the parameter is declared", applied.frame, applied.location.line)
     if node.whole.options.get("automatically_declare_parameters_from_overrides"):
