@@ -111,8 +111,7 @@ def invoke(
     is_long = spent > SPENT and (spent > SHORT * times or spent > SPENT_SHORT)
     if is_long and run.told and spent <= SPENT_ASKED and any(_is_plugin(run, argument.value) for argument in given):
         is_long = False
-    own = (id(definition), id(function.this))
-    idle = run.idle.get(own, 0) if run.is_called_back and not makes_nothing else 0
+    idle = run.idle.get(id(definition), 0) if run.is_called_back and not makes_nothing else 0
     if idle > IDLE:
         return inert.skipped(run, inner, function, definition, returns, given)
     if (makes_nothing and (is_long or inert.is_inert(run, function, definition, returns, given))) or (
@@ -132,7 +131,7 @@ def invoke(
         run.spent[id(definition)] = spent + run.steps - before, times + 1
     elif run.is_called_back:
         is_idle = run.extent() == there and run.steps - before > 1
-        run.idle[own] = run.idle.get(own, 0) + run.steps - before if is_idle else 0
+        run.idle[id(definition)] = run.idle.get(id(definition), 0) + run.steps - before if is_idle else 0
     return value
 
 

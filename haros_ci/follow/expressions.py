@@ -54,13 +54,19 @@ def evaluate(run: Run, frame: Frame, expression: Expression) -> Value:
     return EVALUATORS[type(expression)](run, frame, expression)
 
 
+#: How libraries end the names of their pointers, in small letters.
+POINTERS = ("ptr", "pointer", "ref")
+
+
 def holds(run: Run, frame: Frame, expression: Expression, value: Value) -> bool | None:
     """Whether *expression*, which has come to *value*, is true; None if that is not known.
 
-    A library's object that is no pointer has its own say: what its ``operator bool`` tells is not known.
+    A library's object that is no pointer has its own say: what its ``operator bool`` tells is not known. A pointer under a name of
+    the library (``urdf::ModelInterfaceSharedPtr``) is true as one.
     """
     told = conversions.truth(value)
-    if told and isinstance(value, Object) and value.definition is None and frame.source.separator == "::":
+    is_library = isinstance(value, Object) and value.definition is None and frame.source.separator == "::"
+    if told and is_library and not value.name.lower().endswith(POINTERS):
         cell = cell_of(run, frame, expression) if isinstance(expression, (syntax.Name, syntax.Member)) else None
         kind = cell.type if cell is not None else None
         if kind is not None and kind.name == value.name and "*" not in kind.marks:

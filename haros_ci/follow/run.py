@@ -142,8 +142,8 @@ class Run:
     most: int = STEPS
     #: Steps spent in functions that make nothing, by function, and how often they were called.
     spent: dict[int, tuple[int, int]] = field(default_factory=dict)
-    #: Steps that callbacks have put into functions that could make something, since they last did, by function and object.
-    idle: dict[tuple[int, int], int] = field(default_factory=dict)
+    #: Steps that callbacks have put into functions that could make something, since they last did, by function.
+    idle: dict[int, int] = field(default_factory=dict)
     #: By identity, what stands for template arguments in look-ups.
     numbers: dict[int, tuple[int, Mapping[str, syntax.Argument]]] = field(default_factory=dict)
     #: Look-ups that depend on the name, the scope and the file only.

@@ -232,6 +232,12 @@ THREADS = (
     ),
     ("no loop", "acme::Device device_;", "if (!device_) start();", ["file.empty()", "!device_"]),
     (
+        "a pointer under a name of the library",
+        "acme::DevicePtr device_ = acme::open();",
+        "if (device_) start();",
+        ["file.empty()", "device_"],
+    ),
+    (
         "a pointer that is not set",
         "std::shared_ptr<acme::Device> device_;",
         "if (!device_) start();",
