@@ -23,6 +23,7 @@ from haros_ci.values.abstract import (
     UNSET_OR_INHERITED,
     Callable,
     Cell,
+    Choice,
     Known,
     Object,
     Opaque,
@@ -34,6 +35,8 @@ from haros_ci.values.state import Writes, joined
 
 #: Reasons of values that what others write takes the place of.
 UNSETS = frozenset((UNSET, UNSET_OR_INHERITED))
+#: Why a number is not known that a callback changes whenever it runs.
+COUNTS = "a callback gives it another number each time"
 #: Steps that a second rehearsal of all callbacks may take.
 CHEAP = 2_000
 
@@ -123,7 +126,7 @@ def _call_back(run: Run, frame: Frame) -> None:
         effects = list(run.effects)
         if run.rehearsed < CHEAP:  # what one leaves behind may change what another does
             for number, root in enumerate(batch, start=done):
-                effects[number] = _rehearsed(run, frame, root, run.effects, number)
+                effects[number] = _counted(effects[number], _rehearsed(run, frame, root, run.effects, number))
         together = _disturbed(_together(effects))  # each of the batch begins with what holds now
         for number, root in sorted(enumerate(batch, start=done), key=lambda each: _rank(run, each[1])):
             if root.is_setup or not inert.may_make(run, root.function, ()):
@@ -136,6 +139,29 @@ def _call_back(run: Run, frame: Frame) -> None:
             if root.is_update:
                 forget_again(run, made)
         done += len(batch)
+
+
+def _counted(first: Writes, second: Writes) -> Writes:
+    """What a callback writes when it runs a *second* time; a number that is another one each time is not known."""
+    return {
+        cell: Opaque(COUNTS, type=cell.type) if cell in first and _goes_on(cell.value, first[cell], value) else value
+        for cell, value in second.items()
+    }
+
+
+def _goes_on(held: Any, first: Any, second: Any) -> bool:
+    """Whether a number that became *first* becomes yet another one."""
+    before, then, now = _numbers(held), _numbers(first), _numbers(second)
+    return bool(before and then) and (isinstance(second, Opaque) or bool(now - before - then))
+
+
+def _numbers(value: Any) -> frozenset[Any]:
+    options = value.options if isinstance(value, Choice) else (value,)
+    return frozenset(each.value for each in options if isinstance(each, Known) and each.kind in (int, float))
+
+
+def _is_counted(value: Any) -> bool:
+    return isinstance(value, Opaque) and value.reason == COUNTS
 
 
 def _rank(run: Run, root: Root) -> tuple[bool, bool]:
@@ -208,7 +234,7 @@ def _disturb_all(run: Run, effects: Sequence_[Writes], own: int, together: Mappi
     """The same where *together* is what holds after one or another of them, of the cells that this changes."""
     mine = effects[own] if 0 <= own < len(effects) else {}
     for cell, value in together.items():
-        if cell in mine and not isinstance(mine[cell], (Known, Text)):
+        if cell in mine and not isinstance(mine[cell], (Known, Text)) and not _is_counted(mine[cell]):
             for number, writes in enumerate(effects):
                 if number != own and cell in writes:
                     after = _joined(cell.value, writes[cell])
