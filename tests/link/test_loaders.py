@@ -110,7 +110,7 @@ def test_names_and_remappings(code: str, expected: list[str]) -> None:
 def test_a_map_that_the_node_has_set_is_no_default() -> None:
     code = 'XmlRpc::XmlRpcValue all; all["topic"] = name(); ros::param::set("b", all);'
     found = loaded(L + code + 'loader.load("b", "p/relay", remap, argv_);', "", "std::string name();")
-    assert names(found) == ["/s/?", "/s/b/late", "/s/b/state"]
+    assert names(found) == ["/?", "/s/b/late", "/s/b/state"]
 
 
 def test_a_function_that_only_loads() -> None:
@@ -163,7 +163,7 @@ def test_what_is_not_known_is_said(code: str, reason: str) -> None:
 @pytest.mark.parametrize(
     ("code", "expected"),
     [
-        ('loader.load(name(), "p/relay", remap, argv_);', {"/?/late", "/?/state", "/?/?"}),
+        ('loader.load(name(), "p/relay", remap, argv_);', {"/?/late", "/?/state", "/?"}),
         ('loader.load("b", "p/relay", given(), argv_);', {"/?"}),
         ('remap["out"] = name(); loader.load("b", "p/relay", remap, argv_);', {"/s/b/late", "/s/b/state", "/?"}),
     ],
@@ -179,7 +179,7 @@ def test_names_that_are_not_known(code: str, expected: set[str]) -> None:
 def test_an_anonymous_name_is_below_its_namespace() -> None:
     code = 'loader.load(ros::this_node::getName(), "p/relay", remap, argv_);'
     found = loaded(L + code, '<launch><node pkg="p" type="n" name="$(anon n)" ns="s"/></launch>')
-    assert names(found) == ["/s/?", "/s/n_?/late", "/s/n_?/state"]  # a parameter below an unknown name may be set
+    assert names(found) == ["/?", "/s/n_?/late", "/s/n_?/state"]  # a parameter below an unknown name may be set
 
 
 def test_a_load_of_something_else_is_none() -> None:

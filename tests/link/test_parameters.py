@@ -42,7 +42,7 @@ T = '<node pkg="a" type="talker" name="t">%s</node>'
         (OUTSIDE % ' ns="t"' + T % "", ["/?"]),
         (OUTSIDE % ' ns="t" param="topic"' + T % "", ["/?"]),
         (T % "" + OUTSIDE % "", ["/?"]),
-        (f'<group ns="g">{OUTSIDE % ""}{T % ""}</group>', ["/g/?"]),
+        (f'<group ns="g">{OUTSIDE % ""}{T % ""}</group>', ["/?"]),
         (T % (OUTSIDE % "" + '<param name="queue" value="1"/>'), ["/?"]),
         (T % ('<rosparam file="$(env X)"/>'), ["/?"]),
         (T % ('<rosparam>"a: ["</rosparam><rosparam>a: [</rosparam>'), ["/?"]),
@@ -89,7 +89,7 @@ SEARCH = (
     ("before", "expected"),
     [
         ('<param name="key" value="x"/>', "/g/x"),
-        (OUTSIDE % "" + '<param name="key" value="x"/>', "/g/?"),
+        (OUTSIDE % "" + '<param name="key" value="x"/>', "/?"),
         ('<param name="/key" value="x"/>' + OUTSIDE % ' ns="h"', "/g/x"),
     ],
 )

@@ -94,7 +94,7 @@ def test_parameters_are_those_that_whoever_loads_it_sets() -> None:
         + PUB.format("nh", "after")
     )
     node = lift(code)
-    assert names(node) == ["/?/?", "/?/after"]
+    assert names(node) == ["/?", "/?/after"]
     assert names(node, "getters") == ["/?/topic"]
 
 

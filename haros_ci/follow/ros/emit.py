@@ -11,7 +11,7 @@ from haros_ci.follow.made import Made, make
 from haros_ci.follow.ros import ros2_emit
 from haros_ci.follow.ros.ends import UNNAMED
 from haros_ci.follow.run import Renamed, Run
-from haros_ci.graph.names import pattern, resolve
+from haros_ci.graph.names import clean, pattern, resolve
 from haros_ci.index.common_messages import COMMON
 from haros_ci.index.ros_types import SERIALISED, WRAPPERS, data_type, message_type, parameter_type, ros2_type
 from haros_ci.index.types import pointee
@@ -19,7 +19,7 @@ from haros_ci.model.api import Entry
 from haros_ci.model.architecture import KINDS
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
-from haros_ci.values.abstract import NONE, Cell, Known, Library, Object, Opaque, Value, data_of, opaque_of
+from haros_ci.values.abstract import NONE, Cell, Choice, Known, Library, Object, Opaque, Value, data_of, opaque_of
 
 if TYPE_CHECKING:
     from haros_ci.follow.ros.selectors import Applied
@@ -166,6 +166,9 @@ def _name(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[str, str]
         unknowns.append(("name", why, where or applied.location))
     elif space_why is not None and text[:1] not in ("/", "~"):
         unknowns.append(("name", space_why, space_where or applied.location))
+    may_be_absolute = why is not None and text.startswith("?") and not isinstance(found, Choice)
+    if may_be_absolute and entry.kind not in PARAMETERS:
+        return clean(f"/{text}"), text
     return resolve(text, prefix, context.name), text
 
 
