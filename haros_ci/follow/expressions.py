@@ -65,8 +65,9 @@ def holds(run: Run, frame: Frame, expression: Expression, value: Value) -> bool 
     the library (``urdf::ModelInterfaceSharedPtr``) is true as one.
     """
     told = conversions.truth(value)
-    is_library = isinstance(value, Object) and value.definition is None and frame.source.separator == "::"
-    if told and is_library and not value.name.lower().endswith(POINTERS):
+    if not told or not isinstance(value, Object) or value.definition is not None or frame.source.separator != "::":
+        return told
+    if not value.name.lower().endswith(POINTERS):
         cell = cell_of(run, frame, expression) if isinstance(expression, (syntax.Name, syntax.Member)) else None
         kind = cell.type if cell is not None else None
         if kind is not None and kind.name == value.name and "*" not in kind.marks:

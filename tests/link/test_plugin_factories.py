@@ -112,7 +112,9 @@ MAKERS = """<library path="n">
 <class name="horn" type="crane::MakerOf&lt;crane::Horn&gt;" base_class_type="crane::Maker"/></library>"""
 
 
-def cabin(deny: str = "", allow: str = "", begin: str = EVERY, gadgets: str = GADGETS, xml: str = MAKERS, yaml: str = "") -> Architecture:
+def cabin(
+    deny: str = "", allow: str = "", begin: str = EVERY, gadgets: str = GADGETS, xml: str = MAKERS, yaml: str = ""
+) -> Architecture:
     cmake = ROS2_CMAKE.format("p") + (
         "ament_auto_add_executable(n src/n.cpp)\npluginlib_export_plugin_description_file(p plugins.xml)\n"
         "ament_auto_package()\n"
@@ -194,11 +196,13 @@ def test_each_way_to_an_instance() -> None:
 
 def test_a_product_on_a_node_below_the_host() -> None:
     for made, name in (
-        ("node_->create_sub_node(\"below\")->create_publisher<std_msgs::msg::String>", "/below/tone"),
-        ("std::make_shared<rclcpp::Node>(\"bell\", \"/deck\")->create_publisher<std_msgs::msg::String>", "/deck/tone"),
-        ("(new rclcpp::Node(\"bell\", \"deck\"))->create_publisher<std_msgs::msg::String>", "/deck/tone"),
+        ('node_->create_sub_node("below")->create_publisher<std_msgs::msg::String>', "/below/tone"),
+        ('std::make_shared<rclcpp::Node>("bell", "/deck")->create_publisher<std_msgs::msg::String>', "/deck/tone"),
+        ('(new rclcpp::Node("bell", "deck"))->create_publisher<std_msgs::msg::String>', "/deck/tone"),
     ):
-        other = GADGETS.replace('tone_ = node_->create_publisher<std_msgs::msg::String>("tone"', f'tone_ = {made}("tone"')
+        other = GADGETS.replace(
+            'tone_ = node_->create_publisher<std_msgs::msg::String>("tone"', f'tone_ = {made}("tone"'
+        )
         assert publishers(cabin(gadgets=other)) == sorted(("/cabin/hook/load", name)), made
 
 
@@ -236,7 +240,10 @@ def test_a_class_that_no_description_names_is_not_made() -> None:
 
 
 def test_a_factory_of_another_base_is_not_among_the_classes() -> None:
-    xml = MAKERS.replace('type="crane::MakerOf&lt;crane::Horn&gt;" base_class_type="crane::Maker"', 'type="crane::Horn" base_class_type="crane::Gadget"')
+    xml = MAKERS.replace(
+        'type="crane::MakerOf&lt;crane::Horn&gt;" base_class_type="crane::Maker"',
+        'type="crane::Horn" base_class_type="crane::Gadget"',
+    )
     assert publishers(cabin(xml=xml)) == ["/cabin/hook/load"]
 
 
@@ -285,7 +292,9 @@ add(kind);
 
 
 def test_the_only_class_that_there_is() -> None:
-    one = MAKERS.replace('<class name="hook" type="crane::MakerOf&lt;crane::Hook&gt;" base_class_type="crane::Maker"/>', "")
+    one = MAKERS.replace(
+        '<class name="hook" type="crane::MakerOf&lt;crane::Hook&gt;" base_class_type="crane::Maker"/>', ""
+    )
     assert publishers(cabin(begin=ONLY, xml=one)) == ["/tone"]
     several = cabin(begin=ONLY)
     assert publishers(several) == []

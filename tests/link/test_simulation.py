@@ -17,7 +17,13 @@ SPAWN = '<node pkg="gazebo_ros" type="spawn_model" name="spawn" args="-urdf -par
 ALL = EMPTY + PARAM + SPAWN.format("")
 LASER = '<plugin name="scanner" filename="libgazebo_ros_laser.so">{}</plugin>'
 #: The topics of the simulator itself.
-OWN = {"/clock", "/gazebo/link_states", "/gazebo/model_states", "/gazebo/parameter_descriptions", "/gazebo/parameter_updates"}
+OWN = {
+    "/clock",
+    "/gazebo/link_states",
+    "/gazebo/model_states",
+    "/gazebo/parameter_descriptions",
+    "/gazebo/parameter_updates",
+}
 
 
 def sensor(plugin: str, kind: str = "ray") -> str:
@@ -71,13 +77,18 @@ def test_plugins_of_a_spawned_robot(inner: str, expected: list[tuple[str, str]])
 def test_a_camera_is_below_its_name() -> None:
     plugin = '<plugin name="c" filename="libgazebo_ros_camera.so"><cameraName>mast</cameraName></plugin>'
     node = simulator(EMPTY + PARAM + SPAWN.format("-robot_namespace r1"), sensor(plugin, "camera"))
-    assert made(node)[:2] == [("/r1/mast/image_raw", "sensor_msgs/Image"), ("/r1/mast/camera_info", "sensor_msgs/CameraInfo")]
+    assert made(node)[:2] == [
+        ("/r1/mast/image_raw", "sensor_msgs/Image"),
+        ("/r1/mast/camera_info", "sensor_msgs/CameraInfo"),
+    ]
     assert ("/r1/mast/set_camera_info", "sensor_msgs/SetCameraInfo") in made(node, "servers")
 
 
 def test_the_namespace_of_the_spawner_counts() -> None:
     launch = EMPTY + f'<group ns="r2">{PARAM}{SPAWN.format("")}</group>'
-    assert made(simulator(launch, sensor(LASER.format("<topicName>scan</topicName>")))) == [("/r2/scan", "sensor_msgs/LaserScan")]
+    assert made(simulator(launch, sensor(LASER.format("<topicName>scan</topicName>")))) == [
+        ("/r2/scan", "sensor_msgs/LaserScan")
+    ]
 
 
 def test_arguments_of_xacro_count() -> None:
@@ -92,7 +103,9 @@ BOT = '<sdf version="1.6"><model name="bot"><link name="l"><sensor name="s" type
 
 def test_a_world_brings_models_of_the_workspace() -> None:
     files = {
-        "p/worlds/w.world": MAZE.format("<include><uri>model://sun</uri></include><include><uri>model://bot</uri></include>"),
+        "p/worlds/w.world": MAZE.format(
+            "<include><uri>model://sun</uri></include><include><uri>model://bot</uri></include>"
+        ),
         "p/models/bot/model.config": '<model><name>Bot</name><sdf version="1.4">old.sdf</sdf><sdf version="1.6">model.sdf</sdf></model>',
         "p/models/bot/model.sdf": BOT.format(LASER.format("<robotNamespace/><topicName>scan</topicName>")),
         "p/models/bot/old.sdf": BOT.format(LASER.format("<topicName>old</topicName>")),
@@ -104,7 +117,9 @@ def test_a_world_brings_models_of_the_workspace() -> None:
 
 def test_a_spawned_file_counts() -> None:
     launch = EMPTY + SPAWN.replace("-urdf -param robot_description", "-sdf -file $(find p)/models/b.sdf").format("")
-    node = simulator(launch, files={"p/models/b.sdf": BOT.format(LASER.format("<robotNamespace/><topicName>scan</topicName>"))})
+    node = simulator(
+        launch, files={"p/models/b.sdf": BOT.format(LASER.format("<robotNamespace/><topicName>scan</topicName>"))}
+    )
     assert made(node) == [("/rover/scan", "sensor_msgs/LaserScan")]
 
 

@@ -28,12 +28,15 @@ def sensor(plugin: str, kind: str = "ray", inner: str = "") -> str:
 def started(launch: str, model: str = "", files: dict[str, str] | None = None) -> dict[str, Node]:
     """The nodes of the simulator's process by name, where a launch file starts this, and the model has *model* in it."""
     texts = {
-        "p/CMakeLists.txt": ROS2_CMAKE.format("p") + "install(DIRECTORY launch m urdf worlds DESTINATION share/${PROJECT_NAME})\n",
+        "p/CMakeLists.txt": ROS2_CMAKE.format("p")
+        + "install(DIRECTORY launch m urdf worlds DESTINATION share/${PROJECT_NAME})\n",
         "p/launch/l.launch.xml": f"<launch>{launch}</launch>",
         "p/m/model.sdf": MODEL.format(model),
         **(files or {}),
     }
-    found = architecture(workspace(texts, 2), Settings(root=Path("/nowhere")), Nothing(), environment={}, known_nodes=True)
+    found = architecture(
+        workspace(texts, 2), Settings(root=Path("/nowhere")), Nothing(), environment={}, known_nodes=True
+    )
     return {node.name: node for node in only(found).nodes if node.process == "/gazebo"}
 
 
@@ -101,7 +104,9 @@ def test_an_argument_leaves_a_plugin_out() -> None:
 def test_a_controller_manager_is_in_the_simulator() -> None:
     nodes = started(ALL, '<plugin name="control" filename="libgazebo_ros2_control.so"/>')
     assert sorted(nodes) == ["/control", "/controller_manager", "/gazebo"]
-    assert ("/controller_manager/list_controllers", "controller_manager_msgs/srv/ListControllers") in made(nodes["/controller_manager"], "servers")
+    assert ("/controller_manager/list_controllers", "controller_manager_msgs/srv/ListControllers") in made(
+        nodes["/controller_manager"], "servers"
+    )
 
 
 @pytest.mark.parametrize(
