@@ -98,4 +98,14 @@ CHANGE: tuple[tuple[tuple[str, ...], str, str], ...] = (
         "EXTERNAL_SUBDIR (catkin_lint) of that directory, where CMake is told where to build it",
         "tests/linters/test_catkin_doubts.py::test_a_directory_that_packages_share",
     ),
+    (
+        ("environment hooks of packages, and files that `environment_files` of the project file names",),
+        "findings on launch files for a variable that nothing sets",
+        "tests/link/test_environment.py::test_hooks_give_values",
+    ),
+    (
+        ("conditions that do not hold as a node is started (defaults of parameters, launch files)",),
+        "type and QoS findings of endpoints that are made only where these hold",
+        "tests/link/test_counters.py::test_in_python",
+    ),
 )
