@@ -148,18 +148,12 @@ class _Judge:
         self, found: list[Found], places: Places, area: Callable[[Source], str]
     ) -> Iterator[tuple[int, tuple[str, str, str]]]:
         """State, reason and detail of the sites that stand at no endpoint, by identity; no state for what is none."""
-        pieces = {
-            source.path: list(pieces_of(source, self.text(source)))
-            for source in self.code.sources
-            if source.path in self.files[0][0] and not source.path.endswith((".yaml", ".yml")) and area(source) != TEST
-        }
+        pieces = self._pieces(area)
         where = Syntax(self.code)
         plugins = plugins_of(self.code, self.made.builds)
-        reach = reach_of(self.code, pieces, imported(self.code, self.made.builds, self.workspace))
         found_here = [(each, _at(pieces, each)) for each in found]
-        loading = loaded(self.workspace, plugins, self.texts, reach.classes)
-        roots = {*_roots(self.made.architecture), *loading}
-        reach.start([piece for each, piece in found_here if piece is not None and places.has(each)], sorted(roots))
+        known = [piece for each, piece in found_here if piece is not None and places.has(each)]
+        reach = self._reach(pieces, plugins, known)
         told = {id(piece) for each, piece in found_here if places.has(each)}
         gaps = dict(_gaps(self.made.architecture))
         seen = Seen(places, judge.wrapped(self.code, where, places), judge.by_routine(self.code, found_here))
@@ -173,6 +167,22 @@ class _Judge:
                 elif state == OPEN:
                     reason, detail = _about(each, piece, plugins, told, reach)
                 yield id(each), (state, reason, detail)
+
+    def _pieces(self, area: Callable[[Source], str]) -> dict[str, list[Piece]]:
+        """The pieces of the code that is built or started, by file, without that of tests."""
+        return {
+            source.path: list(pieces_of(source, self.text(source)))
+            for source in self.code.sources
+            if source.path in self.files[0][0] and not source.path.endswith((".yaml", ".yml")) and area(source) != TEST
+        }
+
+    def _reach(self, pieces: dict[str, list[Piece]], plugins: Plugins, known: Iterable[Piece]) -> Reach:
+        """What runs: programs, what the workspace loads, and the *known* pieces, in which the model has an endpoint."""
+        reach = reach_of(self.code, pieces, imported(self.code, self.made.builds, self.workspace))
+        loading = loaded(self.workspace, plugins, self.texts, reach.classes)
+        roots = {*_roots(self.made.architecture), *loading}
+        reach.start(known, sorted(roots))
+        return reach
 
     def _verdict(
         self, found: Found, piece: Piece | None, seen: Seen, where: Syntax, reach: Reach, plugins: Plugins

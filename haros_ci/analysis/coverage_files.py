@@ -89,7 +89,7 @@ def plugins_of(code: Codebase, builds: Mapping[str, Build]) -> Plugins:
 def loaded(workspace: Workspace, plugins: Plugins, texts: Mapping[str, str], classes: frozenset[str]) -> Iterator[str]:
     """The last parts of the names of classes and functions that the workspace may load by their names: those in its configurations."""
     bases = {last_name(base) for text in texts.values() if "ClassLoader" in text for base in _LOADER.findall(text)}
-    waiting = []
+    waiting: list[tuple[str, str]] = []
     for name, found in plugins.every.items():
         if any(last_name(each.base) in bases for each in found):
             yield name
@@ -97,6 +97,11 @@ def loaded(workspace: Workspace, plugins: Plugins, texts: Mapping[str, str], cla
             waiting += [(word, name) for each in found for word in each.words if word]
     for path in sorted(path for path, text in texts.items() if "dlsym" in text):
         yield from _LOOKED_UP.findall(workspace.text(path))
+    yield from _configured(workspace, waiting, classes)
+
+
+def _configured(workspace: Workspace, waiting: list[tuple[str, str]], classes: frozenset[str]) -> Iterator[str]:
+    """Which of *classes*, and of the names *waiting* for a word, the workspace's configurations name."""
     for file in workspace.files:
         if file.language not in _NAMING and not file.path.endswith(_DESCRIBING) or is_test(file.path):
             continue

@@ -178,19 +178,27 @@ def other(code: Codebase, where: Syntax, found: Found, seen: Seen) -> tuple[str,
 def _class_here(code: Codebase, found: Found) -> str:
     """The class of the workspace that is constructed, where it has the name of a library's; "" if it is the library's."""
     source, made = found.source, found.call.made
-    name = classes.dotted_name(source, made) if source.separator == "." else made.removeprefix("::")
-    if source.separator == ".":
-        owner = classes.class_named(code, name, source)
-        last = last_name(name)
-        every = [owner] if owner is not None else []
-        every += [(s, c) for s in code.sources if s.separator == "." for c in s.program.classes if c.name == last]
-        root = name.partition(".")[0]
-        every = [each for each in every if each[0].module.partition(".")[0] == root or each[0] is source]
-    else:
-        scopes = {each.name.rpartition("::")[0] for each in source.program.functions}
-        names = {classes.resolved(code, Type(name), scope, source).name for scope in sorted(scopes)[:20]} | {name}
-        every = [each for one in sorted(names) for each in code.cpp.classes.get(one, ())]
+    every = _python_classes(code, source, made) if source.separator == "." else _cpp_classes(code, source, made)
     return f"{every[0][1].name} at {every[0][0].path}:{every[0][1].line}" if every else ""
+
+
+def _python_classes(code: Codebase, source: Source, written: str) -> list[classes.Owner]:
+    """The classes of the workspace that a name *written* in a Python file can mean."""
+    name = classes.dotted_name(source, written)
+    owner = classes.class_named(code, name, source)
+    last = last_name(name)
+    every = [owner] if owner is not None else []
+    every += [(s, c) for s in code.sources if s.separator == "." for c in s.program.classes if c.name == last]
+    root = name.partition(".")[0]
+    return [each for each in every if each[0].module.partition(".")[0] == root or each[0] is source]
+
+
+def _cpp_classes(code: Codebase, source: Source, written: str) -> list[classes.Owner]:
+    """The classes of the workspace that a name *written* in a C++ file can mean."""
+    name = written.removeprefix("::")
+    scopes = {each.name.rpartition("::")[0] for each in source.program.functions}
+    names = {classes.resolved(code, Type(name), scope, source).name for scope in sorted(scopes)[:20]} | {name}
+    return [each for one in sorted(names) for each in code.cpp.classes.get(one, ())]
 
 
 def _receiver(code: Codebase, routine: Routine, receiver: syntax.Expression) -> str:

@@ -45,7 +45,7 @@ def names_of(rows: Iterable[Row]) -> Names:
         space, _, last = whole.rpartition("::")
         if row.bases:
             bases.setdefault(whole, set()).update(each.replace(".", "::") for each in row.bases)
-        if not any(entry.kind in KINDS and not entry.implicit for entry in row.makes):
+        if not _makes_something(row):
             continue
         if last[:1].isupper():
             if last not in SILENT:
@@ -58,13 +58,16 @@ def names_of(rows: Iterable[Row]) -> Names:
             methods.add(last)
         elif owner[:1].islower() and "::" in space:
             qualified.add(f"{owner}::{last}")
-    return Names(
-        frozenset(methods),
-        frozenset(qualified),
-        {name: frozenset(found) for name, found in classes.items()},
-        {name: frozenset(found) for name, found in making.items()},
-        {name: frozenset(found) for name, found in bases.items()},
-    )
+    return Names(frozenset(methods), frozenset(qualified), _frozen(classes), _frozen(making), _frozen(bases))
+
+
+def _makes_something(row: Row) -> bool:
+    """Whether a call of the row makes an endpoint or a parameter by itself."""
+    return any(entry.kind in KINDS and not entry.implicit for entry in row.makes)
+
+
+def _frozen(table: dict[str, set[str]]) -> dict[str, frozenset[str]]:
+    return {name: frozenset(found) for name, found in table.items()}
 
 
 def joined(one: Names, other: Names) -> Names:

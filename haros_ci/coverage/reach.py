@@ -89,6 +89,14 @@ def reach_of(code: Codebase, pieces: dict[str, list[Piece]], modules: frozenset[
 
     *modules* are the Python files that run when something imports them.
     """
+    bases, framework = _hierarchy(code)
+    found = Reach(pieces, frozenset(bases), bases, framework)
+    found.start(_filed(found, modules), ())
+    return found
+
+
+def _hierarchy(code: Codebase) -> tuple[dict[str, frozenset[str]], frozenset[tuple[str, str]]]:
+    """The bases of each class of the workspace, by last parts of names, and the methods that a base which is not seen may call."""
     classes: dict[str, set[str]] = {}
     unseen: set[str] = set()
     for source in code.sources:
@@ -98,16 +106,19 @@ def reach_of(code: Codebase, pieces: dict[str, list[Piece]], modules: frozenset[
             names = base_names(code, (source, definition)) - _NODES
             if any(class_named(code, name, source) is None for name in names):
                 unseen.add(last)
-    framework = {
+    framework = frozenset(
         (last_name(function.owner), last_name(function.name))
         for source in code.sources
         for function in source.program.functions
         if last_name(function.owner) in unseen
-    }
-    bases = {name: frozenset(found) for name, found in classes.items()}
-    found = Reach(pieces, frozenset(classes), bases, frozenset(framework))
+    )
+    return {name: frozenset(found) for name, found in classes.items()}, framework
+
+
+def _filed(found: Reach, modules: frozenset[str]) -> list[Piece]:
+    """Enter all pieces of *found* by the names that make them run; what is returned runs by itself: programs."""
     roots = []
-    for path, every in pieces.items():
+    for path, every in found.pieces.items():
         for piece in every:
             if piece.function is None and piece.definition is None:
                 if path in modules:
@@ -121,8 +132,7 @@ def reach_of(code: Codebase, pieces: dict[str, list[Piece]], modules: frozenset[
                     found.by_name[piece.name].append(piece)
                 if not found.is_free(piece):
                     found.by_class[piece.owner].append(piece)
-    found.start(roots, ())
-    return found
+    return roots
 
 
 def stem(path: str) -> str:

@@ -100,7 +100,14 @@ def _object(text: str, name: str, offset: int, end: int, is_python: bool) -> Cal
     start = offset - (len(written[0]) if written is not None else 0)
     if is_python:
         opening = _opening(text, end, is_python)
-        return Call(name, offset, start, opening, path + name) if opening is not None else None
+        place = (start, opening) if opening is not None else None
+    else:
+        place = _constructed(text, start, end, is_qualified=bool(path))
+    return Call(name, offset, *place, path + name) if place is not None else None
+
+
+def _constructed(text: str, start: int, end: int, is_qualified: bool) -> tuple[int, int] | None:
+    """Where the expression begins that makes an object of the C++ class written from *start* to *end*, and where its arguments open."""
     after = _behind_template(text, end)
     if after is None:
         return None
@@ -110,14 +117,12 @@ def _object(text: str, name: str, offset: int, end: int, is_python: bool) -> Cal
         maker = re.search(r"(?:std|boost)?(?:::)?make_(?:shared|unique)\s*<\s*$", text[max(0, start - 80) : start])
         if maker is None or text[at + 1 : at + 2] != "(":
             return None
-        return Call(name, offset, start - (len(maker[0])), at + 1, path + name)
+        return start - len(maker[0]), at + 1
     if text[at : at + 1] in "({" and text[at : at + 1]:
         is_base = text[max(0, start - 2) : start].strip() in (":", ",") or text[at] == "{"
-        return None if is_base and not path else Call(name, offset, start, at, path + name)
+        return None if is_base and not is_qualified else (start, at)
     variable = _VARIABLE.match(text, after)
-    if variable is None:
-        return None
-    return Call(name, offset, start, variable.end(), path + name)
+    return (start, variable.end()) if variable is not None else None
 
 
 def _opening(text: str, end: int, is_python: bool) -> int | None:

@@ -22,7 +22,7 @@ from haros_ci.model.location import Location
 from haros_ci.model.presence import together
 from haros_ci.model.workspace import Problem
 from haros_ci.systems import outside
-from haros_ci.systems.following import Types, incomplete
+from haros_ci.systems.following import Controller, Types, incomplete
 from haros_ci.systems.ros2_implicit import implicit
 from haros_ci.systems.ros2_processes import Started, run_process
 from haros_ci.systems.system import PROGRAM, Job
@@ -39,22 +39,46 @@ TREES = "behaviour trees"
 
 def launched(types: Types, node: LaunchedNode, containers: Mapping[str, LaunchedNode]) -> Job:
     """What a launch file starts: a process with its nodes, or a component of one of *containers* (by full name)."""
-    started = started_by(node)
     container = containers.get(node.container or "")
-    if node.kind == "component" and container is not None:
-        whole = clean(f"{node.namespace or '/'}/{node.name}") if node.name is not None else None
-        around = started_by(container).parameters
-        started = replace(started, parameters=InContainer(started.parameters, whole, around))
     controller = types.controllers.get(node.type) if node.kind == "node" and node.container is not None else None
-    if controller is not None:
-        naming = _naming(node.container or "") if container is not None else ()
-        started = replace(started, is_component=True, around=naming)
+    started = _started_in(node, container, controller is not None)
     key = (node.package, node.type)
     found = types.components.get(key) if node.kind == "component" else types.ros2_programs.get(key)
     if controller is not None:
         found = controller.entry, controller.files
+    basic = _basic(node, controller)
+    if found is None:
+        outside_it = lambda: (_not_followed(types, node, basic, started), ())  # noqa: E731
+        return Job(basic, None, outside_it, parameters=started.parameters, files=node.files)
+    entry, files = found
+    return Job(
+        basic,
+        id(entry),
+        lambda: nodes_of(types, entry, files, basic, started, node.name is not None or node.namespace is not None),
+        size_of(types, files),
+        started.parameters,
+        node.files,
+        is_loaded=controller is not None,
+    )
+
+
+def _started_in(node: LaunchedNode, container: LaunchedNode | None, is_controller: bool) -> Started:
+    """What a launched node begins with, in its *container* if that is launched too."""
+    started = started_by(node)
+    if node.kind == "component" and container is not None:
+        whole = clean(f"{node.namespace or '/'}/{node.name}") if node.name is not None else None
+        around = started_by(container).parameters
+        started = replace(started, parameters=InContainer(started.parameters, whole, around))
+    if is_controller:
+        naming = _naming(node.container or "") if container is not None else ()
+        started = replace(started, is_component=True, around=naming)
+    return started
+
+
+def _basic(node: LaunchedNode, controller: Controller | None) -> Node:
+    """A launched node without what its code makes."""
     name = clean(f"{node.namespace or '/'}/{node.name or '?'}")
-    basic = Node(
+    return Node(
         name=name,
         kind="node" if node.kind == "container" else node.kind,
         package=controller.package if controller is not None else node.package,
@@ -69,19 +93,6 @@ def launched(types: Types, node: LaunchedNode, containers: Mapping[str, Launched
         unknowns=node.unknowns,
         class_name=controller.type if controller is not None else node.type if node.kind == "component" else None,
         ros=2,
-    )
-    if found is None:
-        outside_it = lambda: (_not_followed(types, node, basic, started), ())  # noqa: E731
-        return Job(basic, None, outside_it, parameters=started.parameters, files=node.files)
-    entry, files = found
-    return Job(
-        basic,
-        id(entry),
-        lambda: nodes_of(types, entry, files, basic, started, node.name is not None or node.namespace is not None),
-        size_of(types, files),
-        started.parameters,
-        node.files,
-        is_loaded=controller is not None,
     )
 
 

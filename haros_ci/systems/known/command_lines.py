@@ -135,22 +135,30 @@ def _rostopic(words: Sequence[str], file: File | None) -> Iterator[KnownEndpoint
         return
     command, *rest = words
     if command == "pub":
-        line = parsed(rest, "-r --rate -f --file")
-        is_latched: bool | None = True if line.has("-l", "--latch") else None
-        if line.has("-r", "--rate") and is_latched is None:
-            is_latched = False
-        elif len(line.words) > 2 and not line.has("-f", "--file"):
-            is_latched = True  # without a rate it is
-        kind = line.words[1] if len(line.words) > 1 else UNKNOWN
-        said = kind if _TYPE.fullmatch(kind) else "the command line tells it, and is not known"
-        yield _end("publishers", line.words[0] if line.words else UNKNOWN, said, queue=100, latched=is_latched)
+        yield _rostopic_pub(rest)
     elif command in ("echo", "hz", "bw", "delay"):
-        line = parsed(rest, "-b --bag -n -w --window --filter --offset")
-        for name in line.words[: 1 if command == "echo" else MOST] or [UNKNOWN]:
-            if command == "echo" and not line.has("-b", "--bag"):
-                yield _end("subscribers", name, "the topic decides", is_field=True)
-            elif command != "echo":
-                yield _end("subscribers", name, "the topic decides")
+        yield from _rostopic_read(command, rest)
+
+
+def _rostopic_pub(words: Sequence[str]) -> KnownEndpoint:
+    line = parsed(words, "-r --rate -f --file")
+    is_latched: bool | None = True if line.has("-l", "--latch") else None
+    if line.has("-r", "--rate") and is_latched is None:
+        is_latched = False
+    elif len(line.words) > 2 and not line.has("-f", "--file"):
+        is_latched = True  # without a rate it is
+    kind = line.words[1] if len(line.words) > 1 else UNKNOWN
+    said = kind if _TYPE.fullmatch(kind) else "the command line tells it, and is not known"
+    return _end("publishers", line.words[0] if line.words else UNKNOWN, said, queue=100, latched=is_latched)
+
+
+def _rostopic_read(command: str, words: Sequence[str]) -> Iterator[KnownEndpoint]:
+    line = parsed(words, "-b --bag -n -w --window --filter --offset")
+    for name in line.words[: 1 if command == "echo" else MOST] or [UNKNOWN]:
+        if command == "echo" and not line.has("-b", "--bag"):
+            yield _end("subscribers", name, "the topic decides", is_field=True)
+        elif command != "echo":
+            yield _end("subscribers", name, "the topic decides")
 
 
 # --- ROS 2
@@ -168,28 +176,12 @@ def _bag_play(words: Sequence[str], file: File | None) -> Iterator[KnownEndpoint
     line = parsed(words, _PLAY_VALUES, _PLAY_LISTS)
     if line.has("--clock", "--clock-topics", "--clock-topics-all"):
         yield _end("publishers", "/clock", "rosgraph_msgs/msg/Clock")
-    topics = _recorded(line, file)
-    asked = line.options.get("--topics", [])
-    is_filtered = line.has("-e", "--regex", "--exclude-regex", "-x", "--exclude")
-    if topics is None and asked:
-        topics = dict.fromkeys(asked, "")
-    elif topics is None or (is_filtered and not asked):
-        why = (
-            "what the recording has decides"
-            if topics is None
-            else "its options choose among the topics of the recording"
-        )
-        yield _unknown("publishers", why)
+    topics = _played(line, file)
+    if isinstance(topics, str):
+        yield _unknown("publishers", topics)
         return
-    elif asked:
-        topics = {
-            name: kind
-            for name, kind in topics.items()
-            if name in asked or f"/{name}" in asked or name.lstrip("/") in asked
-        }
     left_out = {f"/{name.lstrip('/')}" for name in line.options.get("--exclude-topics", [])}
-    pairs = (word.partition(":=") for name in ("-m", "--remap") for word in line.options.get(name, ()))
-    remapped = {f"/{old.lstrip('/')}": new for old, assigned, new in pairs if assigned}
+    remapped = _remapped(line)
     if any(UNKNOWN in old for old in remapped):
         yield _unknown("publishers", "a remapping of its command line is not known")
         return
@@ -199,15 +191,46 @@ def _bag_play(words: Sequence[str], file: File | None) -> Iterator[KnownEndpoint
             yield _end("publishers", remapped.get(full, full), kind or _OF_BAG)
 
 
-def _recorded(line: Line, file: File | None) -> dict[str, str] | None:
-    """The topics of the one recording that is played, with their types, where its metadata is in the workspace."""
+def _played(line: Line, file: File | None) -> dict[str, str] | str:
+    """The topics that are played, with their types ("": not known), or why they are not known."""
+    topics = _recorded(line, file)
+    asked = line.options.get("--topics", [])
+    if topics is None:
+        return dict.fromkeys(asked, "") if asked else "what the recording has decides"
+    if asked:
+        return {
+            name: kind
+            for name, kind in topics.items()
+            if name in asked or f"/{name}" in asked or name.lstrip("/") in asked
+        }
+    if line.has("-e", "--regex", "--exclude-regex", "-x", "--exclude"):
+        return "its options choose among the topics of the recording"
+    return topics
+
+
+def _remapped(line: Line) -> dict[str, str]:
+    """The new names of topics that are remapped, by their full names."""
+    pairs = (word.partition(":=") for name in ("-m", "--remap") for word in line.options.get(name, ()))
+    return {f"/{old.lstrip('/')}": new for old, assigned, new in pairs if assigned}
+
+
+def _metadata_file(line: Line) -> str | None:
+    """The file with the metadata of the one recording that is played; None: which one it is, is not known."""
     bags = [*line.words, *(word for name in ("-i", "--input") for word in line.options.get(name, ())[:1])]
-    if len(bags) != 1 or UNKNOWN in bags[0] or file is None:
+    if len(bags) != 1 or UNKNOWN in bags[0]:
         return None
     bag = bags[0].rstrip("/")
     if bag.endswith((".db3", ".mcap", ".zstd")):
         bag = bag.rpartition("/")[0]
-    found = file(f"{bag}/metadata.yaml")
+    return f"{bag}/metadata.yaml"
+
+
+def _recorded(line: Line, file: File | None) -> dict[str, str] | None:
+    """The topics of the one recording that is played, with their types, where its metadata is in the workspace."""
+    path = _metadata_file(line)
+    if path is None or file is None:
+        return None
+    found = file(path)
     about = found.get("rosbag2_bagfile_information") if isinstance(found, Mapping) else None
     listed = about.get("topics_with_message_count") if isinstance(about, Mapping) else None
     if not isinstance(listed, (list, tuple)) or len(listed) > MOST:

@@ -216,13 +216,9 @@ def _namespace(use: Use, known: KnownPlugin, spawned: Spawned) -> str | Unknown:
     rule = known.space
     if rule.ignored:
         return ""
-    given = value(use.element, "robotNamespace")
-    if isinstance(given, NotKnown):
-        return Unknown("name", f"<robotNamespace> of the plug-in: {_UNREAD}", use.element.location)
-    if given is None:
-        given = spawned.namespace
-        if given is not None and UNKNOWN in given:
-            return Unknown("name", "the namespace that its model is spawned with is not known")
+    given = _given_namespace(use, spawned)
+    if isinstance(given, Unknown):
+        return given
     if given is None:
         text = rule.missing
     elif given == "":
@@ -237,6 +233,18 @@ def _namespace(use: Use, known: KnownPlugin, spawned: Spawned) -> str | Unknown:
         parts.append(made)
     whole = "/".join(part for part in parts if part)
     return whole if not rule.above or whole.startswith("/") else whole.lstrip("/")
+
+
+def _given_namespace(use: Use, spawned: Spawned) -> str | Unknown | None:
+    """``<robotNamespace>`` of the plug-in, else the namespace that its model is spawned with; None: neither is given."""
+    given = value(use.element, "robotNamespace")
+    if isinstance(given, NotKnown):
+        return Unknown("name", f"<robotNamespace> of the plug-in: {_UNREAD}", use.element.location)
+    if given is None:
+        given = spawned.namespace
+        if given is not None and UNKNOWN in given:
+            return Unknown("name", "the namespace that its model is spawned with is not known")
+    return given
 
 
 def _cameras(use: Use, side: str) -> object:

@@ -77,17 +77,21 @@ class _Simulation:
             into = self._found(started)
             for name in others(nodes, SPAWNERS):
                 into.lose(f"{name} may bring models while it runs", node.location)
-            rules = started_by(started).rules
-            made: dict[str, Node] = {}
-            for use, known, spawned in into.uses:
-                beside = self.known(*known.beside, 2) if known.beside is not None else None
-                for each in ros2_nodes(use, known, node, spawned, rules, beside):
-                    made.setdefault(each.name, each)
-            line = command_line(split(started.arguments).rest)
-            named = [plugins(2)[name] for name in line.plugins if name in plugins(2)]
-            own = [end for each in named if each.at == "system" for end in on_server(each, node, rules)]
-            done += [by_simulated_time(completed(node, own, into.lost)), *made.values()]
+            done += self._with_plugins(node, started, into)
         return tuple(done)
+
+    def _with_plugins(self, server: Node, started: LaunchedNode, into: Found) -> list[Node]:
+        """The *server* with what its plug-ins make on it, and the nodes that the plug-ins make in its process."""
+        rules = started_by(started).rules
+        made: dict[str, Node] = {}
+        for use, known, spawned in into.uses:
+            beside = self.known(*known.beside, 2) if known.beside is not None else None
+            for each in ros2_nodes(use, known, server, spawned, rules, beside):
+                made.setdefault(each.name, each)
+        line = command_line(split(started.arguments).rest)
+        named = [plugins(2)[name] for name in line.plugins if name in plugins(2)]
+        own = [end for each in named if each.at == "system" for end in on_server(each, server, rules)]
+        return [by_simulated_time(completed(server, own, into.lost)), *made.values()]
 
     def _found(self, server: LaunchedNode) -> Found:
         into = Found()
@@ -111,6 +115,7 @@ class _Simulation:
         return into
 
     def _description(self, spawner: LaunchedNode, words: Words) -> Tree:
+        """The description that a spawner brings to the simulator."""
         topic, file, model = (option(words.rest, name) for name in ("-topic", "-file", "-database"))
         who = spawner.name or spawner.type
         if file is not None:
@@ -121,14 +126,21 @@ class _Simulation:
             return Tree(None, f"what {who} spawns is not known")
         space = spawner.namespace or "/"
         itself = _node(spawner, "spawn_entity")
-        name = itself.remap(resolve(topic, space, itself.name))
+        return self._published(itself.remap(resolve(topic, space, itself.name)), who)
+
+    def _published(self, name: str, who: str) -> Tree:
+        """The description on the topic called *name*, which the node *who* spawns."""
         publishers = [each for each in self.nodes if each.type == PUBLISHER and _publishes(each, name)]
         if len(publishers) != 1:
             count = "several nodes publish" if publishers else "no node is known to publish"
             return Tree(None, f"{count} the description that {who} spawns on {name}")
-        value = Parameters(publishers[0].parameters).get(_node(publishers[0], PUBLISHER).name, DESCRIPTION)
+        return self._of_publisher(publishers[0], who)
+
+    def _of_publisher(self, publisher: LaunchedNode, who: str) -> Tree:
+        """The description that a ``robot_state_publisher`` is given as its parameter."""
+        value = Parameters(publisher.parameters).get(_node(publisher, PUBLISHER).name, DESCRIPTION)
         if isinstance(value, Known) and isinstance(value.value, str):
-            return self.trees.of_text(value.value, publishers[0].location)
+            return self.trees.of_text(value.value, publisher.location)
         why = opaque_of(value) if value is not None else None
         command = next((text for said, text in self.commands.items() if why is not None and said in why.reason), None)
         if command is not None:

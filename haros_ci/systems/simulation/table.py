@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -107,50 +107,61 @@ def read_rows(data: object, where: str, ros: int) -> tuple[dict[str, KnownPlugin
 def _row(library: str, row: object, where: str, ros: int) -> KnownPlugin | list[Problem]:
     if not isinstance(row, Mapping):
         return [Problem(where, f"{library}: it must be a map")]
-    said = [
-        Problem(where, f"{library}: nothing is called {shown(key)!r} here")
-        for key in row
-        if key not in (*OWN_KEYS, *KINDS)
-    ]
-    source, at = row.get("source"), row.get("at")
+    wrong = (*_wrong_origin(row), *_wrong_elements(row), *_wrong_naming(row, ros))
+    said = [Problem(where, f"{library}: {each}") for each in wrong]
+    ends = {key: row[key] for key in row if key in KINDS}
+    nodes, more = read_package({library: ends}, "plugins", where, ros=ros)
+    said += more
+    if said or library not in nodes:
+        return said
+    beside = row.get("beside")
+    return KnownPlugin(
+        library=library,
+        package=where.partition(".")[0],
+        source=str(row["source"]),
+        at=str(row["at"]),
+        node=nodes[library],
+        space=Space(**row.get("namespace", {})),
+        elements=MappingProxyType(dict(row.get("elements", {}))),
+        requires=tuple(row.get("requires", [])),
+        beside=tuple(beside.split("/", 1)) if isinstance(beside, str) else None,  # type: ignore[arg-type]
+    )
+
+
+def _wrong_origin(row: Mapping[Any, Any]) -> Iterator[str]:
+    """What is wrong with the keys of a row, its source and its place."""
+    for key in row:
+        if key not in (*OWN_KEYS, *KINDS):
+            yield f"nothing is called {shown(key)!r} here"
+    source = row.get("source")
     if not isinstance(source, str) or not source:
-        said.append(Problem(where, f"{library}: source must name the file that it was read from"))
-    if at not in PLACES:
-        said.append(Problem(where, f"{library}: at must be one of: {', '.join(PLACES)}"))
+        yield "source must name the file that it was read from"
+    if row.get("at") not in PLACES:
+        yield f"at must be one of: {', '.join(PLACES)}"
+
+
+def _wrong_elements(row: Mapping[Any, Any]) -> Iterator[str]:
+    """What is wrong with the elements that a plug-in reads, and with those that it requires."""
     elements = row.get("elements", {})
     if not isinstance(elements, Mapping) or not all(
         isinstance(key, str) and _ELEMENT.fullmatch(key) and isinstance(value, (str, bool, int, float, type(None)))
         for key, value in elements.items()
     ):
-        said.append(Problem(where, f"{library}: elements must be a map of names and plain defaults"))
+        yield "elements must be a map of names and plain defaults"
         elements = {}
     requires = row.get("requires", [])
     if not isinstance(requires, list) or not all(each in elements for each in requires):
-        said.append(Problem(where, f"{library}: requires must be a list of some of its elements"))
-        requires = []
+        yield "requires must be a list of some of its elements"
+
+
+def _wrong_naming(row: Mapping[Any, Any], ros: int) -> Iterator[str]:
+    """What is wrong with the namespace of a plug-in, and with the node that it makes besides."""
     space = row.get("namespace", {})
     if not isinstance(space, Mapping) or not all(key in SPACE_KEYS for key in space) or (space and ros != 1):
-        said.append(Problem(where, f"{library}: namespace can have, in ROS 1: {', '.join(SPACE_KEYS)}"))
-        space = {}
+        yield f"namespace can have, in ROS 1: {', '.join(SPACE_KEYS)}"
     beside = row.get("beside")
     if beside is not None and (not isinstance(beside, str) or beside.count("/") != 1):
-        said.append(Problem(where, f"{library}: beside must be package/type of a known node"))
-        beside = None
-    nodes, wrong = read_package({library: {key: row[key] for key in row if key in KINDS}}, "plugins", where, ros=ros)
-    said += wrong
-    if said or library not in nodes:
-        return said
-    return KnownPlugin(
-        library=library,
-        package=where.partition(".")[0],
-        source=str(source),
-        at=str(at),
-        node=nodes[library],
-        space=Space(**space),
-        elements=MappingProxyType(dict(elements)),
-        requires=tuple(requires),
-        beside=tuple(beside.split("/", 1)) if isinstance(beside, str) else None,  # type: ignore[arg-type]
-    )
+        yield "beside must be package/type of a known node"
 
 
 def _files(ros: int) -> list[Path]:

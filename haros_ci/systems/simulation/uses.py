@@ -101,19 +101,24 @@ def _inside(node: Node, around: Use, model: str, depth: int) -> Iterator[Use | I
         if child.tag == "include":
             yield _include(child)
             continue
-        if child.tag in ("model", "actor"):
-            is_outer = node.tag in ("sdf", "gazebo", "world")
-            given = child.given("name")
-            name = (model if is_outer and node.tag != "world" and model else given) or "?"
-            here = replace(here, model=name if is_outer else "?")
-        elif child.tag == "sensor":
-            here = replace(
-                here,
-                sensor=child.given("name"),
-                sensor_type=child.given("type"),
-                cameras=tuple(each.given("name") or "?" for each in child.all("camera")),
-            )
-        yield from _inside(child, here, model, depth + 1)
+        yield from _inside(child, _entered(child, node, here, model), model, depth + 1)
+
+
+def _entered(child: Node, parent: Node, around: Use, model: str) -> Use:
+    """*around* as it is inside *child*, with the name of the model and the sensor that this is."""
+    if child.tag in ("model", "actor"):
+        is_outer = parent.tag in ("sdf", "gazebo", "world")
+        given = child.given("name")
+        name = (model if is_outer and parent.tag != "world" and model else given) or "?"
+        return replace(around, model=name if is_outer else "?")
+    if child.tag == "sensor":
+        return replace(
+            around,
+            sensor=child.given("name"),
+            sensor_type=child.given("type"),
+            cameras=tuple(each.given("name") or "?" for each in child.all("camera")),
+        )
+    return around
 
 
 def _use(plugin: Node, around: Use) -> Use:
