@@ -11,6 +11,7 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.made import SEVERAL, Root, either
 from haros_ci.follow.run import CHAIN, ROOTS, Run
+from haros_ci.model.architecture import Condition
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
 from haros_ci.values.abstract import NONE, Callable, Choice, Object, Pointer, Value
@@ -80,12 +81,7 @@ def _again(run: Run, number: int, other: Root) -> None:
     if number >= len(run.roots) or run.roots[number].function.function is not other.function.function:
         return
     known = run.roots[number]
-    conditions, is_all = either(known.conditions, other.conditions, run.pairs)
-    certain = any(each.doubt is None and each.conditions == conditions for each in (known, other))
-    doubt = None if certain else known.doubt or other.doubt or (None if is_all else SEVERAL)
-    if not is_all and known.dead != other.dead:  # as of two ways to one endpoint
-        counting = known if known.dead < other.dead else other
-        conditions, doubt = counting.conditions, counting.doubt
+    conditions, doubt = _in_common(run, known, other)
     dead = min(known.dead, other.dead)
     if (conditions, doubt, dead) == (known.conditions, known.doubt, known.dead):
         return
@@ -96,6 +92,16 @@ def _again(run: Run, number: int, other: Root) -> None:
         key = next(key for key, each in run.known_roots.items() if each == number)
         run.known_roots[key] = len(run.roots)
         run.roots.append(merged)
+
+
+def _in_common(run: Run, known: Root, other: Root) -> tuple[tuple[Condition, ...], str | None]:
+    """The conditions of what is registered on two ways, and its doubt; one that fewer branches rule out counts alone."""
+    conditions, is_all = either(known.conditions, other.conditions, run.pairs)
+    if not is_all and known.dead != other.dead:  # as of two ways to one endpoint
+        counting = known if known.dead < other.dead else other
+        return counting.conditions, counting.doubt
+    certain = any(each.doubt is None and each.conditions == conditions for each in (known, other))
+    return conditions, None if certain else known.doubt or other.doubt or (None if is_all else SEVERAL)
 
 
 def signature(run: Run, frame: Frame, macro: str, written: tuple[Expression, ...]) -> Value:

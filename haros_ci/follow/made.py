@@ -123,16 +123,23 @@ def make(run: Run, made: Made) -> None:
     if known is not None:
         other = replace(made, conditions=conditions, unknowns=unknowns, dead=run.ruled_out())
         conditions, unknowns = _both(run, known, other)
+        if known.type != made.type or known.is_strict != made.is_strict:
+            made = _as_known(known, made)
     dead = run.ruled_out() if known is None else min(run.ruled_out(), known.dead)
-    if known is not None and known.is_strict and not made.is_strict:
-        made = replace(made, is_strict=True)
-    if known is not None and known.type is not None and made.type is None:  # which a later reading has told
-        made = replace(made, type=known.type)
     if dead != made.dead or conditions is not made.conditions or unknowns is not made.unknowns:
         made = replace(made, conditions=conditions, unknowns=unknowns, dead=dead)
     if known is not None and (known.conditions != conditions or known.dead != dead):
         run.news += 1
     run.made[key] = made
+
+
+def _as_known(known: Made, made: Made) -> Made:
+    """*made* is strict if it was *known* as that, and has the type that was."""
+    if known.is_strict and not made.is_strict:
+        made = replace(made, is_strict=True)
+    if known.type is not None and made.type is None:  # which a later reading has told
+        made = replace(made, type=known.type)
+    return made
 
 
 def _both(

@@ -42,9 +42,7 @@ def member(run: Run, value: Value, name: str, frame: Frame) -> Cell | None:
     ):
         value = of.value
     if not isinstance(value, Object):
-        if isinstance(value, Module):
-            return lookup.module_frame(run, value.source).scopes[0].get(name)
-        return static_cell(run, value.source, value.definition, name) if isinstance(value, ClassValue) else None
+        return _of_module_or_class(run, value, name)
     cell = value.fields.get(name)
     if value.definition is None and name in ros2_parameters.READ_AS and "of" in value.fields:
         ros2_parameters.read_as(run, value.fields["of"].value, name)
@@ -63,6 +61,13 @@ def member(run: Run, value: Value, name: str, frame: Frame) -> Cell | None:
                 run.opaque(f"the member {name} is not set before", frame, None, kind), kind
             )
     return cell
+
+
+def _of_module_or_class(run: Run, value: Value, name: str) -> Cell | None:
+    """The cell of a variable of a module, or of a class's own attribute."""
+    if isinstance(value, Module):
+        return lookup.module_frame(run, value.source).scopes[0].get(name)
+    return static_cell(run, value.source, value.definition, name) if isinstance(value, ClassValue) else None
 
 
 def static_cell(run: Run, source: Source, definition: Class, name: str, depth: int = 0) -> Cell | None:

@@ -26,16 +26,21 @@ def matched(name: str, args: tuple[Argument, ...]) -> Value | None:
         return None
     if not issubclass(pattern.kind, str) or not issubclass(text.kind, str):
         return None
-    one, other = pattern.value, text.value
-    if max(len(one), len(other)) > LONGEST or any(letter in one for letter in "[]\\()"):
-        return None
     is_plain = isinstance(flags, Known) and flags.value == 0
-    if not is_plain and ("/" in other or other.startswith(".")):  # FNM_PATHNAME, FNM_LEADING_DIR, FNM_PERIOD
+    is_match = _is_match(pattern.value, text.value, is_plain)
+    return None if is_match is None else Known(0 if is_match else NO_MATCH)
+
+
+def _is_match(pattern: str, text: str, is_plain: bool) -> bool | None:
+    """Whether a text matches a pattern, where it *is_plain* without flags; None where that is not known."""
+    if max(len(pattern), len(text)) > LONGEST or any(letter in pattern for letter in "[]\\()"):
         return None
-    is_match = _matches(one, other)
-    if not is_plain and is_match != _matches(one.lower(), other.lower()):  # FNM_CASEFOLD
+    if not is_plain and ("/" in text or text.startswith(".")):  # FNM_PATHNAME, FNM_LEADING_DIR, FNM_PERIOD
         return None
-    return Known(0 if is_match else NO_MATCH)
+    is_match = _matches(pattern, text)
+    if not is_plain and is_match != _matches(pattern.lower(), text.lower()):  # FNM_CASEFOLD
+        return None
+    return is_match
 
 
 def _matches(pattern: str, text: str) -> bool:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import partial
 
 from haros_ci import syntax
@@ -34,15 +35,21 @@ def plugin(run: Run, frame: Frame, loader: Object, name: Value, location: Locati
     if of_base is None or run.quiet or (location, base) in run.offered or (is_told and not is_dead):
         return named
     run.offered.add((location, base))
+    loaded = _with_others(run, frame, named, of_base.get(base, ())[:MOST], location)
+    alternatives.mark(run, base, loaded)
+    return named if not loaded else loaded[0] if len(loaded) == 1 else Choice(tuple(loaded))
+
+
+def _with_others(run: Run, frame: Frame, named: Value, plugins: Iterable[Plugin], location: Location) -> list[Value]:
+    """The plug-in that is named, if it is known, and an instance of each of the other *plugins*."""
     loaded: list[Value] = [named] if isinstance(named, Object) else []
     there = {(each.name, each.arguments) for each in loaded if isinstance(each, Object)}
-    for found in of_base.get(base, ())[:MOST]:
+    for found in plugins:
         if (found.definition.name, found.arguments) not in there:
             run.gaps.setdefault(ANY, location)
             with run.doubted(ANY):
                 loaded.append(_instance(run, frame, found, location))
-    alternatives.mark(run, base, loaded)
-    return named if not loaded else loaded[0] if len(loaded) == 1 else Choice(tuple(loaded))
+    return loaded
 
 
 def _base_name(loader: Object) -> str:

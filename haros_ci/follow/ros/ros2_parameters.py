@@ -102,17 +102,24 @@ def is_declared(applied: Applied, node: RosNode | None, name: Value) -> Value:
     is_told = why is None or is_telling(text)
     if node is None or not is_told or isinstance(own, Opaque):
         return applied.run.opaque("whether the parameter is declared", applied.frame, applied.location.line)
-    held: Held | None = own.get(f"{node.whole.name}:{text}") if "?" not in text else None
-    if text == ros2_nodes.SIM_TIME or (held is not None and held.value != NONE and held.is_certain):
-        return Known(True)
-    if text.startswith(BY_ITSELF):
+    has = _has_declared(own, node, text)
+    if has is None:
         return applied.run.opaque("whether the parameter is declared", applied.frame, applied.location.line)
-    if (held is not None and held.value != NONE) or ("?" in text and _has_like(own, node, text)):
-        return applied.run.opaque("whether the parameter is declared", applied.frame, applied.location.line)
-    if node.whole.options.get("automatically_declare_parameters_from_overrides"):
+    if not has and node.whole.options.get("automatically_declare_parameters_from_overrides"):
         found = given(applied, node, text)
         return Known(found is not None) if not isinstance(found, Opaque) else found
-    return Known(False)
+    return Known(has)
+
+
+def _has_declared(own: Mapping[str, Held], node: RosNode, name: str) -> bool | None:
+    """Whether the node has declared a parameter itself; None where that is not known."""
+    held = own.get(f"{node.whole.name}:{name}") if "?" not in name else None
+    is_held = held is not None and held.value != NONE
+    if name == ros2_nodes.SIM_TIME or (held is not None and is_held and held.is_certain):
+        return True
+    if name.startswith(BY_ITSELF) or is_held or ("?" in name and _has_like(own, node, name)):
+        return None
+    return False
 
 
 def remember(applied: Applied, full: str, value: Value) -> None:
