@@ -111,7 +111,7 @@ def inspected(
             *(Notification(Level.NOTE, sentence, ARCHITECTURE) for sentence in unmodelled(found, made.builds)),
             *(
                 Notification(Level.NOTE, sentence, ARCHITECTURE)
-                for sentence in _uncovered(made, workspace, settings, project)
+                for sentence in (_uncovered(made, workspace, settings, project) if base is None else ())
             ),
         ),
         graphs=said.graphs,
