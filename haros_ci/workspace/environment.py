@@ -78,13 +78,21 @@ def environment_of(workspace: Workspace, builds: Mapping[str, Build]) -> Environ
     for hook, each in zip(hooks, alone, strict=True):
         _note(found, where, hook, each)
     for number, hook in enumerate(hooks):  # again, with what the others set
-        others: dict[str, set[str | None]] = {}
-        for other, each in enumerate(alone):
-            if other != number:
-                _note(others, {}, hook, each)
-        if others:
-            given = {name: next(iter(values)) if len(values) == 1 else None for name, values in others.items()}
+        if given := _set_before(hook, [*alone[:number], *alone[number + 1 :]]):
             _note(found, where, hook, _own(read_hook(workspace, hook, given), alone[number]))
+    return _agreed(found, where)
+
+
+def _set_before(hook: Hook, others: Iterable[Variables]) -> dict[str, str | None]:
+    """What *hook* finds set where *others* are read before it; None for what they disagree about."""
+    found: dict[str, set[str | None]] = {}
+    for each in others:
+        _note(found, {}, hook, each)
+    return {name: next(iter(values)) if len(values) == 1 else None for name, values in found.items()}
+
+
+def _agreed(found: Mapping[str, set[str | None]], where: Mapping[str, str]) -> Environment:
+    """The variables with the one value that was *found* for each; the others are lost."""
     values = {name: next(iter(each)) for name, each in found.items() if len(each) == 1}
     known = {name: value for name, value in values.items() if value is not None}
     lost = {name: _reason(name, where[name]) for name in found if name not in known}
@@ -145,6 +153,12 @@ def _expanded(text: str) -> tuple[str, frozenset[str]]:
     return _EM.sub(hole, text), frozenset(stuck)
 
 
+def _dsv_value(value: str) -> str | None:
+    """The *value* of a line of a .dsv file; None for a path below the install prefix, and for what a template puts in."""
+    is_path = HOLE in value or value in _DIRECTORIES or ("/" in value and not value.startswith("/"))
+    return None if is_path else value
+
+
 def read_dsv(text: str, given: Mapping[str, str | None]) -> Variables:
     """What a .dsv file sets (``type;name;value``, as colcon and ament read it); paths below the install prefix are lost."""
     values: dict[str, str | None] = {}
@@ -152,10 +166,7 @@ def read_dsv(text: str, given: Mapping[str, str | None]) -> Variables:
         kind, _, rest = line.strip().partition(";")
         name, found, value = rest.partition(";")
         if kind in ("set", "set-if-unset") and name:
-            is_path = (
-                not found or HOLE in value or value in _DIRECTORIES or ("/" in value and not value.startswith("/"))
-            )
-            made = None if is_path else value
+            made = _dsv_value(value) if found else None
             before = values.get(name, given.get(name)) if name in values or name in given else ""
             values[name] = made if kind == "set" or before == "" else before
         elif kind.startswith(("prepend", "append")) and name:

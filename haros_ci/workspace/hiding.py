@@ -189,14 +189,8 @@ class Change:
         """One for all changed files that C++ includes and that are not analysed, as their names are not those of C++."""
         if not self.is_known:
             return
-        others = [
-            path
-            for path, name in sorted(self.tracked.items())
-            if self.base.get(path) != name and path not in self.submodules and scope.given(path) is not None
-            if language_of(path.rpartition("/")[2]) is None and not _excluded(path, excludes)
-        ]
-        sources = [file.path for file in workspace.files if file.language == "cpp"] if others else []
-        names = {name.rpartition("/")[2] for path in sources for name in _INCLUDE.findall(workspace.text(path))}
+        others = self._changed_without_language(scope, excludes)
+        names = _included_names(workspace) if others else frozenset()
         found = [path for path in others if path.rpartition("/")[2] in names and self.has_changed(path)]
         if found:
             are = "is" if len(found) == 1 else "are"
@@ -204,6 +198,15 @@ class Change:
                 ".",
                 f"{_plural(len(found), 'changed file')} that C++ includes {are} not analysed, as no C++ file is called so: {_named(found)}",
             )
+
+    def _changed_without_language(self, scope: Scope, excludes: Excludes) -> list[str]:
+        """The changed files in *scope* whose names are those of no language."""
+        return [
+            path
+            for path, name in sorted(self.tracked.items())
+            if self.base.get(path) != name and path not in self.submodules and scope.given(path) is not None
+            if language_of(path.rpartition("/")[2]) is None and not _excluded(path, excludes)
+        ]
 
     def _never_analysed(self, path: str, outputs: frozenset[str]) -> str:
         """The outermost directory around *path* that is never entered, "" without one."""
@@ -234,6 +237,12 @@ class Change:
                 continue
             if not _excluded(target, excludes) and os.path.isfile(f"{self.root}/{target}"):
                 yield Problem(path, f"skipped: a symbolic link to {target}, which is not analysed as {language}")
+
+
+def _included_names(workspace: Workspace) -> frozenset[str]:
+    """The names, without directories, of all that C++ files include."""
+    sources = [file.path for file in workspace.files if file.language == "cpp"]
+    return frozenset(name.rpartition("/")[2] for path in sources for name in _INCLUDE.findall(workspace.text(path)))
 
 
 def _object_name(path: str, length: int) -> str | None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The variables of a shell script while its text is followed: their values, and what tests of them decide."""
+"""The variables of a shell script while its text is followed: their values, what tests of them decide, and which are exported."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ _TAKEN = re.compile(
     r"|ZSH\w*|ROS_(?:DISTRO|VERSION|PYTHON_VERSION|ROOT|PACKAGE_PATH|MASTER_URI|ETC_DIR|IP|HOSTNAME))\Z"
 )
 _SET = re.compile(r"(?<![\w$-])([A-Za-z_]\w*)\+?=|\$\{([A-Za-z_]\w*):?=")
+_NAME = re.compile(r"[A-Za-z_]\w*\Z")
 _ASSIGNMENT = re.compile(r"([A-Za-z_]\w*)(\+?)=")
 
 
@@ -90,22 +91,25 @@ class State:
     def part(self, part: Variable | None, is_test: bool) -> str | None:
         if part is None:
             return None
-        name, operator = part.name, part.operator
-        is_unset, value = self.look(name)
-        other = self.expand(part.other, is_test=is_test) if operator and operator[-1] != "?" else None
-        if not operator or operator[-1] == "?":
-            return "" if is_unset and is_test and not operator else value
-        if not is_unset and value is None:
-            if operator[-1] == "=":
-                self.put(name, None)
-            return None
-        is_there = not is_unset and (bool(value) or ":" not in operator)
-        if operator[-1] == "+":
+        is_unset, value = self.look(part.name)
+        if not part.operator or part.operator[-1] == "?":
+            return "" if is_unset and is_test and not part.operator else value
+        other = self.expand(part.other, is_test=is_test)
+        if is_unset or value is not None:
+            return self.choice(part, value, other)
+        if part.operator[-1] == "=":
+            self.put(part.name, None)
+        return None
+
+    def choice(self, part: Variable, value: str | None, other: str | None) -> str | None:
+        """What ``${NAME:-other}`` and its like stand for, where NAME has *value*, or is not set (None)."""
+        is_there = value is not None and (bool(value) or ":" not in part.operator)
+        if part.operator[-1] == "+":
             return other if is_there else ""
         if is_there:
             return value
-        if operator[-1] == "=":
-            self.put(name, other)
+        if part.operator[-1] == "=":
+            self.put(part.name, other)
         return other
 
     def look(self, name: str) -> tuple[bool, str | None]:
@@ -128,8 +132,53 @@ class State:
         if len(words) == 2 and plain[0] in ("-z", "-n") and operands[1] is not None:
             return (operands[1] == "") == (plain[0] == "-z")
         if len(words) == 3 and plain[1] in ("=", "==", "!="):
-            left, _, right = operands
-            if left is None or right is None or (not words[2].is_quoted and re.search(r"[*?[]", right)):
-                return None
-            return (left == right) == (plain[1] != "!=")
+            is_same = _is_same(operands[0], operands[2], words[2].is_quoted)
+            return None if is_same is None else is_same == (plain[1] != "!=")
         return None
+
+    # --- commands that say what the environment gets
+
+    def export(self, words: list[Word]) -> bool | None:
+        options = "".join(word.text for word in words if word.text and word.text.startswith("-"))
+        for word in words:
+            if (word.text or "").startswith("-"):
+                continue
+            name = self.assign(word) if self.assignment(word) is not None else word.text
+            if name is not None and _NAME.match(name):
+                self.mark(name, options)
+        return True
+
+    def mark(self, name: str, options: str) -> None:
+        """Export a variable, or no longer, as the *options* of ``export`` say."""
+        if "f" in options:  # a function
+            return
+        if "n" in options:
+            self.exported.discard(name)
+        elif name in self.values or name in self.stuck:
+            self.exported.add(name)
+
+    def declare(self, words: list[Word]) -> bool | None:
+        if any("x" in (word.text or "") for word in words if (word.text or "").startswith("-")):
+            return self.export(words)
+        for word in words:
+            if self.assignment(word) is not None:
+                self.assign(word)
+        return True
+
+    def unset(self, words: list[Word]) -> bool | None:
+        for word in words:
+            name = word.text or ""
+            if self.doubts:
+                self.stuck.add(name)
+            elif name not in self.stuck:
+                self.values.pop(name, None)
+                self.exported.discard(name)
+                self.gone.add(name)
+        return True
+
+
+def _is_same(left: str | None, right: str | None, is_quoted: bool) -> bool | None:
+    """Whether two texts are the same; None if one is not known, or the right one may be a pattern."""
+    if left is None or right is None or (not is_quoted and re.search(r"[*?[]", right)):
+        return None
+    return left == right

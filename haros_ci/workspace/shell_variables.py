@@ -16,7 +16,6 @@ from haros_ci.workspace.shell_words import Operator, Token, Unreadable, Word, to
 
 #: Commands and blocks within each other.
 MAX_DEPTH = 40
-_NAME = re.compile(r"[A-Za-z_]\w*\Z")
 _BLOCKS = {"case": "esac", "for": "done", "while": "done", "until": "done", "select": "done"}
 _EXPORTING = ("export", "declare", "typeset", "readonly", "local")
 _READING = ("read", "mapfile", "readarray", "getopts", "printf", "let", "eval")
@@ -146,12 +145,15 @@ class _Reader(State):
             self.at += 1
             status = self.command()
             return None if status is None else not status
-        following = self.tokens[self.at + 1] if self.at + 1 < len(self.tokens) else None
-        is_function = isinstance(following, Operator) and following.text == "("
-        if name in _BLOCKS or name == "function" or is_function:
+        if name in _BLOCKS or name == "function" or self.is_function():
             self.lose_block(_BLOCKS.get(name or "", "}"))
             return None
         return self.simple()
+
+    def is_function(self) -> bool:
+        """Whether a parenthesis follows the word here, as behind the name of a function."""
+        following = self.tokens[self.at + 1] if self.at + 1 < len(self.tokens) else None
+        return isinstance(following, Operator) and following.text == "("
 
     def passed(self, end: str) -> None:
         """Go behind the parenthesis that closes the one here."""
@@ -221,8 +223,8 @@ class _Reader(State):
         token = self.tokens[self.at] if self.at < len(self.tokens) else None
         return token.text if isinstance(token, Word) else None
 
-    def simple(self) -> bool | None:
-        """Assignments, or a command with its words."""
+    def words(self) -> list[Word]:
+        """Go behind the words of one command, which are returned; redirections are left out."""
         words: list[Word] = []
         while self.at < len(self.tokens):
             token = self.tokens[self.at]
@@ -235,6 +237,11 @@ class _Reader(State):
             else:
                 break
             self.at += 1
+        return words
+
+    def simple(self) -> bool | None:
+        """Assignments, or a command with its words."""
+        words = self.words()
         if self.skipped or self.is_ended:
             return None
         assignments = 0
@@ -258,39 +265,6 @@ class _Reader(State):
 
     def bracket(self, words: list[Word]) -> bool | None:
         return self.test(words[:-1]) if words and words[-1].text in ("]", "]]") else None
-
-    def export(self, words: list[Word]) -> bool | None:
-        options = [word.text or "" for word in words if (word.text or "").startswith("-")]
-        for word in words:
-            if (word.text or "").startswith("-"):
-                continue
-            name = self.assign(word) if self.assignment(word) is not None else word.text
-            if name is None or not _NAME.match(name) or any("f" in each for each in options):
-                continue
-            if any("n" in each for each in options):
-                self.exported.discard(name)
-            elif name in self.values or name in self.stuck:
-                self.exported.add(name)
-        return True
-
-    def declare(self, words: list[Word]) -> bool | None:
-        if any("x" in (word.text or "") for word in words if (word.text or "").startswith("-")):
-            return self.export(words)
-        for word in words:
-            if self.assignment(word) is not None:
-                self.assign(word)
-        return True
-
-    def unset(self, words: list[Word]) -> bool | None:
-        for word in words:
-            name = word.text or ""
-            if self.doubts:
-                self.stuck.add(name)
-            elif name not in self.stuck:
-                self.values.pop(name, None)
-                self.exported.discard(name)
-                self.gone.add(name)
-        return True
 
     def reads(self, words: list[Word]) -> bool | None:
         """Commands that set the variables they are given by name, and ``eval``."""
