@@ -78,15 +78,16 @@ def environment_of(workspace: Workspace, builds: Mapping[str, Build]) -> Environ
     for hook, each in zip(hooks, alone, strict=True):
         _note(found, where, hook, each)
     for number, hook in enumerate(hooks):  # again, with what the others set
-        if given := _set_before(hook, [*alone[:number], *alone[number + 1 :]]):
+        others = [pair for at, pair in enumerate(zip(hooks, alone, strict=True)) if at != number]
+        if given := _set_before(others):
             _note(found, where, hook, _own(read_hook(workspace, hook, given), alone[number]))
     return _agreed(found, where)
 
 
-def _set_before(hook: Hook, others: Iterable[Variables]) -> dict[str, str | None]:
-    """What *hook* finds set where *others* are read before it; None for what they disagree about."""
+def _set_before(others: Iterable[tuple[Hook, Variables]]) -> dict[str, str | None]:
+    """What a hook finds set where *others* are read before it; None for what they disagree about, and what is not certain."""
     found: dict[str, set[str | None]] = {}
-    for each in others:
+    for hook, each in others:
         _note(found, {}, hook, each)
     return {name: next(iter(values)) if len(values) == 1 else None for name, values in found.items()}
 

@@ -116,6 +116,13 @@ def test_hooks_give_values(tmp_path: Path, files: dict[str, str]) -> None:
             "CMakeLists.txt": "project(arm)\nif(HAVE_ARM)\n"
             "catkin_add_env_hooks(10.arm SHELLS sh DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/hooks)\nendif()\n",
         },
+        {
+            **catkin("export SIDE=left"),
+            "hooks/20.arm.sh": "export ARM_NAME=$SIDE",
+            "CMakeLists.txt": "project(arm)\nif(HAVE_ARM)\n"
+            "catkin_add_env_hooks(10.arm SHELLS sh DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/hooks)\nendif()\n"
+            "catkin_add_env_hooks(20.arm SHELLS sh DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/hooks)\n",
+        },
         ament("export ARM_NAME=@CMAKE_INSTALL_PREFIX@/x", "arm.sh.in"),
         ament("set;ARM_NAME;share/arm\n", "arm.dsv"),
         ament("prepend-non-duplicate;ARM_NAME;share\n", "arm.dsv"),
