@@ -115,6 +115,31 @@ def test_a_world_brings_models_of_the_workspace() -> None:
     assert lost(node) == []
 
 
+def test_models_that_include_others_many_times_come_to_an_end() -> None:
+    many = "<include><uri>model://m1</uri></include>" * 20
+    files = {"p/worlds/w.world": MAZE.format(many)}
+    for number in range(1, 9):
+        inner = many.replace("m1<", f"m{number + 1}<")
+        files[f"p/models/m{number}/model.config"] = "<model><name>M</name></model>"
+        files[f"p/models/m{number}/model.sdf"] = f'<sdf version="1.6"><model name="m">{inner}</model></sdf>'
+    node = simulator(WORLD, files=files)
+    assert "it has more plug-ins and models than are looked at" in lost(node)
+
+
+def test_a_version_with_digits_that_are_no_number() -> None:
+    files = {
+        "p/worlds/w.world": MAZE.format("<include><uri>model://bot</uri></include>"),
+        "p/models/bot/model.config": '<model><sdf version="1.6">model.sdf</sdf><sdf version="²">old.sdf</sdf></model>',
+        "p/models/bot/model.sdf": BOT.format(LASER.format("<topicName>scan</topicName>")),
+    }
+    assert made(simulator(WORLD, files=files)) == [("/scan", "sensor_msgs/LaserScan")]
+
+
+def test_a_namespace_with_braces_is_taken_as_it_is() -> None:
+    inner = sensor(LASER.format("<robotNamespace>{model}{sensor}</robotNamespace><topicName>scan</topicName>"))
+    assert made(simulator(ALL, inner)) == [("/{model}{sensor}/scan", "sensor_msgs/LaserScan")]
+
+
 def test_a_spawned_file_counts() -> None:
     launch = EMPTY + SPAWN.replace("-urdf -param robot_description", "-sdf -file $(find p)/models/b.sdf").format("")
     node = simulator(

@@ -91,17 +91,14 @@ def _inside(node: Node, around: Use, model: str, depth: int) -> Iterator[Use | I
     if depth > DEEPEST:
         return
     for child in node.children:
-        here = replace(around, certain=around.certain and child.certain)
         if child.tag == "plugin":
             if node.tag in _LOADING:
-                yield _use(child, replace(here, at=_LOADING[node.tag]))
-            continue
-        if child.tag not in _THROUGH:
-            continue
-        if child.tag == "include":
+                yield _use(child, replace(around, at=_LOADING[node.tag]))
+        elif child.tag == "include":
             yield _include(child)
-            continue
-        yield from _inside(child, _entered(child, node, here, model), model, depth + 1)
+        elif child.tag in _THROUGH:
+            here = around if child.certain else replace(around, certain=False)
+            yield from _inside(child, _entered(child, node, here, model), model, depth + 1)
 
 
 def _entered(child: Node, parent: Node, around: Use, model: str) -> Use:
