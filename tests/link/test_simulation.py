@@ -126,6 +126,15 @@ def test_models_that_include_others_many_times_come_to_an_end() -> None:
     assert "it has more plug-ins and models than are looked at" in lost(node)
 
 
+def test_a_large_model_that_is_included_many_times_is_not_looked_through_each_time() -> None:
+    files = {
+        "p/worlds/w.world": MAZE.format("<include><uri>model://large</uri></include>" * 1_900),
+        "p/models/large/model.config": "<model><name>L</name></model>",
+        "p/models/large/model.sdf": f'<sdf version="1.6"><model name="l">{"<link/>" * 90_000}</model></sdf>',
+    }
+    assert lost(simulator(WORLD, files=files)) == ["it has more plug-ins and models than are looked at"]
+
+
 def test_a_version_with_digits_that_are_no_number() -> None:
     files = {
         "p/worlds/w.world": MAZE.format("<include><uri>model://bot</uri></include>"),

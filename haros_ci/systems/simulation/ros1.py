@@ -41,13 +41,17 @@ def simulation(launched: Launched, trees: Trees, environment: Mapping[str, str])
     parameters: dict[str, list[Parameter]] = {}
     for each in launched.parameters:
         parameters.setdefault(each.name, []).append(each)
-    return _Simulation(launched, servers, parameters, trees, environment).complete
+    spawners = [
+        (each, split(each.arguments)) for each in launched.nodes if each.package == PACKAGE and each.type in SPAWNERS
+    ]
+    return _Simulation(launched, servers, spawners, parameters, trees, environment).complete
 
 
 @dataclass(frozen=True, slots=True)
 class _Simulation:
     launched: Launched
     servers: list[Started]
+    spawners: list[tuple[Started, Words]]
     #: What is set on the parameter server, by name.
     parameters: Mapping[str, list[Parameter]]
     trees: Trees
@@ -83,13 +87,11 @@ class _Simulation:
 
     def _found(self, server: Started) -> Found:
         into = of_server(self.trees, server, 1, ACCOUNTED)
-        for each in self.launched.nodes:
-            if each.package == PACKAGE and each.type in SPAWNERS:
-                self._spawn(each, server, into)
+        for spawner, words in self.spawners:
+            self._spawn(spawner, words, server, into)
         return into
 
-    def _spawn(self, spawner: Started, server: Started, into: Found) -> None:
-        words = split(spawner.arguments)
+    def _spawn(self, spawner: Started, words: Words, server: Started, into: Found) -> None:
         target = option(words.rest, "-gazebo_namespace")
         if target is not None and "?" not in target and clean(target) != server.name and len(self.servers) > 1:
             return

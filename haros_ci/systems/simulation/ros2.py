@@ -54,7 +54,8 @@ def simulation(
     for each in nodes:
         if each.type == PUBLISHER:
             publishers.setdefault(_topic_of(each), []).append(each)
-    return _Simulation(tuple(nodes), servers, publishers, trees, environment, known, commands).complete
+    spawners = [(each, split(each.arguments)) for each in nodes if each.package == PACKAGE and each.type in SPAWNERS]
+    return _Simulation(servers, spawners, publishers, trees, environment, known, commands).complete
 
 
 def _printed(command: str) -> str:
@@ -64,8 +65,8 @@ def _printed(command: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class _Simulation:
-    nodes: tuple[LaunchedNode, ...]
     servers: list[LaunchedNode]
+    spawners: list[tuple[LaunchedNode, Words]]
     #: The nodes that publish a description, by topic.
     publishers: Mapping[str, list[LaunchedNode]]
     trees: Trees
@@ -103,12 +104,10 @@ class _Simulation:
 
     def _found(self, server: LaunchedNode) -> Found:
         into = of_server(self.trees, server, 2, _of_system() | silent())
-        for each in self.nodes:
-            if each.package == PACKAGE and each.type in SPAWNERS:
-                words = split(each.arguments)
-                model, space = option(words.rest, "-entity"), option(words.rest, "-robot_namespace")
-                spawned = spawned_by(each, server, model, space)
-                gather(self.trees, self._description(each, words), spawned, 2, into, each.location)
+        for each, words in self.spawners:
+            model, space = option(words.rest, "-entity"), option(words.rest, "-robot_namespace")
+            spawned = spawned_by(each, server, model, space)
+            gather(self.trees, self._description(each, words), spawned, 2, into, each.location)
         return into
 
     def _description(self, spawner: LaunchedNode, words: Words) -> Tree:

@@ -32,19 +32,24 @@ Completes = Callable[[Sequence[Node]], tuple[Node, ...]]
 #: Plug-ins and included models that one simulator may have, and models in one another.
 MOST = 2_000
 DEEPEST = 10
+#: Elements of descriptions that are looked through for one simulator; the last description is looked through to its end.
+MAX_ELEMENTS = 200_000
+TOO_MANY = "it has more plug-ins and models than are looked at"
 
 
 @dataclass(slots=True)
 class Found:
     """The plug-ins of one simulator, each with its row and how it was brought; *lost* says where there may be more.
 
-    *libraries* are the plug-ins that its command line names; *included* is the number of models that others include.
+    *libraries* are the plug-ins that its command line names; *included* is the number of models that others include,
+    *elements* that of the elements that have been looked through.
     """
 
     uses: list[tuple[Use, KnownPlugin, Spawned]] = field(default_factory=list)
     lost: dict[str, Location | None] = field(default_factory=dict)
     libraries: tuple[str, ...] = ()
     included: int = 0
+    elements: int = 0
 
     def lose(self, reason: str, location: Location | None) -> None:
         if len(self.lost) < MOST:
@@ -136,9 +141,13 @@ def gather(
         into.lose(tree.reason, place)
     if tree.root is None:
         return
+    if into.elements >= MAX_ELEMENTS:
+        into.lose(TOO_MANY, place)
+        return
+    into.elements += sum(1 for _ in tree.root.walk())
     for each in found(tree.root, spawned.model):
         if max(len(into.uses), into.included) >= MOST or depth > DEEPEST:
-            into.lose("it has more plug-ins and models than are looked at", place)
+            into.lose(TOO_MANY, place)
             return
         if isinstance(each, Use):
             _take(each, spawned, ros, into)
