@@ -83,7 +83,7 @@ def specialised(known: KnownNode, words: Sequence[str], ros: int, file: File | N
 
 
 def _is_open(end: KnownEndpoint) -> bool:
-    """Whether it is an entry that stands for what the command line tells."""
+    """Whether it is an entry that stands for what the command line decides."""
     return end.each is None and len(end.name) == 1 and isinstance(end.name[0], Hole) and end.name[0].kind != "option"
 
 
