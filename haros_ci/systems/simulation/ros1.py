@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from haros_ci.graph.names import clean, resolve
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.graph.words import Words, split
-from haros_ci.model.architecture import Node, Parameter, Unknown
+from haros_ci.model.architecture import Node, Parameter
 from haros_ci.model.launch import Launched, Started
 from haros_ci.systems.simulation.endpoints import ros1_endpoints
 from haros_ci.systems.simulation.simulators import (
@@ -26,7 +26,6 @@ from haros_ci.systems.simulation.simulators import (
     unpredictable,
 )
 from haros_ci.systems.simulation.trees import Tree, Trees
-from haros_ci.values.abstract import data_of, opaque_of
 
 SPAWNERS = frozenset(("spawn_model", "spawn_urdf", "spawn_gazebo_model"))
 #: Plug-ins of the server's command line that make nothing but what the data on known nodes says of the simulator.
@@ -60,15 +59,6 @@ class _Simulation:
     def complete(self, nodes: Sequence[Node]) -> tuple[Node, ...]:
         server = ParameterServer(self.launched.parameters)
         by_place: dict[tuple[str, object], Started] = {(each.name, each.location): each for each in self.servers}
-
-        def parameter(name: str) -> object | None:
-            value = server.get(name)
-            if value is None:
-                return None
-            held, plain = data_of(value)
-            why = opaque_of(value)
-            return plain if held else Unknown("name", why.reason if why else "it is not plain data")
-
         reasons = tuple(unpredictable(nodes, SPAWNERS))
         done = []
         for node in nodes:
@@ -80,7 +70,9 @@ class _Simulation:
             for reason in reasons:
                 into.lose(reason, node.location)
             made = [
-                end for use, known, spawned in into.uses for end in ros1_endpoints(use, known, node, spawned, parameter)
+                end
+                for use, known, spawned in into.uses
+                for end in ros1_endpoints(use, known, node, spawned, server.get)
             ]
             done.append(completed(node, made, into.lost))
         return tuple(done)

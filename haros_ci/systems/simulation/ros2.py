@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from haros_ci.graph.names import clean, resolve
@@ -77,6 +77,7 @@ class _Simulation:
     def complete(self, nodes: Sequence[Node]) -> tuple[Node, ...]:
         by_place = {(each.type, each.location): each for each in self.servers}
         reasons = tuple(unpredictable(nodes, SPAWNERS))
+        brought = [(each, words, self._description(each, words)) for each, words in self.spawners]
         done: list[Node] = []
         for node in nodes:
             place = node.location
@@ -84,7 +85,7 @@ class _Simulation:
             if started is None:
                 done.append(node)
                 continue
-            into = self._found(started)
+            into = self._found(started, brought)
             for reason in reasons:
                 into.lose(reason, node.location)
             done += self._with_plugins(node, started, into)
@@ -102,12 +103,13 @@ class _Simulation:
         own = [end for each in named for end in on_server(each, server, rules)]
         return [by_simulated_time(completed(server, own, into.lost)), *made.values()]
 
-    def _found(self, server: LaunchedNode) -> Found:
+    def _found(self, server: LaunchedNode, brought: Iterable[tuple[LaunchedNode, Words, Tree]]) -> Found:
+        """The plug-ins of a *server*, with what is *brought* to it: each spawner with its command line and its description."""
         into = of_server(self.trees, server, 2, _of_system() | silent())
-        for each, words in self.spawners:
+        for each, words, tree in brought:
             model, space = option(words.rest, "-entity"), option(words.rest, "-robot_namespace")
             spawned = spawned_by(each, server, model, space)
-            gather(self.trees, self._description(each, words), spawned, 2, into, each.location)
+            gather(self.trees, tree, spawned, 2, into, each.location)
         return into
 
     def _description(self, spawner: LaunchedNode, words: Words) -> Tree:
