@@ -93,7 +93,10 @@ def command_line(words: Iterable[str]) -> CommandLine:
 
 
 def of_server(trees: Trees, server: Started | LaunchedNode, ros: int, accounted: Container[str]) -> Found:
-    """What the command line of a *server* brings: the plug-ins of its world; of those that it names itself all is known that are *accounted* for."""
+    """What the command line of a *server* brings: the plug-ins of its world, and those that it names itself.
+
+    What it names and is not *accounted* for may make more than is known.
+    """
     into = Found()
     line = command_line(split(server.arguments).rest)
     into.libraries = line.plugins
@@ -112,7 +115,7 @@ def spawned_by(
 ) -> Spawned:
     """How a *spawner* brings the *model* that its command line names, in that *namespace*, to the *server*."""
     conditions = tuple(each for each in spawner.conditions if each not in server.conditions)
-    return Spawned(model="?" if model is None or "?" in model else model, namespace=namespace, conditions=conditions)
+    return Spawned(model="?" if not model or "?" in model else model, namespace=namespace, conditions=conditions)
 
 
 def of_file_or_model(trees: Trees, words: Sequence[str]) -> Tree | None:
