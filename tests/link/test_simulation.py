@@ -191,6 +191,8 @@ def test_what_brings_nothing(launch: str, inner: str) -> None:
         (EMPTY + SPAWN.replace("-urdf -param robot_description", "-sdf -stdin").format(""), "", {}, "what /spawn spawns is not known"),
         (WORLD, "", {}, "$(find p)/worlds/w.world is not in the workspace"),
         (WORLD, "", {"p/worlds/w.world": MAZE.format("<include><uri>model://bot</uri></include>")}, "the model bot is not in the workspace"),
+        (WORLD, "", {"p/worlds/w.world": MAZE.format("<include><uri>model://bot</uri></include>"), "p/a/bot/model.config": "<model/>", "p/b/bot/model.config": "<model/>"}, "there are several models called bot: p/a/bot, p/b/bot"),
+        (EMPTY + '<arg name="a"/>' + PARAM.replace("/>", ' if="$(arg a)"/>') + SPAWN.format(""), "", {}, "the parameter /robot_description that /spawn spawns is not known"),
         (EMPTY.replace("/>", '><arg name="extra_gazebo_args" value="-s libacme.so"/></include>'), "", {}, "what the plug-in acme makes is not known"),
     ],
 )  # fmt: skip
@@ -212,6 +214,49 @@ def test_a_spawner_under_a_condition() -> None:
     launch = '<arg name="a"/>' + EMPTY + PARAM + f'<group if="$(arg a)">{SPAWN.format("")}</group>'
     (end,) = (e for e in simulator(launch, sensor(LASER.format(""))).endpoints if e.location is not None)
     assert [each.condition for each in end.conditions] == ["$(arg a)"]
+
+
+def test_a_condition_that_the_simulator_has_too_is_not_said_again() -> None:
+    launch = f'<arg name="a"/>{PARAM}<group if="$(arg a)">{EMPTY}{SPAWN.format("")}</group>'
+    node = simulator(launch, sensor(LASER.format("")))
+    assert [each.condition for each in node.conditions] == ["$(arg a)"]
+    assert [end.conditions for end in node.endpoints if end.location is not None] == [()]
+
+
+@pytest.mark.parametrize("written", ["{}", "<xacro:if value='$(arg on)'>{}</xacro:if>"])
+def test_a_description_under_a_condition_that_is_not_known(written: str) -> None:
+    inner = written.format(sensor(LASER.format("")))
+    if written == "{}":
+        inner = inner.replace("<plugin", "<xacro:if value='$(arg on)'><plugin").replace(
+            "</plugin>", "</plugin></xacro:if>"
+        )
+    launch = '<arg name="a"/>' + EMPTY + PARAM.replace(".xacro", ".xacro on:=$(arg a)") + SPAWN.format("")
+    node = simulator(launch, '<xacro:arg name="on" default="true"/>' + inner)
+    (end,) = (end for end in node.endpoints if end.location is not None)
+    assert (end.name, [(each.field, each.reason) for each in end.unknowns]) == (
+        "/world",
+        [("conditions", "it stands in the description under a condition that is not known")],
+    )
+
+
+BRINGER = (
+    '#include <ros/ros.h>\n#include <gazebo_msgs/SpawnModel.h>\nint main(int argc, char ** argv) {\nros::init(argc, argv, "n");\n'
+    'ros::NodeHandle nh;\nros::ServiceClient c = nh.serviceClient<gazebo_msgs::SpawnModel>("/gazebo/spawn_urdf_model");\n}\n'
+)
+
+
+def test_a_node_that_can_bring_models() -> None:
+    files = {"p/src/n.cpp": BRINGER, "p/CMakeLists.txt": CMAKE.format("p") + "add_executable(n src/n.cpp)\n"}
+    assert lost(simulator(ALL + '<node pkg="p" type="n" name="bringer"/>', files=files)) == [
+        "/bringer may bring models while it runs"
+    ]
+
+
+def test_several_simulators_and_the_one_that_a_spawner_names() -> None:
+    other = '<node pkg="gazebo_ros" type="gzserver" name="second"/>'
+    assert made(simulator(ALL + other, sensor(LASER.format("")))) == [("/world", "sensor_msgs/LaserScan")]
+    to_second = EMPTY + PARAM + SPAWN.format("-gazebo_namespace /second") + other
+    assert made(simulator(to_second, sensor(LASER.format("")))) == []
 
 
 def test_the_simulator_is_known_where_its_package_is_in_the_workspace() -> None:
