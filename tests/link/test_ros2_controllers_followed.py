@@ -160,6 +160,13 @@ def test_a_package_that_the_look_up_name_does_not_begin_with() -> None:
     assert by_itself.name == "arm/hoist/Lift (plug-ins)"
 
 
+def test_one_class_under_two_look_up_names_has_one_configuration() -> None:
+    one = '<class name="arm/{}" type="arm::Lift" base_class_type="{{}}"/>'
+    described = one.format("Lift") + one.format("Raise").format(CONTROLLER)
+    found = followed(controller(on_configure=PUB.format("~/state")), described=described)
+    assert [each.name for each in found.configurations] == ["arm/Lift (plug-ins)"]
+
+
 def test_a_class_that_is_known_by_its_type_alone() -> None:
     node = loaded_as("arm::Lift", '<class type="arm::Lift" base_class_type="{}"/>')
     assert (node.name, names(node)) == ("/lift", ["/lift/state"])
