@@ -30,8 +30,8 @@ def sensor(plugin: str, kind: str = "ray") -> str:
     return f'<gazebo reference="head"><sensor type="{kind}" name="eye">{plugin}</sensor></gazebo>'
 
 
-def simulator(launch: str, inner: str = "", files: dict[str, str] | None = None) -> Node:
-    """The simulator that *launch* starts, where a robot has the extensions *inner*."""
+def simulator(launch: str, inner: str = "", files: dict[str, str] | None = None, name: str = "/gazebo") -> Node:
+    """The simulator called *name* that *launch* starts, where a robot has the extensions *inner*."""
     robot = f'<robot name="rover" xmlns:xacro="http://ros.org/xacro"><link name="head"/>{inner}</robot>'
     texts = {
         "p/CMakeLists.txt": CMAKE.format("p") if "{}" in CMAKE else CMAKE,
@@ -40,7 +40,7 @@ def simulator(launch: str, inner: str = "", files: dict[str, str] | None = None)
         **(files or {}),
     }
     found = architecture(workspace(texts), Settings(root=None), Nothing(), environment={}, known_nodes=True)  # type: ignore[arg-type]
-    (node,) = (each for each in only(found).nodes if each.package == "gazebo_ros" and each.name == "/gazebo")
+    (node,) = (each for each in only(found).nodes if each.package == "gazebo_ros" and each.name == name)
     return node
 
 
@@ -255,6 +255,7 @@ def test_a_node_that_can_bring_models() -> None:
 def test_several_simulators_and_the_one_that_a_spawner_names() -> None:
     other = '<node pkg="gazebo_ros" type="gzserver" name="second"/>'
     assert made(simulator(ALL + other, sensor(LASER.format("")))) == [("/world", "sensor_msgs/LaserScan")]
+    assert made(simulator(ALL + other, sensor(LASER.format("")), name="/second")) == []
     to_second = EMPTY + PARAM + SPAWN.format("-gazebo_namespace /second") + other
     assert made(simulator(to_second, sensor(LASER.format("")))) == []
 

@@ -114,6 +114,7 @@ def test_a_command_line_is_read() -> None:
     nodes = started(launch, files={"p/worlds/w.world": world})
     assert sorted(nodes) == ["/gazebo", "/state"]
     assert ("/model_states", "gazebo_msgs/msg/ModelStates") in made(nodes["/state"])
+    assert "/clock" in [end.name for end in nodes["/gazebo"].endpoints if end.kind == "subscribers"]
     assert ("/pause_physics", "std_srvs/srv/Empty") in made(nodes["/gazebo"], "servers")
     assert ("/spawn_entity", "gazebo_msgs/srv/SpawnEntity") not in made(nodes["/gazebo"], "servers")
 

@@ -204,7 +204,7 @@ def _placed(end: Endpoint, use: Use, spawned: Spawned, more: tuple[Unknown, ...]
 
 
 def _doubt(use: Use) -> Unknown | None:
-    if use.certain:
+    if use.element.certain:
         return None
     why = "it stands in the description under a condition that is not known"
     return Unknown("conditions", why, use.element.location)
