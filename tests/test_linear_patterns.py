@@ -7,6 +7,9 @@ from importlib import import_module
 
 import pytest
 
+from haros_ci.robot.places import as_xacro
+from haros_ci.robot.sources import FIND
+
 #: Characters that each is given: a quadratic one takes minutes for them.
 SIZE = 300_000
 CASES = (
@@ -49,3 +52,8 @@ def test_one_text_over_and_over(name: str, pump: str) -> None:
         assert pattern.fullmatch(text) is None
     else:
         assert sum(1 for _ in pattern.finditer(text)) <= 1
+
+
+def test_directories_of_packages_over_and_over() -> None:
+    count = SIZE // len("$(find a)")
+    assert as_xacro("$(find a)" * count) == f"{FIND}a" * count

@@ -3,12 +3,15 @@
 
 from __future__ import annotations
 
+import re
+
 from haros_ci.launch.facts.files import Finder
 from haros_ci.model.launch_facts import FileUse
 from haros_ci.model.location import Location
 from haros_ci.robot.sources import FIND, Located, Look
 
 _NOWHERE = Location(".")
+_FIND_OR_END = re.compile(r"\$\(find(?:-pkg-share)? |\)")
 
 
 def by_builds(finder: Finder) -> Look:
@@ -30,9 +33,16 @@ def found(finder: Finder, text: str) -> Located:
 
 def as_xacro(text: str) -> str:
     """*text* of a launch file as the reader writes the directories of packages."""
-    for word in ("$(find-pkg-share ", "$(find "):
-        while word in text:
-            before, _, rest = text.partition(word)
-            name, _, after = rest.partition(")")
-            text = f"{before}{FIND}{name}{after}"
-    return text
+    pending = 0
+
+    def written(found: re.Match[str]) -> str:
+        nonlocal pending
+        if found[0] != ")":
+            pending += 1
+            return FIND
+        if not pending:
+            return ")"
+        pending -= 1
+        return ""
+
+    return _FIND_OR_END.sub(written, text)

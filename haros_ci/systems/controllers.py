@@ -8,7 +8,7 @@ from the parameter files that it is given.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from haros_ci.graph.names import clean
@@ -23,6 +23,8 @@ PACKAGE = "controller_manager"
 MANAGER, SPAWNERS = "ros2_control_node", ("spawner", "spawner.py")
 #: What the manager is called unless something says otherwise.
 DEFAULT = "controller_manager"
+#: The option of a spawner that names a controller whose own options follow.
+CONTROLLER = "--controller"
 #: Options of a spawner that a value follows, by what they are short for.
 TAKING = {
     "-c": "--controller-manager",
@@ -71,38 +73,44 @@ def with_controllers(
     """
     if not any(_is_spawner(node) or node.kind == LOADING for node in nodes):
         return nodes
-    managers = {
-        clean(f"{node.namespace or '/'}/{node.name or DEFAULT}"): node
-        for node in nodes
-        if node.package == PACKAGE and node.type == MANAGER
-    }
+    managers = _managers(nodes)
     found: list[LaunchedNode] = []
+    places: dict[tuple[str | None, ...], int] = {}
+
+    def add(node: LaunchedNode) -> None:
+        places.setdefault((node.name, node.namespace, node.container), len(found))
+        found.append(node)
+
     for node in nodes:
         if node.kind != LOADING and not _is_spawner(node):
-            found.append(node)
+            add(node)
             continue
         options, asked = (_loaded if node.kind == LOADING else _asked)(_words(node.arguments))
         if node.name is None and asked and "?" not in asked[0].name:
             node = replace(node, name=f"spawner_{asked[0].name}")
         if node.kind != LOADING:
-            found.append(node)
+            add(node)
         for item in asked:
             made = _controller(node, item, options, managers, rules_of)
-            known = next((n for n, each in enumerate(found) if _is_same(each, made)), None)
+            known = places.get((made.name, made.namespace, made.container))
             if known is None:
-                found.append(made)
+                add(made)
             elif len(made.conditions) < len(found[known].conditions):
                 found[known] = made
     return tuple(found)
 
 
+def _managers(nodes: Iterable[LaunchedNode]) -> dict[str, LaunchedNode]:
+    """The controller managers of *nodes* by full name."""
+    return {
+        clean(f"{node.namespace or '/'}/{node.name or DEFAULT}"): node
+        for node in nodes
+        if node.package == PACKAGE and node.type == MANAGER
+    }
+
+
 def _is_spawner(node: LaunchedNode) -> bool:
     return node.package == PACKAGE and node.type in SPAWNERS
-
-
-def _is_same(one: LaunchedNode, other: LaunchedNode) -> bool:
-    ours = (one.name, one.namespace, one.container)
-    return other.name is not None and ours == (other.name, other.namespace, other.container)
 
 
 def _words(text: str) -> list[str]:
@@ -116,34 +124,19 @@ def _asked(words: Iterable[str]) -> tuple[dict[str, str], list[_Asked]]:
     files: list[str] = []
     arguments: list[str] = []
     found: list[_Asked] = []
-    option, one = "", None
-    for word in words:
-        if option:
-            option, name = "", option
-            if name == "--controller":
-                one = _Asked(word, [], [])
-                found.append(one)
-            elif name == "--param-file":
-                (files if one is None else one.files).append(word)
-            elif name == "--controller-ros-args":
-                (arguments if one is None else one.ros_arguments).append(word)
-            else:
-                options[name] = word
-            continue
-        head, sign, rest = word.partition("=")
-        if word == "--controller":
-            option = word
-        elif word.startswith("-") and head in TAKING and sign:
-            if TAKING[head] == "--param-file":
-                (files if one is None else one.files).append(rest)
-            elif TAKING[head] == "--controller-ros-args":
-                (arguments if one is None else one.ros_arguments).append(rest)
-            else:
-                options[TAKING[head]] = rest
-        elif word in TAKING:
-            option = TAKING[word]
-        elif word and not word.startswith("-"):
-            found.append(_Asked(word, [], []))
+    one = None
+    for option, value in _options(words, TAKING, CONTROLLER):
+        if option == CONTROLLER:
+            one = _Asked(value, [], [])
+            found.append(one)
+        elif option == "--param-file":
+            (files if one is None else one.files).append(value)
+        elif option == "--controller-ros-args":
+            (arguments if one is None else one.ros_arguments).append(value)
+        elif option:
+            options[option] = value
+        elif value:
+            found.append(_Asked(value, [], []))
     for each in found:
         each.files[:0] = files
         each.ros_arguments[:0] = arguments
@@ -152,20 +145,26 @@ def _asked(words: Iterable[str]) -> tuple[dict[str, str], list[_Asked]]:
 
 def _loaded(words: Iterable[str]) -> tuple[dict[str, str], list[_Asked]]:
     """The same of ``ros2 control load_controller``: one controller, perhaps with a parameter file (ros2controlcli)."""
-    options: dict[str, str] = {}
-    plain: list[str] = []
+    pairs = tuple(_options(words, VERB_TAKING))
+    options = {option: value for option, value in pairs if option}
+    plain = [value for option, value in pairs if not option]
+    return options, [_Asked(plain[0], plain[1:2], [])] if plain else []
+
+
+def _options(words: Iterable[str], taking: Mapping[str, str], apart: str = "") -> Iterator[tuple[str, str]]:
+    """The options *taking* a value, with it, and "" with each word that is no option; the value of *apart* is always a word of its own."""
     option = ""
     for word in words:
+        name, sign, value = word.partition("=")
         if option:
-            options[option], option = word, ""
-        elif word in VERB_TAKING:
-            option = VERB_TAKING[word]
-        elif word.startswith("-"):
-            name, sign, value = word.partition("=")
-            options.update({VERB_TAKING[name]: value} if sign and name in VERB_TAKING else {})
-        else:
-            plain.append(word)
-    return options, [_Asked(plain[0], plain[1:2], [])] if plain else []
+            yield option, word
+            option = ""
+        elif word in taking or (apart and word == apart):
+            option = taking.get(word, word)
+        elif sign and name in taking:
+            yield taking[name], value
+        elif not word.startswith("-"):
+            yield "", word
 
 
 def _controller(

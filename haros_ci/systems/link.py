@@ -171,9 +171,16 @@ def open_(
         arguments += found.arguments
         problems += found.problems
         facts += found.facts
-    done = tuple(each for each in completes if each is not None)
-    told = (tuple(arguments), tuple(problems), tuple(others), other_parameters, tuple(facts))
-    return Opened(tuple(jobs), parameters, *told, done)
+    return Opened(
+        tuple(jobs),
+        parameters,
+        tuple(arguments),
+        tuple(problems),
+        others=tuple(others),
+        other_parameters=other_parameters,
+        facts=tuple(facts),
+        completes=tuple(each for each in completes if each is not None),
+    )
 
 
 def linked(

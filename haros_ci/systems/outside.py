@@ -46,28 +46,29 @@ def described(
         reason = why(programs, node.package, node.type, look_up(node) if node.kind == "nodelet" else None)
         return replace(node, unknowns=(*node.unknowns, Unknown("endpoints", reason, node.location)))
 
-    def data(full: str) -> object | None:
-        value = parameter(full)
-        if value is None:
-            return None
-        held, plain = data_of(value)
-        if held:
-            given: object = plain
-            return given
-        reason = opaque_of(value)
-        field = "presence" if isinstance(value, Perhaps) else "value"
-        said = reason.reason if reason else "it is not plain data"
-        return Unknown(field, said, reason.location if reason else None)
-
     ends = instantiate(
         specialised(known, arguments, 1),
         name=node.name,
         namespace=namespace,
         arguments=arguments,
-        parameter=data,
+        parameter=lambda full: _data(parameter(full)),
         remap=lambda full: remaps.get(full, full),
     )
     return replace(node, endpoints=ends)
+
+
+def _data(value: Value | None) -> object | None:
+    """The value of a parameter as data, None if it is not set, an Unknown if its value is no data or it may not be set."""
+    if value is None:
+        return None
+    held, plain = data_of(value)
+    if held:
+        data: object = plain
+        return data
+    reason = opaque_of(value)
+    field = "presence" if isinstance(value, Perhaps) else "value"
+    said = reason.reason if reason else "it is not plain data"
+    return Unknown(field, said, reason.location if reason else None)
 
 
 def look_up(node: Node) -> str:
@@ -119,16 +120,7 @@ def ros2_described(node: Node, types: Types, started: LaunchedNode, rules: tuple
 
     def data(name: str) -> object | None:
         own, _, inner = name.partition(":")
-        value = given.get(own, inner, under=node.conditions)
-        if value is None:
-            return None
-        held, plain = data_of(value)
-        if held:
-            found: object = plain
-            return found
-        reason = opaque_of(value)
-        field = "presence" if isinstance(value, Perhaps) else "value"
-        return Unknown(field, reason.reason if reason else "it is not plain data", reason.location if reason else None)
+        return _data(given.get(own, inner, under=node.conditions))
 
     def below(prefix: str) -> tuple[str, ...] | Unknown:
         if given.unread is not None:

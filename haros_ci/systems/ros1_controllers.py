@@ -21,10 +21,11 @@ from haros_ci.follow.run import Run
 from haros_ci.graph.parameters import ParameterServer, Perhaps
 from haros_ci.index.index import Source
 from haros_ci.model.architecture import Node, Unknown
+from haros_ci.model.build import PluginClass
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
 from haros_ci.syntax import Class, Function
-from haros_ci.systems.entries import described_classes
+from haros_ci.systems.entries import base_of, described_classes
 from haros_ci.systems.following import Instance, Types, incomplete, run_node
 from haros_ci.systems.ros2_system import PLUGINS, size_of
 from haros_ci.systems.system import PROGRAM, Job
@@ -50,12 +51,12 @@ PLAIN = ("controller_interface::", "hardware_interface::", "std::", "boost::")
 def jobs(types: Types) -> Iterator[Job]:
     """The classes that plug-in descriptions of ROS 1 packages name, in the order of their names."""
     builds = types.programs.builds.items()
-    if not any(_base(plugin.base) for package, build in builds if _is_ros1(types, package) for plugin in build.plugins):
+    if not any(_base(plugin) for package, build in builds if _is_ros1(types, package) for plugin in build.plugins):
         return
     seen: set[int] = set()
     found = {}
     for plugin, source, definition, files in described_classes(types.programs):
-        base = _base(plugin.base)
+        base = _base(plugin)
         if base and _is_ros1(types, plugin.package) and id(definition) not in seen:
             seen.add(id(definition))
             begin = partial(_begin, source, definition, base)
@@ -65,8 +66,8 @@ def jobs(types: Types) -> Iterator[Job]:
         yield _job(types, entry, files, package, name, kind)
 
 
-def _base(name: str) -> str:
-    name = name.replace(" ", "").removeprefix("::")
+def _base(plugin: PluginClass) -> str:
+    name = base_of(plugin)
     return name if name in LATER else ""
 
 

@@ -23,11 +23,12 @@ from haros_ci.follow.run import Run
 from haros_ci.graph.ros2_process import Parameters
 from haros_ci.index.index import Source
 from haros_ci.model.architecture import Node
+from haros_ci.model.build import PluginClass
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
 from haros_ci.syntax import Class
 from haros_ci.systems import ros2_system
-from haros_ci.systems.entries import Programs, described_classes
+from haros_ci.systems.entries import Programs, base_of, described_classes
 from haros_ci.systems.following import Controller, Types
 from haros_ci.systems.ros2_processes import Started
 from haros_ci.systems.system import PROGRAM, Job
@@ -72,15 +73,12 @@ def controllers(programs: Programs, versions: Mapping[str, int | None]) -> dict[
     found: dict[str, Controller] = {}
     entries: dict[int, Entry] = {}
     every = (
-        plugin.base
-        for package, build in programs.builds.items()
-        if versions.get(package) == 2
-        for plugin in build.plugins
+        plugin for package, build in programs.builds.items() if versions.get(package) == 2 for plugin in build.plugins
     )
-    if not any(_base(name) for name in every):
+    if not any(_base(plugin) for plugin in every):
         return found
     for plugin, source, definition, files in described_classes(programs):
-        base = _base(plugin.base)
+        base = _base(plugin)
         is_controller = base in CONTROLLERS
         if base and versions.get(plugin.package) == 2:
             begin = partial(_begin, source, definition, base)
@@ -93,9 +91,9 @@ def controllers(programs: Programs, versions: Mapping[str, int | None]) -> dict[
     return found
 
 
-def _base(written: str) -> str:
+def _base(plugin: PluginClass) -> str:
     """The base class of a plug-in description, if it is one of those that a controller manager loads."""
-    name = written.replace(" ", "").removeprefix("::")
+    name = base_of(plugin)
     return name if name in CONTROLLERS or name in COMPONENTS else ""
 
 

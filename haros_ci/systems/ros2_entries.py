@@ -11,7 +11,7 @@ from haros_ci.index.index import Source, aliased
 from haros_ci.model.api import Row
 from haros_ci.model.build import Target
 from haros_ci.syntax import Class
-from haros_ci.systems.entries import Programs, described_classes, executables, files_of
+from haros_ci.systems.entries import Programs, base_of, described_classes, executables, files_of
 
 #: The base class of what rclcpp_components_register_node registers, and the macro that registers a class in its source.
 FACTORY = "rclcpp_components::NodeFactory"
@@ -50,7 +50,7 @@ def hosted(programs: Programs, rows: Mapping[str, tuple[Row, ...]]) -> dict[tupl
     bases = {name for name, found in rows.items() if any(row.is_class and row.entry for row in found)}
     found: dict[tuple[str, str], Found] = {}
     for plugin, source, definition, files in described_classes(programs):
-        base = plugin.base.replace(" ", "").removeprefix("::")
+        base = base_of(plugin)
         if base in bases and base not in programs.cpp.classes:
             entry = Entry(source, definition=definition, is_hosted=True)
             found.setdefault((plugin.package, plugin.type.strip()), (entry, files))

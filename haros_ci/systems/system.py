@@ -47,7 +47,7 @@ class Job:
     files: tuple[ParameterFileUse, ...] = ()
     #: What its configuration is called besides, where the node is followed alone.
     label: str = ""
-    #: Whether it is a plug-in that is loaded into a process of others, and is told in a configuration of its own.
+    #: Whether it is a plug-in that is loaded into a process of others, and has a configuration of its own.
     is_loaded: bool = False
 
 

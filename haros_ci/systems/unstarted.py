@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What no launch file starts: ROS 2 node types by themselves, and the configurations that they are told in."""
+"""What no launch file starts: ROS 2 node types by themselves, and the configurations that they make."""
 
 from __future__ import annotations
 

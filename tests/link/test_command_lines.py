@@ -17,7 +17,7 @@ o = p.parse_args(rospy.myargv()[1:])
 """
 ALL = "PUB(o.topic + str(o.count) + ('/loud' if o.loud else '/quiet') + '/' + o.station)\n"
 
-TOLD = (
+READ = (
     ("", ALL, "/a2/quiet/home"),
     ("dock", ALL, "/a2/quiet/dock"),
     ("-t b --count 3", ALL, "/b3/quiet/home"),
@@ -29,7 +29,7 @@ TOLD = (
 )
 
 
-@pytest.mark.parametrize(("words", "body", "expected"), TOLD)
+@pytest.mark.parametrize(("words", "body", "expected"), READ)
 def test_options_of_a_launch_file(words: str, body: str, expected: str) -> None:
     launch = f'<launch><node pkg="p" type="n.py" name="n" args="{words}"/></launch>'
     assert names(python(HEAD + body, launch)) == expected.split()

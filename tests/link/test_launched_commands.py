@@ -93,6 +93,8 @@ def ros2(root: Path, process: str, metadata: str = METADATA) -> list[Node]:
         ("rostopic/rostopic", "echo -n 1 /a", {"/a": None}),
         ("rostopic/rostopic", "hz -w 10 /a /b", {"/a": None, "/b": None}),
         ("rostopic/rostopic", "echo /a/field/x", {"/?": None}),
+        ("rostopic/rostopic", f"echo /{'a' * 2000}", {f"/{'a' * 2000}": None}),
+        ("rostopic/rostopic", "echo /a{arg:0}", {"/?": None}),
         ("rostopic/rostopic", "list", {}),
         ("topic_tools/relay", "/a /b", {"/a": None, "/b": None}),
         ("topic_tools/throttle", "messages /a 1.0", {"/a": None, "/a_throttle": None}),

@@ -3,9 +3,13 @@
 
 from __future__ import annotations
 
-import pytest
-from follow_kit import CPP_HEAD, explicit, follow
+from pathlib import Path
 
+import pytest
+from follow_kit import CPP_HEAD, ROS2_CMAKE, Nothing, explicit, follow, workspace
+
+from haros_ci.analysis.architecture import architecture
+from haros_ci.config.settings import Settings
 from haros_ci.model.architecture import Architecture, Node
 
 CONTROLLER = "controller_interface::ControllerBase"
@@ -33,8 +37,10 @@ def controller(init: str, handles: str = ONE, update: str = "", more: str = "", 
     )
 
 
-def followed(code: str, base: str = CONTROLLER, kind: str = "arm::Lift") -> Architecture:
-    described = f'<class name="arm/Lift" type="{kind}" base_class_type="{base}"/>'
+def followed(
+    code: str, base: str = CONTROLLER, kind: str = "arm::Lift", lookup: tuple[str, ...] = ("arm/Lift",)
+) -> Architecture:
+    described = "".join(f'<class name="{name}" type="{kind}" base_class_type="{base}"/>' for name in lookup)
     texts = {
         "arm/CMakeLists.txt": CMAKE,
         "arm/package.xml": PACKAGE,
@@ -96,6 +102,28 @@ def test_parameters_are_those_that_whoever_loads_it_sets() -> None:
     node = lift(code)
     assert names(node) == ["/?", "/?/after"]
     assert names(node, "getters") == ["/?/topic"]
+
+
+def test_a_search_for_a_parameter_ends_at_what_whoever_loads_it_may_set() -> None:
+    code = 'std::string key; ros::NodeHandle("~").searchParam("topic", key); nh.advertise<std_msgs::String>(key, 1);'
+    (end,) = explicit(lift(controller(code)))
+    assert (end.name, [each.reason for each in end.unknowns]) == ("/?", ["whoever loads it may set it"])
+
+
+def test_one_class_under_two_look_up_names_has_one_configuration() -> None:
+    found = followed(controller(PUB.format("nh", "own")), lookup=("arm/Lift", "arm/Raise"))
+    assert [each.name for each in found.configurations] == ["arm/Lift (plug-ins)"]
+
+
+def test_a_class_of_ros2_is_not_one() -> None:
+    texts = {
+        "arm/CMakeLists.txt": ROS2_CMAKE.format("arm") + "ament_auto_add_library(arm_lib SHARED src/lift.cpp)\n"
+        "pluginlib_export_plugin_description_file(controller_interface plugins.xml)\nament_auto_package()\n",
+        "arm/plugins.xml": f'<library path="arm_lib"><class name="arm/Lift" type="arm::Lift" base_class_type="{CONTROLLER}"/></library>',
+        "arm/src/lift.cpp": HEAD + controller(PUB.format("nh", "own")),
+    }
+    found = architecture(workspace(texts, 2), Settings(root=Path("/nowhere")), Nothing(), environment={})
+    assert found.configurations == ()
 
 
 def test_robot_hardware() -> None:

@@ -143,23 +143,32 @@ def test_the_manager_s_namespace_and_remappings_of_the_spawner() -> None:
     assert (lift(found).name, names(lift(found))) == ("/a/lift", ["/a/near", "/seen"])
 
 
+def loaded_as(name: str, described: str) -> Node:
+    """The controller that a manager loads by its look-up *name*."""
+    code = controller(on_configure=PUB.format("~/state"))
+    config = TYPED.replace("arm/Lift", f'"{name}"')
+    (found,) = followed(code, MANAGER + SPAWNER.format("lift"), config, described=described).configurations
+    (node,) = (node for node in found.nodes if node.type == name)
+    return node
+
+
 def test_a_package_that_the_look_up_name_does_not_begin_with() -> None:
     described = '<class name="hoist/Lift" type="arm::Lift" base_class_type="{}"/>'
-    code = controller(on_configure=PUB.format("~/state"))
-    config = TYPED.replace("arm/Lift", "hoist/Lift")
-    (found,) = followed(code, MANAGER + SPAWNER.format("lift"), config, described=described).configurations
-    (node,) = (node for node in found.nodes if node.type == "hoist/Lift")
+    node = loaded_as("hoist/Lift", described)
     assert (node.package, names(node)) == ("arm", ["/lift/state"])
-    (by_itself,) = followed(code, described=described).configurations
+    (by_itself,) = followed(controller(on_configure=PUB.format("~/state")), described=described).configurations
     assert by_itself.name == "arm/hoist/Lift (plug-ins)"
 
 
+def test_one_class_under_two_look_up_names_has_one_configuration() -> None:
+    one = '<class name="arm/{}" type="arm::Lift" base_class_type="{{}}"/>'
+    described = one.format("Lift") + one.format("Raise").format(CONTROLLER)
+    found = followed(controller(on_configure=PUB.format("~/state")), described=described)
+    assert [each.name for each in found.configurations] == ["arm/Lift (plug-ins)"]
+
+
 def test_a_class_that_is_known_by_its_type_alone() -> None:
-    described = '<class type="arm::Lift" base_class_type="{}"/>'
-    code = controller(on_configure=PUB.format("~/state"))
-    config = TYPED.replace("arm/Lift", '"arm::Lift"')
-    (found,) = followed(code, MANAGER + SPAWNER.format("lift"), config, described=described).configurations
-    (node,) = (node for node in found.nodes if node.type == "arm::Lift")
+    node = loaded_as("arm::Lift", '<class type="arm::Lift" base_class_type="{}"/>')
     assert (node.name, names(node)) == ("/lift", ["/lift/state"])
 
 
@@ -173,9 +182,7 @@ def test_what_real_time_publishers_lambdas_services_and_actions_are_made_of() ->
         "srv_ = get_node()->create_service<std_srvs::srv::Trigger>("
         '"~/stop", std::bind(&Lift::stop, this, std::placeholders::_1, std::placeholders::_2));'
         + SUB.format(PUB.format("~/echo")),
-        update='if (pub_ && pub_->trylock()) { pub_->msg_.data = "a"; pub_->unlockAndPublish(); }'.replace("{", "{{")
-        .replace("}", "}}")
-        .format(),
+        update='if (pub_ && pub_->trylock()) { pub_->msg_.data = "a"; pub_->unlockAndPublish(); }',
     )
     node = lift(alone(code))
     assert names(node) == ["/?/echo", "/?/state"]

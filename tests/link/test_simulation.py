@@ -30,8 +30,8 @@ def sensor(plugin: str, kind: str = "ray") -> str:
     return f'<gazebo reference="head"><sensor type="{kind}" name="eye">{plugin}</sensor></gazebo>'
 
 
-def simulator(launch: str, inner: str = "", files: dict[str, str] | None = None) -> Node:
-    """The simulator that *launch* starts, where a robot has the extensions *inner*."""
+def simulator(launch: str, inner: str = "", files: dict[str, str] | None = None, name: str = "/gazebo") -> Node:
+    """The simulator called *name* that *launch* starts, where a robot has the extensions *inner*."""
     robot = f'<robot name="rover" xmlns:xacro="http://ros.org/xacro"><link name="head"/>{inner}</robot>'
     texts = {
         "p/CMakeLists.txt": CMAKE.format("p") if "{}" in CMAKE else CMAKE,
@@ -40,7 +40,7 @@ def simulator(launch: str, inner: str = "", files: dict[str, str] | None = None)
         **(files or {}),
     }
     found = architecture(workspace(texts), Settings(root=None), Nothing(), environment={}, known_nodes=True)  # type: ignore[arg-type]
-    (node,) = (each for each in only(found).nodes if each.package == "gazebo_ros" and each.name == "/gazebo")
+    (node,) = (each for each in only(found).nodes if each.package == "gazebo_ros" and each.name == name)
     return node
 
 
@@ -115,6 +115,40 @@ def test_a_world_brings_models_of_the_workspace() -> None:
     assert lost(node) == []
 
 
+def test_models_that_include_others_many_times_come_to_an_end() -> None:
+    many = "<include><uri>model://m1</uri></include>" * 20
+    files = {"p/worlds/w.world": MAZE.format(many)}
+    for number in range(1, 9):
+        inner = many.replace("m1<", f"m{number + 1}<")
+        files[f"p/models/m{number}/model.config"] = "<model><name>M</name></model>"
+        files[f"p/models/m{number}/model.sdf"] = f'<sdf version="1.6"><model name="m">{inner}</model></sdf>'
+    node = simulator(WORLD, files=files)
+    assert "it has more plug-ins and models than are looked at" in lost(node)
+
+
+def test_a_large_model_that_is_included_many_times_is_not_looked_through_each_time() -> None:
+    files = {
+        "p/worlds/w.world": MAZE.format("<include><uri>model://large</uri></include>" * 1_900),
+        "p/models/large/model.config": "<model><name>L</name></model>",
+        "p/models/large/model.sdf": f'<sdf version="1.6"><model name="l">{"<link/>" * 90_000}</model></sdf>',
+    }
+    assert lost(simulator(WORLD, files=files)) == ["it has more plug-ins and models than are looked at"]
+
+
+def test_a_version_with_digits_that_are_no_number() -> None:
+    files = {
+        "p/worlds/w.world": MAZE.format("<include><uri>model://bot</uri></include>"),
+        "p/models/bot/model.config": '<model><sdf version="1.6">model.sdf</sdf><sdf version="²">old.sdf</sdf></model>',
+        "p/models/bot/model.sdf": BOT.format(LASER.format("<topicName>scan</topicName>")),
+    }
+    assert made(simulator(WORLD, files=files)) == [("/scan", "sensor_msgs/LaserScan")]
+
+
+def test_a_namespace_with_braces_is_taken_as_it_is() -> None:
+    inner = sensor(LASER.format("<robotNamespace>{model}{sensor}</robotNamespace><topicName>scan</topicName>"))
+    assert made(simulator(ALL, inner)) == [("/{model}{sensor}/scan", "sensor_msgs/LaserScan")]
+
+
 def test_a_spawned_file_counts() -> None:
     launch = EMPTY + SPAWN.replace("-urdf -param robot_description", "-sdf -file $(find p)/models/b.sdf").format("")
     node = simulator(
@@ -157,6 +191,8 @@ def test_what_brings_nothing(launch: str, inner: str) -> None:
         (EMPTY + SPAWN.replace("-urdf -param robot_description", "-sdf -stdin").format(""), "", {}, "what /spawn spawns is not known"),
         (WORLD, "", {}, "$(find p)/worlds/w.world is not in the workspace"),
         (WORLD, "", {"p/worlds/w.world": MAZE.format("<include><uri>model://bot</uri></include>")}, "the model bot is not in the workspace"),
+        (WORLD, "", {"p/worlds/w.world": MAZE.format("<include><uri>model://bot</uri></include>"), "p/a/bot/model.config": "<model/>", "p/b/bot/model.config": "<model/>"}, "there are several models called bot: p/a/bot, p/b/bot"),
+        (EMPTY + '<arg name="a"/>' + PARAM.replace("/>", ' if="$(arg a)"/>') + SPAWN.format(""), "", {}, "the parameter /robot_description that /spawn spawns is not known"),
         (EMPTY.replace("/>", '><arg name="extra_gazebo_args" value="-s libacme.so"/></include>'), "", {}, "what the plug-in acme makes is not known"),
     ],
 )  # fmt: skip
@@ -178,6 +214,50 @@ def test_a_spawner_under_a_condition() -> None:
     launch = '<arg name="a"/>' + EMPTY + PARAM + f'<group if="$(arg a)">{SPAWN.format("")}</group>'
     (end,) = (e for e in simulator(launch, sensor(LASER.format(""))).endpoints if e.location is not None)
     assert [each.condition for each in end.conditions] == ["$(arg a)"]
+
+
+def test_a_condition_that_the_simulator_has_too_is_not_said_again() -> None:
+    launch = f'<arg name="a"/>{PARAM}<group if="$(arg a)">{EMPTY}{SPAWN.format("")}</group>'
+    node = simulator(launch, sensor(LASER.format("")))
+    assert [each.condition for each in node.conditions] == ["$(arg a)"]
+    assert [end.conditions for end in node.endpoints if end.location is not None] == [()]
+
+
+@pytest.mark.parametrize("written", ["{}", "<xacro:if value='$(arg on)'>{}</xacro:if>"])
+def test_a_description_under_a_condition_that_is_not_known(written: str) -> None:
+    inner = written.format(sensor(LASER.format("")))
+    if written == "{}":
+        inner = inner.replace("<plugin", "<xacro:if value='$(arg on)'><plugin").replace(
+            "</plugin>", "</plugin></xacro:if>"
+        )
+    launch = '<arg name="a"/>' + EMPTY + PARAM.replace(".xacro", ".xacro on:=$(arg a)") + SPAWN.format("")
+    node = simulator(launch, '<xacro:arg name="on" default="true"/>' + inner)
+    (end,) = (end for end in node.endpoints if end.location is not None)
+    assert (end.name, [(each.field, each.reason) for each in end.unknowns]) == (
+        "/world",
+        [("conditions", "it stands in the description under a condition that is not known")],
+    )
+
+
+BRINGER = (
+    '#include <ros/ros.h>\n#include <gazebo_msgs/SpawnModel.h>\nint main(int argc, char ** argv) {\nros::init(argc, argv, "n");\n'
+    'ros::NodeHandle nh;\nros::ServiceClient c = nh.serviceClient<gazebo_msgs::SpawnModel>("/gazebo/spawn_urdf_model");\n}\n'
+)
+
+
+def test_a_node_that_can_bring_models() -> None:
+    files = {"p/src/n.cpp": BRINGER, "p/CMakeLists.txt": CMAKE.format("p") + "add_executable(n src/n.cpp)\n"}
+    assert lost(simulator(ALL + '<node pkg="p" type="n" name="bringer"/>', files=files)) == [
+        "/bringer may bring models while it runs"
+    ]
+
+
+def test_several_simulators_and_the_one_that_a_spawner_names() -> None:
+    other = '<node pkg="gazebo_ros" type="gzserver" name="second"/>'
+    assert made(simulator(ALL + other, sensor(LASER.format("")))) == [("/world", "sensor_msgs/LaserScan")]
+    assert made(simulator(ALL + other, sensor(LASER.format("")), name="/second")) == []
+    to_second = EMPTY + PARAM + SPAWN.format("-gazebo_namespace /second") + other
+    assert made(simulator(to_second, sensor(LASER.format("")))) == []
 
 
 def test_the_simulator_is_known_where_its_package_is_in_the_workspace() -> None:

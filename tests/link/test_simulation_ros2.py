@@ -73,6 +73,29 @@ def test_plugins_of_a_spawned_model(model: str, name: str, expected: list[tuple[
     assert ("/spawn_entity", "gazebo_msgs/srv/SpawnEntity") in made(nodes["/gazebo"], "servers")
 
 
+def test_what_a_plugin_is_given_of_ros() -> None:
+    plugin = '<plugin name="c" filename="libgazebo_ros_camera.so"><ros>{}</ros></plugin>'
+    inner = '<parameter name="update_rate" type="double">5</parameter><qos><publisher topic="x"/></qos>'
+    node = started(ALL, sensor(plugin.format(inner), "camera"))["/c"]
+    assert [end.effective for end in node.endpoints if end.name == "/c:update_rate"] == [5.0]
+    assert {end.qos for end in node.endpoints if end.kind == "publishers" and not end.implicit} == {None}
+    (plain,) = {
+        end.qos is None
+        for end in started(ALL, sensor(plugin.format(""), "camera"))["/c"].endpoints
+        if end.kind == "publishers" and not end.implicit
+    }
+    assert not plain
+
+
+def test_rules_of_the_server_hold_in_its_process() -> None:
+    server = '<executable cmd="gzserver -s libgazebo_ros_factory.so --ros-args -r scan:=/seen"/>'
+    plugin = sensor(
+        '<plugin name="c" filename="libgazebo_ros_camera.so"><camera_name>m</camera_name></plugin>', "camera"
+    )
+    launch = server.replace("scan", "m/image_raw") + FILE.format("")
+    assert ("/seen", "sensor_msgs/msg/Image") in made(started(launch, plugin)["/c"])
+
+
 def test_the_namespace_of_the_spawner_counts() -> None:
     model = sensor(RAY.format("<ros><namespace>own</namespace></ros>"))
     assert sorted(started(EMPTY.format("") + FILE.format("-robot_namespace r1"), model)) == ["/gazebo", "/r1/scanner"]
@@ -91,6 +114,7 @@ def test_a_command_line_is_read() -> None:
     nodes = started(launch, files={"p/worlds/w.world": world})
     assert sorted(nodes) == ["/gazebo", "/state"]
     assert ("/model_states", "gazebo_msgs/msg/ModelStates") in made(nodes["/state"])
+    assert "/clock" in [end.name for end in nodes["/gazebo"].endpoints if end.kind == "subscribers"]
     assert ("/pause_physics", "std_srvs/srv/Empty") in made(nodes["/gazebo"], "servers")
     assert ("/spawn_entity", "gazebo_msgs/srv/SpawnEntity") not in made(nodes["/gazebo"], "servers")
 
@@ -140,6 +164,7 @@ def test_a_simulator_that_is_not_started() -> None:
         (ALL, '<plugin name="x" filename="libacme.so"/>', "what the plug-in libacme.so makes is not known"),
         (WORLD, "", "$(find-pkg-share p)/worlds/w.world is not in the workspace"),
         (EMPTY.format("") + TOPIC, "", "no node is known to publish the description that spawn spawns on /robot_description"),
+        (EMPTY.format("") + STATES + STATES + TOPIC, "", "several nodes publish the description that spawn spawns on /robot_description"),
         (EMPTY.format("") + TOPIC.replace("-topic robot_description", "-stdin"), "", "what spawn spawns is not known"),
         (EMPTY.format('<arg name="extra_gazebo_args" value="-s libacme.so"/>'), "", "what the plug-in acme makes is not known"),
         (ALL, "<include><uri>model://elsewhere</uri></include>", "the model elsewhere is not in the workspace"),

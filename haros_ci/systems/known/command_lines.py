@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 
 from haros_ci.graph.names import UNKNOWN
 from haros_ci.systems.known.entry import KnownEndpoint, KnownNode
-from haros_ci.systems.known.text import Hole, template
+from haros_ci.systems.known.text import Hole
 
 #: Topics of one recording, or of one command line.
 MOST = 1_000
@@ -25,6 +25,8 @@ File = Callable[[str], object | None]
 
 _OF_BAG = "the recording decides"
 _OF_PUBLISHER = "whoever publishes decides"
+_OF_LINE = "the command line tells it, and is not known"
+_CHOSEN = "its options tell which topics it records, and these depend on the running system"
 
 
 @dataclass(slots=True)
@@ -81,7 +83,7 @@ def specialised(known: KnownNode, words: Sequence[str], ros: int, file: File | N
 
 
 def _is_open(end: KnownEndpoint) -> bool:
-    """Whether it is an entry that stands for what the command line tells."""
+    """Whether it is an entry that stands for what the command line decides."""
     return end.each is None and len(end.name) == 1 and isinstance(end.name[0], Hole) and end.name[0].kind != "option"
 
 
@@ -94,9 +96,7 @@ def _rosbag_record(words: Sequence[str], file: File | None) -> Iterator[KnownEnd
         "-x --exclude -b --buffsize --chunksize -l --limit -o --output-prefix -O --output-name --max-splits --size --duration --node -e",
     )
     if line.has("-a", "--all", "-e", "--regex", "--node"):
-        yield _unknown(
-            "subscribers", "its options tell which topics it records, and these depend on the running system"
-        )
+        yield _unknown("subscribers", _CHOSEN)
     for name in line.words if not line.has("-e", "--regex") else ():
         yield _end("subscribers", name, _OF_PUBLISHER)
 
@@ -124,14 +124,12 @@ def _rosbag(words: Sequence[str], file: File | None) -> Iterator[KnownEndpoint]:
         yield _end("publishers", "/clock", "rosgraph_msgs/Clock", queue=1, latched=False)
         yield from _rosbag_play(words[1:], file)
     elif not words or UNKNOWN in words[0]:
-        yield _unknown("publishers", "what it does is not known")
-        yield _unknown("subscribers", "what it does is not known")
+        yield from _anything()
 
 
 def _rostopic(words: Sequence[str], file: File | None) -> Iterator[KnownEndpoint]:
     if not words or UNKNOWN in words[0]:
-        yield _unknown("publishers", "what it does is not known")
-        yield _unknown("subscribers", "what it does is not known")
+        yield from _anything()
         return
     command, *rest = words
     if command == "pub":
@@ -147,9 +145,7 @@ def _rostopic_pub(words: Sequence[str]) -> KnownEndpoint:
         is_latched = False
     elif len(line.words) > 2 and not line.has("-f", "--file"):
         is_latched = True  # without a rate it is
-    kind = line.words[1] if len(line.words) > 1 else UNKNOWN
-    said = kind if _TYPE.fullmatch(kind) else "the command line tells it, and is not known"
-    return _end("publishers", line.words[0] if line.words else UNKNOWN, said, queue=100, latched=is_latched)
+    return _of_line("publishers", line, _OF_LINE, queue=100, latched=is_latched)
 
 
 def _rostopic_read(command: str, words: Sequence[str]) -> Iterator[KnownEndpoint]:
@@ -194,7 +190,7 @@ def _bag_play(words: Sequence[str], file: File | None) -> Iterator[KnownEndpoint
 def _played(line: Line, file: File | None) -> dict[str, str] | str:
     """The topics that are played, with their types ("": not known), or why they are not known."""
     topics = _recorded(line, file)
-    asked = line.options.get("--topics", [])
+    asked = dict.fromkeys(line.options.get("--topics", []))
     if topics is None:
         return dict.fromkeys(asked, "") if asked else "what the recording has decides"
     if asked:
@@ -257,9 +253,7 @@ _RECORD_LISTS = "--topics --services --actions --topic-types --exclude-topics --
 def _bag_record(words: Sequence[str], file: File | None) -> Iterator[KnownEndpoint]:
     line = parsed(words, _RECORD_VALUES, _RECORD_LISTS)
     if line.has("-a", "--all", "--all-topics", "-e", "--regex", "--topic-types"):
-        yield _unknown(
-            "subscribers", "its options tell which topics it records, and these depend on the running system"
-        )
+        yield _unknown("subscribers", _CHOSEN)
     for name in dict.fromkeys((*line.words, *line.options.get("--topics", []))):
         yield _end("subscribers", name, _OF_PUBLISHER)
 
@@ -272,17 +266,11 @@ _TOPIC_VALUES = (
 
 
 def _topic_pub(words: Sequence[str], file: File | None) -> Iterator[KnownEndpoint]:
-    line = parsed(words, _TOPIC_VALUES)
-    kind = line.words[1] if len(line.words) > 1 else UNKNOWN
-    said = kind if _TYPE.fullmatch(kind) else "the command line tells it, and is not known"
-    yield _end("publishers", line.words[0] if line.words else UNKNOWN, said)
+    yield _of_line("publishers", parsed(words, _TOPIC_VALUES), _OF_LINE)
 
 
 def _topic_echo(words: Sequence[str], file: File | None) -> Iterator[KnownEndpoint]:
-    line = parsed(words, _TOPIC_VALUES)
-    kind = line.words[1] if len(line.words) > 1 else ""
-    said = kind if _TYPE.fullmatch(kind) else _OF_PUBLISHER
-    yield _end("subscribers", line.words[0] if line.words else UNKNOWN, said)
+    yield _of_line("subscribers", parsed(words, _TOPIC_VALUES), _OF_PUBLISHER)
 
 
 _TOOLS: Mapping[tuple[int, str, str], Callable[[Sequence[str], File | None], Iterator[KnownEndpoint]]] = {
@@ -300,16 +288,25 @@ _TOOLS: Mapping[tuple[int, str, str], Callable[[Sequence[str], File | None], Ite
 }
 
 
+def _of_line(
+    kind: str, line: Line, untyped: str, queue: int | None = None, latched: bool | None = None
+) -> KnownEndpoint:
+    """An endpoint on the topic that is the first word, of the type that is the second; *untyped* says why there is none."""
+    name, type_ = (*line.words[:2], UNKNOWN, UNKNOWN)[:2]
+    return _end(kind, name, type_ if _TYPE.fullmatch(type_) else untyped, queue, latched)
+
+
 def _end(
     kind: str, name: str, type_: str, queue: int | None = None, latched: bool | None = None, is_field: bool = False
 ) -> KnownEndpoint:
     """An endpoint; *type_* is a type, or why it is not known. With *is_field* the name may go on into the message."""
+    part: str | Hole = name
     if not _TOPIC.fullmatch(name) or is_field and name.count("/") > 1:
-        name = f"{{unknown:{'the command line tells it, and is not known' if UNKNOWN in name else 'it is no name of a topic'}}}"
+        part = Hole("unknown", _OF_LINE if UNKNOWN in name else "it is no name of a topic")
     is_type = _TYPE.fullmatch(type_) is not None
     return KnownEndpoint(
         kind=kind,
-        name=template(name),
+        name=(part,),
         type=type_ if is_type else None,
         type_reason="" if is_type else type_,
         queue_size=queue,
@@ -318,4 +315,10 @@ def _end(
 
 
 def _unknown(kind: str, why: str) -> KnownEndpoint:
-    return KnownEndpoint(kind=kind, name=template(f"{{unknown:{why}}}"), type=None, type_reason=why)
+    return KnownEndpoint(kind=kind, name=(Hole("unknown", why),), type=None, type_reason=why)
+
+
+def _anything() -> Iterator[KnownEndpoint]:
+    """What a program may have of which it is not known what it does."""
+    for kind in ("publishers", "subscribers"):
+        yield _unknown(kind, "what it does is not known")

@@ -48,22 +48,22 @@ def element(use: Use, known: KnownPlugin, name: str) -> Any:
     if isinstance(given, NotKnown):
         return Unknown("name", f"<{name}> of the plug-in: {_UNREAD}", use.element.location)
     if given is None:
-        return filled(default, use, known)[0] if isinstance(default, str) else default
+        return filled(default, use, known) if isinstance(default, str) else default
     if isinstance(default, bool):
         truth = {"true": True, "1": True, "false": False, "0": False}.get(given.lower())
         return truth if truth is not None else Unknown("value", f"<{name}> is neither true nor false")
     return given
 
 
-def filled(text: str, use: Use, known: KnownPlugin) -> tuple[Any, Unknown | None]:
-    """*text* with the elements that it has in braces; an Unknown instead, and again, if one is not known."""
-    for name in _FILLED.findall(text):
-        part = use.sensor if name == "sensor" else element(use, known, name)
+def filled(text: str, use: Use, known: KnownPlugin) -> str | Unknown:
+    """*text* of a row with the elements that it has in braces; an Unknown if one is not known."""
+    parts = _FILLED.split(text)
+    for at in range(1, len(parts), 2):
+        part = use.sensor if parts[at] == "sensor" else element(use, known, parts[at])
         if part is None or isinstance(part, Unknown):
-            why = part if isinstance(part, Unknown) else Unknown("name", _UNREAD, use.element.location)
-            return why, why
-        text = text.replace(f"{{{name}}}", str(part))
-    return text, None
+            return part or Unknown("name", _UNREAD, use.element.location)
+        parts[at] = str(part)
+    return "".join(parts)
 
 
 def is_idle(use: Use, known: KnownPlugin) -> bool:
@@ -136,7 +136,6 @@ def ros2_nodes(
             rules=(),
             class_name=None,
             source="known-node",
-            process=simulator.process,
             unknowns=tuple(each for each in (why, _doubt(use)) if each is not None),
         )
         yield replace(node, endpoints=tuple(_ros2_ends(use, known, what, node, space, rules, inner, spawned)))
@@ -205,7 +204,7 @@ def _placed(end: Endpoint, use: Use, spawned: Spawned, more: tuple[Unknown, ...]
 
 
 def _doubt(use: Use) -> Unknown | None:
-    if use.certain:
+    if use.element.certain:
         return None
     why = "it stands in the description under a condition that is not known"
     return Unknown("conditions", why, use.element.location)
@@ -219,17 +218,18 @@ def _namespace(use: Use, known: KnownPlugin, spawned: Spawned) -> str | Unknown:
     given = _given_namespace(use, spawned)
     if isinstance(given, Unknown):
         return given
+    text: str | None = None  # what is given is taken as it is
     if given is None:
         text = rule.missing
     elif given == "":
         text = rule.empty
-    else:
-        text = rule.slash if rule.slash is not None and not given.strip("/") else given
+    elif not given.strip("/"):
+        text = rule.slash
     parts = []
     for part in (rule.above, text, rule.below):
-        made, why = filled(part, use, known)
-        if why is not None:
-            return why
+        made = filled(part, use, known) if part is not None else given or ""
+        if isinstance(made, Unknown):
+            return made
         parts.append(made)
     whole = "/".join(part for part in parts if part)
     return whole if not rule.above or whole.startswith("/") else whole.lstrip("/")

@@ -9,24 +9,27 @@ from dataclasses import dataclass
 from haros_ci.graph.names import clean, resolve
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.graph.words import Words, split
-from haros_ci.model.architecture import Node, Parameter, Unknown
+from haros_ci.model.architecture import Node, Parameter
 from haros_ci.model.launch import Launched, Started
-from haros_ci.systems.simulation.endpoints import Spawned, ros1_endpoints
+from haros_ci.systems.simulation.endpoints import ros1_endpoints
 from haros_ci.systems.simulation.simulators import (
     PACKAGE,
     SERVERS,
     Completes,
     Found,
-    command_line,
     completed,
     gather,
+    of_file_or_model,
+    of_server,
     option,
-    others,
+    spawned_by,
+    unpredictable,
 )
 from haros_ci.systems.simulation.trees import Tree, Trees
-from haros_ci.values.abstract import data_of, opaque_of
 
 SPAWNERS = frozenset(("spawn_model", "spawn_urdf", "spawn_gazebo_model"))
+#: Plug-ins of the server's command line that make nothing but what the data on known nodes says of the simulator.
+ACCOUNTED = frozenset(("gazebo_ros_api_plugin", "gazebo_ros_paths_plugin"))
 
 
 def simulation(launched: Launched, trees: Trees, environment: Mapping[str, str]) -> Completes | None:
@@ -34,28 +37,29 @@ def simulation(launched: Launched, trees: Trees, environment: Mapping[str, str])
     servers = [each for each in launched.nodes if each.package == PACKAGE and each.type in SERVERS]
     if not servers:
         return None
-    return _Simulation(launched, servers, trees, environment).complete
+    parameters: dict[str, list[Parameter]] = {}
+    for each in launched.parameters:
+        parameters.setdefault(each.name, []).append(each)
+    spawners = [
+        (each, split(each.arguments)) for each in launched.nodes if each.package == PACKAGE and each.type in SPAWNERS
+    ]
+    return _Simulation(launched, servers, spawners, parameters, trees, environment).complete
 
 
 @dataclass(frozen=True, slots=True)
 class _Simulation:
     launched: Launched
     servers: list[Started]
+    spawners: list[tuple[Started, Words]]
+    #: What is set on the parameter server, by name.
+    parameters: Mapping[str, list[Parameter]]
     trees: Trees
     environment: Mapping[str, str]
 
     def complete(self, nodes: Sequence[Node]) -> tuple[Node, ...]:
         server = ParameterServer(self.launched.parameters)
         by_place: dict[tuple[str, object], Started] = {(each.name, each.location): each for each in self.servers}
-
-        def parameter(name: str) -> object | None:
-            value = server.get(name)
-            if value is None:
-                return None
-            held, plain = data_of(value)
-            why = opaque_of(value)
-            return plain if held else Unknown("name", why.reason if why else "it is not plain data")
-
+        reasons = tuple(unpredictable(nodes, SPAWNERS))
         done = []
         for node in nodes:
             started = by_place.get((node.name, node.location)) if node.source == "launch" and node.ros == 1 else None
@@ -63,31 +67,23 @@ class _Simulation:
                 done.append(node)
                 continue
             into = self._found(started)
-            for name in others(nodes, SPAWNERS):
-                into.lose(f"{name} may bring models while it runs", node.location)
+            for reason in reasons:
+                into.lose(reason, node.location)
             made = [
-                end for use, known, spawned in into.uses for end in ros1_endpoints(use, known, node, spawned, parameter)
+                end
+                for use, known, spawned in into.uses
+                for end in ros1_endpoints(use, known, node, spawned, server.get)
             ]
             done.append(completed(node, made, into.lost))
         return tuple(done)
 
     def _found(self, server: Started) -> Found:
-        into = Found()
-        line = command_line(split(server.arguments).rest)
-        if line.world is None:
-            into.lose("which world it is given is not known", server.location)
-        else:
-            gather(self.trees, self.trees.of_world(line.world), Spawned(), 1, into, server.location)
-        for library in line.plugins:
-            if library not in ("gazebo_ros_api_plugin", "gazebo_ros_paths_plugin"):
-                into.lose(f"what the plug-in {library} makes is not known", server.location)
-        for each in self.launched.nodes:
-            if each.package == PACKAGE and each.type in SPAWNERS:
-                self._spawn(each, server, into)
+        into = of_server(self.trees, server, 1, ACCOUNTED)
+        for spawner, words in self.spawners:
+            self._spawn(spawner, words, server, into)
         return into
 
-    def _spawn(self, spawner: Started, server: Started, into: Found) -> None:
-        words = split(spawner.arguments)
+    def _spawn(self, spawner: Started, words: Words, server: Started, into: Found) -> None:
         target = option(words.rest, "-gazebo_namespace")
         if target is not None and "?" not in target and clean(target) != server.name and len(self.servers) > 1:
             return
@@ -96,21 +92,18 @@ class _Simulation:
         space = option(words.rest, "-robot_namespace")
         if space is None:
             space = next((value for name, value in words.special if name == "ns"), spawner.namespace)
-        conditions = tuple(each for each in spawner.conditions if each not in server.conditions)
-        model = option(words.rest, "-model") or "?"
-        spawned = Spawned(model="?" if "?" in model else model, namespace=space, conditions=conditions)
+        spawned = spawned_by(spawner, server, option(words.rest, "-model"), space)
         gather(self.trees, self._description(spawner, words), spawned, 1, into, spawner.location)
 
     def _description(self, spawner: Started, words: Words) -> Tree:
-        parameter, file, model = (option(words.rest, name) for name in ("-param", "-file", "-database"))
-        if file is not None:
-            return self.trees.of_file(file)
-        if model is not None:
-            return self.trees.of_model(f"model://{model}")
+        tree = of_file_or_model(self.trees, words.rest)
+        if tree is not None:
+            return tree
+        parameter = option(words.rest, "-param")
         if parameter is None:
             return Tree(None, f"what {spawner.name} spawns is not known")
         name = resolve(parameter, spawner.namespace, spawner.name)
-        given = [each for each in self.launched.parameters if each.name == name]
+        given = self.parameters.get(name, ())
         if len(given) != 1 or given[0].conditions or "?" in parameter:
             why = "is set by no launch file" if not given else "is not known"
             return Tree(None, f"the parameter {name} that {spawner.name} spawns {why}")

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from haros_ci.graph.names import clean, resolve
@@ -15,17 +15,19 @@ from haros_ci.model.launch_facts import CommandUse
 from haros_ci.substitutions.names import quoted
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.ros2_system import started_by
-from haros_ci.systems.simulation.endpoints import Spawned, by_simulated_time, on_server, ros2_nodes
+from haros_ci.systems.simulation.endpoints import by_simulated_time, on_server, ros2_nodes
 from haros_ci.systems.simulation.simulators import (
     PACKAGE,
     SERVERS,
     Completes,
     Found,
-    command_line,
     completed,
     gather,
+    of_file_or_model,
+    of_server,
     option,
-    others,
+    spawned_by,
+    unpredictable,
 )
 from haros_ci.systems.simulation.table import plugins, silent
 from haros_ci.systems.simulation.trees import Tree, Trees
@@ -48,7 +50,12 @@ def simulation(
     if not servers:
         return None
     commands = {_printed(fact.text): fact.text for fact in launched.facts if isinstance(fact, CommandUse)}
-    return _Simulation(tuple(nodes), servers, trees, environment, known, commands).complete
+    publishers: dict[str, list[LaunchedNode]] = {}
+    for each in nodes:
+        if each.type == PUBLISHER:
+            publishers.setdefault(_topic_of(each), []).append(each)
+    spawners = [(each, split(each.arguments)) for each in nodes if each.package == PACKAGE and each.type in SPAWNERS]
+    return _Simulation(servers, spawners, publishers, trees, environment, known, commands).complete
 
 
 def _printed(command: str) -> str:
@@ -58,8 +65,10 @@ def _printed(command: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class _Simulation:
-    nodes: tuple[LaunchedNode, ...]
     servers: list[LaunchedNode]
+    spawners: list[tuple[LaunchedNode, Words]]
+    #: The nodes that publish a description, by topic.
+    publishers: Mapping[str, list[LaunchedNode]]
     trees: Trees
     environment: Mapping[str, str]
     known: Callable[[str, str, int], KnownNode | None]
@@ -67,6 +76,8 @@ class _Simulation:
 
     def complete(self, nodes: Sequence[Node]) -> tuple[Node, ...]:
         by_place = {(each.type, each.location): each for each in self.servers}
+        reasons = tuple(unpredictable(nodes, SPAWNERS))
+        brought = [(each, words, self._description(each, words)) for each, words in self.spawners]
         done: list[Node] = []
         for node in nodes:
             place = node.location
@@ -74,9 +85,9 @@ class _Simulation:
             if started is None:
                 done.append(node)
                 continue
-            into = self._found(started)
-            for name in others(nodes, SPAWNERS):
-                into.lose(f"{name} may bring models while it runs", node.location)
+            into = self._found(started, brought)
+            for reason in reasons:
+                into.lose(reason, node.location)
             done += self._with_plugins(node, started, into)
         return tuple(done)
 
@@ -88,40 +99,26 @@ class _Simulation:
             beside = self.known(*known.beside, 2) if known.beside is not None else None
             for each in ros2_nodes(use, known, server, spawned, rules, beside):
                 made.setdefault(each.name, each)
-        line = command_line(split(started.arguments).rest)
-        named = [plugins(2)[name] for name in line.plugins if name in plugins(2)]
-        own = [end for each in named if each.at == "system" for end in on_server(each, server, rules)]
+        named = [plugins(2)[name] for name in into.libraries if name in _of_system()]
+        own = [end for each in named for end in on_server(each, server, rules)]
         return [by_simulated_time(completed(server, own, into.lost)), *made.values()]
 
-    def _found(self, server: LaunchedNode) -> Found:
-        into = Found()
-        line = command_line(split(server.arguments).rest)
-        if line.world is None:
-            into.lose("which world it is given is not known", server.location)
-        else:
-            gather(self.trees, self.trees.of_world(line.world), Spawned(), 2, into, server.location)
-        for library in line.plugins:
-            known = plugins(2).get(library)
-            if (known is None or known.at != "system") and library not in silent():
-                into.lose(f"what the plug-in {library} makes is not known", server.location)
-        for each in self.nodes:
-            if each.package == PACKAGE and each.type in SPAWNERS:
-                conditions = tuple(c for c in each.conditions if c not in server.conditions)
-                words = split(each.arguments)
-                model = option(words.rest, "-entity") or "?"
-                space = option(words.rest, "-robot_namespace")
-                spawned = Spawned(model="?" if "?" in model else model, namespace=space, conditions=conditions)
-                gather(self.trees, self._description(each, words), spawned, 2, into, each.location)
+    def _found(self, server: LaunchedNode, brought: Iterable[tuple[LaunchedNode, Words, Tree]]) -> Found:
+        """The plug-ins of a *server*, with what is *brought* to it: each spawner with its command line and its description."""
+        into = of_server(self.trees, server, 2, _of_system() | silent())
+        for each, words, tree in brought:
+            model, space = option(words.rest, "-entity"), option(words.rest, "-robot_namespace")
+            spawned = spawned_by(each, server, model, space)
+            gather(self.trees, tree, spawned, 2, into, each.location)
         return into
 
     def _description(self, spawner: LaunchedNode, words: Words) -> Tree:
         """The description that a spawner brings to the simulator."""
-        topic, file, model = (option(words.rest, name) for name in ("-topic", "-file", "-database"))
+        tree = of_file_or_model(self.trees, words.rest)
+        if tree is not None:
+            return tree
         who = spawner.name or spawner.type
-        if file is not None:
-            return self.trees.of_file(file)
-        if model is not None:
-            return self.trees.of_model(f"model://{model}")
+        topic = option(words.rest, "-topic")
         if topic is None or "?" in topic:
             return Tree(None, f"what {who} spawns is not known")
         space = spawner.namespace or "/"
@@ -130,7 +127,7 @@ class _Simulation:
 
     def _published(self, name: str, who: str) -> Tree:
         """The description on the topic called *name*, which the node *who* spawns."""
-        publishers = [each for each in self.nodes if each.type == PUBLISHER and _publishes(each, name)]
+        publishers = self.publishers.get(name, ())
         if len(publishers) != 1:
             count = "several nodes publish" if publishers else "no node is known to publish"
             return Tree(None, f"{count} the description that {who} spawns on {name}")
@@ -154,6 +151,12 @@ def _node(launched: LaunchedNode, default: str) -> RosNode:
     return RosNode(name, space, space, "node", "", launched.location, rules=started_by(launched).rules)
 
 
-def _publishes(launched: LaunchedNode, name: str) -> bool:
+def _topic_of(launched: LaunchedNode) -> str:
+    """The topic that a ``robot_state_publisher`` publishes its description on."""
     node = _node(launched, PUBLISHER)
-    return node.remap(node.expand(DESCRIPTION)) == name
+    return node.remap(node.expand(DESCRIPTION))
+
+
+def _of_system() -> frozenset[str]:
+    """The plug-ins of the table that stand on the server's command line."""
+    return frozenset(name for name, each in plugins(2).items() if each.at == "system")

@@ -3,14 +3,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+from haros_ci.graph.words import split
 from haros_ci.model.architecture import Endpoint, Node, Unknown
+from haros_ci.model.launch import LaunchedNode, Started
 from haros_ci.model.location import Location
 from haros_ci.systems.simulation.endpoints import Spawned, is_idle
 from haros_ci.systems.simulation.table import KnownPlugin, library_of, plugins, silent
-from haros_ci.systems.simulation.trees import Tree, Trees
+from haros_ci.systems.simulation.trees import MODEL, Tree, Trees
 from haros_ci.systems.simulation.uses import Include, Use, found
 
 #: The package of the simulator, and its programs.
@@ -27,17 +29,27 @@ TAKING = frozenset(
 SPAWNING = frozenset(("gazebo_msgs/SpawnModel", "gazebo_msgs/srv/SpawnEntity"))
 #: From the nodes of a configuration to the same with what plug-ins make.
 Completes = Callable[[Sequence[Node]], tuple[Node, ...]]
-#: Plug-ins that one simulator may have, and models in one another.
+#: Plug-ins and included models that one simulator may have, and models in one another.
 MOST = 2_000
 DEEPEST = 10
+#: Elements of descriptions that are looked through for one simulator; the last description is looked through to its end.
+MAX_ELEMENTS = 200_000
+TOO_MANY = "it has more plug-ins and models than are looked at"
 
 
 @dataclass(slots=True)
 class Found:
-    """The plug-ins of one simulator, each with its row and how it was brought; *lost* says where there may be more."""
+    """The plug-ins of one simulator, each with its row and how it was brought; *lost* says where there may be more.
+
+    *libraries* are the plug-ins that its command line names; *included* is the number of models that others include,
+    *elements* that of the elements that have been looked through.
+    """
 
     uses: list[tuple[Use, KnownPlugin, Spawned]] = field(default_factory=list)
     lost: dict[str, Location | None] = field(default_factory=dict)
+    libraries: tuple[str, ...] = ()
+    included: int = 0
+    elements: int = 0
 
     def lose(self, reason: str, location: Location | None) -> None:
         if len(self.lost) < MOST:
@@ -46,7 +58,7 @@ class Found:
 
 @dataclass(frozen=True, slots=True)
 class CommandLine:
-    """What a server is told: *world* ("" for none, None if it is not known) and the *plugins* that ``-s`` names."""
+    """What a server is started with: *world* ("" for none, None if it is not known) and the *plugins* that ``-s`` names."""
 
     world: str | None
     plugins: tuple[str, ...]
@@ -80,6 +92,40 @@ def command_line(words: Iterable[str]) -> CommandLine:
     return CommandLine(world, tuple(named))
 
 
+def of_server(trees: Trees, server: Started | LaunchedNode, ros: int, accounted: Container[str]) -> Found:
+    """What the command line of a *server* brings: the plug-ins of its world, and those that it names itself.
+
+    What it names and is not *accounted* for may make more than is known.
+    """
+    into = Found()
+    line = command_line(split(server.arguments).rest)
+    into.libraries = line.plugins
+    if line.world is None:
+        into.lose("which world it is given is not known", server.location)
+    else:
+        gather(trees, trees.of_world(line.world), Spawned(), ros, into, server.location)
+    for library in line.plugins:
+        if library not in accounted:
+            into.lose(f"what the plug-in {library} makes is not known", server.location)
+    return into
+
+
+def spawned_by(
+    spawner: Started | LaunchedNode, server: Started | LaunchedNode, model: str | None, namespace: str | None
+) -> Spawned:
+    """How a *spawner* brings the *model* that its command line names, in that *namespace*, to the *server*."""
+    conditions = tuple(each for each in spawner.conditions if each not in server.conditions)
+    return Spawned(model="?" if not model or "?" in model else model, namespace=namespace, conditions=conditions)
+
+
+def of_file_or_model(trees: Trees, words: Sequence[str]) -> Tree | None:
+    """The description that a spawner's *words* name as a file or as a model of the database; None if they name neither."""
+    file, model = option(words, "-file"), option(words, "-database")
+    if file is not None:
+        return trees.of_file(file)
+    return trees.of_model(f"{MODEL}{model}") if model is not None else None
+
+
 def option(words: Sequence[str], name: str) -> str | None:
     """The word that follows an option, which may be written with one or two dashes."""
     for number, word in enumerate(words):
@@ -98,9 +144,13 @@ def gather(
         into.lose(tree.reason, place)
     if tree.root is None:
         return
+    if into.elements >= MAX_ELEMENTS:
+        into.lose(TOO_MANY, place)
+        return
+    into.elements += sum(1 for _ in tree.root.walk())
     for each in found(tree.root, spawned.model):
-        if len(into.uses) >= MOST or depth > DEEPEST:
-            into.lose("it has more plug-ins and models than are looked at", place)
+        if max(len(into.uses), into.included) >= MOST or depth > DEEPEST:
+            into.lose(TOO_MANY, place)
             return
         if isinstance(each, Use):
             _take(each, spawned, ros, into)
@@ -112,6 +162,7 @@ def _include(trees: Trees, include: Include, spawned: Spawned, ros: int, into: F
     if include.uri is None:
         into.lose("which model an <include> brings is not known", include.element.location)
         return
+    into.included += 1
     name = include.name or include.uri.strip("/").rpartition("/")[2]
     inner = replace(spawned, model=name if not spawned.model else "?")
     gather(trees, trees.of_model(include.uri), inner, ros, into, include.element.location, depth + 1)
@@ -130,7 +181,7 @@ def _take(use: Use, spawned: Spawned, ros: int, into: Found) -> None:
         into.lose(f"what the plug-in {use.filename[:100]} makes is not known", use.element.location)
 
 
-def completed(node: Node, made: Iterable[Endpoint], lost: dict[str, Location | None]) -> Node:
+def completed(node: Node, made: Iterable[Endpoint], lost: Mapping[str, Location | None]) -> Node:
     """The simulator's *node* with what its plug-ins make; where there may be more, that is said with the reasons."""
     ends: list[Endpoint] = []
     reason = next(iter(lost), "")
@@ -144,8 +195,8 @@ def completed(node: Node, made: Iterable[Endpoint], lost: dict[str, Location | N
     return replace(node, endpoints=tuple(dict.fromkeys((*ends, *made))), unknowns=(*node.unknowns, *unknowns))
 
 
-def others(nodes: Iterable[Node], spawners: frozenset[str]) -> Iterator[str]:
-    """The nodes that may bring models while the system runs, but for the known programs that do."""
+def unpredictable(nodes: Iterable[Node], spawners: frozenset[str]) -> Iterator[str]:
+    """Why models may come while the system runs: nodes that can bring some, but for the known programs that do."""
     for node in nodes:
         if node.type not in spawners and any(e.kind == "clients" and e.type in SPAWNING for e in node.endpoints):
-            yield node.name
+            yield f"{node.name} may bring models while it runs"

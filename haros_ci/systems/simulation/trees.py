@@ -93,8 +93,11 @@ class Trees:
 
     def of_text(self, text: str, location: Location) -> Tree:
         """A description that is written out."""
-        root = self.sources.parsed(text, location.path)
-        return Tree(root, "" if root is not None else "the description is no XML")
+        key = ("text", text, location.path)
+        if key not in self._read:
+            root = self.sources.parsed(text, location.path)
+            self._read[key] = Tree(root, "" if root is not None else "the description is no XML")
+        return self._read[key]
 
     def of_world(self, text: str) -> Tree:
         """The world that a simulator is given on its command line; one of Gazebo's own has no plug-ins that make something in ROS."""
@@ -142,4 +145,4 @@ class Trees:
 
 def _version(text: str | None) -> tuple[int, ...]:
     parts = (text or "").split(".")
-    return tuple(int(part) for part in parts) if all(part.isdigit() and len(part) < 6 for part in parts) else ()
+    return tuple(int(part) for part in parts) if all(part.isdecimal() and len(part) < 6 for part in parts) else ()

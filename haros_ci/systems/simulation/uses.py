@@ -31,8 +31,8 @@ class Use:
     """A ``<plugin>`` in a description.
 
     *filename* and *name* are None where they are not known. *at* is the kind of its parent, *model* the name of the model around
-    (``?``: not known; "" in a world), *sensor* and *sensor_type* those of the sensor, *cameras* the names of its cameras. Not *certain*: it stands
-    under a condition that is not known.
+    (``?``: not known; "" in a world), *sensor* and *sensor_type* those of the sensor, *cameras* the names of its cameras. Its *element*
+    is not certain below a condition that is not known.
     """
 
     filename: str | None
@@ -43,7 +43,6 @@ class Use:
     sensor: str | None = ""
     sensor_type: str | None = ""
     cameras: tuple[str, ...] = ()
-    certain: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,31 +76,26 @@ def value(element: Node, name: str) -> str | Unknown | None:
 def _of_urdf(root: Node, around: Use) -> Iterator[Use | Include]:
     for extension in root.all("gazebo"):
         reference = extension.given("reference")
-        here = replace(around, certain=around.certain and extension.certain)
         if reference == "":
             for plugin in extension.all("plugin"):
-                yield _use(plugin, here)
+                yield _use(plugin, around)
         for tag in ("sensor", "visual"):
             for each in extension.all(tag):
                 if reference != "":
-                    yield from _inside(Node("link", {}, each.location, children=[each]), here, here.model, 1)
+                    yield from _inside(Node("link", {}, each.location, children=[each]), around, around.model, 1)
 
 
 def _inside(node: Node, around: Use, model: str, depth: int) -> Iterator[Use | Include]:
     if depth > DEEPEST:
         return
     for child in node.children:
-        here = replace(around, certain=around.certain and child.certain)
         if child.tag == "plugin":
             if node.tag in _LOADING:
-                yield _use(child, replace(here, at=_LOADING[node.tag]))
-            continue
-        if child.tag not in _THROUGH:
-            continue
-        if child.tag == "include":
+                yield _use(child, replace(around, at=_LOADING[node.tag]))
+        elif child.tag == "include":
             yield _include(child)
-            continue
-        yield from _inside(child, _entered(child, node, here, model), model, depth + 1)
+        elif child.tag in _THROUGH:
+            yield from _inside(child, _entered(child, node, around, model), model, depth + 1)
 
 
 def _entered(child: Node, parent: Node, around: Use, model: str) -> Use:
@@ -127,7 +121,6 @@ def _use(plugin: Node, around: Use) -> Use:
         filename=plugin.given("filename"),
         name=plugin.given("name"),
         element=plugin,
-        certain=around.certain and plugin.certain,
     )
 
 
