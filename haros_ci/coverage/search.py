@@ -26,8 +26,7 @@ _DECLARED = re.compile(
 )
 #: Words that are no types, after which a call may stand.
 _NO_TYPES = frozenset(
-    "return co_return co_await co_yield throw new delete else do case not and or in is if elif while assert yield await "
-    "lambda print goto template from import".split()
+    "return co_return co_await co_yield throw new delete else do case not and or if while goto template endif".split()
 )
 _VARIABLE = re.compile(r"\s*[A-Za-z_]\w*\s*(?=[({])")
 _DEF = re.compile(r"(?:\bdef|\bclass|\bimport|\bfrom|#[ \t]*define)[ \t]+$")
