@@ -15,6 +15,7 @@ from haros_ci.api.packages import (
     Registration,
     Target,
     class_names,
+    compiled_into,
     exported_under,
     file_name,
     is_asked_for,
@@ -90,11 +91,13 @@ def _described(found: _Package, others: Container[str]) -> Iterator[Finding]:
             continue
         if library.name not in seen_through:
             is_open = not _is_whole(library, found.package)
-            seen_through[library.name] = not (is_open or registers_otherwise(found.package, _code(library, found)))
+            seen_through[library.name] = not (
+                is_open or registers_otherwise(found.package, compiled_into(library, found.package))
+            )
         if not seen_through[library.name]:
             continue
         macros = found.by_type.get(each.type, [])
-        inside = _code(library, found)
+        inside = compiled_into(library, found.package)
         here = [macro for macro in macros if macro.location.path in inside]
         if not here and all(_is_source(macro.location.path) for macro in macros):
             if not is_written(each.type, MACROS, inside, found.package.project):
@@ -326,13 +329,6 @@ def _unknown_classes(found: _Package, classes: Container[str]) -> Iterator[Findi
 
 def _is_source(path: str) -> bool:
     return path.endswith((".cpp", ".cc", ".cxx", ".c++", ".C", ".cu"))
-
-
-def _code(library: Target, found: _Package) -> list[str]:
-    """The sources of a library and of those that become part of it."""
-    targets = {target.name: target for target in found.package.build.targets}
-    inner = [targets[link] for link in library.links if link in targets]
-    return [path for target in (library, *inner) for path in target.sources if not path.endswith(".c")]
 
 
 def _is_whole(library: Target, package: ProjectPackage) -> bool:

@@ -41,6 +41,7 @@ def found(text: str, names: Names, language: str = "cpp") -> list[str]:
         ),
         ('declare_parameter("rate", 5);', ROS2, 'declare_parameter("rate", 5)'),
         ('return declare_parameter("rate", 5);', ROS2, 'declare_parameter("rate", 5)'),
+        ('#endif\n  declare_parameter("rate", 5);', ROS2, 'declare_parameter("rate", 5)'),
         ('if (a && getParam("x", y)) {}', ROS1, 'getParam("x", y)'),
         ('ros::param::get("/x", y);', ROS1, 'ros::param::get("/x", y)'),
         ("#define P(n) nh.param(n, n##_, 1)", ROS1, "nh.param(n, n##_, 1)"),

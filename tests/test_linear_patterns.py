@@ -7,6 +7,13 @@ from importlib import import_module
 
 import pytest
 
+from haros_ci.coverage.blanked import blanked
+from haros_ci.coverage.names import names_of
+from haros_ci.coverage.pieces import around, pieces_of
+from haros_ci.coverage.search import calls_in
+from haros_ci.extract.apis.tables import rows
+from haros_ci.extract.cpp.read import read_cpp
+from haros_ci.index.index import Source
 from haros_ci.robot.places import as_xacro
 from haros_ci.robot.sources import FIND
 
@@ -40,6 +47,14 @@ CASES = (
     ("haros_ci.checking.republishing._PUBLISHER", "a" + " " * SIZE),
     ("haros_ci.launch.facts.programs._MAKERS", "\n"),
     ("haros_ci_checks.unused_launch_argument._NEXT", "\n"),
+    ("haros_ci.coverage.pieces._REGISTERING", "PLUGINLIB_A("),
+)
+#: C++ that makes what looks for calls and functions in text look far, again and again.
+CALLS = (
+    '"' + '\\"' * SIZE + "\\",
+    "get_parameter(x, ",
+    "a.get_parameter(1).",
+    "a<" * 60 + ">" * 60 + ".get_parameter(1);",
 )
 
 
@@ -57,3 +72,17 @@ def test_one_text_over_and_over(name: str, pump: str) -> None:
 def test_directories_of_packages_over_and_over() -> None:
     count = SIZE // len("$(find a)")
     assert as_xacro("$(find a)" * count) == f"{FIND}a" * count
+
+
+@pytest.mark.parametrize("pump", CALLS)
+def test_calls_in_text_made_to_be_read_again(pump: str) -> None:
+    text = pump * max(SIZE // len(pump), 1)
+    calls = list(calls_in(blanked(text, "cpp"), names_of(rows("cpp", 2)), "cpp"))
+    assert len(calls) == text.count("get_parameter(")
+
+
+def test_functions_whose_brackets_are_not_closed() -> None:
+    text = "void f() {\n#define B {\n}\n" * 5_000
+    found = list(pieces_of(Source("a.cpp", None, read_cpp(text)), blanked(text, "cpp")))
+    assert 50 <= len(found) <= 60, "the others stay outside"
+    assert len(around(found, range(0, len(text), 20))) == len(range(0, len(text), 20))

@@ -14,7 +14,7 @@ from haros_ci.coverage import judge
 from haros_ci.coverage.blanked import blanked
 from haros_ci.coverage.judge import Found, Places, Seen, Syntax
 from haros_ci.coverage.names import Names, joined, names_of
-from haros_ci.coverage.pieces import Piece, at, last_name, pieces_of
+from haros_ci.coverage.pieces import Piece, around, last_name, pieces_of
 from haros_ci.coverage.reach import Reach, reach_of
 from haros_ci.coverage.search import may_have, shown
 from haros_ci.index.index import Source
@@ -29,12 +29,11 @@ Rows = Mapping[tuple[str, int], Iterable[Row]]
 
 
 @timed("coverage")
-def coverage_of(made: Linked, workspace: Workspace, settings: Settings, code: Codebase | None = None) -> Coverage:
+def coverage_of(made: Linked, workspace: Workspace, settings: Settings) -> Coverage:
     """The call sites in *workspace*, found by the names of API rows, and what the architecture that was *made* says of each."""
     rows = api_rows(settings.project.get("apis"), "", [], plugin_rows(settings))
-    if code is None:
-        ros = {package.name: package.ros for package in workspace.packages if package.ros is not None}
-        code = codebase(made.sources, workspace.text, ros)
+    ros = {package.name: package.ros for package in workspace.packages if package.ros is not None}
+    code = codebase(made.sources, workspace.text, ros)
     return Coverage(sites=tuple(sorted(_Judge(made, workspace, rows, code).sites(), key=_order)))
 
 
@@ -114,10 +113,10 @@ class _Judge:
         area = self.areas()
         areas = {each.source.path: area(each.source) for each in found}
         pending = [each for each in found if not places.has(each)]
-        told = dict(self.judged(found, places, area)) if pending else {}
+        verdicts = dict(self.judged(found, places, area)) if pending else {}
         for each in found:
             path = each.source.path
-            state, reason, detail = told.get(id(each), (ENDPOINT, "", ""))
+            state, reason, detail = verdicts.get(id(each), (ENDPOINT, "", ""))
             if not state:
                 continue
             if areas[path] == TEST and state in (OPEN, UNREACHED):
@@ -151,10 +150,11 @@ class _Judge:
         pieces = self._pieces(area)
         where = Syntax(self.code)
         plugins = plugins_of(self.code, self.made.builds)
-        found_here = [(each, _at(pieces, each)) for each in found]
+        found_here = list(_with_pieces(found, pieces))
         known = [piece for each, piece in found_here if piece is not None and places.has(each)]
         reach = self._reach(pieces, plugins, known)
-        told = {id(piece) for each, piece in found_here if places.has(each)}
+        known_ids = {id(piece) for piece in known}
+        below = _below(plugins, reach)
         gaps = dict(_gaps(self.made.architecture))
         seen = Seen(places, judge.wrapped(self.code, where, places), judge.by_routine(self.code, found_here))
         for each, piece in found_here:
@@ -165,7 +165,7 @@ class _Judge:
                 if state == OPEN and each.source.path in gaps:
                     reason, detail = "a node is not known as a whole", gaps[each.source.path]
                 elif state == OPEN:
-                    reason, detail = _about(each, piece, plugins, told, reach)
+                    reason, detail = _about(each, piece, plugins, known_ids, below)
                 yield id(each), (state, reason, detail)
 
     def _pieces(self, area: Callable[[Source], str]) -> dict[str, list[Piece]]:
@@ -190,7 +190,7 @@ class _Judge:
         """The state of a site, why, and what is special about it."""
         routine = judge.routine_of(self.code, found, piece)
         if routine is not None and routine in seen.wrappers:
-            return ENDPOINT, "told where the function is called that it stands in", seen.wrappers[routine]
+            return ENDPOINT, "in the model where the function around it is called", seen.wrappers[routine]
         none = judge.other(self.code, where, found, seen)
         if none is not None:
             return OTHER, *none
@@ -201,22 +201,38 @@ class _Judge:
         return OPEN, "", ""
 
 
-def _at(pieces: Mapping[str, list[Piece]], found: Found) -> Piece | None:
-    return at(pieces, found.source.path, found.call.offset)
+def _with_pieces(found: Iterable[Found], pieces: Mapping[str, list[Piece]]) -> Iterator[tuple[Found, Piece | None]]:
+    """The sites of *found*, each with the piece that it stands in; None for a file without pieces."""
+    offsets: dict[str, list[int]] = {}
+    for each in found:
+        offsets.setdefault(each.source.path, []).append(each.call.offset)
+    inside = {path: around(pieces.get(path, ()), here) for path, here in offsets.items()}
+    return ((each, inside[each.source.path].get(each.call.offset)) for each in found)
 
 
-def _about(found: Found, piece: Piece | None, plugins: Plugins, told: set[int], reach: Reach) -> tuple[str, str]:
-    """Where a site stands that the model does not have."""
+def _about(
+    found: Found, piece: Piece | None, plugins: Plugins, known: set[int], below: Mapping[str, list[str]]
+) -> tuple[str, str]:
+    """Where a site stands that the model does not have; in the *known* pieces, by identity, it has others."""
     if piece is None:
         return "", ""
     title = _title(piece)
-    if id(piece) in told:
+    if id(piece) in known:
         return "other calls of the function are in the model", title
-    for name in (piece.owner, *(each for each in plugins.every if piece.owner in _above(reach, each))):
+    for name in (piece.owner, *below.get(piece.owner, ())):
         plugin = plugins.of(piece, name, found.source.package)
         if plugin is not None:
             return "in a plug-in", f"{title}, of {plugin.base}"
     return "nothing of the function is in the model", title
+
+
+def _below(plugins: Plugins, reach: Reach) -> dict[str, list[str]]:
+    """The plug-ins that have a class as a base, by the last part of its name."""
+    found: dict[str, list[str]] = {}
+    for name in plugins.every:
+        for base in _above(reach, name):
+            found.setdefault(base, []).append(name)
+    return found
 
 
 def _above(reach: Reach, name: str) -> frozenset[str]:

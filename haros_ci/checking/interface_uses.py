@@ -19,17 +19,17 @@ def interfaces_in_use(project: Project) -> dict[str, Location]:
     found: dict[str, Location] = {}
     included, aside = _included(project), dict[str | None, frozenset[str]]()
     owners = {file.path: file.package for file in project.workspace.files}
-    for name, place in _places(project):
-        if name in found or (place.path.endswith(_HEADERS) and place.path.rpartition("/")[2] not in included):
+    for name, path, line in _places(project):
+        if name in found or (path.endswith(_HEADERS) and path.rpartition("/")[2] not in included):
             continue
-        if place.path.endswith(".py"):
-            owner = owners.get(place.path)
+        if path.endswith(".py"):
+            owner = owners.get(path)
             package = project.package(owner) if owner is not None else None
             if owner not in aside:
                 aside[owner] = unreached(package, [each.path for each in package.files]) if package else frozenset()
-            if place.path in aside[owner]:
+            if path in aside[owner]:
                 continue
-        found[name] = place
+        found[name] = Location(path, line if isinstance(line, int) else _line_with(project.text(path), line))
     return found
 
 
@@ -49,33 +49,33 @@ def _included(project: Project) -> frozenset[str]:
     return frozenset(found)
 
 
-def _places(project: Project) -> Iterator[tuple[str, Location]]:
-    """Where interfaces are used by name, with the name."""
+def _places(project: Project) -> Iterator[tuple[str, str, int | str]]:
+    """Where interfaces are used by name: the name, the file, and the line or what stands in it."""
     generated = {each.path for package in project.packages for each in package.build.interfaces if each.is_generated}
     for each in project.interfaces.values():
         for section in each.sections if each.path in generated else ():
             for field in section:
-                yield field.type.partition("[")[0], Location(each.path, field.line)
+                yield field.type.partition("[")[0], each.path, field.line
     yield from _in_includes(project)
     yield from _in_imports(project)
 
 
-def _in_includes(project: Project) -> Iterator[tuple[str, Location]]:
+def _in_includes(project: Project) -> Iterator[tuple[str, str, str]]:
     made = (each for package in project.packages for each in package.build.interfaces)
     by_header = {header: each.name for each in made for header in _headers(each)}
     written = {name.partition("include/")[2] for name in project.workspace.names if "include/" in name}
     for path, program in sorted(project.programs.items()):
         for header in (each.strip('<>"') for each in program.includes):
             if header not in written and (name := by_header.get(header)) is not None:
-                yield name, Location(path, _line_with(project.text(path), header))
+                yield name, path, header
 
 
-def _in_imports(project: Project) -> Iterator[tuple[str, Location]]:
+def _in_imports(project: Project) -> Iterator[tuple[str, str, str]]:
     modules = {each.name.replace("/", f".{each.kind}."): each.name for each in project.interfaces.values()}
     for path, program in sorted(project.programs.items()):
         for alias in program.aliases if program.language == "python" else ():
             if (name := modules.get(str(alias.type.name))) is not None:
-                yield name, Location(path, _line_with(project.text(path), name.rpartition("/")[2]))
+                yield name, path, name.rpartition("/")[2]
 
 
 def _headers(each: Interface) -> tuple[str, ...]:

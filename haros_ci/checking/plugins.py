@@ -166,6 +166,13 @@ def own_classes(package: ProjectPackage) -> set[str]:
     return names
 
 
+def compiled_into(library: Target, package: ProjectPackage) -> list[str]:
+    """The sources of a *library* of *package* and of those that become part of it."""
+    targets = {target.name: target for target in package.build.targets}
+    inner = [targets[link] for link in library.links if link in targets]
+    return [path for target in (library, *inner) for path in target.sources if not path.endswith(".c")]
+
+
 def variant(package: ProjectPackage, library: Target) -> tuple[frozenset[str], frozenset[str]]:
     """What makes *library* another one than a second of the same source: its definitions, and the other targets of the package in it."""
     defined: set[str] = set()

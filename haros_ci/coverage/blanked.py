@@ -5,34 +5,28 @@ from __future__ import annotations
 
 import re
 
-_CPP = re.compile(
-    r"//(?:[^\\\n]|\\.)*|/\*.*?(?:\*/|\Z)"
-    r"|\bu?8?[LUR]{0,2}R\"(?P<end>[^\s()\\\"]{0,16})\(.*?(?:\)(?P=end)\"|\Z)"
-    r"|\"(?:[^\"\\\n]|\\.)*(?:\"|$)|(?<![0-9a-zA-Z_])'(?:[^'\\\n]|\\.)*(?:'|$)",
-    re.DOTALL | re.MULTILINE,
-)
-_PYTHON = re.compile(
-    r"#[^\n]*|\"\"\"(?:[^\\]|\\.)*?(?:\"\"\"|\Z)|'''(?:[^\\]|\\.)*?(?:'''|\Z)"
-    r"|\"(?:[^\"\\\n]|\\.)*(?:\"|$)|'(?:[^'\\\n]|\\.)*(?:'|$)",
-    re.DOTALL | re.MULTILINE,
-)
+from haros_ci.results.comments import C_SKIPPED, PYTHON_SKIPPED
+
+_CPP = re.compile(rf"""["'/](?:{C_SKIPPED})""")
+_PYTHON = re.compile(rf"""["'#](?:{PYTHON_SKIPPED})""")
 _VISIBLE = re.compile(r"[^\n]")
 
 
 def blanked(text: str, language: str) -> str:
-    """*text* with a blank for each character of a comment; of a text in quotes the quotes stay."""
+    """*text* with a blank for each character of a comment or a text, but for the quotes around the latter."""
     return (_PYTHON if language == "python" else _CPP).sub(_blank, text)
 
 
 def _blank(match: re.Match[str]) -> str:
     found = match[0]
-    if found[:1] in "\"'" and len(found) > 1:
-        return found[0] + _VISIBLE.sub(" ", found[1:-1]) + (found[-1] if found[-1] != "\n" else "\n")
-    return _VISIBLE.sub(" ", found)
+    if found[0] not in "\"'":
+        return _VISIBLE.sub(" ", found)
+    end = found[0] if len(found) > 1 and found[-1] == found[0] else ""
+    return found[0] + _VISIBLE.sub(" ", found[1 : len(found) - len(end)]) + end
 
 
-def closed(text: str, start: int, most: int = 20_000) -> int:
-    """Where the bracket at *start* of blanked text is closed, or the last place that is looked at."""
+def closed(text: str, start: int, most: int) -> int:
+    """Where the bracket at *start* of blanked text is closed, or the last of *most* characters, if it is not within these."""
     depth = 0
     end = min(len(text), start + most)
     for found in _BRACKET.finditer(text, start, end):
@@ -40,6 +34,18 @@ def closed(text: str, start: int, most: int = 20_000) -> int:
         if depth <= 0:
             return found.start()
     return end - 1
+
+
+def closings(text: str) -> dict[int, int]:
+    """Where each bracket of blanked text is closed, by where it opens; without those that are not closed."""
+    found: dict[int, int] = {}
+    waiting: list[int] = []
+    for bracket in _BRACKET.finditer(text):
+        if bracket[0] in "([{":
+            waiting.append(bracket.start())
+        elif waiting:
+            found[waiting.pop()] = bracket.start()
+    return found
 
 
 _BRACKET = re.compile(r"[()\[\]{}]")

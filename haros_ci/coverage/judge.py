@@ -24,6 +24,8 @@ _OTHERS = frozenset(
     "paho redis asyncio aiohttp requests pika smbus serial numpy cv2 torch tensorflow yaml json websocket socketio flask "
     "tornado argparse subprocess threading queue kivy tkinter matplotlib".split()
 )
+#: Scopes of a file in which a name is looked up.
+_MOST_SCOPES = 20
 #: Library classes whose methods have such names, and make nothing in the node that calls them.
 _QUIET = {
     "rclcpp::AsyncParametersClient": "it asks through the client's own services",
@@ -56,15 +58,23 @@ def found_in(code: Codebase, source: Source, text: str, names: Names) -> Iterato
         yield Found(source, call, line, column, first, start)
 
 
+def _scopes(code: Codebase, source: Source) -> list[str]:
+    """The classes and namespaces that functions of a C++ file stand in: those in which a name is looked up."""
+    key = ("scopes", source.path)
+    if key not in code.kept:
+        code.kept[key] = sorted({each.name.rpartition("::")[0] for each in source.program.functions})[:_MOST_SCOPES]
+    found: list[str] = code.kept[key]  # type: ignore[assignment]
+    return found
+
+
 def _is_api_class(code: Codebase, source: Source, call: Call, names: Names) -> bool:
-    wanted = names.classes[call.name]
+    known = names.classes[call.name]
     if source.separator == ".":
-        return classes.dotted_name(source, call.made).replace(".", "::") in wanted
-    if call.made.removeprefix("::") in wanted:
+        return classes.dotted_name(source, call.made).replace(".", "::") in known
+    if call.made.removeprefix("::") in known:
         return True
-    scopes = {each.name.rpartition("::")[0] for each in source.program.functions}
     kind = Type(call.made)
-    return any(classes.resolved(code, kind, scope, source).name in wanted for scope in sorted(scopes)[:20])
+    return any(classes.resolved(code, kind, scope, source).name in known for scope in _scopes(code, source))
 
 
 @dataclass(slots=True)
@@ -113,7 +123,7 @@ def places_of(locations: Iterable[tuple[str, int, int]]) -> Places:
 
 @dataclass(frozen=True, slots=True)
 class Seen:
-    """What the model has: *places*, the functions in *wrappers* whose endpoints are told where they are called, and all *sites* by function."""
+    """What the model has: *places*, *wrappers* (functions whose endpoints it has at the places where they are called), all *sites* by function."""
 
     places: Places
     wrappers: Mapping[Routine, str]
@@ -128,7 +138,7 @@ class Seen:
             if each is not found
         ]
         if inner and found.call.name in WRAPPERS and code.ros_of(found.source) == 2:
-            return True  # what it makes would be told here
+            return True  # the model would have at this place what the function makes
         return any(not self.places.has(each) and routine not in self.wrappers for each, routine in inner)
 
 
@@ -196,8 +206,7 @@ def _python_classes(code: Codebase, source: Source, written: str) -> list[classe
 def _cpp_classes(code: Codebase, source: Source, written: str) -> list[classes.Owner]:
     """The classes of the workspace that a name *written* in a C++ file can mean."""
     name = written.removeprefix("::")
-    scopes = {each.name.rpartition("::")[0] for each in source.program.functions}
-    names = {classes.resolved(code, Type(name), scope, source).name for scope in sorted(scopes)[:20]} | {name}
+    names = {classes.resolved(code, Type(name), scope, source).name for scope in _scopes(code, source)} | {name}
     return [each for one in sorted(names) for each in code.cpp.classes.get(one, ())]
 
 
@@ -210,20 +219,18 @@ def _receiver(code: Codebase, routine: Routine, receiver: syntax.Expression) -> 
 
 
 def wrapped(code: Codebase, where: Syntax, places: Places) -> Mapping[Routine, str]:
-    """The functions of the workspace whose endpoints the model tells where they are called, each with such a place."""
+    """The functions of the workspace whose endpoints the model has at the places where they are called, with one such place."""
     found: dict[Routine, str] = {}
+    done: set[Routine] = set()
     for path, line, column in sorted(places.exact):
         for routine, call in where.at(path, line, column):
             for target in calls.function_meant(code, routine, call.callee):
-                if _last(target) not in WRAPPERS:
+                if target in done or last_name(target.function.name) not in WRAPPERS:
                     continue
+                done.add(target)
                 for inner, _ in calls.reached(code, target, depth=3):
                     found.setdefault(inner, f"{path}:{line}:{column}")
     return found
-
-
-def _last(routine: Routine) -> str:
-    return last_name(routine.function.name)
 
 
 #: Names of functions that wrap an API.

@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from heapq import heappop, heappush
 
-from haros_ci.coverage.blanked import closed
+from haros_ci.coverage.blanked import closings
 from haros_ci.index.index import Source
 from haros_ci.syntax import Class, Function
 
@@ -23,6 +24,8 @@ _DEFINED = re.compile(r"\b(?:def|class)[ \t]+(\w+)")
 _REGISTERING = re.compile(
     r"\b(?:PLUGINLIB_\w+|RCLCPP_COMPONENTS_REGISTER_NODE|CLASS_LOADER_REGISTER_CLASS)\s*\([^()]{0,400}\)"
 )
+#: How often the characters of a file are read for its functions and classes, which stand in one another: what is left then stays outside.
+_MOST_READ = 50
 
 
 @dataclass(slots=True, eq=False)
@@ -47,10 +50,20 @@ def last_name(name: str) -> str:
     return name.rpartition("::")[2].rpartition(".")[2]
 
 
-def at(pieces: Mapping[str, Sequence[Piece]], path: str, offset: int) -> Piece | None:
-    """The innermost piece around an offset of a file; None for a file without pieces."""
-    around = [each for each in pieces.get(path, ()) if each.begin <= offset < each.end]
-    return max(around, key=lambda each: (each.begin, -each.end)) if around else None
+def around(pieces: Iterable[Piece], offsets: Iterable[int]) -> dict[int, Piece]:
+    """The innermost of a file's *pieces* around each of the *offsets* that stands in any."""
+    every = sorted(pieces, key=lambda each: each.begin, reverse=True)
+    found: dict[int, Piece] = {}
+    active: list[tuple[int, int, int, Piece]] = []
+    for offset in sorted(offsets):
+        while every and every[-1].begin <= offset:
+            piece = every.pop()
+            heappush(active, (-piece.begin, piece.end, len(every), piece))
+        while active and active[0][1] <= offset:
+            heappop(active)
+        if active:
+            found[offset] = active[0][3]
+    return found
 
 
 def pieces_of(source: Source, text: str) -> Iterator[Piece]:
@@ -60,7 +73,7 @@ def pieces_of(source: Source, text: str) -> Iterator[Piece]:
     functions = [
         each for each in source.program.functions if each.kind not in ("lambda", "module") and each.body is not None
     ]
-    spans = [(each, span) for each in functions if (span := _span(each, is_python, text, lines)) is not None]
+    spans = list(_spans(functions, is_python, text, lines))
     outside = list(text)
     made = []
     for function, (begin, end) in spans:
@@ -70,13 +83,16 @@ def pieces_of(source: Source, text: str) -> Iterator[Piece]:
     for _, (begin, end) in spans:
         outside[begin:end] = " " * (end - begin)
     if not is_python:
-        left = "".join(outside)
+        code = "".join(outside)
+        closing = closings(code)
+        left = _MOST_READ * len(text)
         inner = sorted(source.program.classes, key=lambda each: (-each.line, -each.column))
         for definition in inner:  # those within others come after them: they are taken out first
-            area = _class_span(definition, left, lines)
-            if area is None:
+            area = _class_span(definition, code, lines, closing)
+            if area is None or left <= 0:
                 continue
             begin, end = area
+            left -= end - begin
             name = last_name(definition.name)
             words = _words("".join(outside[begin:end]), is_python) - {name}
             made.append(Piece(source.path, begin, end, words, name, name, None, definition))
@@ -85,8 +101,24 @@ def pieces_of(source: Source, text: str) -> Iterator[Piece]:
     yield from made
 
 
-def _span(function: Function, is_python: bool, text: str, lines: list[int]) -> tuple[int, int] | None:
-    """Where a function begins and ends in its file's text."""
+def _spans(
+    functions: Iterable[Function], is_python: bool, text: str, lines: list[int]
+) -> Iterator[tuple[Function, tuple[int, int]]]:
+    """Where functions begin and end in their file's text."""
+    closing = {} if is_python else closings(text)
+    left = _MOST_READ * len(text)
+    for function in functions:
+        span = _span(function, is_python, text, lines, closing)
+        if span is not None:
+            yield function, span
+            left -= span[1] - span[0]
+            if left <= 0:
+                return
+
+
+def _span(
+    function: Function, is_python: bool, text: str, lines: list[int], closing: dict[int, int]
+) -> tuple[int, int] | None:
     if not 0 < function.line <= len(lines):
         return None
     begin = lines[function.line - 1]
@@ -96,15 +128,15 @@ def _span(function: Function, is_python: bool, text: str, lines: list[int]) -> t
     if not 0 < function.body_line <= len(lines):
         return None
     brace = text.find("{", lines[function.body_line - 1] + max(function.body_column - 1, 0))
-    return (min(begin, brace), closed(text, brace, len(text)) + 1) if brace >= 0 else None
+    return (min(begin, brace), closing.get(brace, len(text) - 1) + 1) if brace >= 0 else None
 
 
-def _class_span(definition: Class, text: str, lines: list[int]) -> tuple[int, int] | None:
+def _class_span(definition: Class, text: str, lines: list[int], closing: dict[int, int]) -> tuple[int, int] | None:
     if not 0 < definition.line <= len(lines):
         return None
     begin = lines[definition.line - 1]
     brace = text.find("{", begin)
-    return (begin, closed(text, brace, len(text)) + 1) if brace >= 0 else None
+    return (begin, closing.get(brace, len(text) - 1) + 1) if brace >= 0 else None
 
 
 def _indented(text: str, begin: int) -> int:

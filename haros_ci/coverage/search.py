@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -13,17 +13,20 @@ from haros_ci.coverage.names import Names
 
 #: Characters of a call that are shown.
 SHOWN = 100
+#: Characters of a call that are read for it.
+_READ = 4 * SHOWN
 #: Characters before a name in which its receiver is looked for.
 FAR = 2_000
 _TEMPLATE = re.compile(r"[<>;{}()]|::|->")
 _SPACE = re.compile(r"\s*")
 _SPACES = re.compile(r"\s+")
 #: What stands before the name of a function that is declared or defined.
-_DECLARED = re.compile(r"(?<![\w.])([A-Za-z_]\w*)(?:<[^;{}()]{0,200}>)?[\s>*&]+(?:\w+(?:<[\w:, ]{0,80}>)?\s*::\s*)*$")
+_DECLARED = re.compile(
+    r"(?<![\w.])([A-Za-z_]\w*)(?:<[^;{}()]{0,200}>)?(?=(?P<signs>[\s>*&]+))(?P=signs)(?:\w+(?:<[\w:, ]{0,80}>)?\s*::\s*)*$"
+)
 #: Words that are no types, after which a call may stand.
 _NO_TYPES = frozenset(
-    "return co_return co_await co_yield throw new delete else do case not and or in is if elif while assert yield await "
-    "lambda print goto template from import".split()
+    "return co_return co_await co_yield throw new delete else do case not and or if while goto template endif".split()
 )
 _VARIABLE = re.compile(r"\s*[A-Za-z_]\w*\s*(?=[({])")
 _DEF = re.compile(r"(?:\bdef|\bclass|\bimport|\bfrom|#[ \t]*define)[ \t]+$")
@@ -47,6 +50,7 @@ class Call:
 def calls_in(text: str, names: Names, language: str) -> Iterator[Call]:
     """The calls in *text*, whose comments and texts are blank, of the functions and classes that *names* has."""
     is_python = language == "python"
+    starts: dict[int, int] = {}
     for found in _pattern(names).finditer(text):
         name, offset = found[0], found.start()
         if offset and (text[offset - 1].isalnum() or text[offset - 1] == "_"):
@@ -57,9 +61,9 @@ def calls_in(text: str, names: Names, language: str) -> Iterator[Call]:
         if name in names.classes and name[:1].isupper():
             call = _object(text, name, offset, found.end(), is_python)
         else:
-            call = _function(text, names, name, offset, found.end(), before, is_python)
+            call = _function(text, names, found, before, is_python, starts)
         if call is not None and _has_argument(text, call.end, is_python):
-            yield Call(call.name, call.offset, call.start, closed(text, call.end), call.made)
+            yield Call(call.name, call.offset, call.start, closed(text, call.end, _READ), call.made)
 
 
 @lru_cache(maxsize=8)
@@ -77,8 +81,11 @@ def _pattern(names: Names) -> re.Pattern[str]:
     return _compiled(tuple(sorted(words)))
 
 
-def _function(text: str, names: Names, name: str, offset: int, end: int, before: str, is_python: bool) -> Call | None:
-    opening = _opening(text, end, is_python)
+def _function(
+    text: str, names: Names, found: re.Match[str], before: str, is_python: bool, starts: dict[int, int]
+) -> Call | None:
+    name, offset = found[0], found.start()
+    opening = _opening(text, found.end(), is_python)
     if opening is None or text[opening] != "(":
         return None
     if name not in names.methods:
@@ -90,7 +97,8 @@ def _function(text: str, names: Names, name: str, offset: int, end: int, before:
         declared = _DECLARED.search(before)
         if declared is not None and declared[1] not in _NO_TYPES and "&&" not in declared[0]:
             return None
-    return Call(name, offset, _start(text, offset), opening)
+    starts[offset] = _start(text, offset, starts)
+    return Call(name, offset, starts[offset], opening)
 
 
 def _object(text: str, name: str, offset: int, end: int, is_python: bool) -> Call | None:
@@ -118,7 +126,7 @@ def _constructed(text: str, start: int, end: int, is_qualified: bool) -> tuple[i
         if maker is None or text[at + 1 : at + 2] != "(":
             return None
         return start - len(maker[0]), at + 1
-    if text[at : at + 1] in "({" and text[at : at + 1]:
+    if text[at : at + 1] in ("(", "{"):
         is_base = text[max(0, start - 2) : start].strip() in (":", ",") or text[at] == "{"
         return None if is_base and not is_qualified else (start, at)
     variable = _VARIABLE.match(text, after)
@@ -163,8 +171,11 @@ def _has_argument(text: str, opening: int, is_python: bool) -> bool:
     return text[at : at + 1] not in (")", "}", "")
 
 
-def _start(text: str, offset: int) -> int:
-    """Where the expression begins whose last name is at *offset*: ``a.b(c)->d`` before ``->name``."""
+def _start(text: str, offset: int, starts: Mapping[int, int]) -> int:
+    """Where the expression begins whose last name is at *offset*: ``a.b(c)->d`` before ``->name``.
+
+    *starts* has those of earlier calls, which may be the first part of a chain: ``a.f(1).f(2)``.
+    """
     at = start = offset
     least = max(0, offset - FAR)
     while at > least:
@@ -178,7 +189,9 @@ def _start(text: str, offset: int) -> int:
         at = _operand(text, _skip(text, at, least), least)
         if at < 0:
             break
-        start = at
+        start = starts.get(at, at)
+        if start != at:
+            break
     return start
 
 
@@ -220,5 +233,5 @@ def _skip(text: str, at: int, least: int) -> int:
 
 def shown(text: str, call: Call) -> str:
     """The text of a call on one line, cut where it is long; *text* is the file's own."""
-    whole = _SPACES.sub(" ", text[call.start : min(call.end + 1, call.start + 4 * SHOWN)])
+    whole = _SPACES.sub(" ", text[call.start : min(call.end + 1, call.start + _READ)])
     return whole if len(whole) <= SHOWN else f"{whole[: SHOWN - 3]}..."

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 PRODUCTION, TEST, EXAMPLE = AREAS = ("production", "test", "example")
 #: An endpoint or parameter of the model; no API call at all; code that nothing reaches; missing in the model.
 ENDPOINT, OTHER, UNREACHED, OPEN = STATES = ("endpoint", "other", "unreached", "open")
-#: The share in production code below which the summary of a check tells of it.
+#: The share in production code below which the summary of a check mentions it.
 ENOUGH = 0.9
 
 
@@ -32,11 +32,6 @@ class Site:
     state: str
     reason: str = ""
     detail: str = ""
-
-    @property
-    def is_accounted(self) -> bool:
-        """Whether the model says what becomes of it."""
-        return self.state != OPEN
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
