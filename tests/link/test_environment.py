@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -139,6 +140,41 @@ def test_hooks_that_agree_are_one_value(tmp_path: Path) -> None:
     files["hooks/arm.dsv"] = "set-if-unset;ARM_NAME;left\n"
     files["CMakeLists.txt"] = files["CMakeLists.txt"].replace('arm.sh"', 'arm.sh" hooks/arm.dsv')
     assert model(tmp_path, files)[0] == ["/left"]
+
+
+def many(scripts: list[str]) -> dict[str, str]:
+    """A package with a hook for each of *scripts*."""
+    files = {f"hooks/h{number}.sh": script for number, script in enumerate(scripts)}
+    commands = "".join(f'ament_environment_hooks("{path}")\n' for path in files)
+    cmake = f"project(arm)\nfind_package(ament_cmake REQUIRED)\n{commands}ament_package()\n"
+    return {"package.xml": AMENT, "CMakeLists.txt": cmake, "launch/a.launch.xml": ROS2, **files}
+
+
+def test_hooks_with_many_variables_lose_none(tmp_path: Path) -> None:
+    scripts = ["".join(f"export A{hook}_{number}=1\n" for number in range(300)) for hook in range(3)]
+    assert model(tmp_path, many([*scripts, "export ARM_NAME=left"]))[0] == ["/left"]
+
+
+@pytest.mark.parametrize(
+    ("others", "expected"),
+    [
+        (["export SIDE=left"], "/left"),
+        (["export SIDE=left", "export SIDE=left"], "/left"),
+        (["export SIDE=left", "export SIDE=right"], "/?"),
+        (["export SIDE=left", "export SIDE=$(ls)"], "/?"),
+        (["export SIDE=right"], "/?"),
+        (["export ARM_NAME=${ARM_NAME:-left}"], "/left"),
+    ],
+)
+def test_a_hook_sees_what_the_others_set(tmp_path: Path, others: list[str], expected: str) -> None:
+    assert model(tmp_path, many(["export ARM_NAME=${SIDE:-left}", *others]))[0] == [expected]
+
+
+def test_hostile_hooks_are_cheap(tmp_path: Path) -> None:
+    scripts = ["(\n" + " ".join(f"a{hook}_{number}=" for number in range(6_000)) for hook in range(40)]
+    start = time.process_time()
+    model(tmp_path, many(scripts))
+    assert time.process_time() - start < 10
 
 
 @pytest.mark.parametrize(
