@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence, Set
+from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
 
 from haros_ci.workspace.shell_words import HOLE, Part, Unreadable, Variable, Word
@@ -83,7 +84,7 @@ class State:
         if self.is_exporting_all or name in self.inherited:
             self.exported.add(name)
 
-    def lose(self, names: Set[str]) -> None:
+    def lose(self, names: AbstractSet[str]) -> None:
         """Nothing is known of *names* any more."""
         self.stuck |= names
         if len(self.stuck) > MAX_NAMES:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +14,7 @@ import pytest
 from haros_ci.analysis.architecture import architecture
 from haros_ci.config.settings import Settings
 from haros_ci.model.architecture import Architecture
-from haros_ci.model.environment import NOTHING, Environment
+from haros_ci.model.environment import NOTHING, Environment, key_of
 from haros_ci.workspace.cache import MemoryCache
 from haros_ci.workspace.discover import discover
 
@@ -223,3 +224,15 @@ def test_a_lost_variable_alone_is_an_environment() -> None:
     assert lost and not NOTHING
     assert Environment({"A": "1", "B": "2"}).over(lost) == Environment({"B": "2"}, {"A": "why"})
     assert lost.over({"A": "3"}, None, {}) == Environment({"A": "3"})
+
+
+def test_environments_with_another_outcome_have_another_key() -> None:
+    given = Environment({"A": "1"})
+    others = [
+        Environment(),
+        Environment({"A": "2"}),
+        Environment({}, {"A": "1"}),
+        replace(given, chosen=frozenset("A")),
+    ]
+    assert len({each.key for each in (given, *others)}) == 5
+    assert given.key == key_of({"A": "1"})

@@ -87,16 +87,17 @@ def test_what_is_set_before_counts() -> None:
 @pytest.mark.parametrize(
     "text",
     ["export A=1;" * 6000, "(" * 60000, "{ " * 30000, "! " * 30000, "${A:-" * 10000, '"$(' * 20000, "if " * 20000]
-    + [
-        "[ " + "! " * 16000 + "]",
-        "for '" + " ".join(f"{n:x}a=" for n in range(0xA00, 0x2A00)) + "'; done;" + "a;" * 6000,
-    ]
+    + ["[ " + "! " * 16000 + "]"]
     + ["A=1|" * 10000, "for x in a;" * 5000, "`" * 60001, "$((" * 20000, "".join(f"A{n}=1|" for n in range(8000))],
 )
 def test_hostile_scripts_are_cheap(text: str) -> None:
     start = time.process_time()
     made(text)
     assert time.process_time() - start < 2
+
+
+def test_a_script_that_loses_too_many_names_is_not_read() -> None:
+    assert made("read " + " ".join(f"A{n}=" for n in range(600)) + "\nexport B=1")["B"] is LOST
 
 
 def test_dsv() -> None:

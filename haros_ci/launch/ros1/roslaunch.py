@@ -242,8 +242,10 @@ def _outside(
     inner.includes = (*scope.includes, location(scope, tag))
     facts = state.facts
     state.facts = Recorder()
-    _walk(state, inner, root.children)
-    state.facts = facts
+    try:
+        _walk(state, inner, root.children)
+    finally:
+        state.facts = facts
     ros1.included(state, scope, tag, file, passed=passed)
 
 
