@@ -106,7 +106,7 @@ def _set_before(
     *own* is what the hook of the script sets, and counted among the *setters*.
     """
     given: dict[str, str | None] = {}
-    for name in own.keys() | (setters.keys() & set(_WORD.findall(script.text))):
+    for name in own.keys() | _mentioned(script.text, setters):
         counts = setters[name]
         values = [
             value for value in islice(counts, 3) if name not in own or value != own[name] or counts[value] > 1
@@ -114,6 +114,11 @@ def _set_before(
         if values:
             given[name] = values[0] if len(values) == 1 else None
     return given
+
+
+def _mentioned(text: str, names: Mapping[str, object]) -> set[str]:
+    """Those of *names* that *text* has as words: it cannot refer to others."""
+    return {word for word in _WORD.findall(text) if word in names}
 
 
 def _agreed(found: Mapping[str, set[str | None]], where: Mapping[str, str]) -> Environment:
@@ -212,10 +217,14 @@ def read_dsv(text: str, given: Mapping[str, str | None]) -> Variables:
 
 def environment_files(workspace: Workspace, paths: Iterable[str]) -> Environment:
     """What the listed files at the root-relative *paths* set, the later before the earlier: shell scripts, or a ``NAME=value`` on each line."""
-    made = Environment()
+    values: dict[str, str | None] = {}
+    where: dict[str, str] = {}
     for path in paths:
         text = workspace.text(path)
-        given: dict[str, str | None] = {**made, **dict.fromkeys(made.lost)}
+        given = {name: values[name] for name in _mentioned(text, values)}
         found = read_script(text, given) if path.endswith((".sh", ".bash")) else read_dotenv(text, given)
-        made = made.over(Environment(found.values, {name: _reason(name, path) for name in found.lost}))
-    return made
+        values |= found.values
+        values |= dict.fromkeys(found.lost)
+        where |= dict.fromkeys(found.lost, path)
+    known = {name: value for name, value in values.items() if value is not None}
+    return Environment(known, {name: _reason(name, where[name]) for name in values if name not in known})

@@ -247,8 +247,8 @@ class _Reader(State):
         while assignments < len(words) and self.assignment(words[assignments]) is not None:
             assignments += 1
         if assignments == len(words):
-            for each in words:
-                self.assign(each)
+            for word in words:
+                self.assign(word)
             return True if words else None
         if assignments:  # they hold for the command alone
             return None
@@ -256,8 +256,7 @@ class _Reader(State):
         run = _COMMANDS.get(name or "")
         if run is not None:
             return run(self, words[1:])
-        for each in words:
-            self.expand(each.parts, is_test=True)  # ${NAME:=value} sets NAME wherever it stands
+        self.colon(words)  # ${NAME:=value} sets NAME wherever it stands
         return None
 
     # --- commands that matter

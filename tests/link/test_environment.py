@@ -215,6 +215,9 @@ def test_files_of_the_project_file(tmp_path: Path) -> None:
     assert model(tmp_path, files, {"configurations": {"x": lab}})[0] == ["/lab"]
     assert model(tmp_path, files, {"configurations": {"x": {**lab, "environment": {"ARM_NAME": "own"}}}})[0] == ["/own"]
     assert model(tmp_path, files, {"configurations": {"x": lab}}, ARM_NAME="asked")[0] == ["/asked"]
+    doubt = {**files, "a.env": "ARM_NAME=$UNSET\nSIDE=left\n", "b.env": "ARM_NAME=$SIDE\n"}
+    assert model(tmp_path, doubt, {"environment_files": ["arm/a.env", "arm/b.env"]})[0] == ["/left"]
+    assert model(tmp_path, doubt, {"environment_files": ["arm/b.env", "arm/a.env"]})[0] == ["/?"]
     names, problems = model(tmp_path, files, {"environment_files": ["arm/none.env"]})
     assert names == ["/left"] and any("no file arm/none.env" in each for each in problems)
 

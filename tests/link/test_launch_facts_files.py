@@ -237,6 +237,6 @@ def test_parameter_files_and_the_nodes_of_their_sections() -> None:
 
 def test_facts_outlast_a_budget_that_ends_in_a_file_outside_the_workspace() -> None:
     body = '<include file="$(find gazebo_ros)/launch/empty_world.launch"/>'
-    launched = run([MAIN], {MAIN: f"<launch>{body * 2_400}</launch>"})
+    launched = run([MAIN], {MAIN: f"<launch>{'<group/>' * 40}{body * 2_400}</launch>"})
     assert any("more than can be evaluated" in problem.message for problem in launched.problems)
     assert any(isinstance(fact, PackageUse) and fact.package == "gazebo_ros" for fact in launched.facts)
