@@ -132,7 +132,7 @@ class Evaluating:
         written = self.text(content, scope)
         if not isinstance(written, str):
             return UNKNOWN
-        kind, *given = written.split()
+        kind, *given = written.split() or [""]
         if kind == "find" and len(given) == 1:
             return f"{FIND}{given[0]}"
         if kind == "arg" and len(given) == 1:

@@ -119,6 +119,7 @@ def test_what_is_wrong(tmp_path: Path, body: str, kind: str, name: str) -> None:
         "<wheel a='1'/><xacro:macro name='wheel' params='a'/>",
         "<xacro:macro name='link' params='name'/><link name='x'/>",
         "<xacro:call macro='$(env A)'/><link name='${a}'/>",
+        "<link name='$()'/><link name='$( )'/>",
         "<link name='${ {1: 2}[3] }'/>",
         "<xacro:property name='a' value='1'/><xacro:property name='a' remove='true'/>",
     ],
