@@ -46,6 +46,10 @@ CASES = (
     ("haros_ci.checking.republishing._AGAIN", "Timer" + " " * SIZE),
     ("haros_ci.checking.republishing._PUBLISHER", "a" + " " * SIZE),
     ("haros_ci.launch.facts.programs._MAKERS", "\n"),
+    ("haros_ci.workspace.environment._EM", "@["),
+    ("haros_ci.workspace.environment._EM_BLOCK", "@[if "),
+    ("haros_ci.workspace.shell_values._SET", "${a"),
+    ("haros_ci.workspace.dotenv._COMMENT", " "),
     ("haros_ci_checks.unused_launch_argument._NEXT", "\n"),
     ("haros_ci.coverage.pieces._REGISTERING", "PLUGINLIB_A("),
 )

@@ -46,9 +46,9 @@ class Environment(Mapping[str, str]):
         return Environment(values, lost, frozenset(chosen))
 
     @property
-    def key(self) -> tuple[tuple[tuple[str, str], ...], tuple[tuple[str, str], ...]]:
+    def key(self) -> tuple[object, ...]:
         """What tells it from another one."""
-        return tuple(sorted(self.given.items())), tuple(sorted(self.lost.items()))
+        return tuple(sorted(self.given.items())), tuple(sorted(self.lost.items())), tuple(sorted(self.chosen))
 
 
 #: No variable at all.

@@ -10,6 +10,7 @@ from dataclasses import replace
 from typing import Any, Union
 
 from haros_ci.bounded_python.limits import weight
+from haros_ci.model.environment import lost_of
 from haros_ci.model.robot import Fault, Way
 from haros_ci.robot.expressions import Invalid, Undefined, evaluate, is_open, parsed
 from haros_ci.robot.functions import LIMITS, Function, Module, NotFollowed, TooMuch, tokenize
@@ -131,20 +132,25 @@ class Evaluating:
         written = self.text(content, scope)
         if not isinstance(written, str):
             return UNKNOWN
-        kind, *given = written.split()
+        kind, *given = written.split() or [""]
         if kind == "find" and len(given) == 1:
             return f"{FIND}{given[0]}"
         if kind == "arg" and len(given) == 1:
             return self.argument_value(given[0])
-        if kind in ("env", "optenv") and given and given[0] in self.environment:
-            return self.environment[given[0]]
-        if kind == "optenv" and len(given) > 1:  # without a default it is what a user's environment has
-            return " ".join(given[1:])
+        if kind in ("env", "optenv") and given:
+            return self._variable(kind, given[0], given[1:])
         if kind == "dirname":
             return (HERE + posixpath.dirname(self.file)).rstrip("/")
         if kind == "eval":
             return self._eval(written[len("eval ") :])
         return UNKNOWN
+
+    def _variable(self, kind: str, name: str, default: list[str]) -> Any:
+        if name in self.environment:
+            return self.environment[name]
+        if kind == "env" or not default or name in lost_of(self.environment):
+            return UNKNOWN  # what a user's environment has
+        return " ".join(default)
 
     def argument_value(self, name: str) -> str | Unknown:
         if name in self.arguments:

@@ -60,7 +60,7 @@ class Sources:
         return self._nodes[path]
 
     def parsed(self, text: str, path: str) -> Node | None:
-        """The root element of a *text* that is told to be of the file *path*; None if it is no XML."""
+        """The root element of *text*, whose places are given in the file *path*; None if it is no XML."""
         try:
             return nodes_of(parse_xml(text.encode("utf-8")), path) if text else None
         except (XmlError, RecursionError, UnicodeEncodeError):

@@ -6,9 +6,10 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
+from haros_ci.workspace.shell_values import MAX_VALUE
 from haros_ci.workspace.shell_variables import Variables
 
-MAX_LINES, MAX_VALUE = 2_000, 4_000
+MAX_LINES = 2_000
 
 _LINE = re.compile(r"(?:export[ \t]+)?([A-Za-z_]\w*)[ \t]*=[ \t]*([^\n]*)")
 _COMMENT = re.compile(r"(?:^|[ \t])#[^\n]*")
@@ -44,10 +45,11 @@ def _value(written: str, values: Mapping[str, str | None]) -> str | None:
 
 def _referred(text: str, values: Mapping[str, str | None]) -> str | None:
     parts: list[str] = []
-    at = 0
+    at = size = 0
     for found in _REFERENCE.finditer(text):
         value = None if found[3] else values.get(found[1] or found[2])
-        if value is None:
+        size += len(value or "")
+        if value is None or size > MAX_VALUE:
             return None
         parts += (text[at : found.start()], value)
         at = found.end()

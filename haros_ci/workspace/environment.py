@@ -4,8 +4,10 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from itertools import islice
 
 from haros_ci.model.build import Build, CMakeCommand
 from haros_ci.model.environment import Environment
@@ -21,9 +23,12 @@ MAX_HOOKS = 200
 _SHELLS = ("sh", "bash")
 _TEMPLATES = ("", ".em", ".in", ".develspace.em", ".develspace.in")
 _HOOK = re.compile(r"\.(sh|bash|dsv)(?:\.develspace)?(\.em|\.in)?\Z")
-_EM_BLOCK = re.compile(r"@\[\s*(if|for|while|def|try|end|else|elif)\b[^\]\n]*\]")
-_EM = re.compile(r"@@|@#[^\n]*|@\((?:[^()\n]|\([^()\n]*\))*\)|@\{[^{}]*\}|@\[[^\]\n]*\]|@[A-Za-z_][\w.]*")
+#: What stands in brackets of a template on one line, up to their end; no other brackets begin in it.
+_TO_END = r"(?:[^\]\n@]|@(?!\[))*\]"
+_EM_BLOCK = re.compile(rf"@\[\s*(if|for|while|def|try|end|else|elif)\b{_TO_END}")
+_EM = re.compile(rf"@@|@#[^\n]*|@\((?:[^()\n]|\([^()\n]*\))*\)|@\{{[^{{}}]*\}}|@\[{_TO_END}|@[A-Za-z_][\w.]*")
 _IN = re.compile(r"@([A-Za-z_]\w*)@")
+_WORD = re.compile(r"[A-Za-z_]\w*")
 #: Names that are directories of every install prefix: what a .dsv file sets to one of them is a path.
 _DIRECTORIES = frozenset(("", "bin", "etc", "include", "lib", "share", "src", "opt"))
 
@@ -65,37 +70,61 @@ def _paths(command: CMakeCommand, there: frozenset[str]) -> Iterator[str]:
 
 
 def environment_of(workspace: Workspace, builds: Mapping[str, Build]) -> Environment:
-    """What the environment hooks of the packages set, as a shell that nobody has told otherwise has it.
+    """What the environment hooks of the packages set in a shell in which nothing else has been set.
 
     Where two hooks disagree, or a value cannot be read, the variable is lost.
     """
     hooks = list(dict.fromkeys(hooks_of(workspace, builds)))[:MAX_HOOKS]
-    alone = [read_hook(workspace, hook, {}) for hook in hooks]
-    if not any(each.values or each.lost for each in alone):
+    scripts = [_script(workspace, hook) for hook in hooks]
+    alone = [script.read({}) for script in scripts]
+    if not any(variables.values or variables.lost for variables in alone):
         return Environment()
     found: dict[str, set[str | None]] = {}
     where: dict[str, str] = {}
-    for hook, each in zip(hooks, alone, strict=True):
-        _note(found, where, hook, each)
-    for number, hook in enumerate(hooks):  # again, with what the others set
-        others = [pair for at, pair in enumerate(zip(hooks, alone, strict=True)) if at != number]
-        if given := _set_before(others):
-            _note(found, where, hook, _own(read_hook(workspace, hook, given), alone[number]))
+    setters: dict[str, Counter[str | None]] = {}  # by name: how many hooks set it to each value
+    for hook, variables in zip(hooks, alone, strict=True):
+        _note(found, where, hook, variables)
+        for name, value in _outcome(hook, variables).items():
+            setters.setdefault(name, Counter())[value] += 1
+    for hook, script, variables in zip(hooks, scripts, alone, strict=True):  # again, with what the others set
+        if given := _set_before(script, _outcome(hook, variables), setters):
+            _note(found, where, hook, _own(script.read(given), variables))
     return _agreed(found, where)
 
 
-def _set_before(others: Iterable[tuple[Hook, Variables]]) -> dict[str, str | None]:
-    """What a hook finds set where *others* are read before it; None for what they disagree about, and what is not certain."""
-    found: dict[str, set[str | None]] = {}
-    for hook, each in others:
-        _note(found, {}, hook, each)
-    return {name: next(iter(values)) if len(values) == 1 else None for name, values in found.items()}
+def _outcome(hook: Hook, variables: Variables) -> dict[str, str | None]:
+    """The value of each name that *hook* sets; None where it is not known or not certain."""
+    lost: dict[str, str | None] = dict.fromkeys(sorted(variables.lost))
+    return {name: value if hook.is_certain else None for name, value in variables.values.items()} | lost
+
+
+def _set_before(
+    script: _Script, own: Mapping[str, str | None], setters: Mapping[str, Counter[str | None]]
+) -> dict[str, str | None]:
+    """The variables named in *script* that hooks other than itself set; None where they disagree, or where it is not certain.
+
+    *own* is what the hook of the script sets, and counted among the *setters*.
+    """
+    given: dict[str, str | None] = {}
+    for name in own.keys() | _mentioned(script.text, setters):
+        counts = setters[name]
+        values = [
+            value for value in islice(counts, 3) if name not in own or value != own[name] or counts[value] > 1
+        ]  # three tell whether others than the own one disagree
+        if values:
+            given[name] = values[0] if len(values) == 1 else None
+    return given
+
+
+def _mentioned(text: str, names: Mapping[str, object]) -> set[str]:
+    """Those of *names* that *text* has as words: it cannot refer to others."""
+    return {word for word in _WORD.findall(text) if word in names}
 
 
 def _agreed(found: Mapping[str, set[str | None]], where: Mapping[str, str]) -> Environment:
     """The variables with the one value that was *found* for each; the others are lost."""
-    values = {name: next(iter(each)) for name, each in found.items() if len(each) == 1}
-    known = {name: value for name, value in values.items() if value is not None}
+    single = {name: next(iter(values)) for name, values in found.items() if len(values) == 1}
+    known = {name: value for name, value in single.items() if value is not None}
     lost = {name: _reason(name, where[name]) for name in found if name not in known}
     return Environment(known, lost, frozenset(known))
 
@@ -104,9 +133,9 @@ def _reason(name: str, path: str) -> str:
     return f"environment variable '{name}' is set in {path}, to what is not known"
 
 
-def _note(found: dict[str, set[str | None]], where: dict[str, str], hook: Hook, each: Variables) -> None:
-    for name, value in (*each.values.items(), *((name, None) for name in sorted(each.lost))):
-        found.setdefault(name, set()).add(value if hook.is_certain else None)
+def _note(found: dict[str, set[str | None]], where: dict[str, str], hook: Hook, variables: Variables) -> None:
+    for name, value in _outcome(hook, variables).items():
+        found.setdefault(name, set()).add(value)
         where.setdefault(name, hook.path)
 
 
@@ -116,22 +145,32 @@ def _own(found: Variables, first: Variables) -> Variables:
     return Variables({name: v for name, v in found.values.items() if name in names}, found.lost & names)
 
 
-def read_hook(workspace: Workspace, hook: Hook, given: Mapping[str, str | None]) -> Variables:
-    """What one hook sets, where *given* is set before it."""
+@dataclass(frozen=True, slots=True)
+class _Script:
+    """The *text* of a hook without the markup of its template; *stuck* are names of which nothing is known, whatever it says."""
+
+    text: str
+    is_dsv: bool = False
+    stuck: frozenset[str] = frozenset()
+
+    def read(self, given: Mapping[str, str | None]) -> Variables:
+        """What it sets, where *given* is set before it."""
+        return read_dsv(self.text, given) if self.is_dsv else read_script(self.text, given, self.stuck)
+
+
+def _script(workspace: Workspace, hook: Hook) -> _Script:
     kind = _HOOK.search(hook.path)
     text = workspace.text(hook.path)
     if kind is None or not text:
-        return Variables({})
+        return _Script("")
     if len(text) > MAX_SCRIPT:
-        return Variables({}, names_set(text[:MAX_SCRIPT]))
+        return _Script("", stuck=names_set(text[:MAX_SCRIPT]))
     stuck: frozenset[str] = frozenset()
     if kind[2] == ".em":
         text, stuck = _expanded(text)
     elif kind[2] == ".in":
         text = _IN.sub(lambda found: hook.package if found[1] == "PROJECT_NAME" else HOLE, text)
-    if kind[1] == "dsv":
-        return read_dsv(text, given)
-    return read_script(text, given, stuck)
+    return _Script(text, kind[1] == "dsv", stuck)
 
 
 def _expanded(text: str) -> tuple[str, frozenset[str]]:
@@ -178,10 +217,14 @@ def read_dsv(text: str, given: Mapping[str, str | None]) -> Variables:
 
 def environment_files(workspace: Workspace, paths: Iterable[str]) -> Environment:
     """What the listed files at the root-relative *paths* set, the later before the earlier: shell scripts, or a ``NAME=value`` on each line."""
-    made = Environment()
+    values: dict[str, str | None] = {}
+    where: dict[str, str] = {}
     for path in paths:
         text = workspace.text(path)
-        given: dict[str, str | None] = {**made, **dict.fromkeys(made.lost)}
+        given = {name: values[name] for name in _mentioned(text, values)}
         found = read_script(text, given) if path.endswith((".sh", ".bash")) else read_dotenv(text, given)
-        made = made.over(Environment(found.values, {name: _reason(name, path) for name in found.lost}))
-    return made
+        values |= found.values
+        values |= dict.fromkeys(found.lost)
+        where |= dict.fromkeys(found.lost, path)
+    known = {name: value for name, value in values.items() if value is not None}
+    return Environment(known, {name: _reason(name, where[name]) for name in values if name not in known})

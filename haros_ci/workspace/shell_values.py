@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
 
 from haros_ci.workspace.shell_words import HOLE, Part, Unreadable, Variable, Word
@@ -73,7 +74,7 @@ class State:
         if self.skipped:
             return
         if self.doubts:
-            self.stuck.add(name)
+            self.lose({name})
         if value is not None and (len(value) > MAX_VALUE or HOLE in value):
             value = None
         self.values[name] = value
@@ -83,10 +84,17 @@ class State:
         if self.is_exporting_all or name in self.inherited:
             self.exported.add(name)
 
+    def lose(self, names: AbstractSet[str]) -> None:
+        """Nothing is known of *names* any more."""
+        self.stuck |= names
+        if len(self.stuck) > MAX_NAMES:
+            raise Unreadable
+
     def expand(self, parts: Sequence[Part], *, is_test: bool) -> str | None:
-        """The text of *parts*; a variable that is not set is empty in a test, and not known in a value."""
-        found: list[str | None] = [part if isinstance(part, str) else self.part(part, is_test) for part in parts]
-        return None if None in found else "".join(each for each in found if each is not None)
+        """The text of *parts*, None if it is not known or too long; a variable that is not set is empty in a test, and not known in a value."""
+        found = [part if isinstance(part, str) else self.part(part, is_test) for part in parts]
+        known = [text for text in found if text is not None]
+        return None if len(known) < len(found) or sum(map(len, known)) > MAX_VALUE else "".join(known)
 
     def part(self, part: Variable | None, is_test: bool) -> str | None:
         if part is None:
@@ -121,12 +129,16 @@ class State:
         return (False, None) if self.is_open or _TAKEN.match(name) else (True, None)
 
     def test(self, words: list[Word]) -> bool | None:
-        """``[ … ]`` of texts; None for anything else."""
+        """``[ … ]`` of texts, with ``!`` before it; None for anything else."""
+        negations = 0
+        while negations < len(words) and words[negations].text == "!":
+            negations += 1
+        holds = self.comparison(words[negations:])
+        return None if holds is None else holds is (negations % 2 == 0)
+
+    def comparison(self, words: list[Word]) -> bool | None:
         operands = [self.expand(word.parts, is_test=True) for word in words]
         plain = [word.text for word in words]
-        if plain[:1] == ["!"]:
-            status = self.test(words[1:])
-            return None if status is None else not status
         if len(words) == 1:
             return None if operands[0] is None else operands[0] != ""
         if len(words) == 2 and plain[0] in ("-z", "-n") and operands[1] is not None:
@@ -169,7 +181,7 @@ class State:
         for word in words:
             name = word.text or ""
             if self.doubts:
-                self.stuck.add(name)
+                self.lose({name})
             elif name not in self.stuck:
                 self.values.pop(name, None)
                 self.exported.discard(name)

@@ -2,7 +2,7 @@
 """The environment variables that a shell script sets where it is sourced, read off its text; nothing is run.
 
 Understood are assignments, ``export``, ``unset``, ``: ${NAME:=value}``, and what tests of these variables decide. Names that are set in any other
-way are told as lost.
+way are lost.
 """
 
 from __future__ import annotations
@@ -37,6 +37,7 @@ def read_script(script: str, given: Mapping[str, str | None] | None = None, stuc
     """
     reader = _Reader(script, dict(given or {}), set(stuck), inherited=frozenset(given or ()))
     try:
+        reader.lose(reader.stuck)
         reader.tokens = tokens(script)
         reader.sequence(())
     except (Unreadable, RecursionError):
@@ -93,8 +94,7 @@ class _Reader(State):
                 if self.operator() != "\n":
                     raise Unreadable
                 self.at += 1
-            wanted = token.text == "&&"
-            follows = None if status is None else status is wanted
+            follows = None if status is None else status is (token.text == "&&")
             made = self.piped(follows if follows is not True else None, is_doubtful=follows is None)
             status = made if follows else status if follows is False else None
         return status
@@ -129,7 +129,7 @@ class _Reader(State):
         if isinstance(token, Operator):
             if token.text != "(":
                 raise Unreadable
-            self.passed(")")  # what a subshell sets stays in it
+            self.pass_subshell()  # what a subshell sets stays in it
             return None
         if token is None:
             raise Unreadable
@@ -155,7 +155,7 @@ class _Reader(State):
         following = self.tokens[self.at + 1] if self.at + 1 < len(self.tokens) else None
         return isinstance(following, Operator) and following.text == "("
 
-    def passed(self, end: str) -> None:
+    def pass_subshell(self) -> None:
         """Go behind the parenthesis that closes the one here."""
         depth = 0
         while self.at < len(self.tokens):
@@ -179,10 +179,9 @@ class _Reader(State):
                     opened -= 1
                     if opened <= 0:
                         if not self.skipped:
-                            names = names_set(self.script[start : token.end])
-                            self.stuck |= names
+                            self.lose(names_set(self.script[start : token.end]))
                             loop = re.match(r"\s*(?:for|select)\s+([A-Za-z_]\w*)", self.script[start : start + 200])
-                            self.stuck |= {loop[1]} if loop and loop[1] in self.values else set()
+                            self.lose({loop[1]} if loop and loop[1] in self.values else set())
                         return
         raise Unreadable
 
@@ -248,8 +247,8 @@ class _Reader(State):
         while assignments < len(words) and self.assignment(words[assignments]) is not None:
             assignments += 1
         if assignments == len(words):
-            for each in words:
-                self.assign(each)
+            for word in words:
+                self.assign(word)
             return True if words else None
         if assignments:  # they hold for the command alone
             return None
@@ -257,8 +256,7 @@ class _Reader(State):
         run = _COMMANDS.get(name or "")
         if run is not None:
             return run(self, words[1:])
-        for each in words:
-            self.expand(each.parts, is_test=True)  # ${NAME:=value} sets NAME wherever it stands
+        self.colon(words)  # ${NAME:=value} sets NAME wherever it stands
         return None
 
     # --- commands that matter
@@ -270,7 +268,7 @@ class _Reader(State):
         """Commands that set the variables they are given by name, and ``eval``."""
         for word in words:
             text = self.script[word.start : word.end]
-            self.stuck |= names_set(text) | ({text} & self.values.keys())
+            self.lose(names_set(text) | ({text} & self.values.keys()))
         return None
 
     def source(self, words: list[Word]) -> bool | None:

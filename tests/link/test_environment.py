@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +14,7 @@ import pytest
 from haros_ci.analysis.architecture import architecture
 from haros_ci.config.settings import Settings
 from haros_ci.model.architecture import Architecture
-from haros_ci.model.environment import NOTHING, Environment
+from haros_ci.model.environment import NOTHING, Environment, key_of
 from haros_ci.workspace.cache import MemoryCache
 from haros_ci.workspace.discover import discover
 
@@ -141,6 +143,41 @@ def test_hooks_that_agree_are_one_value(tmp_path: Path) -> None:
     assert model(tmp_path, files)[0] == ["/left"]
 
 
+def many(scripts: list[str]) -> dict[str, str]:
+    """A package with a hook for each of *scripts*."""
+    files = {f"hooks/h{number}.sh": script for number, script in enumerate(scripts)}
+    commands = "".join(f'ament_environment_hooks("{path}")\n' for path in files)
+    cmake = f"project(arm)\nfind_package(ament_cmake REQUIRED)\n{commands}ament_package()\n"
+    return {"package.xml": AMENT, "CMakeLists.txt": cmake, "launch/a.launch.xml": ROS2, **files}
+
+
+def test_hooks_with_many_variables_lose_none(tmp_path: Path) -> None:
+    scripts = ["".join(f"export A{hook}_{number}=1\n" for number in range(300)) for hook in range(3)]
+    assert model(tmp_path, many([*scripts, "export ARM_NAME=left"]))[0] == ["/left"]
+
+
+@pytest.mark.parametrize(
+    ("others", "expected"),
+    [
+        (["export SIDE=left"], "/left"),
+        (["export SIDE=left", "export SIDE=left"], "/left"),
+        (["export SIDE=left", "export SIDE=right"], "/?"),
+        (["export SIDE=left", "export SIDE=$(ls)"], "/?"),
+        (["export SIDE=right"], "/?"),
+        (["export ARM_NAME=${ARM_NAME:-left}"], "/left"),
+    ],
+)
+def test_a_hook_sees_what_the_others_set(tmp_path: Path, others: list[str], expected: str) -> None:
+    assert model(tmp_path, many(["export ARM_NAME=${SIDE:-left}", *others]))[0] == [expected]
+
+
+def test_hostile_hooks_are_cheap(tmp_path: Path) -> None:
+    scripts = ["(\n" + " ".join(f"a{hook}_{number}=" for number in range(6_000)) for hook in range(40)]
+    start = time.process_time()
+    model(tmp_path, many(scripts))
+    assert time.process_time() - start < 10
+
+
 @pytest.mark.parametrize(
     "files", [catkin("export ARM_NAME=left"), ament("export ARM_NAME=left", "arm.sh", PYTHON, "launch/a.launch.py")]
 )
@@ -178,6 +215,9 @@ def test_files_of_the_project_file(tmp_path: Path) -> None:
     assert model(tmp_path, files, {"configurations": {"x": lab}})[0] == ["/lab"]
     assert model(tmp_path, files, {"configurations": {"x": {**lab, "environment": {"ARM_NAME": "own"}}}})[0] == ["/own"]
     assert model(tmp_path, files, {"configurations": {"x": lab}}, ARM_NAME="asked")[0] == ["/asked"]
+    doubt = {**files, "a.env": "ARM_NAME=$UNSET\nSIDE=left\n", "b.env": "ARM_NAME=$SIDE\n"}
+    assert model(tmp_path, doubt, {"environment_files": ["arm/a.env", "arm/b.env"]})[0] == ["/left"]
+    assert model(tmp_path, doubt, {"environment_files": ["arm/b.env", "arm/a.env"]})[0] == ["/?"]
     names, problems = model(tmp_path, files, {"environment_files": ["arm/none.env"]})
     assert names == ["/left"] and any("no file arm/none.env" in each for each in problems)
 
@@ -187,3 +227,15 @@ def test_a_lost_variable_alone_is_an_environment() -> None:
     assert lost and not NOTHING
     assert Environment({"A": "1", "B": "2"}).over(lost) == Environment({"B": "2"}, {"A": "why"})
     assert lost.over({"A": "3"}, None, {}) == Environment({"A": "3"})
+
+
+def test_environments_with_another_outcome_have_another_key() -> None:
+    given = Environment({"A": "1"})
+    others = [
+        Environment(),
+        Environment({"A": "2"}),
+        Environment({}, {"A": "1"}),
+        replace(given, chosen=frozenset("A")),
+    ]
+    assert len({each.key for each in (given, *others)}) == 5
+    assert given.key == key_of({"A": "1"})

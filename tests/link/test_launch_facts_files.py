@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import pytest
 from launch_facts_kit import CMAKE, facts, ros1
+from roslaunch_kit import MAIN, run
 
 from haros_ci.model.launch_facts import FileUse, PackageUse, ParameterFileUse, PathUse, ProgramUse
 
@@ -232,3 +233,10 @@ def test_parameter_files_and_the_nodes_of_their_sections() -> None:
     assert (lost.is_read, lost.is_found, lost.patterns) == (False, False, ())
     (outside,) = facts(ParameterFileUse, body.replace("share p", "share q"))
     assert outside.is_found is None
+
+
+def test_facts_outlast_a_budget_that_ends_in_a_file_outside_the_workspace() -> None:
+    body = '<include file="$(find gazebo_ros)/launch/empty_world.launch"/>'
+    launched = run([MAIN], {MAIN: f"<launch>{'<group/>' * 40}{body * 2_400}</launch>"})
+    assert any("more than can be evaluated" in problem.message for problem in launched.problems)
+    assert any(isinstance(fact, PackageUse) and fact.package == "gazebo_ros" for fact in launched.facts)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -10,6 +11,8 @@ import pytest
 
 from haros_ci.analysis.architecture import architecture
 from haros_ci.config.settings import Settings
+from haros_ci.launch.python.heap import STEPS, Budget
+from haros_ci.launch.python.interpret import interpret
 from haros_ci.workspace.cache import MemoryCache
 from haros_ci.workspace.discover import discover
 
@@ -174,3 +177,19 @@ def test_a_module_that_a_function_imports_is_there_each_time(tmp_path: Path) -> 
     names(tmp_path, body, "OpaqueFunction(function=start)", files)
     found = architecture(discover(tmp_path, ()), Settings(root=tmp_path), MemoryCache())
     assert [[node.name for node in each.nodes] for each in found.configurations] == [["/package"], ["/package"]]
+
+
+def test_a_module_that_is_no_python_is_parsed_once(tmp_path: Path) -> None:
+    body = "sys.path.append(HERE)\n" + "import broken\n" * 60
+    start = time.process_time()
+    assert names(tmp_path, body, "broken.joy()", {"launch/broken.py": "x = [1, 2, 3]\n" * 30_000 + "(\n"}) == []
+    assert time.process_time() - start < 3
+
+
+def test_looking_for_modules_uses_the_budget() -> None:
+    head = "import importlib, os, sys\nHERE = os.path.dirname(__file__)\n"
+    paths = "".join(f"sys.path.append(HERE + '/d{number}')\n" for number in range(40))
+    calls = "for number in range(4_000):\n    importlib.import_module('m' + str(number))\n"
+    budget = Budget()
+    interpret("a.launch.py", head + paths + calls, lambda _: None, {}, budget=budget)
+    assert budget.steps == STEPS

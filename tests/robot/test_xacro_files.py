@@ -7,7 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from haros_ci.model.environment import Environment
 from haros_ci.model.robot import Robot
+from haros_ci.robot.expand import expand
 from haros_ci.robot.sources import Sources, by_names
 from haros_ci.robot.unknown import UNKNOWN
 from haros_ci.robot.urdf import read_robot
@@ -117,6 +119,7 @@ def test_what_is_wrong(tmp_path: Path, body: str, kind: str, name: str) -> None:
         "<wheel a='1'/><xacro:macro name='wheel' params='a'/>",
         "<xacro:macro name='link' params='name'/><link name='x'/>",
         "<xacro:call macro='$(env A)'/><link name='${a}'/>",
+        "<link name='$()'/><link name='$( )'/>",
         "<link name='${ {1: 2}[3] }'/>",
         "<xacro:property name='a' value='1'/><xacro:property name='a' remove='true'/>",
     ],
@@ -136,6 +139,17 @@ def test_both_branches_of_an_unknown_condition_may_be(tmp_path: Path) -> None:
 def test_an_argument_that_is_given_counts(tmp_path: Path) -> None:
     robot = read(tmp_path, "<xacro:arg name='x' default='a'/><link name='$(arg x)'/>", given={"x": "b"})
     assert links(robot) == ["b"] and robot.is_whole
+
+
+@pytest.mark.parametrize("substitution", ["$(env SIDE)", "$(optenv SIDE left)"])
+def test_environment_variables(tmp_path: Path, substitution: str) -> None:
+    read(tmp_path, f"<link name='{substitution}'/>")
+    workspace = discover(tmp_path, (".",))
+    sources = Sources(workspace, by_names(workspace))
+    given = expand(sources, "r.xacro", environment={"SIDE": "right"})
+    lost = expand(sources, "r.xacro", environment=Environment(lost={"SIDE": "a command makes it"}))
+    assert given.root is not None and [child.given("name") for child in given.root.children] == ["right"]
+    assert lost.root is not None and [child.given("name") for child in lost.root.children] == [None]
 
 
 def test_tags_without_prefix_of_old(tmp_path: Path) -> None:

@@ -36,6 +36,7 @@ def made(script: str, **given: str | None) -> dict[str, str | None]:
         ('if test "x$A" = "x"; then export A=arm; else export B=base; fi', {"A": "arm"}),
         ('if [ "$A" = sim ]; then export B=1; elif [ -n "$A" ]; then export B=2; else export B=3; fi', {"B": "3"}),
         ('[ -z "$A" ] && export A=arm\n[ -n "$B" ] || export B=base', {"A": "arm", "B": "base"}),
+        ('[ ! -n "$A" ] && export A=arm\n[ ! ! -n "$B" ] && export B=base', {"A": "arm"}),
         ("[[ -z $A ]] && { export A=1; export B=2; }", {"A": "1", "B": "2"}),
         ("set -a\nA=1\nset +a\nB=2", {"A": "1"}),
         ("declare -x A=1", {"A": "1"}),
@@ -86,12 +87,17 @@ def test_what_is_set_before_counts() -> None:
 @pytest.mark.parametrize(
     "text",
     ["export A=1;" * 6000, "(" * 60000, "{ " * 30000, "! " * 30000, "${A:-" * 10000, '"$(' * 20000, "if " * 20000]
+    + ["[ " + "! " * 16000 + "]"]
     + ["A=1|" * 10000, "for x in a;" * 5000, "`" * 60001, "$((" * 20000, "".join(f"A{n}=1|" for n in range(8000))],
 )
 def test_hostile_scripts_are_cheap(text: str) -> None:
     start = time.process_time()
     made(text)
     assert time.process_time() - start < 2
+
+
+def test_a_script_that_loses_too_many_names_is_not_read() -> None:
+    assert made("read " + " ".join(f"A{n}=" for n in range(600)) + "\nexport B=1")["B"] is LOST
 
 
 def test_dsv() -> None:
@@ -110,3 +116,9 @@ def test_dotenv() -> None:
     )
     assert found.values == {"A": "arm", "B": "left arm", "C": "it # is $A", "D": "arm_left arm", "H": "", "I": "a#b"}
     assert found.lost == {"E", "F", "G"}
+
+
+def test_a_value_that_is_too_long_is_not_known() -> None:
+    long = "A=" + "x" * 4_000
+    assert made(f"{long}\nexport A B=$A$A\nexport C=${{A:+$A$A}}") == {"A": "x" * 4_000, "B": LOST, "C": LOST}
+    assert read_dotenv(f"{long}\nB=$A$A\nC=$A").lost == {"B"}

@@ -77,6 +77,7 @@ def beside(run: Run, directories: list[str], dotted: str) -> tuple[str, str] | N
     """The path and text of the module *dotted* in the first of *directories* (as ``readable`` gives them) that has it."""
     inner = dotted.replace(".", "/")
     for directory in directories:
+        run.budget.step()
         found = run.locate(f"{directory}/{inner}.py") or run.locate(f"{directory}/{inner}/__init__.py")
         if found is not None:
             return found
@@ -85,12 +86,15 @@ def beside(run: Run, directories: list[str], dotted: str) -> tuple[str, str] | N
 
 def interpreted(run: Run, dotted: str, path: str, text: str) -> Module | None:
     """The module *dotted* of the file at *path*, its statements done once; None if it is no Python."""
-    known = next((each for each in run.modules.values() if each.path == path), None)
-    tree = parse(text) if known is None else None
-    if tree is None:
-        if known is not None:
-            run.modules[dotted] = known
+    known = next((made for made in run.modules.values() if made.path == path), None)
+    if known is not None:
+        run.modules[dotted] = known
         return known
+    if path not in run.trees:
+        run.trees[path] = parse(text)
+    tree = run.trees[path]
+    if tree is None:
+        return None
     package = dotted if path.endswith("__init__.py") else dotted.rpartition(".")[0]
     source = Source(path, tuple(text.splitlines()), package)
     scope = Scope({}, None, source)

@@ -45,6 +45,8 @@ class Run:
     budget: Budget = field(default_factory=Budget)
     heap: Heap = field(default_factory=lambda: Heap(Budget()))
     modules: dict[str, Module] = field(default_factory=dict)
+    #: The syntax of the files of modules, by path; None for what is no Python.
+    trees: dict[str, ast.Module | None] = field(default_factory=dict)
     frames: list[Frame] = field(default_factory=list)
     places: dict[int, tuple[Value, Location]] = field(default_factory=dict)
     texts: dict[str, str | None] = field(default_factory=dict)

@@ -181,69 +181,74 @@ def _include(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[C
     named: set[str] = set()
     for child in tag.children:
         _include_child(state, inner, child, passed, doubtful, set() if pass_all else named)
-    place = state.files.place(needed[0])
-    known = outside.known(needed[0], tag) if place.path is None and place.outside else None
-    if known is not None and inner.depth <= MAX_DEPTH:
-        _outside(state, scope, replace(inner, args=passed, doubtful=doubtful), tag, needed[0], known, pass_all is True)
-        return
-    if place.path is None:
-        shown = quoted(needed[0].shown)
-        state.wrong(scope, tag, f"includes {shown}: {place.reason}; what it starts is unknown")
-        state.is_partial = True
-        ros1.included(state, scope, tag, needed[0], passed=passed)
-        return
-    link = (place.path, _frozen(passed))
-    if link in scope.chain:
-        state.wrong(scope, tag, f"includes {place.path}, which includes this again, without end; break the cycle")
-        return
-    if inner.depth > MAX_DEPTH:
-        state.wrong(scope, tag, f"groups and includes are nested deeper than {MAX_DEPTH}; {place.path} is left out")
-        return
-    root = _root(state, place.path, (scope, tag))
-    if root is None:
-        state.is_partial = True
-        ros1.included(state, scope, tag, needed[0], passed=passed)
-        return
-    state.included.add(place.path)
-    child_scope = replace(
+    entered = replace(
         inner,
-        path=place.path,
-        directory=state.files.directory_of(place.path),
         args=passed,
         declared={},
         missing={},
         doubtful=doubtful,
         unset=dict(scope.unset) if pass_all else {},
         overrides_allowed=pass_all is True,
-        privates=scope.privates if scope.privates else [],  # roslaunch shares this list, once there is something in it
-        chain=(*scope.chain, link),
         included_at=location(scope, tag),
         includes=(*scope.includes, location(scope, tag)),
     )
-    names = tuple(passed)
-    _walk(state, child_scope, root.children)
+    place = state.files.place(needed[0])
+    if place.path is not None:
+        _inside(state, scope, entered, tag, needed[0], place.path, pass_all)
+        return
+    known = outside.known(needed[0], tag) if place.outside and inner.depth <= MAX_DEPTH else None
+    if known is not None:
+        _outside(state, scope, entered, tag, needed[0], known)
+        return
+    shown = quoted(needed[0].shown)
+    state.wrong(scope, tag, f"includes {shown}: {place.reason}; what it starts is unknown")
+    state.is_partial = True
+    ros1.included(state, scope, tag, needed[0], passed=passed)
+
+
+def _inside(
+    state: State, scope: Scope, entered: Scope, tag: LaunchElement, file: Text, path: str, pass_all: bool | None
+) -> None:
+    """Evaluate the launch file at the root-relative *path*, in the scope *entered*, which has the arguments that are passed."""
+    link = (path, _frozen(entered.args))
+    if link in scope.chain:
+        state.wrong(scope, tag, f"includes {path}, which includes this again, without end; break the cycle")
+        return
+    if entered.depth > MAX_DEPTH:
+        state.wrong(scope, tag, f"groups and includes are nested deeper than {MAX_DEPTH}; {path} is left out")
+        return
+    root = _root(state, path, (scope, tag))
+    if root is None:
+        state.is_partial = True
+        ros1.included(state, scope, tag, file, passed=entered.args)
+        return
+    state.included.add(path)
+    names = tuple(entered.args)
+    inner = replace(
+        entered,
+        path=path,
+        directory=state.files.directory_of(path),
+        privates=scope.privates if scope.privates else [],  # roslaunch shares this list, once there is something in it
+        chain=(*scope.chain, link),
+    )
+    _walk(state, inner, root.children)
     own = () if pass_all else names
-    ros1.included(state, scope, tag, needed[0], place.path, own, child_scope.declared, is_whole=pass_all is False)
-    unused = [name for name in names if name not in child_scope.declared]
+    ros1.included(state, scope, tag, file, path, own, inner.declared, is_whole=pass_all is False)
+    unused = [name for name in names if name not in inner.declared]
     if unused and pass_all is False:
         listed = ", ".join(quoted(name) for name in unused[:5])
-        state.wrong(scope, tag, f"passes {listed}, which {place.path} does not declare; remove it, or declare it there")
+        state.wrong(scope, tag, f"passes {listed}, which {path} does not declare; remove it, or declare it there")
 
 
-def _outside(
-    state: State, scope: Scope, inner: Scope, tag: LaunchElement, file: Text, root: LaunchElement, pass_all: bool
-) -> None:
+def _outside(state: State, scope: Scope, entered: Scope, tag: LaunchElement, file: Text, root: LaunchElement) -> None:
     """Evaluate the *root* of a launch file outside the workspace; what it says by itself is no fact of the workspace."""
-    passed = tuple(inner.args)
-    inner.declared, inner.missing = {}, {}
-    inner.unset = dict(scope.unset) if pass_all else {}
-    inner.overrides_allowed = pass_all
-    inner.included_at = location(scope, tag)
-    inner.includes = (*scope.includes, location(scope, tag))
+    passed = tuple(entered.args)
     facts = state.facts
     state.facts = Recorder()
-    _walk(state, inner, root.children)
-    state.facts = facts
+    try:
+        _walk(state, entered, root.children)
+    finally:
+        state.facts = facts
     ros1.included(state, scope, tag, file, passed=passed)
 
 

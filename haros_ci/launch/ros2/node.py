@@ -22,7 +22,7 @@ from haros_ci.substitutions.names import MARK, Text, literal, unknown
 _KINDS = {"node": "node", "lifecycle-node": "lifecycle", "container": "container", "component": "component"}
 #: The executable of a package, as ExecutableInPackage gives it.
 _IN_PACKAGE = re.compile(r"\$\(find-pkg-prefix ([^\s()]+)\)/lib/\1/([^/]+)")
-#: Verbs of ``ros2 control`` that load a controller (ros2controlcli), and words that begin another command.
+#: Verbs of ``ros2 control`` that load a controller (ros2controlcli).
 LOADING = frozenset(("load_controller", "load_start_controller", "load_configure_controller"))
 #: Commands of ``ros2`` that have a node, with the package that brings each.
 TOOLS = {

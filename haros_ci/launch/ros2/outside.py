@@ -88,8 +88,10 @@ def include_known(
     names = tuple(PassedArgument(name.raw, action.location) for name, _ in passed if name.known)
     ros2.note(context, IncludeUse, action.location, text=file.shown, passed=names)
     context.facts = Recorder()
-    run.inside(context.path, actions(action.location), conditions)
-    facts.read |= context.facts.read
-    facts.is_open = True  # it reads more arguments than matter here, and inherits them
-    context.facts = facts
+    try:
+        run.inside(context.path, actions(action.location), conditions)
+    finally:
+        facts.read |= context.facts.read
+        facts.is_open = True  # it reads more arguments than matter here, and inherits them
+        context.facts = facts
     return True

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 
 from haros_ci.launch.facts.files import Finder
 from haros_ci.model.build import Build
+from haros_ci.model.environment import key_of
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
 from haros_ci.robot.commands import xacro_command
@@ -70,7 +71,7 @@ class Trees:
     def of_xacro(self, path: str, arguments: Mapping[str, str | Unknown], environment: Mapping[str, str]) -> Tree:
         """The file at *path* as xacro expands it."""
         given = tuple(sorted((name, str(value)) for name, value in arguments.items()))
-        key = (path, given, tuple(sorted(environment.items())))
+        key = (path, given, key_of(environment))
         if key not in self._read:
             made = expand(self.sources, path, arguments, legacy=self._is_old(path), environment=environment)
             why = "" if made.is_whole else f"a part of {path} includes, or depends on, what is not known"
