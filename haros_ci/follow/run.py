@@ -81,7 +81,7 @@ class Run:
     #: The places where every plug-in of a base class has been loaded, or a behaviour tree created, with which objects.
     offered: set[Any] = field(default_factory=set)
     #: The base classes of which the program has asked for the look-up names of all plug-ins.
-    told: set[str] = field(default_factory=set)
+    listed: set[str] = field(default_factory=set)
     #: These names, by identity.
     look_ups: dict[int, Known] = field(default_factory=dict)
     #: Groups of plug-ins of which one exists, with the names of their base classes.
