@@ -109,7 +109,7 @@ def invoke(
     makes_nothing = not inert.may_make(run, function, given, inner.templates)
     spent, times = run.spent.get(id(definition), (0, 0))
     is_long = spent > SPENT and (spent > SHORT * times or spent > SPENT_SHORT)
-    if is_long and run.told and spent <= SPENT_ASKED and any(_is_plugin(run, argument.value) for argument in given):
+    if is_long and run.listed and spent <= SPENT_ASKED and any(_is_plugin(run, argument.value) for argument in given):
         is_long = False
     idle = run.idle.get(id(definition), 0) if run.is_called_back and not makes_nothing else 0
     if idle > IDLE:
@@ -137,7 +137,7 @@ def invoke(
 
 def _is_plugin(run: Run, value: Value) -> bool:
     """Whether a value is the look-up name of a plug-in of which the program goes through all names."""
-    return isinstance(value, Known) and any(value.value in run.context.declared.get(base, ()) for base in run.told)
+    return isinstance(value, Known) and any(value.value in run.context.declared.get(base, ()) for base in run.listed)
 
 
 def _with_bound(

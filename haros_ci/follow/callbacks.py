@@ -63,7 +63,7 @@ def register(
             if isinstance(inner, Object) and inner.definition is not None:
                 value = Callable(value.source, function, inner, value.bound, value.frame, inner.templates)
                 break
-    key = (id(value.function), id(value.this), len(value.bound))
+    key = (id(value.function), value.this, len(value.bound))  # which keeps the object's identity from being used again
     dead = run.ruled_out()
     root = Root(value, tuple(run.conditions), is_update=is_update, is_setup=is_setup, doubt=doubt, dead=dead)
     if key in run.known_roots:

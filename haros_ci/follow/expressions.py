@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable as Function_
 from dataclasses import replace
 from typing import Any, TypeVar, cast
@@ -54,8 +55,8 @@ def evaluate(run: Run, frame: Frame, expression: Expression) -> Value:
     return EVALUATORS[type(expression)](run, frame, expression)
 
 
-#: How libraries end the names of their pointers, in small letters.
-POINTERS = ("ptr", "pointer", "ref")
+#: The last word of the names that libraries give their pointers: ``ModelPtr``, ``model_ptr``, not ``Xref``.
+_POINTER = re.compile(r"(?:Ptr|PTR|Pointer|Ref|(?:^|[_:])(?:ptr|pointer|ref))\Z")
 
 
 def holds(run: Run, frame: Frame, expression: Expression, value: Value) -> bool | None:
@@ -67,7 +68,7 @@ def holds(run: Run, frame: Frame, expression: Expression, value: Value) -> bool 
     told = conversions.truth(value)
     if not told or not isinstance(value, Object) or value.definition is not None or frame.source.separator != "::":
         return told
-    if not value.name.lower().endswith(POINTERS):
+    if not _POINTER.search(value.name):
         cell = cell_of(run, frame, expression) if isinstance(expression, (syntax.Name, syntax.Member)) else None
         kind = cell.type if cell is not None else None
         if kind is not None and kind.name == value.name and "*" not in kind.marks:

@@ -30,6 +30,7 @@ from haros_ci.values.abstract import (
     Sequence,
     Text,
     Value,
+    tick,
 )
 from haros_ci.values.state import Writes, joined
 
@@ -149,8 +150,15 @@ def _counted(first: Writes, second: Writes) -> Writes:
     }
 
 
+def _has_other_number(held: Any, value: Any) -> bool:
+    before, then = _numbers(held), _numbers(value)
+    return bool(before and then - before)
+
+
 def _goes_on(held: Any, first: Any, second: Any) -> bool:
     """Whether a number that became *first* becomes yet another one."""
+    if _is_counted(first):
+        return True
     before, then, now = _numbers(held), _numbers(first), _numbers(second)
     return bool(before and then) and (isinstance(second, Opaque) or bool(now - before - then))
 
@@ -183,9 +191,21 @@ def _set_up(run: Run, frame: Frame) -> None:
 
 
 def _rehearse_all(run: Run, frame: Frame) -> None:
-    """What each callback writes by itself, for those that have not been asked yet."""
+    """What each callback writes by itself, however often it runs, for those that have not been asked yet."""
     for number in range(len(run.effects), min(len(run.roots), ROOTS)):
-        run.effects.append(_rehearsed(run, frame, run.roots[number], [], number))
+        begun = tick()
+        writes = _rehearsed(run, frame, run.roots[number], [], number)
+        if any(run.is_older(cell, begun) and _has_other_number(cell.value, value) for cell, value in writes.items()):
+            writes.update(_again(run, frame, run.roots[number], writes))
+        run.effects.append(writes)
+
+
+def _again(run: Run, frame: Frame, root: Root, writes: Writes) -> Writes:
+    """The numbers that a callback changes once more after its *writes*; it takes nothing of what others may spend."""
+    rehearsed, spent = run.rehearsed, dict(run.spent)
+    found = _counted(writes, _rehearsed(run, frame, root, [writes], 0))
+    run.rehearsed, run.spent = rehearsed, spent
+    return {cell: value for cell, value in found.items() if _is_counted(value)}
 
 
 def _rehearsed(run: Run, frame: Frame, root: Root, others: list[Writes], number: int) -> Writes:

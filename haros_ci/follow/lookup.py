@@ -93,6 +93,7 @@ def global_cell(run: Run, source: Source, name: str, init: syntax.Init | None, k
                     cell.value = construct.initial(run, there, resolved, variable.init, Location(where.path))
                     break
         run.state.settle(mark, begun)
+        run.lasting.add(cell)
     return cell
 
 

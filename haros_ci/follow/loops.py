@@ -189,7 +189,7 @@ def _forgotten(run: Run, frame: Frame, line: int, begun: int, ways: list[tuple[C
     """Whether a turn has changed what was known before it; that is not known any more."""
     changed = False
     for cell, value in ways:
-        if cell.born > begun:  # of the turn itself
+        if not run.is_older(cell, begun):  # of the turn itself
             continue
         then = joined(cell.value, value)
         if then is cell.value or isinstance(then, (tuple, dict)) or opaque_of(then) is None:

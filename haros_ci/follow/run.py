@@ -81,14 +81,17 @@ class Run:
     #: The places where every plug-in of a base class has been loaded, or a behaviour tree created, with which objects.
     offered: set[Any] = field(default_factory=set)
     #: The base classes of which the program has asked for the look-up names of all plug-ins.
-    told: set[str] = field(default_factory=set)
+    listed: set[str] = field(default_factory=set)
     #: These names, by identity.
     look_ups: dict[int, Known] = field(default_factory=dict)
     #: Groups of plug-ins of which one exists, with the names of their base classes.
     alternatives: list[tuple[str, tuple[Object, ...]]] = field(default_factory=list)
+    #: Variables outside of functions, and static ones of functions that begin with plain data, by place and name.
     globals: dict[tuple[str, str], Cell] = field(default_factory=dict)
-    #: Variables of functions that are made once.
-    statics: dict[Any, Cell] = field(default_factory=dict)
+    #: Of both the cells: they are there as long as the program, whoever comes to them first.
+    lasting: set[Cell] = field(default_factory=set)
+    #: All other variables of functions that are made once.
+    statics: dict[tuple[str, str], Cell] = field(default_factory=dict)
     modules: dict[str, Frame] = field(default_factory=dict)
     active: list[Function] = field(default_factory=list)
     #: What the node itself sets on the parameter server, by full name.
@@ -162,6 +165,10 @@ class Run:
     def extent(self) -> tuple[int, int, int, int, int]:
         """How much there is so far of what a function may make."""
         return len(self.made), len(self.roots), len(self.nodes), len(self.gaps), self.news
+
+    def is_older(self, cell: Cell, tick: int) -> bool:
+        """Whether a variable is there since before *tick*, as far as the program goes."""
+        return cell.born < tick or cell in self.lasting
 
     def ruled_out(self) -> int:
         """Of the branches around what is made, those that are not taken as things are."""

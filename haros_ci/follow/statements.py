@@ -48,24 +48,34 @@ def _variable(run: Run, frame: Frame, statement: syntax.Variable) -> str:
 
 
 def _static(run: Run, frame: Frame, statement: syntax.Static) -> str:
-    """A variable that is made once. What is made in a rehearsal only is not kept: it has made nothing of note."""
+    """A variable that is made once. What is made in a rehearsal is kept if it is plain data: all else has made nothing of note."""
     variable = statement.statement
     name = variable.name
     kinds = (kind.name if isinstance(kind, syntax.Type) else "" for kind in frame.templates.values())
-    key = ("static", frame.source.path, variable.line, variable.column, name, *kinds)
-    if key not in run.statics:
+    key = (" ".join((frame.source.path, str(variable.line), str(variable.column), *kinds)), name)
+    cell = run.globals.get(key) or run.statics.get(key)
+    if cell is None:
         mark, begun = run.state.mark(), tick()
         _variable(run, frame, variable)
         run.state.settle(mark, begun)
         cell = frame.scopes[-1].get(name)
-        if run.quiet or cell is None:
+        is_plain = cell is not None and isinstance(cell.value, Known) and _starts_as_written(variable)
+        if cell is None or (run.quiet and not is_plain):
             return NEXT
-        run.statics[key] = cell
+        (run.globals if is_plain else run.statics)[key] = cell
+        if is_plain:
+            run.lasting.add(cell)
         function = frame.function
         if function is not None and not frame.templates and run.relevance.matters(statement, frame.source, function):
             run.relevance = run.relevance.after(statement, function)
-    frame.scopes[-1][name] = run.statics[key]
+    frame.scopes[-1][name] = cell
     return NEXT
+
+
+def _starts_as_written(variable: syntax.Variable) -> bool:
+    """Whether a variable begins with nothing or with a literal, so with the same whoever comes to it first."""
+    literals = (syntax.Boolean, syntax.Number, syntax.String)
+    return all(isinstance(each, literals) for each in syntax.started(variable.init))
 
 
 def _global(run: Run, frame: Frame, statement: syntax.Global) -> str:

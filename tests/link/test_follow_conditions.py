@@ -259,6 +259,21 @@ def test_an_else_way_through_a_thread_is_not_lost(name: str, members: str, body:
     assert [condition for _, condition, _, _ in conditions(end)] == expected
 
 
+@pytest.mark.parametrize(
+    ("kind", "is_pointer"),
+    (
+        ("device_ptr", True),
+        ("DeviceRef", True),
+        ("Device", False),
+        ("Xref", False),
+        ("Interptr", False),
+    ),
+)
+def test_an_object_of_a_library_is_true_under_the_name_of_a_pointer(kind: str, is_pointer: bool) -> None:
+    (end,) = ends(cpp(f'acme::{kind} device; if (!device) ADV("a", 1);', ""))
+    assert end.is_ruled_out == is_pointer
+
+
 EXITS = (
     ("exit", 'std::string s = "a"; if (cond()) { s = "b"; exit(1); }', "/a"),
     ("std::exit", 'std::string s = "a"; if (cond()) { s = "b"; std::exit(1); }', "/a"),

@@ -171,7 +171,7 @@ def function(
     if name in ("YAML::Load", "YAML::LoadAll") and args:
         return library_yaml.yaml_stream(run, args[0].value)
     if name in patterns.NAMES:
-        return patterns.matched(name, args)
+        return patterns.matched(args)
     if name in ("std::find_if", "std::find") and args:
         return algorithms.found(run, frame, args)
     if name in ("std::getline",) and len(args) >= 2 and args[1].cell is not None:

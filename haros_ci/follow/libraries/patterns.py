@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from haros_ci.values.abstract import Known, Value
@@ -17,9 +18,9 @@ NO_MATCH = 1
 LONGEST = 200
 
 
-def matched(name: str, args: tuple[Argument, ...]) -> Value | None:
+def matched(args: tuple[Argument, ...]) -> Value | None:
     """0 for a match and FNM_NOMATCH for none; None where the flags decide, or the pattern has brackets or escapes."""
-    if name not in NAMES or len(args) != 3:
+    if len(args) != 3:
         return None
     pattern, text, flags = (argument.value for argument in args)
     if not isinstance(pattern, Known) or not isinstance(text, Known):
@@ -37,24 +38,7 @@ def _is_match(pattern: str, text: str, is_plain: bool) -> bool | None:
         return None
     if not is_plain and ("/" in text or text.startswith(".")):  # FNM_PATHNAME, FNM_LEADING_DIR, FNM_PERIOD
         return None
-    is_match = _matches(pattern, text)
-    if not is_plain and is_match != _matches(pattern.lower(), text.lower()):  # FNM_CASEFOLD
+    is_match = fnmatchcase(text, pattern)
+    if not is_plain and is_match != fnmatchcase(text.lower(), pattern.lower()):  # FNM_CASEFOLD
         return None
     return is_match
-
-
-def _matches(pattern: str, text: str) -> bool:
-    """Whether a text matches a pattern of ``*`` and ``?``: in as many steps as the product of their lengths at most."""
-    at, start, star, begun = 0, 0, -1, 0
-    while start < len(text):
-        if at < len(pattern) and pattern[at] == "*":
-            star, begun = at, start
-            at += 1
-        elif at < len(pattern) and pattern[at] in ("?", text[start]):
-            at, start = at + 1, start + 1
-        elif star >= 0:
-            begun += 1
-            at, start = star + 1, begun
-        else:
-            return False
-    return not pattern[at:].strip("*")

@@ -27,12 +27,12 @@ def plugin(run: Run, frame: Frame, loader: Object, name: Value, location: Locati
     These are loaded once at each place of the program for each base class, however often it is gone through.
     """
     of_base, base = run.context.of_base, _base_name(loader)
-    is_told = base in run.told and isinstance(name, Known) and name.value in run.context.declared.get(base, ())
+    is_listed = base in run.listed and isinstance(name, Known) and name.value in run.context.declared.get(base, ())
     is_dead = bool(run.dead or run.beyond or frame.is_dead)
-    if is_told and is_dead and of_base is None:
+    if is_listed and is_dead and of_base is None:
         return NONE  # the program asks for all names, and passes this one over as things are
     named = _named(run, frame, loader, name, location)
-    if of_base is None or run.quiet or (location, base) in run.offered or (is_told and not is_dead):
+    if of_base is None or run.quiet or (location, base) in run.offered or (is_listed and not is_dead):
         return named
     run.offered.add((location, base))
     loaded = _with_others(run, frame, named, of_base.get(base, ())[:MOST], location)
@@ -91,7 +91,7 @@ def declared(run: Run, loader: Object) -> Value | None:
     names = run.context.declared.get(base)
     if names is None:
         return None
-    run.told.add(base)
+    run.listed.add(base)
     text = syntax.Type("std::string")
     values = [Known(name) for name in names]
     run.look_ups.update((id(value), value) for value in values)
