@@ -106,7 +106,10 @@ def state(workspace: Workspace) -> str:
 
 
 def launch_state(workspace: Workspace) -> str:
-    """A digest of all that launch files are evaluated with: the same, but for what C++ files hold."""
+    """A digest of all that launch files are evaluated with: the same, but for what C++ files hold.
+
+    A launch file that reads the text of a C++ file as a parameter is the exception: the base's has the head's text.
+    """
     files = tuple(
         replace(f, digest="", size=0, lines=0, has_directive=False) if f.language == "cpp" else f
         for f in workspace.files
