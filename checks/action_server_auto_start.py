@@ -24,7 +24,7 @@ def check(project: Project) -> Iterator[Finding]:
         started = (
             call.argument(3, "auto_start") if call.name == "SimpleActionServer" else call.argument(4, "auto_start")
         )
-        if any(isinstance(each, (syntax.Star, syntax.DoubleStar)) for each in call.args):
+        if any(isinstance(argument, (syntax.Star, syntax.DoubleStar)) for argument in call.args):
             continue
         if started is None:
             said = "auto_start defaults to True; pass auto_start=False, and call start() at the end of the set-up"
@@ -66,10 +66,10 @@ def _made(code: Codebase, routine: Routine) -> Iterator[tuple[str, tuple[syntax.
             if init.name in fields and _is_server(code, routine, fields[init.name].type):
                 yield init.name, init.arguments, Location(routine.path, init.line, init.column)
     for name, every in code.body(routine).variables.items():
-        for each in every:
-            is_made = isinstance(each.init, (syntax.Parentheses, syntax.Braces))
-            if is_made and _is_server(code, routine, each.type):
-                yield name, each.parts, Location(routine.path, each.line, each.column)
+        for variable in every:
+            is_made = isinstance(variable.init, (syntax.Parentheses, syntax.Braces))
+            if is_made and _is_server(code, routine, variable.type):
+                yield name, variable.parts, Location(routine.path, variable.line, variable.column)
     for kind, args, line, column in code.body(routine).news:
         if _is_server(code, routine, kind):
             yield kind.name, args, Location(routine.path, line, column)

@@ -45,7 +45,7 @@ HANDLES = ("rclcpp_action::ServerGoalHandle", "rclcpp_action::ServerGoalHandleBa
 def check(project: Project) -> Iterator[Finding]:
     code = project.code
     seen = {
-        id(each.routine) for each in in_callbacks(code) if each.callback.kind == "timer"
+        id(reached.routine) for reached in in_callbacks(code) if reached.callback.kind == "timer"
     }  # it goes on at the next tick
     for routine, why in _executing(code):
         if id(routine) in seen or routine.is_test:
@@ -99,7 +99,7 @@ def _takes_handle(code: Codebase, routine: Routine) -> bool:
     ):  # what is asked whether to accept or cancel, or is called again and again
         return False
     parameters = (parameter for parameter in routine.function.parameters if parameter.name)
-    return any(type_name(code, routine, syntax.Name(each.name)) in HANDLES for each in parameters)
+    return any(type_name(code, routine, syntax.Name(parameter.name)) in HANDLES for parameter in parameters)
 
 
 def _does(
@@ -111,7 +111,7 @@ def _does(
             return True
         if not isinstance(node, syntax.Call):
             continue
-        if last_part(node.callee) in OUTCOMES or any(_is_handed(each, names) for each in node.arguments):
+        if last_part(node.callee) in OUTCOMES or any(_is_handed(argument, names) for argument in node.arguments):
             return True
         for target in called(code, routine, node) if depth else ():
             if any(_does(code, target, call.whole, frozenset(), depth - 1) for call in code.body(target).calls):
@@ -128,13 +128,13 @@ def _is_ended_elsewhere(code: Codebase, routine: Routine) -> bool:
     if owner is None:
         return False
     paths = code.mentioning(owner[1].name.rpartition(owner[0].separator)[2])
-    for other in (each for path in sorted(paths) for each in code.routines(path)):
+    for other in (other_routine for path in sorted(paths) for other_routine in code.routines(path)):
         if other.owner != routine.owner or other.method is routine.method or other.is_python != routine.is_python:
             continue
         for call in code.body(other).calls:
             member = _member(code, other, call.callee) if call.name in _ENDS else ""
             kept = attribute_values(code, owner, member) if member else ()
-            is_new = any(each.method is other.method for each, _ in kept)
+            is_new = any(other_routine.method is other.method for other_routine, _ in kept)
             if not is_new and any(isinstance(value, syntax.Name) for _, value in kept):
                 return True
     return False
@@ -151,9 +151,9 @@ def _is_kept(code: Codebase, caller: Routine, value: syntax.Expression) -> bool:
     if not isinstance(value, syntax.Name) or not is_local(code, caller, value.name):
         return bool(_held(code, caller, value))
     body = code.body(caller)
-    starts = [part for each in body.variables.get(value.name, ()) for part in each.parts]
+    starts = [part for variable in body.variables.get(value.name, ()) for part in variable.parts]
     sets = [source for target, _, source, _ in body.sets if target == value]
-    return bool(starts or sets) and all(_held(code, caller, each) for each in (*starts, *sets))
+    return bool(starts or sets) and all(_held(code, caller, start) for start in (*starts, *sets))
 
 
 def _is_meant(project: Project, routine: Routine, ways: Iterable[tuple[int, int]]) -> bool:

@@ -65,19 +65,23 @@ def _late(code: Codebase, callback: Callback, statements: syntax.Block, given: f
     maker, routine = callback.maker, callback.routine
     ros = code.ros_of(maker.source)
     at = next(
-        (n for n, each in enumerate(statements) if any(node is callback.call.whole for node in syntax.preorder(each))),
+        (
+            n
+            for n, statement in enumerate(statements)
+            if any(node is callback.call.whole for node in syntax.preorder(statement))
+        ),
         None,
     )
     if at is None or not isinstance(statements[at], syntax.Do) or routine.owner != maker.owner or ros is None:
         return None
     before = _made(code, maker, statements[: at + 1])
     read = _read_first(routine)
-    sets = [_sets(each) if isinstance(each, syntax.Do) else set() for each in statements[at + 1 :]]
-    names = [name for name in read if name not in before | given and any(name in each for each in sets)]
+    sets = [_sets(statement) if isinstance(statement, syntax.Do) else set() for statement in statements[at + 1 :]]
+    names = [name for name in read if name not in before | given and any(name in group for group in sets)]
     if not names:
         return None
-    last = max(n for n, each in enumerate(sets) if each & {*names})
-    calls = [name for each in statements[at + 1 : at + 2 + last] for name in _calls(each)]
+    last = max(n for n, group in enumerate(sets) if group & {*names})
+    calls = [name for statement in statements[at + 1 : at + 2 + last] for name in _calls(statement)]
     waits = next((name for name in calls if name in (_WAITS if ros == 1 else _SPINS)), "")
     return _Late(callback, tuple(names), waits) if ros == 1 or waits else None
 
@@ -93,7 +97,7 @@ def _sets(part: syntax.Part) -> set[str]:
     for node in syntax.everything(part):
         if isinstance(node, syntax.Assignment):
             targets = node.target.items if isinstance(node.target, syntax.ListLiteral) else (node.target,)
-            found.update(name for each in targets if (name := _own(each)))
+            found.update(name for target in targets if (name := _own(target)))
     return found
 
 
@@ -118,7 +122,7 @@ def _made(code: Codebase, maker: Routine, statements: syntax.Block) -> set[str]:
             name = _own(node.callee) if isinstance(node, syntax.Call) else ""
             if name and name not in seen:
                 seen.add(name)
-                waiting += [each.function.body or () for each in methods(code, owner, name)]
+                waiting += [method.function.body or () for method in methods(code, owner, name)]
     return found
 
 
@@ -128,12 +132,12 @@ def _given(code: Codebase, maker: Routine) -> frozenset[str]:
     if owner is None:
         return frozenset()
     found: set[str] = set()
-    for name in {owner[1].name, *(each.rpartition(".")[2] for each in base_names(code, owner))}:
-        for path, each in _classes(code).get(name, ()):
-            found.update(field.name.rpartition(".")[2] for field in each.fields)
-            is_base = each.name != owner[1].name
+    for name in {owner[1].name, *(base_name.rpartition(".")[2] for base_name in base_names(code, owner))}:
+        for path, class_ in _classes(code).get(name, ()):
+            found.update(field.name.rpartition(".")[2] for field in class_.fields)
+            is_base = class_.name != owner[1].name
             for routine in code.routines(path):
-                if routine.owner == each.name:
+                if routine.owner == class_.name:
                     found.add(routine.function.name.rpartition(".")[2])
                     found |= {name for one in routine.function.body or () for name in _sets(one)} if is_base else set()
     return frozenset(found)
@@ -145,8 +149,8 @@ def _classes(code: Codebase) -> dict[str, list[tuple[str, syntax.Class]]]:
     if key not in code.kept:
         made: dict[str, list[tuple[str, syntax.Class]]] = {}
         for source in code.sources:
-            for each in source.program.classes if source.program.language == "python" else ():
-                made.setdefault(each.name, []).append((source.path, each))
+            for class_ in source.program.classes if source.program.language == "python" else ():
+                made.setdefault(class_.name, []).append((source.path, class_))
         code.kept[key] = made
     found: dict[str, list[tuple[str, syntax.Class]]] = code.kept[key]  # type: ignore[assignment]
     return found
@@ -158,19 +162,27 @@ def _read_first(routine: Routine) -> list[str]:
     known: set[str] = set()
     waiting = list(reversed(routine.function.body or ()))
     while waiting:
-        each = waiting.pop()
-        if isinstance(each, syntax.Nested):
-            waiting.extend(reversed(each.body))
+        statement = waiting.pop()
+        if isinstance(statement, syntax.Nested):
+            waiting.extend(reversed(statement.body))
             continue
-        if not isinstance(each, (syntax.Do, syntax.Variable, syntax.If, syntax.Return, syntax.Each)):
+        if not isinstance(statement, (syntax.Do, syntax.Variable, syntax.If, syntax.Return, syntax.Each)):
             break
-        part = each.test if isinstance(each, syntax.If) else each.iterable if isinstance(each, syntax.Each) else each
+        part = (
+            statement.test
+            if isinstance(statement, syntax.If)
+            else statement.iterable
+            if isinstance(statement, syntax.Each)
+            else statement
+        )
         found.update((name, None) for name in _reads(part) if name not in known)
         known |= _sets(part)
-        if isinstance(each, syntax.Return) or (isinstance(each, syntax.If) and _may_leave((each.then, each.other))):
+        if isinstance(statement, syntax.Return) or (
+            isinstance(statement, syntax.If) and _may_leave((statement.then, statement.other))
+        ):
             break
-        if isinstance(each, (syntax.If, syntax.Each)):
-            known |= _sets(each)
+        if isinstance(statement, (syntax.If, syntax.Each)):
+            known |= _sets(statement)
     return list(found)
 
 
@@ -207,7 +219,7 @@ def _finding(project: Project, late: _Late) -> Finding:
     how = "rospy runs it as soon as a message comes" if ros == 1 else f"it runs in {late.waits}()"
     return Finding(
         at=callback.location,
-        message=f"{callback.routine.title}() is registered before {listed([f'self.{each}' for each in late.names])}, which it reads, "
+        message=f"{callback.routine.title}() is registered before {listed([f'self.{name}' for name in late.names])}, which it reads, "
         f"{'is' if len(late.names) == 1 else 'are'} set{when if ros == 1 else ''}: {how}, and raises AttributeError; register it at the end of "
         "__init__()",
         about=(maker.title, callback.routine.title, *late.names),

@@ -38,26 +38,26 @@ def check(project: Project) -> Iterator[Finding]:
     seen: set[int] = set()
     words = ("spin", "async_send_request", "call_async", ".call(")
     paths = code.mentioning(*words)
-    for each in in_callbacks(code):
-        if each.callback.ros != 2 or each.callback.kind not in KINDS or each.routine.path not in paths:
+    for reached in in_callbacks(code):
+        if reached.callback.ros != 2 or reached.callback.kind not in KINDS or reached.routine.path not in paths:
             continue
-        for call in code.body(each.routine).calls:
+        for call in code.body(reached.routine).calls:
             if id(call) not in seen and (
-                said := _python(code, each, call) if each.routine.is_python else _cpp(code, each, call)
+                said := _python(code, reached, call) if reached.routine.is_python else _cpp(code, reached, call)
             ):
                 seen.add(id(call))
-                title = each.callback.routine.title
+                title = reached.callback.routine.title
                 yield Finding(
-                    at=call_place(each.routine, call),
-                    message=f"{title} is the callback of a {_kind(each)}, and {said}",
-                    about=(title, each.routine.title, call.name),
-                    flow=each.flow(call, "it waits here"),
+                    at=call_place(reached.routine, call),
+                    message=f"{title} is the callback of a {_kind(reached)}, and {said}",
+                    about=(title, reached.routine.title, call.name),
+                    flow=reached.flow(call, "it waits here"),
                 )
 
 
-def _kind(each: Reached) -> str:
+def _kind(reached: Reached) -> str:
     names = {"response": "client's response", "parameters": "change of parameters"}
-    return names.get(each.callback.kind, each.callback.kind)
+    return names.get(reached.callback.kind, reached.callback.kind)
 
 
 DEADLOCK = (
@@ -66,15 +66,15 @@ DEADLOCK = (
 )
 
 
-def _cpp(code: Codebase, each: Reached, call: Call) -> str | None:
-    routine = each.routine
+def _cpp(code: Codebase, reached: Reached, call: Call) -> str | None:
+    routine = reached.routine
     if (
         call.name in SPINS
         and isinstance(call.callee, syntax.Name)
         and call.callee.name == f"rclcpp::{call.name}"
         and call.args
     ):
-        if _is_spun(code, each, call.args[0]):
+        if _is_spun(code, reached, call.args[0]):
             return (
                 'spins its own node, which an executor already spins: this throws std::runtime_error ("Node has already '
                 f'been added to an executor"); pass a callback to {_request(code, routine, call)}, or make the call from a '
@@ -83,7 +83,7 @@ def _cpp(code: Codebase, each: Reached, call: Call) -> str | None:
     if call.name == "add_node" and call.args and call.receiver is not None and isinstance(call.receiver, syntax.Name):
         local = variable(code, routine, call.receiver.name)
         is_new = isinstance(local, tuple) and len(local) == 2 and local[0] is routine
-        if is_new and _is_spun(code, each, call.args[0]) and not code.mentioning("remove_node") & {routine.path}:
+        if is_new and _is_spun(code, reached, call.args[0]) and not code.mentioning("remove_node") & {routine.path}:
             return (
                 "adds its own node to a second executor: this throws std::runtime_error, because the node already "
                 "belongs to an executor; use a separate node"
@@ -91,7 +91,11 @@ def _cpp(code: Codebase, each: Reached, call: Call) -> str | None:
     if call.name in WAITS and call.receiver is not None and not _polls(call) and not _is_awaited(code, routine, call):
         client = _awaited(code, routine, call.receiver)
         made = client_made(code, routine, client) if client is not None else None
-        if made is not None and made.node == _node(code, each) and excludes(code, made.group, each.callback.group):
+        if (
+            made is not None
+            and made.node == _node(code, reached)
+            and excludes(code, made.group, reached.callback.group)
+        ):
             return DEADLOCK + "pass a callback to async_send_request, or give the client its own callback group"
     return None
 
@@ -111,16 +115,16 @@ def _request(code: Codebase, routine: Routine, call: Call) -> str:
     return "async_send_request"
 
 
-def _node(code: Codebase, each: Reached) -> str | None:
+def _node(code: Codebase, reached: Reached) -> str | None:
     """The node that the callback is of, for code of the same class."""
-    made = each.callback
-    return node_name(code, made.maker, made.call.receiver) if made.maker.owner == each.routine.owner else None
+    made = reached.callback
+    return node_name(code, made.maker, made.call.receiver) if made.maker.owner == reached.routine.owner else None
 
 
-def _is_spun(code: Codebase, each: Reached, node: syntax.Expression) -> bool:
+def _is_spun(code: Codebase, reached: Reached, node: syntax.Expression) -> bool:
     """Whether *node* is the one whose executor runs the callback."""
-    own = _node(code, each)
-    return own is not None and own == node_name(code, each.routine, node)
+    own = _node(code, reached)
+    return own is not None and own == node_name(code, reached.routine, node)
 
 
 def _polls(call: Call) -> bool:
@@ -137,13 +141,13 @@ def _is_awaited(code: Codebase, routine: Routine, call: Call) -> bool:
     """Whether something before the call has waited for the future already, or has asked whether it is ready."""
     future = _whole(call.receiver)
     return any(
-        (each.line, each.column) < (call.line, call.column)
-        and not (each.is_bare and _polls(each))
+        (other_call.line, other_call.column) < (call.line, call.column)
+        and not (other_call.is_bare and _polls(other_call))
         and (
-            (each.name in WAITS and _whole(each.receiver) == future)
-            or (each.name == "spin_until_future_complete" and future in map(_whole, each.args))
+            (other_call.name in WAITS and _whole(other_call.receiver) == future)
+            or (other_call.name == "spin_until_future_complete" and future in map(_whole, other_call.args))
         )
-        for each in code.body(routine).calls
+        for other_call in code.body(routine).calls
     )
 
 
@@ -174,13 +178,13 @@ def _client(call: syntax.Expression, method: str) -> syntax.Expression | None:
     return callee.object if isinstance(callee, syntax.Member) and callee.name == method else None
 
 
-def _python(code: Codebase, each: Reached, call: Call) -> str | None:
-    routine = each.routine
+def _python(code: Codebase, reached: Reached, call: Call) -> str | None:
+    routine = reached.routine
     client = None
     if call.name == "call" and call.receiver is not None:
         client = call.receiver
     elif call.name in OF_RCLPY and dotted(code, routine, call.callee) == f"rclpy.{call.name}":
-        if not call.args or not _is_spun(code, each, call.args[0]):
+        if not call.args or not _is_spun(code, reached, call.args[0]):
             return None
         if call.name == "spin":
             return (
@@ -188,7 +192,7 @@ def _python(code: Codebase, each: Reached, call: Call) -> str | None:
             )
         client = _requested(code, routine, call.args[1]) if len(call.args) > 1 else None
     made = client_made(code, routine, client) if client is not None else None
-    if made is not None and made.node == _node(code, each) and excludes(code, made.group, each.callback.group):
+    if made is not None and made.node == _node(code, reached) and excludes(code, made.group, reached.callback.group):
         return (
             DEADLOCK
             + "await call_async, or give the client its own callback group and spin with a MultiThreadedExecutor"
@@ -200,7 +204,7 @@ def _python(code: Codebase, each: Reached, call: Call) -> str | None:
     if call.name == "spin_once" and any(_is_endless(place) for place in call.around):
         return None  # so does a loop in the callback that never ends
     is_given = call.argument(2 if call.name == "spin_until_future_complete" else 1, "executor") is not None
-    is_given = is_given or any(isinstance(each, (syntax.Star, syntax.DoubleStar)) for each in call.args)
+    is_given = is_given or any(isinstance(argument, (syntax.Star, syntax.DoubleStar)) for argument in call.args)
     return None if is_given else REMOVED.format(call.name)
 
 

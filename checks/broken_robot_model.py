@@ -34,12 +34,12 @@ def _found(project: Project) -> Iterator[tuple[str, Finding]]:
             if joint.certain:
                 yield from limits(description, joint)
         twice = list(doubles(description, project))
-        for each in twice:
-            yield f"{(count := count + 1)}", each
+        for other_finding in twice:
+            yield f"{(count := count + 1)}", other_finding
         is_part = not description.is_named and not robot.path.endswith(".urdf")
         if robot.is_whole and robot.links and not (twice or is_part) and all(link.name for link in robot.links):
-            for each in tree(description):
-                yield f"{(count := count + 1)}", each
+            for other_finding in tree(description):
+                yield f"{(count := count + 1)}", other_finding
 
 
 def finding(
@@ -123,7 +123,11 @@ def _mended(joint: Joint, lower: float, upper: float, description: Description) 
         return "swap the two values"
     if factor is None:
         return f"the joint mimics {joint.mimic}: write the range that this gives it, the smaller value first"
-    names = [each for each in description.robot.joints if each.name == joint.mimic and each.limit is not None]
+    names = [
+        other_joint
+        for other_joint in description.robot.joints
+        if other_joint.name == joint.mimic and other_joint.limit is not None
+    ]
     limit, offset = names[0].limit if len(names) == 1 else None, number(joint.offset)
     low, high = (number(limit.lower), number(limit.upper)) if limit is not None else (None, None)
     what = f"the joint mimics {joint.mimic} times {factor:g}"
@@ -237,7 +241,7 @@ def tree(description: Description) -> Iterator[Finding]:
     for name, uses in unknown.items():
         role, joint = uses[0]
         what = f"the {role} link {name!r}, which the robot does not have" if name else f"no {role} link"
-        others = {id(each) for _, each in uses} - {id(joint)}
+        others = {id(use) for _, use in uses} - {id(joint)}
         more = f" (and {len(others)} more joints name it)" if others and name else ""
         yield finding(
             description,
@@ -245,7 +249,7 @@ def tree(description: Description) -> Iterator[Finding]:
             f"joint {joint.name or '?'} names {what}{more}: urdfdom rejects the robot; correct the link's name",
             f"link {name}" if name else f"joint {joint.name}",
             joint,
-            related=tuple((each.location, f"joint {each.name}") for _, each in uses[1:4]),
+            related=tuple((use.location, f"joint {use.name}") for _, use in uses[1:4]),
         )
     roots = [link for link in robot.links if link.name not in parents]
     if unknown or len(roots) == 1:

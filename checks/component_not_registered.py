@@ -18,59 +18,61 @@ Registered = dict[str, Location]
 
 def check(project: Project) -> Iterator[Finding]:
     for package in project.packages:
-        components = [each for each in package.build.plugins if each.base == _FACTORY]
+        components = [plugin for plugin in package.build.plugins if plugin.base == _FACTORY]
         if not components and not package.commands(*_COMMANDS):
             continue
         targets = {target.name: target for target in package.build.targets}
         everywhere = _found([file.path for file in package.files if file.language == "cpp"], project)
         wrong: set[str] = set()
         registered: dict[str, Registered | None] = {}
-        for each in components:
-            target = targets.get(each.library)
+        for component in components:
+            target = targets.get(component.library)
             if target is None or not _is_known(target, package):
                 continue
             if target.name not in registered:
                 registered[target.name] = _registered(_sources(target, targets), project)
             here = registered[target.name]
-            other = everywhere.get(each.type)
+            other = everywhere.get(component.type)
             if other is not None and not other.path.endswith(_SOURCES):
                 continue  # a header, which one of its sources may include
             if (
                 here is not None
-                and each.type not in here
-                and not is_written(each.type, (_MACRO,), target.sources, project)
+                and component.type not in here
+                and not is_written(component.type, (_MACRO,), target.sources, project)
             ):
                 wrong.add(target.name)
-                yield _missing(each, target, package, here, everywhere)
-        yield from _unnamed(package, [each for each in components if each.library not in wrong], targets, project)
+                yield _missing(component, target, package, here, everywhere)
+        yield from _unnamed(
+            package, [component for component in components if component.library not in wrong], targets, project
+        )
 
 
 def _missing(
-    each: PluginClass, target: Target, package: ProjectPackage, here: Registered, everywhere: Registered
+    plugin: PluginClass, target: Target, package: ProjectPackage, here: Registered, everywhere: Registered
 ) -> Finding:
     """The class that CMake names is not one that the library registers."""
     related: tuple[tuple[Location, str], ...] = ()
-    last = each.type.rpartition("::")[2]
+    last = plugin.type.rpartition("::")[2]
     alike = [name for name in here if name.endswith(last) and name.rpartition("::")[2] == last] or (
         list(here) if len(here) == 1 else []
     )
-    if each.type in everywhere:
-        where = everywhere[each.type]
+    if plugin.type in everywhere:
+        where = everywhere[plugin.type]
         hint = f"{where.path} registers it, but is not among the library's sources: add the file to the sources"
-        related = ((where, f"{each.type} is registered here"),)
+        related = ((where, f"{plugin.type} is registered here"),)
     elif alike:
         hint = f"the library registers {alike[0]}: write the same name in both places"
         related = ((here[alike[0]], f"{alike[0]} is registered here"),)
     elif here:
         hint = f"the library registers {', '.join(sorted(here)[:3])}"
     else:
-        hint = f"add {_MACRO}({each.type}) to one of its sources"
+        hint = f"add {_MACRO}({plugin.type}) to one of its sources"
     return Finding(
-        at=each.location,
-        message=f"component {each.type} cannot be loaded: library {target.name} does not register it; {hint}",
-        about=(package.name, each.type),
+        at=plugin.location,
+        message=f"component {plugin.type} cannot be loaded: library {target.name} does not register it; {hint}",
+        about=(package.name, plugin.type),
         related=related,
-        apart=(each.type,),
+        apart=(plugin.type,),
     )
 
 
@@ -80,8 +82,8 @@ def _unnamed(
     """What code registers and CMake does not: containers look components up in what CMake writes."""
     if any("$" in word for command in package.commands(*_COMMANDS) for word in command.arguments):
         return
-    named = {each.type for each in components}
-    libraries = {each.library for each in components}
+    named = {component.type for component in components}
+    libraries = {component.library for component in components}
     for target in targets.values():
         if target.name in libraries and not target.is_test and not target.is_conditional:
             for name, where in (_registered(list(target.sources), project) or {}).items():

@@ -41,8 +41,8 @@ def _finding(channel: Channel, end: End, condition: Condition, counting: list[En
 
 
 def _condition(end: End) -> Condition | None:
-    deciding = [each for each in end.conditions if each.statement in DECIDE]
-    is_lazy = any(word in each.condition for each in deciding for word in LAZY)
+    deciding = [condition for condition in end.conditions if condition.statement in DECIDE]
+    is_lazy = any(word in condition.condition for condition in deciding for word in LAZY)
     return None if is_lazy or not deciding else deciding[0]
 
 

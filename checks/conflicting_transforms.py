@@ -16,8 +16,8 @@ def check(project: Project) -> Iterator[Finding]:
         if not system.is_launched or cannot_start(system):
             continue
         by_child: dict[tuple[str, str], list[Broadcast]] = {}
-        for each in broadcasts(project, system):
-            by_child.setdefault((each.topic, each.child), []).append(each)
+        for broadcast in broadcasts(project, system):
+            by_child.setdefault((broadcast.topic, broadcast.child), []).append(broadcast)
         told: dict[tuple[int, int], list[tuple[Broadcast, Broadcast]]] = {}
         for several in by_child.values():
             for one, other in combinations(several, 2):
@@ -114,15 +114,15 @@ def circles(by_child: dict[tuple[str, str], list[Broadcast]], system: System) ->
             way.append(here)
             here = (here[0], parent[here].parent or "")
         if here in way:
-            ring = [parent[each] for each in way[way.index(here) :]]
-            names = " → ".join([*(each.child for each in ring), ring[0].child])
-            if any(together(ring[0].node.presence, each.node.presence) is None for each in ring):
+            ring = [parent[pair] for pair in way[way.index(here) :]]
+            names = " → ".join([*(item.child for item in ring), ring[0].child])
+            if any(together(ring[0].node.presence, broadcast.node.presence) is None for broadcast in ring):
                 continue
             yield Finding(
                 at=ring[0].at,
                 message=f"the frames {names} form a cycle: tf rejects cycles, and every look-up in it fails; {seen_with(system)}",
-                about=(*sorted(each.child for each in ring), *{id(e.node): e.node for e in ring}.values()),
-                related=each_once(ring[0].at, ((each.at, each.what) for each in ring[1:])),
+                about=(*sorted(broadcast.child for broadcast in ring), *{id(e.node): e.node for e in ring}.values()),
+                related=each_once(ring[0].at, ((broadcast.at, broadcast.what) for broadcast in ring[1:])),
             )
         done.update(way)
 

@@ -25,32 +25,32 @@ def check(system: System) -> Iterator[Finding]:
                 presence=use.presence,
                 level=Level.NOTE if use.text.strip(" '\"").lower() in _SWITCHES else None,
             )
-        for each in use.comparisons:
-            said = _misspelt(each, use.ros)
+        for comparison in use.comparisons:
+            said = _misspelt(comparison, use.ros)
             if said:
                 yield Finding(
                     at=use.location,
-                    message=f"{each.left} {each.sign} {each.right!r} {said}",
-                    about=(use.text, each.left),
-                    apart=(use.text, each.left),
+                    message=f"{comparison.left} {comparison.sign} {comparison.right!r} {said}",
+                    about=(use.text, comparison.left),
+                    apart=(use.text, comparison.left),
                     flow=included_by(use),
                     presence=use.presence,
                 )
 
 
-def _misspelt(each: Comparison, ros: int) -> str:
+def _misspelt(comparison: Comparison, ros: int) -> str:
     """What is wrong with a comparison of a truth as text; "" if nothing is."""
-    if each.right.lower() not in _TRUTHS:
+    if comparison.right.lower() not in _TRUTHS:
         return ""
-    if not each.is_quoted:
-        if ros == 1 and any(value.lower() in _TRUTHS for value in each.values):
+    if not comparison.is_quoted:
+        if ros == 1 and any(value.lower() in _TRUTHS for value in comparison.values):
             return (
                 "compares a boolean with text: roslaunch converts the argument to a boolean, so the two are never equal"
             )
         return ""
-    truths = [value for value in each.values if value.lower() in _TRUTHS]
-    if truths and len(truths) == len(each.values) and not any(value == each.right for value in truths):
-        other = [value for value in truths if value[:1].isupper() != each.right[:1].isupper()]
+    truths = [value for value in comparison.values if value.lower() in _TRUTHS]
+    if truths and len(truths) == len(comparison.values) and not any(value == comparison.right for value in truths):
+        other = [value for value in truths if value[:1].isupper() != comparison.right[:1].isupper()]
         if len(other) == len(truths):
             return (
                 f"is never equal to {' or '.join(map(repr, truths))}, the values that are passed: launch compares text, "

@@ -154,7 +154,7 @@ def _may_bring(word: str) -> bool:
 def _is_linked(package: ProjectPackage, target: Target) -> bool:
     """Whether the target may be linked with roscpp, by whatever it is linked with."""
     cmake = package.cmake
-    for name in (target.name, *(each.name for each in cmake.linked(target.name))):
+    for name in (target.name, *(other_target.name for other_target in cmake.linked(target.name))):
         if name in cmake.mentioned:
             return True
         for link in cmake.links.get(name, ()):

@@ -27,7 +27,7 @@ def check(project: Project) -> Iterator[Finding]:
     if len(counts) < 2 or sum(package.has("CHANGELOG.rst") for package, _, _ in found.values()) < _RELEASED:
         return
     usual, number = counts.most_common(1)[0]
-    others = [each for each in found.values() if each[2] != usual]
+    others = [item for item in found.values() if item[2] != usual]
     if number < _AGREEING or len(others) > min(_FEW, number // 3):
         return
     places = {posixpath.dirname(package.path) for package, _, version in found.values() if version == usual}

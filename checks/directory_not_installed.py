@@ -58,7 +58,7 @@ def check(project: Project) -> Iterator[Finding]:
         if not project.exists(path) or _is_made(package, inner) or _ASIDE.search(place.path.lower()):
             continue
         found = landings(package, path)
-        if f"share/{name}/{inner}" in found or any("$" in each for each in found):
+        if f"share/{name}/{inner}" in found or any("$" in item for item in found):
             continue
         need = needs.setdefault((name, inner.partition("/")[0]), _Need())
         need.places.append((place, f"needs {inner}"))
@@ -81,14 +81,14 @@ def check(project: Project) -> Iterator[Finding]:
         meant = left_out_on_purpose(package)
         things = {thing: need for thing, need in things.items() if need.wrong or thing not in meant}
         if package.ros == 1 and not installs_nothing(package):  # target-not-installed tells of it with the library
-            told = {each.location.path for plugins in lost_plugins(package).values() for each in plugins}
+            told = {plugin.location.path for plugins in lost_plugins(package).values() for plugin in plugins}
             things = {thing: need for thing, need in things.items() if not _is_told(package, thing, need, told)}
         if not things:
             continue
         if not installs_nothing(package):
             for thing, need in things.items():
                 yield _finding(package, thing, need, (name, thing) in idle or devel.has(package))
-        elif all(each.level is Level.NOTE for each in uninstalled(package, programs)):
+        elif all(other_uninstalled.level is Level.NOTE for other_uninstalled in uninstalled(package, programs)):
             # else target-not-installed tells that the package has no install() at all
             is_one = len(things) == 1 and package.ros == 2
             yield (
@@ -161,7 +161,7 @@ def _is_readable(package: ProjectPackage) -> bool:
     if any("computed when setup.py runs" in problem.message for problem in package.build.problems):
         return False
     if package.build.commands:
-        things = (thing for each in package.cmake.installs if each.kind != "TARGETS" for thing in each.things)
+        things = (thing for install in package.cmake.installs if install.kind != "TARGETS" for thing in install.things)
         return package.cmake.is_whole and not any("${" in thing.replace("${ROOT}", "") for thing in things)
     return package.ros == 2 and package.inside("setup.py") in package.project.workspace.names
 
@@ -203,16 +203,16 @@ def _headers(package: ProjectPackage, devel: DevelSpaces) -> Iterator[Finding]:
     if not headers or _is_made(package, "include/") or (package.ros == 1 and installs_nothing(package)):
         return  # of ROS 1 what installs nothing at all is built for its devel space
     exports = [
-        each
-        for each in package.commands(
+        command
+        for command in package.commands(
             "ament_export_include_directories", "ament_export_targets", "ament_export_libraries"
         )
-        if each.name != "ament_export_include_directories" or any(w.startswith("include") for w in each.arguments)
+        if command.name != "ament_export_include_directories" or any(w.startswith("include") for w in command.arguments)
     ]
-    exports.sort(key=lambda each: each.name != "ament_export_include_directories")
+    exports.sort(key=lambda export: export.name != "ament_export_include_directories")
     keywords = ("LIBRARIES", "CATKIN_DEPENDS", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS")
     catkin = (c for c in package.commands("catkin_package") if "include" in c.after("INCLUDE_DIRS", *keywords))
-    command = next((each for each in (*exports, *catkin) if not each.is_conditional), None)
+    command = next((export for export in (*exports, *catkin) if not export.is_conditional), None)
     if command is None or any(landings(package, path) for path in headers):
         return
     name = f"include/{package.name}"

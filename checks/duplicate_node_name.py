@@ -31,7 +31,7 @@ def check(system: System) -> Iterator[Finding]:
         elif pair is not None:
             yield _finding(*pair, is_one=len(system.launch) == 1)
     for (first, second), *others in twice.values():
-        also = tuple(each.name for each, _ in others)
+        also = tuple(other.name for other, _ in others)
         yield _finding(first, second, is_one=len(system.launch) == 1, also=also)
     for node in system.nodes:
         if len(node.raw.twins) == 2:

@@ -59,8 +59,8 @@ def _is_of_a_node(code: Codebase, routine: Routine) -> bool:
         heads = {alias.type.name.partition(".")[0] for alias in program.aliases}
         return "rospy" in heads and "rclpy" not in heads
     files = {routine.path, *code.cpp.reach(routine.path)}
-    includes = (each.strip('<>"') for path in files for each in code.by_path[path].program.includes)
-    return any(each in ROS or each.startswith("rclcpp") for each in includes)
+    includes = (include.strip('<>"') for path in files for include in code.by_path[path].program.includes)
+    return any(include in ROS or include.startswith("rclcpp") for include in includes)
 
 
 def _is_endless(statement: syntax.Loop) -> bool:
@@ -85,8 +85,8 @@ def _may_end(code: Codebase, routine: Routine, statement: syntax.Loop) -> bool:
             return True
         return bool(re.search(r"\bdetach\s*\(", code.text(routine.path)))  # such a thread ends with the process
     calls = {call.name for call in code.body(routine).calls if statement.line <= call.line}
-    called = (code.lines(each, each.function.line) for call, each in callees(code, routine) if call.name in calls)
-    return any(RAISES.search(each) for each in (text, *called))
+    called = (code.lines(callee, callee.function.line) for call, callee in callees(code, routine) if call.name in calls)
+    return any(RAISES.search(text) for text in (text, *called))
 
 
 def _is_interrupted(code: Codebase, routine: Routine, text: str) -> bool:

@@ -23,7 +23,7 @@ def check(project: Project) -> Iterator[Finding]:
         commands = package.commands("rosidl_generate_interfaces")
         if not commands or any(command.is_conditional for command in commands):
             continue
-        own = {each.name.partition("/")[2] for each in package.build.interfaces if each.kind == "msg"}
+        own = {interface.name.partition("/")[2] for interface in package.build.interfaces if interface.kind == "msg"}
         for interface in package.build.interfaces:
             if interface.is_generated:
                 yield from _of(project, package, interface, own)
@@ -31,7 +31,7 @@ def check(project: Project) -> Iterator[Finding]:
 
 def _of(project: Project, package: ProjectPackage, interface: Interface, own: set[str]) -> Iterator[Finding]:
     lines = project.text(interface.path).replace("\r\n", "\n").replace("\r", "\n").split("\n")
-    for field in (each for section in interface.sections for each in section):
+    for field in (interface_field for section in interface.sections for interface_field in section):
         word, _, array = field.written.partition("[")
         if word not in TYPES or (word == "Header" and word in own):
             continue
@@ -60,7 +60,7 @@ def _fixes(
     """Only where the package has the other one as a dependency already: else more is to be done than this."""
     right = TYPES[word]
     provider = right.partition("/")[0]
-    named = {argument for each in package.commands("rosidl_generate_interfaces") for argument in each.arguments}
+    named = {argument for command in package.commands("rosidl_generate_interfaces") for argument in command.arguments}
     if not column or provider not in package.declared or provider not in named:
         return ()
     edit = Edit(interface.path, (field.line, column), (field.line, column + len(word)), right)

@@ -28,7 +28,7 @@ def check(system: System) -> Iterator[Finding]:
     leftovers = [path for path, uses in files.items() if _is_whole(uses, _other(uses))]
     owners = [package for path in leftovers if (package := owner(system, Location(path, 1))) is not None]
     unported: set[str] = set()
-    for package in {each.path: each for each in owners}.values():
+    for package in {package.path: package for package in owners}.values():
         found = _unported(package, system)
         unported |= found.keys() & set(leftovers)
         if found and min(found) in leftovers:

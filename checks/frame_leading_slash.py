@@ -78,12 +78,12 @@ def _uses_tf2(package: str, ros: int, system: System) -> bool:
     if ros == 2:
         return True
     found = system.packages.get(package)
-    needs = {each.name for each in found.dependencies} if found is not None else set()
+    needs = {dependency.name for dependency in found.dependencies} if found is not None else set()
     return "tf2_ros" in needs and "tf" not in needs
 
 
 def _parameters(system: System) -> Iterator[Finding]:
-    given = {each.name: each for each in system.parameters if _PARAMETER.search(each.name)}
+    given = {parameter.name: parameter for parameter in system.parameters if _PARAMETER.search(parameter.name)}
     readers: dict[str, SystemNode] = {}
     places: dict[str, set[Location]] = {}
     for end in system.ends:
@@ -167,12 +167,14 @@ def _is_frame(value: object) -> bool:
 
 
 def _broadcasters(system: System) -> Iterator[Finding]:
-    frames = [each for each in system.parameters if _PARAMETER.search(each.name) and _is_frame(each.value)]
+    frames = [
+        parameter for parameter in system.parameters if _PARAMETER.search(parameter.name) and _is_frame(parameter.value)
+    ]
     for node in system.nodes:
         if node.package != _BROADCASTERS:
             continue
         words = [word for word in re.split(r"[\s=]+", node.raw.arguments) if _is_frame(word)]
-        words += [str(each.value) for each in frames if each.name.startswith(f"{node.name}:")]
+        words += [str(frame.value) for frame in frames if frame.name.startswith(f"{node.name}:")]
         if words:
             yield Finding(
                 at=node.location,
@@ -197,7 +199,9 @@ def _code(system: System) -> Iterator[Finding]:
             continue
         package = file.package or ""
         runner = _runs(file.path, package, system)
-        if runner is None and any(_runs(file.path, package, each) is not None for each in system.whole.systems):
+        if runner is None and any(
+            _runs(file.path, package, other_system) is not None for other_system in system.whole.systems
+        ):
             continue  # it is told of a system that runs the file
         node = runner or owners[package]
         for use in _seen[key]:
@@ -225,7 +229,7 @@ def _runs(path: str, package: str, system: System) -> SystemNode | None:
 
 
 def _needs_tf2(package: str, ros: int, system: System) -> bool:
-    needs = {each.name for each in system.packages[package].dependencies}
+    needs = {dependency.name for dependency in system.packages[package].dependencies}
     return _uses_tf2(package, ros, system) and any(name.startswith("tf2") for name in needs)
 
 
@@ -281,8 +285,10 @@ def _is_marker(found: re.Match[str], text: str) -> bool:
     if name in ("self", "this"):
         return False
     word = re.escape(name)
-    kinds = [each["type"] or each["made"] for each in re.finditer(_DECLARED.format(word=word), text[: found.start()])]
-    kinds = kinds or [each["type"] or each["made"] for each in re.finditer(_DECLARED.format(word=word), text)]
+    kinds = [
+        match["type"] or match["made"] for match in re.finditer(_DECLARED.format(word=word), text[: found.start()])
+    ]
+    kinds = kinds or [match["type"] or match["made"] for match in re.finditer(_DECLARED.format(word=word), text)]
     if not kinds or re.fullmatch(r"Marker(?:::)?", kinds[-1]) is None:
         return False
     return re.search(rf"ransform\w{{0,80}}\s*\([^;\n]{{0,200}}\b{word}\s*(?:\.|->)\s*header\b", text) is None

@@ -33,9 +33,9 @@ def _catkin(package: ProjectPackage) -> Iterator[Finding]:
     """ROS 1: genmsg and dynamic_reconfigure."""
     name, kinds = package.name, dict[str, str]()
     if package.commands("generate_messages"):
-        for each in package.build.interfaces:
-            if each.is_generated:
-                kinds |= {f"{each.name}{part}.h": "messages" for part in _PARTS.get(each.kind, ())}
+        for interface in package.build.interfaces:
+            if interface.is_generated:
+                kinds |= {f"{interface.name}{part}.h": "messages" for part in _PARTS.get(interface.kind, ())}
     for config in package.build.configs:
         kinds[f"{name}/{config.name}Config.h"] = "configs"
     others = _generated_elsewhere(package)
@@ -67,9 +67,9 @@ def _generated_elsewhere(package: ProjectPackage) -> dict[str, str]:
     for name in package.declared - {package.name}:
         other = package.project.package(name)
         if other is not None and other.ros == 1 and other.commands("generate_messages"):
-            for each in other.build.interfaces:
-                if each.is_generated:
-                    found |= {f"{each.name}{part}.h": name for part in _PARTS.get(each.kind, ())}
+            for interface in other.build.interfaces:
+                if interface.is_generated:
+                    found |= {f"{interface.name}{part}.h": name for part in _PARTS.get(interface.kind, ())}
     return found
 
 
@@ -119,10 +119,10 @@ def _dependency(package: ProjectPackage, target: Target) -> Fix | None:
 
 def _ament(package: ProjectPackage) -> Iterator[Finding]:
     """ROS 2: rosidl."""
-    made = [each for each in package.commands("rosidl_generate_interfaces") if each.arguments]
-    if not made or any(each.is_conditional for each in made):
+    made = [command for command in package.commands("rosidl_generate_interfaces") if command.arguments]
+    if not made or any(command.is_conditional for command in made):
         return
-    generated = {each.arguments[0] for each in made}
+    generated = {command.arguments[0] for command in made}
     header = re.compile(rf"{re.escape(package.name)}/(?:msg|srv|action)/\w+\.hp?p?")
     for target in _targets(package):
         if _is_supported(package, target, generated):
@@ -135,7 +135,7 @@ def _ament(package: ProjectPackage) -> Iterator[Finding]:
 def _is_supported(package: ProjectPackage, target: Target, generated: set[str]) -> bool:
     """Whether the target is, or may be, compiled with the generated headers."""
     cmake = package.cmake
-    names = {target.name, *(each.name for each in cmake.linked(target.name))}
+    names = {target.name, *(other_target.name for other_target in cmake.linked(target.name))}
     if generated & cmake.awaited(target.name) or any("${BUILD}" in word for word in cmake.include_words(target)):
         return True
     for name in names:
@@ -143,12 +143,13 @@ def _is_supported(package: ProjectPackage, target: Target, generated: set[str]) 
             return True
         for link in cmake.links.get(name, ()):
             word = link.word
-            if any(word.startswith(each) or word.startswith(f"{package.name}::{each}") for each in generated):
+            if any(word.startswith(item) or word.startswith(f"{package.name}::{item}") for item in generated):
                 return True
             if "typesupport" in word or (link.is_package and word == package.name) or _is_unknown(word):
                 return True
     return any(
-        each.arguments[:1] and each.arguments[0] in names for each in package.commands("rosidl_target_interfaces")
+        command.arguments[:1] and command.arguments[0] in names
+        for command in package.commands("rosidl_target_interfaces")
     )
 
 

@@ -45,9 +45,9 @@ def _ends(project: Project) -> Iterator[Finding]:
         groups.setdefault(key, []).extend((lost, end) for end in lost.left)
     for group in groups.values():
         lost, end = min(
-            group, key=lambda each: (len(each[0].name), each[0].name, each[1].node.name, each[1].location.sort_key)
+            group, key=lambda item: (len(item[0].name), item[0].name, item[1].node.name, item[1].location.sort_key)
         )
-        nodes = sorted({each.node.name for _, each in group if each.name == end.name} - {end.node.name})
+        nodes = sorted({other_end.node.name for _, other_end in group if other_end.name == end.name} - {end.node.name})
         does, result = DOES[end.kind]
         who = end.node.name + (f" and {len(nodes)} more" if nodes else "")
         name = lost.name
@@ -58,7 +58,11 @@ def _ends(project: Project) -> Iterator[Finding]:
             )
         else:
             said = f"{who} still {does} {name}, {_gone(lost.change, name)}: {result}"
-        others = {each.location: (each.location, str(each)) for _, each in group if each.location != end.location}
+        others = {
+            other_end.location: (other_end.location, str(other_end))
+            for _, other_end in group
+            if other_end.location != end.location
+        }
         yield Finding(
             at=end.location,
             message=f"{said}; use the same name in both places, or remap one",

@@ -60,7 +60,7 @@ class Headers:
     def are_there(self, header: str) -> bool:
         """Whether some file may be what ``#include`` of *header* means, wherever the compiler looks."""
         ending = f"/{posixpath.normpath(header)}"
-        return any(f"/{each}".endswith(ending) for each in self.by_name.get(posixpath.basename(header), ()))
+        return any(f"/{path}".endswith(ending) for path in self.by_name.get(posixpath.basename(header), ()))
 
     def below(self, package: ProjectPackage) -> list[str]:
         """The headers of *package* as code includes them: what follows ``include/``, below its own name."""
@@ -68,7 +68,7 @@ class Headers:
         found = (
             path.removeprefix(begin) for paths in self.by_name.values() for path in paths if path.startswith(begin)
         )
-        return sorted(each for each in found if each.startswith(f"{package.name}/"))
+        return sorted(item for item in found if item.startswith(f"{package.name}/"))
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -104,9 +104,9 @@ def _is_of_an_interface(owner: ProjectPackage, name: str) -> bool:
     """Whether the header is, or may be, one that is made of a message, service or action of *owner*, however that is spelt."""
     stem = posixpath.basename(name).partition(".")[0].replace("_", "").lower()
     begin = "" if owner.path == "." else f"{owner.path}/"
-    files = (each for each in owner.project.workspace.names if each.startswith(begin) and each.endswith(_INTERFACES))
-    stems = {posixpath.basename(each).partition(".")[0].replace("_", "").lower() for each in files}
-    return any(stem.startswith(each) for each in stems) or (bool(stems) and of_include(name) is not None)
+    files = (item for item in owner.project.workspace.names if item.startswith(begin) and item.endswith(_INTERFACES))
+    stems = {posixpath.basename(file).partition(".")[0].replace("_", "").lower() for file in files}
+    return any(stem.startswith(item) for item in stems) or (bool(stems) and of_include(name) is not None)
 
 
 def _is_known(owner: ProjectPackage) -> bool:
@@ -118,19 +118,20 @@ def _may_be_made(headers: Headers, owner: ProjectPackage, package: ProjectPackag
     stem = posixpath.basename(name).partition(".")[0]
     if stem in headers.templates or stem.endswith("Config"):
         return True
-    if any(each.name == stem for each in owner.build.parameter_libraries):
+    if any(parameter_library.name == stem for parameter_library in owner.build.parameter_libraries):
         return True
     paths = (f"include/{name}", name, f"src/{name}")
     return any(
-        may_appear(each, each.inside(path), _QUIET) or is_ignored(each.project.workspace, each.inside(path))
-        for each in {owner.name: owner, package.name: package}.values()
+        may_appear(other_package, other_package.inside(path), _QUIET)
+        or is_ignored(other_package.project.workspace, other_package.inside(path))
+        for other_package in {owner.name: owner, package.name: package}.values()
         for path in paths
     ) or is_told_of(owner, owner.inside(f"include/{name}"))
 
 
 def _finding(package: ProjectPackage, owner: ProjectPackage, name: str, place: Location, known: list[str]) -> Finding:
     base = posixpath.basename(name)
-    same = [each for each in known if posixpath.basename(each).lower() == base.lower()]
+    same = [path for path in known if posixpath.basename(path).lower() == base.lower()]
     found = same if len(same) == 1 else get_close_matches(name, known, 1, 0.8)
     hint = f"; did you mean {found[0]}?" if found else ""
     whose = "the package itself has" if owner is package else f"{owner.name} has"

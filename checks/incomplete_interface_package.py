@@ -67,7 +67,7 @@ def _call(package: ProjectPackage, name: str) -> CMakeCommand | None:
 
 def _group(package: ProjectPackage, root: Element, call: CMakeCommand) -> Iterator[Finding]:
     """rosidl_generate_interfaces() stops unless the manifest says so (rosidl_cmake)."""
-    if any(word(each) == GROUP for each in applying(package, root, "member_of_group")):
+    if any(word(element) == GROUP for element in applying(package, root, "member_of_group")):
         return
     yield Finding(
         at=place(package, None),
@@ -93,9 +93,9 @@ def _membership(package: ProjectPackage, root: Element) -> tuple[Fix, ...]:
 def _unfound(package: ProjectPackage, call: CMakeCommand) -> Iterator[Finding]:
     """What DEPENDENCIES names has to be found before, by itself or with a package that exports it."""
     before = list(package.build.commands[: package.build.commands.index(call)])
-    if any(FINDING.search(each.name) and each.name not in TAME for each in before):
+    if any(FINDING.search(command.name) and command.name not in TAME for command in before):
         return
-    found = {each.arguments[0] for each in before if each.name == "find_package" and each.arguments}
+    found = {command.arguments[0] for command in before if command.name == "find_package" and command.arguments}
     if any("${" in name for name in found):
         return
     tools = {name for name in found if name.startswith("ament_")}
@@ -130,7 +130,7 @@ def _parts(package: ProjectPackage, call: CMakeCommand, ros: int) -> Iterator[Fi
     if not {need.name for need in needs(package, *EXPORTED)} & {*runtimes, *generators}:
         effect, level = "on a machine with only the declared dependencies its interfaces may not load", Level.WARNING
         bringing = next(
-            (each.name for each in needs(package, *EXPORTED) if brings(package, (each.name,), *runtimes)), None
+            (need.name for need in needs(package, *EXPORTED) if brings(package, (need.name,), *runtimes)), None
         )
         if bringing is not None:
             effect, level = f"it is there only because {bringing} brings it", Level.NOTE

@@ -68,7 +68,7 @@ def _left_out(package: ProjectPackage, known: list[ProjectPackage]) -> bool:
     if exports(package, "deprecated"):
         return True
     mark = LEFT_OUT.search(package.name)
-    return mark is not None and not any(mark[0].strip("_") in each.name.split("_") for each in known)
+    return mark is not None and not any(mark[0].strip("_") in other_package.name.split("_") for other_package in known)
 
 
 def _brought(project: Project, names: set[str]) -> set[str]:

@@ -51,7 +51,7 @@ def _finding(group: list[_Used]) -> Finding:
     """One finding at the first of the rules; the others are related places."""
     (node, rule), others = group[0].nodes[0], group[1:]
     meant = _meant(node, rule)
-    nodes = {each.name: each for used in group for each, _ in used.nodes}
+    nodes = {node.name: node for used in group for node, _ in used.nodes}
     more = f" (and {len(nodes) - 1} more nodes have none either)" if len(nodes) > 1 else ""
     hint = ""
     if meant is not None:

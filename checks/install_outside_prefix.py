@@ -14,13 +14,13 @@ _SHOWN = 3
 def check(project: Project) -> Iterator[Finding]:
     for package in project.packages:
         groups: dict[str, list[Install]] = {}
-        for each in package.cmake.installs:
-            if each.command.is_conditional or each.command.is_test or package.raw.build_type == "cmake":
+        for install in package.cmake.installs:
+            if install.command.is_conditional or install.command.is_test or package.raw.build_type == "cmake":
                 continue
-            for place in dict.fromkeys(each.destinations.values()):
+            for place in dict.fromkeys(install.destinations.values()):
                 where = _where(place)
                 if where:
-                    groups.setdefault(where, []).append(each)
+                    groups.setdefault(where, []).append(install)
         for where, found in groups.items():
             yield _finding(package, where, found)
 
@@ -33,7 +33,7 @@ def _where(place: str) -> str:
 
 
 def _finding(package: ProjectPackage, where: str, found: list[Install]) -> Finding:
-    things = [thing.replace("${ROOT}/", "") for each in found for thing in each.things]
+    things = [thing.replace("${ROOT}/", "") for install in found for thing in install.things]
     shown = ", ".join(things[:_SHOWN]) + (" and more" if len(things) > _SHOWN else "")
     verb = "is" if len(things) == 1 else "are"
     return Finding(
@@ -41,7 +41,7 @@ def _finding(package: ProjectPackage, where: str, found: list[Install]) -> Findi
         message=f"{shown or 'something'} of {package.name} {verb} installed into {where}: the install space and the Debian package lack it; write a "
         "DESTINATION relative to the install prefix",
         about=(package.name, where),
-        related=tuple((each.command.location, "so is what this installs") for each in found[1:5]),
+        related=tuple((install.command.location, "so is what this installs") for install in found[1:5]),
     )
 
 

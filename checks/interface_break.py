@@ -24,7 +24,7 @@ def check(project: Project) -> Iterator[Finding]:
         if change.is_breaking:
             by_interface.setdefault((change.name, change.kind), []).append(change)
     for changes in by_interface.values():
-        changes.sort(key=lambda each: each.location.sort_key)
+        changes.sort(key=lambda change: change.location.sort_key)
         places = tuple(_users(project, users, changes[0]))
         at = _at(project, changes[0], places)
         if at is None:
@@ -41,11 +41,11 @@ def check(project: Project) -> Iterator[Finding]:
 
 def _message(changes: list[InterfaceChange], places: tuple[Place, ...], stale: tuple[Place, ...]) -> str:
     first = changes[0]
-    words = [change_in_words(each) for each in changes[:SPELLED_OUT]]
+    words = [change_in_words(change) for change in changes[:SPELLED_OUT]]
     if len(changes) > SPELLED_OUT:
         words.append(f"{len(changes) - SPELLED_OUT} more changes")
     effect = "nodes and recordings with the old definition cannot read the new one"
-    if all(each.what.startswith("constant-") for each in changes) and first.hash_before == first.hash_after:
+    if all(change.what.startswith("constant-") for change in changes) and first.hash_before == first.hash_after:
         effect = "nodes with the old definition no longer build, or read the fields with another meaning"
     used = (
         f"{len(places)} place{'' if len(places) == 1 else 's'} in the workspace use it"
@@ -87,16 +87,16 @@ def _users(project: Project, users: InterfaceUsers, change: InterfaceChange) -> 
     """Everything in the workspace that uses the interface, or one that contains it; each place once."""
     seen = set()
     name = change.after if change.what == "renamed" else change.name
-    for each in (*users.of(change.kind, name), *(users.of(change.kind, change.name) if name != change.name else ())):
-        if each.location not in seen:
-            seen.add(each.location)
-            yield each.location, each.how
+    for item in (*users.of(change.kind, name), *(users.of(change.kind, change.name) if name != change.name else ())):
+        if item.location not in seen:
+            seen.add(item.location)
+            yield item.location, item.how
     for other in containing(defined_in(project), name) if change.kind == "msg" else ():
         yield Location(other.path), f"{other.name} contains it and changes with it"
-        for each in users.of(other.kind, other.name):
-            if each.location not in seen:
-                seen.add(each.location)
-                yield each.location, f"{each.how}, as a part of {other.name}"
+        for user in users.of(other.kind, other.name):
+            if user.location not in seen:
+                seen.add(user.location)
+                yield user.location, f"{user.how}, as a part of {other.name}"
 
 
 def _still_there(project: Project, users: InterfaceUsers, changes: list[InterfaceChange]) -> Iterator[Place]:
@@ -104,16 +104,16 @@ def _still_there(project: Project, users: InterfaceUsers, changes: list[Interfac
     first = changes[0]
     if first.what in ("removed", "renamed") and project.package(first.name.partition("/")[0]) is not None:
         yield from (
-            (each.location, f"{each.how}") for each in users.of(first.kind, first.name) if each.how.endswith(" it")
+            (user.location, f"{user.how}") for user in users.of(first.kind, first.name) if user.how.endswith(" it")
         )
     short = first.name.rpartition("/")[2]
-    gone = [each.field for each in changes if each.what in ("constant-removed", "constant-renamed")]
+    gone = [change.field for change in changes if change.what in ("constant-removed", "constant-renamed")]
     if not gone:
         return
     named = re.compile(rf"\b{re.escape(short)}(?:_Request|_Response|_Goal|_Result|_Feedback|::Request|::Response|::Goal"
                        rf"|::Result|::Feedback|Request|Response|\.Request|\.Response|\.Goal|\.Result|\.Feedback)?"
                        rf"(?:::|\.)({'|'.join(map(re.escape, gone))})\b")  # fmt: skip
-    for path in sorted({each.location.path for each in users.of(first.kind, first.name)}):
+    for path in sorted({user.location.path for user in users.of(first.kind, first.name)}):
         for number, line in enumerate(project.text(path).split("\n"), 1):
             found = named.search(line)
             if found is not None:

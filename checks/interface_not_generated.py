@@ -28,7 +28,9 @@ def check(project: Project) -> Iterator[Finding]:
     for package in project.packages:
         commands = package.commands(*_OLD, _NEW)
         left = [
-            each for each in package.build.interfaces if not (commands and each.is_generated) and _is_own(each, package)
+            interface
+            for interface in package.build.interfaces
+            if not (commands and interface.is_generated) and _is_own(interface, package)
         ]
         if commands:
             yield from _in_vain(package, commands)
@@ -36,44 +38,44 @@ def check(project: Project) -> Iterator[Finding]:
         if not left or not _are_plain(commands) or not (commands or _generates_nothing(package)):
             continue
         used = interfaces_in_use(project) if used is None else used
-        for each in left:
+        for interface in left:
             if commands:
-                if each.name not in used and (_is_kept(each, package) or _lacks_types(each, project)):
+                if interface.name not in used and (_is_kept(interface, package) or _lacks_types(interface, project)):
                     continue
-                if not _is_mentioned(each, package, even_in_comments=each.name not in used):
-                    yield _left_out(each, package, commands, used.get(each.name))
-            elif each.name in used:
-                yield _alone(each, package, used[each.name])
+                if not _is_mentioned(interface, package, even_in_comments=interface.name not in used):
+                    yield _left_out(interface, package, commands, used.get(interface.name))
+            elif interface.name in used:
+                yield _alone(interface, package, used[interface.name])
 
 
-def _is_own(each: Interface, package: ProjectPackage) -> bool:
+def _is_own(interface: Interface, package: ProjectPackage) -> bool:
     """Whether it lies where generated ones do: ``msg``, ``srv``, ``action``, or beside one that is generated."""
-    directory = posixpath.dirname(each.path)
+    directory = posixpath.dirname(interface.path)
     if any(part in _ASIDE for part in directory.removeprefix(package.path).split("/")):
         return False
     beside = {posixpath.dirname(other.path) for other in package.build.interfaces if other.is_generated}
     return directory in beside or directory in {package.inside(kind) for kind in _KINDS}
 
 
-def _is_kept(each: Interface, package: ProjectPackage) -> bool:
+def _is_kept(interface: Interface, package: ProjectPackage) -> bool:
     """Whether its name says that it is an old copy, or is none that rosidl takes: to add it to the list would stop the build."""
-    name = posixpath.basename(each.path).partition(".")[0]
+    name = posixpath.basename(interface.path).partition(".")[0]
     return _COPY.search(name) is not None or (package.ros == 2 and _NAME.fullmatch(name) is None)
 
 
-def _lacks_types(each: Interface, project: Project) -> bool:
+def _lacks_types(interface: Interface, project: Project) -> bool:
     """Whether a field has a type that its package, one of the workspace, does not define: the definition could not be generated."""
     defined = {other.name for package in project.packages for other in package.build.interfaces}
-    fields = [field for section in each.sections for field in section]
+    fields = [field for section in interface.sections for field in section]
     types = {field.type.partition("[")[0].partition("<=")[0] for field in fields}
     return any(
         "/" in kind and project.package(kind.partition("/")[0]) is not None and kind not in defined for kind in types
     )
 
 
-def _is_mentioned(each: Interface, package: ProjectPackage, *, even_in_comments: bool) -> bool:
+def _is_mentioned(interface: Interface, package: ProjectPackage, *, even_in_comments: bool) -> bool:
     """Whether CMake names it where it is not followed: under a condition, or commented out, which is meant."""
-    name = posixpath.basename(each.path)
+    name = posixpath.basename(interface.path)
     for file in package.files:
         if file.language == "cmake":
             for line in package.project.text(file.path).splitlines():
@@ -88,14 +90,14 @@ def _are_plain(commands: tuple[CMakeCommand, ...]) -> bool:
 
 
 def _left_out(
-    each: Interface, package: ProjectPackage, commands: tuple[CMakeCommand, ...], use: Location | None
+    interface: Interface, package: ProjectPackage, commands: tuple[CMakeCommand, ...], use: Location | None
 ) -> Finding:
-    of_kind = [command for command in commands if _OLD.get(command.name, each.kind) == each.kind]
+    of_kind = [command for command in commands if _OLD.get(command.name, interface.kind) == interface.kind]
     command = (of_kind or list(commands))[0]
-    file = posixpath.relpath(each.path, package.path)
+    file = posixpath.relpath(interface.path, package.path)
     why = "which uses it, does not build or start" if use is not None else "so no code can use it"
-    fix = _insertion(each, package) if of_kind else None
-    related = [(Location(each.path, 1), f"{each.name} is defined here")]
+    fix = _insertion(interface, package) if of_kind else None
+    related = [(Location(interface.path, 1), f"{interface.name} is defined here")]
     related += [(use, "it is used here")] if use is not None else []
     return Finding(
         at=command.location,
@@ -104,9 +106,9 @@ def _left_out(
             + (f"and {use.path}, {why}" if use is not None else why)
             + ("; add it to the list" if use is not None else "; add it to the list, or delete the file")
         ),
-        about=(package.name, each.name),
+        about=(package.name, interface.name),
         related=tuple(related),
-        apart=(each.name, each.kind),
+        apart=(interface.name, interface.kind),
         level=Level.ERROR if use is not None else None,
         fixes=(fix,) if fix is not None else (),
     )
@@ -123,22 +125,22 @@ def _generates_nothing(package: ProjectPackage) -> bool:
     )
 
 
-def _alone(each: Interface, package: ProjectPackage, use: Location) -> Finding:
+def _alone(interface: Interface, package: ProjectPackage, use: Location) -> Finding:
     """A definition in a package that generates none."""
     how = "add_message_files() and generate_messages()" if package.ros == 1 else f"{_NEW}()"
     return Finding(
-        at=Location(each.path, 1),
+        at=Location(interface.path, 1),
         message=(
-            f"package {package.name} generates no interfaces, but {use.path} uses {each.name}: it does not build or "
+            f"package {package.name} generates no interfaces, but {use.path} uses {interface.name}: it does not build or "
             f"start; call {how}"
         ),
-        about=(package.name, each.name),
+        about=(package.name, interface.name),
         related=((use, "it is used here"),),
         level=Level.ERROR,
     )
 
 
-def _insertion(each: Interface, package: ProjectPackage) -> Fix | None:
+def _insertion(interface: Interface, package: ProjectPackage) -> Fix | None:
     """A line for it among those of the interfaces of its kind, each of which has a line of its own; sorted if they are."""
     text = package.project.text(package.cmake_path)
     lines = text.splitlines()
@@ -146,8 +148,8 @@ def _insertion(each: Interface, package: ProjectPackage) -> Fix | None:
         other
         for other in package.build.interfaces
         if other.is_generated
-        and posixpath.dirname(other.path) == posixpath.dirname(each.path)
-        and other.kind == each.kind
+        and posixpath.dirname(other.path) == posixpath.dirname(interface.path)
+        and other.kind == interface.kind
     ]
     found: list[tuple[int, str]] = []
     for other in siblings:
@@ -163,11 +165,11 @@ def _insertion(each: Interface, package: ProjectPackage) -> Fix | None:
         return None
     found.sort()
     names = [name for _, name in found]
-    mine = posixpath.basename(each.path)
+    mine = posixpath.basename(interface.path)
     later = [number for number, name in found if name > mine] if names == sorted(names) and len(names) > 1 else []
     number, model = (later[0], found[0]) if later else (found[-1][0] + 1, found[-1])
     line = lines[model[0] - 1].rstrip().replace(model[1], mine)
-    return Fix(f"generate {each.name}", (insert_line(package.cmake_path, text, number, line),))
+    return Fix(f"generate {interface.name}", (insert_line(package.cmake_path, text, number, line),))
 
 
 def _in_vain(package: ProjectPackage, commands: tuple[CMakeCommand, ...]) -> Iterator[Finding]:
@@ -231,7 +233,9 @@ def _is_made(word: str, package: ProjectPackage) -> bool:
 def _alike(place: str, package: ProjectPackage) -> str | None:
     """A definition of this name in other letters or in another directory."""
     wanted = posixpath.basename(place).lower()
-    found = (each.path for each in package.build.interfaces if posixpath.basename(each.path).lower() == wanted)
+    found = (
+        interface.path for interface in package.build.interfaces if posixpath.basename(interface.path).lower() == wanted
+    )
     return next(found, None)
 
 

@@ -44,7 +44,7 @@ def check(project: Project) -> Iterator[Finding]:
 
 def _is_template(root: Element) -> bool:
     """Whether something is still to be filled in: ``@NAME@``, ``{{ name }}``."""
-    return any(PLACEHOLDER.search(word(each)) for each in root.all("name", "version"))
+    return any(PLACEHOLDER.search(word(element)) for element in root.all("name", "version"))
 
 
 def known_tags(format: int) -> dict[str, tuple[str, ...]]:
@@ -75,25 +75,25 @@ def _required(package: ProjectPackage, root: Element) -> Iterator[Finding]:
             yield _finding(package, None, f"<{tag}> is missing, but required", tag)
     if count["export"] > 1:
         yield _finding(package, list(root.all("export"))[1], "it has more than one <export>; merge them", "export")
-    for each in root.all("version"):
-        if VERSION.fullmatch(word(each)) is None:
+    for element in root.all("version"):
+        if VERSION.fullmatch(word(element)) is None:
             yield _finding(
                 package,
-                each,
-                f"the version {word(each)!r} does not consist of three numbers; write for example 1.2.3",
+                element,
+                f"the version {word(element)!r} does not consist of three numbers; write for example 1.2.3",
                 "version",
             )
-    for each in root.all("description", "license"):
-        if not word(each) and not each.children:
-            yield _finding(package, each, f"<{each.tag}> is empty; fill it in, or remove it", each.tag)
-    for each in root.all("maintainer", "author"):
-        email = each.attributes.get("email")
-        if email is None and each.tag == "maintainer":
+    for element in root.all("description", "license"):
+        if not word(element) and not element.children:
+            yield _finding(package, element, f"<{element.tag}> is empty; fill it in, or remove it", element.tag)
+    for element in root.all("maintainer", "author"):
+        email = element.attributes.get("email")
+        if email is None and element.tag == "maintainer":
             yield _finding(
-                package, each, f"maintainer {word(each)} has no email attribute; add it", f"email {word(each)}"
+                package, element, f"maintainer {word(element)} has no email attribute; add it", f"email {word(element)}"
             )
         elif email is not None and EMAIL.fullmatch(email) is None:
-            yield _finding(package, each, f"{email!r} is not an email address", f"email {word(each)}")
+            yield _finding(package, element, f"{email!r} is not an email address", f"email {word(element)}")
 
 
 def _tags(package: ProjectPackage, root: Element) -> Iterator[Finding]:
@@ -146,7 +146,7 @@ def _unknown(package: ProjectPackage, root: Element, child: Element, known: dict
 def _renamed(package: ProjectPackage, root: Element, tag: str, name: str) -> tuple[Fix, ...]:
     """All elements of *tag* become ones of *name*."""
     text = f"rename {tag} to {name}"
-    parts = [rename_element(package, each, name, text) for each in root.all(tag)]
+    parts = [rename_element(package, element, name, text) for element in root.all(tag)]
     edits = tuple(edit for part in parts if part is not None for edit in part.edits)
     return (Fix(text, edits),) if None not in parts else ()
 
@@ -175,9 +175,9 @@ def _dependencies(package: ProjectPackage, root: Element) -> Iterator[Finding]:
     )
     wider: dict[tuple[str | None, ...], Element] = {}
     again: dict[tuple[str | None, ...], list[Element]] = {}
-    for each in root.all(whole):
-        if wider.setdefault(_key(each), each) is not each and whole == "depend":
-            again.setdefault(_key(each), []).append(each)
+    for element in root.all(whole):
+        if wider.setdefault(_key(element), element) is not element and whole == "depend":
+            again.setdefault(_key(element), []).append(element)
     for key, others in again.items():
         if word(others[0]) != package.name:
             yield _twice(package, wider[key], others)
@@ -219,7 +219,7 @@ def _key(element: Element) -> tuple[str | None, ...]:
 def _twice(package: ProjectPackage, first: Element, others: list[Element]) -> Finding:
     """*others* repeat the <depend> *first*, which catkin_pkg calls redundant with all that it stands for."""
     name = word(first)
-    parts = [drop_element(package, each, f"drop the second <depend> on {name}") for each in others]
+    parts = [drop_element(package, other, f"drop the second <depend> on {name}") for other in others]
     edits = tuple(edit for part in parts if part is not None for edit in part.edits)
     fixes = (Fix(f"drop the second <depend> on {name}", edits),) if None not in parts else ()
     what = f"<depend> on {name} repeats that of line {place(package, first).line}; remove it"
@@ -231,15 +231,15 @@ def _plugins(package: ProjectPackage, root: Element) -> Iterator[Finding]:
     if package.ros != 1:
         return
     for export in root.all("export"):
-        for each in export.children:
-            path = each.attributes.get("plugin", "")
+        for child in export.children:
+            path = child.attributes.get("plugin", "")
             if path.endswith(".xml") and not path.startswith(("${prefix}", "/", "$(")):
-                fix = set_attribute(package, each, "plugin", "${prefix}/" + path, "write the path from the package")
+                fix = set_attribute(package, child, "plugin", "${prefix}/" + path, "write the path from the package")
                 yield Finding(
-                    at=place(package, each),
-                    message=f"the plug-in description {path} for {each.tag} is a relative path, so it is searched for in the current "
+                    at=place(package, child),
+                    message=f"the plug-in description {path} for {child.tag} is a relative path, so it is searched for in the current "
                     f"directory of the process; write ${{prefix}}/{path}",
-                    about=(package.name, f"plugin {each.tag} {path}"),
+                    about=(package.name, f"plugin {child.tag} {path}"),
                     fixes=() if fix is None else (fix,),
                     apart=(path,),
                 )

@@ -54,9 +54,9 @@ def _components(code: Codebase) -> dict[str, int]:
                 continue
             if macro == "RCLCPP_COMPONENTS_REGISTER_NODE":
                 found[args[0].strip().removeprefix("::")] = 2
-            elif any("nodelet::Nodelet" in each for each in args):
+            elif any("nodelet::Nodelet" in argument for argument in args):
                 found[
-                    "::".join(each.strip() for each in args[:-1])
+                    "::".join(argument.strip() for argument in args[:-1])
                     if macro == "PLUGINLIB_DECLARE_CLASS"
                     else args[0].strip()
                 ] = 1
@@ -78,7 +78,7 @@ def _copied(code: Codebase, routine: Routine, call: Call, is_shared: bool) -> st
     if not is_shared and not is_own:
         return None
     kind = type_of(code, routine, inner)
-    if not is_shared and inner.name in {each.name for each in routine.function.parameters}:
+    if not is_shared and inner.name in {parameter.name for parameter in routine.function.parameters}:
         if kind is None or kind.name != "std::unique_ptr":  # others hold it, too
             return None
     if kind is None or "*" in kind.marks:

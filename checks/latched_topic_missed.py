@@ -20,7 +20,7 @@ def check(system: System) -> Iterator[Finding]:
                         found.setdefault(subscriber.location, []).append((topic, publisher, subscriber))
     for place, alike in found.items():
         topic, publisher, subscriber = min(
-            alike, key=lambda each: (len(each[2].presence), each[0].name, each[2].node.name)
+            alike, key=lambda item: (len(item[2].presence), item[0].name, item[2].node.name)
         )
         others = [end for end in topic.subscribers if _durability(end) == "transient_local" and end.in_source]
         yield Finding(
@@ -34,7 +34,7 @@ def check(system: System) -> Iterator[Finding]:
             about=(topic, publisher, subscriber),
             related=(
                 (publisher.location, f"{publisher}: {qos_in_words(publisher.qos)}"),
-                *((each.location, f"{each} requests them: {qos_in_words(each.qos)}") for each in others[:3]),
+                *((other.location, f"{other} requests them: {qos_in_words(other.qos)}") for other in others[:3]),
             ),
             level=Level.WARNING if others else Level.NOTE,
             apart=("durability",),

@@ -47,7 +47,7 @@ def _of_containers(system: System) -> frozenset[str]:
                 texts = re.split(r"[\s,]+", rest.strip().rstrip("]").strip())[-1:]
             elif word == "RUN":
                 texts = [made[1] for made in _MADE.finditer(rest)]
-            found.update(each[0] for text in texts for each in _ABSOLUTE.finditer(text.replace('"', " ")))
+            found.update(other_match[0] for text in texts for other_match in _ABSOLUTE.finditer(text.replace('"', " ")))
     return frozenset(found)
 
 
@@ -75,7 +75,7 @@ def _derived(system: System, uses: tuple[PathUse, ...], origins: list[PathUse]) 
     found: dict[PathUse, PathUse] = {}
     for use in uses:
         path = use.text.rstrip("/")
-        holders = [each for each in origins if path.startswith(each.text.rstrip("/") + "/")]
+        holders = [origin for origin in origins if path.startswith(origin.text.rstrip("/") + "/")]
         if holders and not _is_written(system, use):
             found[use] = holders[0]
     return found
@@ -83,7 +83,9 @@ def _derived(system: System, uses: tuple[PathUse, ...], origins: list[PathUse]) 
 
 def _places(derived: dict[PathUse, PathUse], use: PathUse) -> list[Location]:
     """The first places of the paths that are made of *use*."""
-    places = (each.location for each, holder in derived.items() if holder is use and each.location != use.location)
+    places = (
+        path_use.location for path_use, holder in derived.items() if holder is use and path_use.location != use.location
+    )
     return list(dict.fromkeys(places))[:3]
 
 
@@ -92,7 +94,7 @@ def check(system: System) -> Iterator[Finding]:
     uses = tuple(system.facts(PathUse))
     if not uses:
         return
-    defaults = {(each.location, each.name) for each in system.facts(ArgumentDeclaration) if each.default}
+    defaults = {(fact.location, fact.name) for fact in system.facts(ArgumentDeclaration) if fact.default}
     origins = [use for use in uses if (use.location, use.name) in defaults][:_MAX_ORIGINS]
     derived = _derived(system, uses, origins)
     containers = _of_containers(system)
@@ -117,7 +119,7 @@ def check(system: System) -> Iterator[Finding]:
             about=(use.text,),
             flow=included_by(use),
             apart=(use.text,),
-            related=tuple((each, "made of it") for each in _places(derived, use)),
+            related=tuple((place, "made of it") for place in _places(derived, use)),
             presence=use.presence,
             level=Level.NOTE if is_secret or is_default or is_inside else None,
         )

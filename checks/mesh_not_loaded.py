@@ -37,7 +37,7 @@ def _found(project: Project) -> Iterator[tuple[str, Finding]]:
         is_plain = not description.command
         for mesh, *others in _by_directory(again.values(), project, is_plain):
             said = fault(mesh, project, meshes) if mesh.filename else ""
-            more = len({each.filename for each in others} - {mesh.filename})
+            more = len({other.filename for other in others} - {mesh.filename})
             is_literal = is_plain and _is_literal(mesh, project)
             if said and is_literal:
                 said = _not_substituted(mesh.filename or "", more)
@@ -55,9 +55,9 @@ def _found(project: Project) -> Iterator[tuple[str, Finding]]:
                         message=said,
                         about=(description.package or description.robot.path, mesh.filename or ""),
                         related=tuple(
-                            (each.location, _also(each, mesh, is_literal))
-                            for each in others
-                            if each.location != mesh.location
+                            (other.location, _also(other, mesh, is_literal))
+                            for other in others
+                            if other.location != mesh.location
                         )[:_SHOWN],
                         flow=lead(description, mesh.way),
                         apart=(mesh.filename or "",),
@@ -103,10 +103,10 @@ def _is_left_over(description: Description, project: Project) -> bool:
     named = re.compile(rf"(?<![\w.-]){re.escape(base)}(?!\.?\w)")
     loaders = {file.path for file in project.workspace.files if file.language in _LOADERS}
     pages = {name for name in names if name.lower().endswith((".md", ".rst"))}
-    for each in sorted((loaders | pages) - {path}):
-        text = project.text(each)
+    for loader in sorted((loaders | pages) - {path}):
+        text = project.text(loader)
         lines = text.split("\n") if base in text else []
-        if any(named.search(line) and (each in loaders or not _MAKES.search(line)) for line in lines):
+        if any(named.search(line) and (loader in loaders or not _MAKES.search(line)) for line in lines):
             return False
     return True
 
@@ -117,17 +117,17 @@ def _by_directory(meshes: Iterable[list[Mesh]], project: Project, is_plain: bool
     So are those of one file whose names nothing substitutes, where it *is_plain* URDF.
     """
     found: dict[tuple[str, str], list[Mesh]] = {}
-    for number, each in enumerate(meshes):
-        if is_plain and _is_literal(each[0], project):
-            found.setdefault((each[0].location.path, "$(find "), []).extend(each)
+    for number, mesh in enumerate(meshes):
+        if is_plain and _is_literal(mesh[0], project):
+            found.setdefault((mesh[0].location.path, "$(find "), []).extend(mesh)
             continue
-        folder = (each[0].filename or "").rpartition("/")[0]
+        folder = (mesh[0].filename or "").rpartition("/")[0]
         inside = folder.partition("://")[2].replace("$(find ", "").replace(")", "")
-        package = project.package(owner(each[0].filename or ""))
+        package = project.package(owner(mesh[0].filename or ""))
         wrong = (
-            package is not None and each[0].is_missing and not project.exists(package.inside(inside.partition("/")[2]))
+            package is not None and mesh[0].is_missing and not project.exists(package.inside(inside.partition("/")[2]))
         )
-        found.setdefault((each[0].location.path, folder if wrong else f"\0{number}"), []).extend(each)
+        found.setdefault((mesh[0].location.path, folder if wrong else f"\0{number}"), []).extend(mesh)
     return list(found.values())
 
 

@@ -88,7 +88,7 @@ def _content(parameters: Sequence[FunctionParameter]) -> FunctionParameter:
     """The parameter with what came: of services of rclcpp the header of the request, and the service, may stand before it
     (any_service_callback.hpp: SharedPtrWithRequestHeaderCallback, SharedPtrDeferResponseCallback).
     """
-    headers = [at for at, each in enumerate(parameters) if "rmw_request_id_t" in str(each.type)]
+    headers = [at for at, parameter in enumerate(parameters) if "rmw_request_id_t" in str(parameter.type)]
     return parameters[headers[0] + 1] if headers and headers[0] + 1 < len(parameters) else parameters[0]
 
 
@@ -102,7 +102,7 @@ def _is_bound(callback: Callback) -> bool:
     """Whether the first parameter may be given where the callback is registered."""
     if not callback.maker.is_python:
         return False
-    values = [each.value if isinstance(each, syntax.Keyword) else each for each in callback.call.args]
+    values = [argument.value if isinstance(argument, syntax.Keyword) else argument for argument in callback.call.args]
     return any(isinstance(value, syntax.Call) for value in values)
 
 
@@ -118,7 +118,7 @@ def _sink(code: Codebase, routine: Routine, call: Call) -> tuple[syntax.Expressi
     if name in SHELLS:
         return first, "is run by a shell", True
     if name in PROCESSES:
-        is_shell = any(each == syntax.Keyword("shell", syntax.Boolean(True)) for each in call.args)
+        is_shell = any(argument == syntax.Keyword("shell", syntax.Boolean(True)) for argument in call.args)
         return (first, "is run by a shell", True) if is_shell and not isinstance(first, syntax.ListLiteral) else None
     if name in ("eval", "exec") and not is_local(code, routine, name):
         return first, "is run as code", False
@@ -130,7 +130,7 @@ def _sink(code: Codebase, routine: Routine, call: Call) -> tuple[syntax.Expressi
         )
     if name == "yaml.load":
         loader = call.argument(1, "Loader")
-        if any(isinstance(each, syntax.DoubleStar) for each in call.args):
+        if any(isinstance(argument, syntax.DoubleStar) for argument in call.args):
             return None
         if loader is None or (
             isinstance(loader, syntax.Member) and loader.name in ("Loader", "UnsafeLoader", "CLoader")

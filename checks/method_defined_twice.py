@@ -12,8 +12,8 @@ def check(project: Project) -> Iterator[Finding]:
     for path, program in sorted(project.programs.items()):
         if program.language != "python" or path.endswith(".pyi") or program.problems:
             continue
-        classes = [each.name for each in program.classes]
-        columns = {each.name: each.column for each in program.classes}
+        classes = [class_.name for class_ in program.classes]
+        columns = {class_.name: class_.column for class_ in program.classes}
         methods: dict[str, list[tuple[int, bool]]] = {}
         for function in program.functions:
             owner, _, last = function.name.rpartition(".")
@@ -32,7 +32,7 @@ def check(project: Project) -> Iterator[Finding]:
             lines = sorted(line for line, _ in found)
             owner, _, last = name.rpartition(".")
             text = project.text(path).split("\n")
-            start = next(each.line for each in program.classes if each.name == owner)
+            start = next(class_.line for class_ in program.classes if class_.name == owner)
             if {_indent(text[line - 1]) for line in lines if line <= len(text)} != {_indent_of_body(text, start)}:
                 continue  # one of them stands under a condition
             yield Finding(

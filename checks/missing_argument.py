@@ -134,13 +134,13 @@ def _is_defined(code: Codebase, name: str, separator: str = ".") -> bool:
 
 
 def _lacking(routine: Routine, call: Call, name: str, wanted: tuple[str, ...]) -> Iterator[Finding]:
-    if any(isinstance(each, (syntax.Star, syntax.DoubleStar)) for each in call.args):
+    if any(isinstance(argument, (syntax.Star, syntax.DoubleStar)) for argument in call.args):
         return
-    keywords = {each.name for each in call.args if isinstance(each, syntax.Keyword)}
-    plain = sum(not isinstance(each, syntax.Keyword) for each in call.args)
+    keywords = {argument.name for argument in call.args if isinstance(argument, syntax.Keyword)}
+    plain = sum(not isinstance(argument, syntax.Keyword) for argument in call.args)
     if keywords & {*_OLD} or (name in _BY_KEYWORD and plain):
         return
-    lacking = [each for at, each in enumerate(wanted) if at >= plain and each not in keywords]
+    lacking = [item for at, item in enumerate(wanted) if at >= plain and item not in keywords]
     if not lacking:
         return
     since = {

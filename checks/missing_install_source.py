@@ -92,7 +92,9 @@ def _finding(
 
 def _exported(package: ProjectPackage) -> Mapping[str, str]:
     """By suffix, the one file that the manifest exports, that is there and not installed: what is installed has to have it."""
-    named = {value for each in exports(package) for value in each.attributes.values() if value.startswith("${prefix}/")}
+    named = {
+        value for export in exports(package) for value in export.attributes.values() if value.startswith("${prefix}/")
+    }
     by_suffix: dict[str, list[str]] = {}
     for value in sorted(named):
         if suffix := posixpath.splitext(value)[1]:

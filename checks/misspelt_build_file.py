@@ -50,8 +50,8 @@ def is_meant(name: str) -> str:
 
 def _is_built(project: Project, folder: str) -> bool:
     """Whether the package is built by CMake; without a build type catkin is meant (REP 149)."""
-    package = next(each for each in project.packages if each.path == folder)
-    kinds = {each.text.strip() for each in build_types(package)}
+    package = next(package for package in project.packages if package.path == folder)
+    kinds = {element.text.strip() for element in build_types(package)}
     return kinds <= _BUILDS
 
 

@@ -38,7 +38,7 @@ def check(project: Project) -> Iterator[Finding]:
         for name in unknown[:MAX_UNKNOWN]:
             meant: dict[str, Need] = {}
             for need in needs[:MAX_NEEDS]:
-                alike = frozenset(each for each in need.providers - {name} if _is_meant(name, each, need))
+                alike = frozenset(provider for provider in need.providers - {name} if _is_meant(name, provider, need))
                 there = _there(alike, package) or _there(need.providers if alike else frozenset(), package)
                 if (
                     there
@@ -62,7 +62,7 @@ def _there(names: frozenset[str], package: ProjectPackage) -> frozenset[str]:
 def _declared(package: ProjectPackage) -> frozenset[str]:
     """What *package* depends on with Python 3: the key for Python 2 beside a slip is none for it."""
     needs = package.raw.dependencies
-    return frozenset(each.name for each in needs if holds_for_python(each.condition, "3") is not False)
+    return frozenset(need.name for need in needs if holds_for_python(need.condition, "3") is not False)
 
 
 def _is_meant(name: str, provider: str, need: Need) -> bool:
@@ -76,15 +76,15 @@ def _is_meant(name: str, provider: str, need: Need) -> bool:
 
 
 def _finding(package: ProjectPackage, name: str, meant: Mapping[str, Need]) -> Finding:
-    line = next((each.line for each in package.raw.dependencies if each.name == name), None)
-    keys = listed([f"{each}, which the code uses ({need.what})" for each, need in meant.items()])
+    line = next((dependency.line for dependency in package.raw.dependencies if dependency.name == name), None)
+    keys = listed([f"{item}, which the code uses ({need.what})" for item, need in meant.items()])
     return Finding(
         at=Location(package.manifest_path, line or 1),
         message=f"{package.name} depends on {name}, which is neither a ROS package nor a rosdep key: rosdep stops here; "
         f"write {keys}",
         about=(package.name, name),
         apart=(name, *meant),
-        related=tuple((need.location, f"needs {each}: {need.what}") for each, need in meant.items()),
+        related=tuple((need.location, f"needs {item}: {need.what}") for item, need in meant.items()),
     )
 
 

@@ -24,14 +24,14 @@ def check(project: Project) -> Iterator[Finding]:
 def _of(package: ProjectPackage, sources: Sources) -> Iterator[Finding]:
     project = package.project
     installs = package.build.installed
-    if not any(each.kind == "program" for each in installs):
+    if not any(install.kind == "program" for install in installs):
         return
     folders = {directory for _, directory in package.build.python_roots}
     written = "\n".join(project.text(path) for path in sorted(_build_files(package)))
     if "*" in written and "GLOB" in written:
         return
     missing: dict[str, list[tuple[str, Location]]] = {}
-    for script in sorted({each.path for each in installs if each.kind == "program"}):
+    for script in sorted({install.path for install in installs if install.kind == "program"}):
         folder, _, base = script.rpartition("/")
         text = project.text(script)
         is_python = base.endswith(".py") or ("." not in base and "python" in text.partition("\n")[0])
@@ -44,7 +44,7 @@ def _of(package: ProjectPackage, sources: Sources) -> Iterator[Finding]:
     for path, uses in missing.items():
         script, location = uses[0]
         module = path.rpartition("/")[2].removesuffix(".py")
-        where = next(each.destination for each in installs if each.path == script)
+        where = next(install.destination for install in installs if install.path == script)
         yield Finding(
             at=location,
             message=f"{script} imports {module} from its own directory, but CMake installs the script alone: it fails with "
@@ -82,8 +82,9 @@ def _is_installed(path: str, package: ProjectPackage, written: str) -> bool:
     if path.rpartition("/")[2] in written:
         return True
     return any(
-        each.path == path or (each.kind == "directory" and (each.path == "." or path.startswith(f"{each.path}/")))
-        for each in package.build.installed
+        installed.path == path
+        or (installed.kind == "directory" and (installed.path == "." or path.startswith(f"{installed.path}/")))
+        for installed in package.build.installed
     )
 
 

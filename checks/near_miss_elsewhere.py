@@ -52,8 +52,8 @@ def check(project: Project) -> Iterator[Finding]:
 def _lonely(graph: WholeGraph, kind: str, other: str) -> dict[str, list[Ends]]:
     """By type: the ends of each name that nobody is at the other side of, and nobody of a name that is not known may be."""
     found: dict[str, list[Ends]] = {}
-    for (each, name), ends in graph.ends.items():
-        if each != kind or graph.of(other, name) or name.rpartition("/")[2] in COMMON:
+    for (item, name), ends in graph.ends.items():
+        if item != kind or graph.of(other, name) or name.rpartition("/")[2] in COMMON:
             continue
         types = {end.type for end, _ in ends}
         type_ = types.pop() if len(types) == 1 else None

@@ -47,8 +47,8 @@ def check(system: System) -> Iterator[Finding]:
                 wrong = _wrong(*pair)
                 found.setdefault((named_at(wrong), wrong.original_name), []).append((giver, taker, *pair))
     is_open = bool(found) and any(map(_is_open, system.nodes))
-    for each in found.values():
-        yield _finding(each, is_open)
+    for item in found.values():
+        yield _finding(item, is_open)
 
 
 def _is_given(channel: Channel, system: System) -> bool:
@@ -56,11 +56,11 @@ def _is_given(channel: Channel, system: System) -> bool:
     nodes = {end.node.name for end in channel.ends}
     own = tuple(f"{node}{sign}" for node in nodes for sign in ":/")
     return any(
-        isinstance(each.value, str)
-        and each.value not in ("", "/")
-        and (each.value == channel.name or channel.name.endswith(f"/{each.value}"))
-        and not each.name.startswith(own)
-        for each in system.parameters
+        isinstance(parameter.value, str)
+        and parameter.value not in ("", "/")
+        and (parameter.value == channel.name or channel.name.endswith(f"/{parameter.value}"))
+        and not parameter.name.startswith(own)
+        for parameter in system.parameters
     )
 
 
@@ -129,8 +129,8 @@ def _fit(giver: End, taker: End) -> bool:
     if taker.node.package == "robot_state_publisher" and taker.name.endswith("/joint_states"):
         return giver.node.package != "joint_state_publisher"  # it has nothing else to listen to
     written = [end.raw.written or "?" for end in (giver, taker)]
-    return sum(each.startswith("/") for each in written) == 1 and not any(
-        each.startswith(("?", "~")) for each in written
+    return sum(path.startswith("/") for path in written) == 1 and not any(
+        item.startswith(("?", "~")) for item in written
     )
 
 
@@ -163,11 +163,11 @@ def _finding(found: list[tuple[Channel, Channel, End, End]], is_open: bool) -> F
             f"{giver.word} {giver_name} of {giver.node} and {taker.word} {taker_name} of {taker.node} do not connect, "
             f"although they have the same type and nearly the same name: {alone}{more}; use one name for both{hint}"
         ),
-        about=tuple(dict.fromkeys(part for each in found for part in each)),
+        about=tuple(dict.fromkeys(part for item in found for part in item)),
         related=tuple(
             (named_at(end), f"{end.word} {end.name} of {end.node}")
-            for each in found
-            for end in each[2:]
+            for item in found
+            for end in item[2:]
             if end is not wrong
         ),
         flow=way_to(wrong) or way_to(other),

@@ -64,15 +64,17 @@ def _name(code: Codebase, routine: Routine, call: Call) -> str:
 def _program(code: Codebase, routine: Routine) -> set[str]:
     """The files that the program may be made of: for Python its package's, for C++ what it includes, and what goes with these headers."""
     package = routine.source.package
-    around = {each.path for each in code.sources if package is not None and each.package == package}
+    around = {source.path for source in code.sources if package is not None and source.package == package}
     if routine.is_python:
         return around | {routine.path}
     headers = set(code.cpp.reach(routine.path))
     packages = {package, *(code.by_path[path].package for path in headers)}
     beside = {
-        each.path
-        for each in code.sources
-        if each.package in packages and each.separator == "::" and not headers.isdisjoint(code.cpp.reach(each.path))
+        source.path
+        for source in code.sources
+        if source.package in packages
+        and source.separator == "::"
+        and not headers.isdisjoint(code.cpp.reach(source.path))
     }
     return headers | beside | {routine.path}
 

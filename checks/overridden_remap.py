@@ -44,7 +44,7 @@ def _finding(pairs: list[tuple[SystemNode, RemapRule, RemapRule]]) -> Iterator[F
     if not possible:
         return
     node, earlier, rule, presence = possible[0]
-    names = dict.fromkeys(each.name for each, *_ in possible)
+    names = dict.fromkeys(node.name for node, *_ in possible)
     more = f" and {len(names) - 1} more nodes" if len(names) > 1 else ""
     where = " for all nodes of its group" if earlier.is_global and not rule.is_global else ""
     yield Finding(

@@ -53,9 +53,9 @@ def check(project: Project) -> Iterator[Finding]:
 def _may_find_more(package: ProjectPackage) -> bool:
     """Whether something else may find packages, or what is found is not known."""
     commands = package.build.commands
-    if any(each.name not in (*_TAME, *_AUTO) and _FINDING.search(each.name) for each in commands):
+    if any(command.name not in (*_TAME, *_AUTO) and _FINDING.search(command.name) for command in commands):
         return True
-    return any("$" in word for each in package.commands("find_package") for word in each.arguments[:1])
+    return any("$" in word for command in package.commands("find_package") for word in command.arguments[:1])
 
 
 def _ament(package: ProjectPackage) -> Iterator[tuple[str, Finding]]:
@@ -89,14 +89,14 @@ def _is_lacking(package: ProjectPackage, found: Iterable[str], name: str) -> boo
         return False
     if project.knowledge.is_key(name) and not is_here:
         return False  # a library of the system that is called like a package
-    others = {each for each in found if not each.startswith("ament_")}
-    ros = {each for each in others if not _is_of_the_system(package, each)}
+    others = {item for item in found if not item.startswith("ament_")}
+    ros = {other for other in others if not _is_of_the_system(package, other)}
     return brings(package, ros, name) is False
 
 
 def _is_undefined(package: ProjectPackage, found: set[str], providers: tuple[str, ...]) -> bool:
     """Whether none of the packages found is one of *providers*, or finds one."""
-    waiting = [each for each in found if each == each.lower() and not _is_of_the_system(package, each)]
+    waiting = [text for text in found if text == text.lower() and not _is_of_the_system(package, text)]
     if not waiting or package.name in providers:
         return False
     project, seen = package.project, set(_RUNTIME)
@@ -132,7 +132,7 @@ def _is_of_the_system(package: ProjectPackage, name: str) -> bool:
 
 
 def _unfound(package: ProjectPackage, use: CMakeCommand, name: str, found: dict[str, CMakeCommand]) -> Finding:
-    later = next((each for each in package.commands("find_package") if each.arguments[:1] == (name,)), None)
+    later = next((command for command in package.commands("find_package") if command.arguments[:1] == (name,)), None)
     if later is not None:
         said = (
             f"ament_target_dependencies({use.arguments[0]}) uses {name} before find_package({name}) in line "

@@ -44,7 +44,7 @@ def _default(project: Project, change: Change, at: Location) -> Iterator[Finding
         if not system.is_launched or system.name not in change.configurations:
             continue
         for node in system.nodes:
-            given = {each.key for each in node.given}
+            given = {parameter.key for parameter in node.given}
             for end in node.of("parameters"):
                 if end.name in names and end.raw.location == change.head and end.name.partition(":")[2] not in given:
                     if not any(unknown.field in ("effective", "name") for unknown in end.raw.unknowns):

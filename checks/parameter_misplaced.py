@@ -9,22 +9,22 @@ from haros_ci.api import Check, Finding, Level, System, misplaced
 
 
 def check(system: System) -> Iterator[Finding]:
-    for each in system.given:
-        is_taken = each.place in system.taken or each.place in system.whole.taken
-        found = None if is_taken else misplaced(each)
+    for parameter in system.given:
+        is_taken = parameter.place in system.taken or parameter.place in system.whole.taken
+        found = None if is_taken else misplaced(parameter)
         if found is None:
             continue
         meant, why = found
-        has = " has" if each.node.names.has(meant) else " may have"
+        has = " has" if parameter.node.names.has(meant) else " may have"
         yield Finding(
-            at=each.at,
+            at=parameter.at,
             message=(
-                f"{each.node} is given the parameter {each.key}, but {each.node.type}{has} {meant}: {why}, so this value "
+                f"{parameter.node} is given the parameter {parameter.key}, but {parameter.node.type}{has} {meant}: {why}, so this value "
                 f"has no effect; write {meant}"
             ),
-            about=(each.node, each.key),
-            flow=((each.tag, f"{each.node} is given the parameters"), (each.at, f"{meant} is meant")),
-            presence=each.presence,
+            about=(parameter.node, parameter.key),
+            flow=((parameter.tag, f"{parameter.node} is given the parameters"), (parameter.at, f"{meant} is meant")),
+            presence=parameter.presence,
         )
 
 

@@ -20,32 +20,32 @@ def check(system: System) -> Iterator[Finding]:
     reads = [end for end in system.ends if end.kind in ("getters", "setters") and end.node.ros == 1]
     vague = sorted({".*".join(map(re.escape, end.name.split("?"))) for end in reads if "?" in end.name})
     perhaps = re.compile("|".join(vague)) if vague else None
-    given = [each for each in system.parameters if "?" not in each.name and ":" not in each.name]
+    given = [parameter for parameter in system.parameters if "?" not in parameter.name and ":" not in parameter.name]
     named = {part for end in reads for part in _around(end.name)}
     read = {end.name for end in reads}
-    said = {part for each in given for part in _around(each.name)}
-    names = {each.name for each in given}
+    said = {part for parameter in given for part in _around(parameter.name)}
+    names = {parameter.name for parameter in given}
     unread = [
-        each
-        for each in given
-        if each.name not in named
-        and not any(part in read for part in _around(each.name))
-        and not (perhaps is not None and perhaps.fullmatch(each.name))
-        and _is_sure(each, system)
+        parameter
+        for parameter in given
+        if parameter.name not in named
+        and not any(part in read for part in _around(parameter.name))
+        and not (perhaps is not None and perhaps.fullmatch(parameter.name))
+        and _is_sure(parameter, system)
     ]
     by_last: dict[str, list[Parameter]] = {}
-    for each in unread:
-        by_last.setdefault(each.name.rpartition("/")[0], []).append(each)
+    for parameter in unread:
+        by_last.setdefault(parameter.name.rpartition("/")[0], []).append(parameter)
     moved: dict[tuple[SystemNode, str], list[tuple[End, Parameter, Location]]] = {}
     for end in _missing(reads, said, names):
         if _is_of_stripped_namespace(end, system):
             continue
-        for each in _meant(end, by_last, unread):
-            at = each.origin or each.location
-            if at is not None and end.name.rpartition("/")[2] == each.name.rpartition("/")[2]:
-                moved.setdefault((end.node, at.path), []).append((end, each, at))
+        for parameter in _meant(end, by_last, unread):
+            at = parameter.origin or parameter.location
+            if at is not None and end.name.rpartition("/")[2] == parameter.name.rpartition("/")[2]:
+                moved.setdefault((end.node, at.path), []).append((end, parameter, at))
             elif at is not None:
-                yield _finding(end, each, at)
+                yield _finding(end, parameter, at)
     for group in moved.values():  # the same slip with the name space for all parameters of a <node>
         yield _finding(*group[0], tuple(group[1:]))
 
@@ -65,23 +65,23 @@ def _is_of_stripped_namespace(end: End, system: System) -> bool:
         return False
     text = system.workspace.text(end.location.path)
     found = list(_NAMESPACE.finditer(text)) if "getNamespace" in text else []
-    if any(each[2] for each in found):
+    if any(match[2] for match in found):
         return True
-    names = "|".join(sorted({each[1] for each in found if each[1]}))
+    names = "|".join(sorted({match[1] for match in found if match[1]}))
     cut = rf"\b(?:{names})\s*\.\s*(?:substr|erase|replace)\b|\btrim\w*\s*\(\s*(?:{names})\b|\b(?:{names})\s*\.\s*(?:begin|cbegin)\s*\(\s*\)\s*\+"
     return bool(names) and re.search(cut, text) is not None
 
 
 def _meant(end: End, spaces: Mapping[str, list[Parameter]], unread: list[Parameter]) -> Iterator[Parameter]:
     space, _, last = end.name.rpartition("/")
-    for each in spaces.get(space, ()):
-        if is_slip(last, each.name.rpartition("/")[2]):
-            yield each
-    for each in unread:
+    for parameter in spaces.get(space, ()):
+        if is_slip(last, parameter.name.rpartition("/")[2]):
+            yield parameter
+    for parameter in unread:
         own = f"{end.node.name}/"
-        is_own = end.name.startswith(own) != each.name.startswith(own)
-        if is_own and each.name.rpartition("/")[2] == last and is_moved(end.name, each.name):
-            yield each
+        is_own = end.name.startswith(own) != parameter.name.startswith(own)
+        if is_own and parameter.name.rpartition("/")[2] == last and is_moved(end.name, parameter.name):
+            yield parameter
 
 
 def _finding(
@@ -98,10 +98,10 @@ def _finding(
             f"reads: the value has no effect; write {end.name}{likewise}"
         ),
         about=(end, given.name, *names),
-        apart=(given.name, *(each.name for _, each, _ in others)),
+        apart=(given.name, *(other.name for _, other, _ in others)),
         related=(
             (end.location, f"{end.name} is read here"),
-            *dict.fromkeys((place, f"{each.name} is set here") for _, each, place in others if each is not given),
+            *dict.fromkeys((place, f"{other.name} is set here") for _, other, place in others if other is not given),
         ),
     )
 

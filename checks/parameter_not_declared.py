@@ -22,18 +22,28 @@ from haros_ci.api import (
 
 def check(system: System) -> Iterator[Finding]:
     groups: dict[tuple[str, str, str, str], list[Given]] = {}
-    for each in system.given:
-        if each.place not in system.taken and each.place not in system.whole.taken and misplaced(each) is None:
-            section = _section(each)
-            is_spare = bool(section) and _is_spare(each.node, section)
-            if not (is_spare or is_mentioned(system, each.node, section or each.key) or is_read_besides(system, each)):
-                name = "" if section else _meant(each) or (each.key if "." not in each.key else "")
+    for parameter in system.given:
+        if (
+            parameter.place not in system.taken
+            and parameter.place not in system.whole.taken
+            and misplaced(parameter) is None
+        ):
+            section = _section(parameter)
+            is_spare = bool(section) and _is_spare(parameter.node, section)
+            if not (
+                is_spare
+                or is_mentioned(system, parameter.node, section or parameter.key)
+                or is_read_besides(system, parameter)
+            ):
+                name = "" if section else _meant(parameter) or (parameter.key if "." not in parameter.key else "")
                 groups.setdefault(
-                    (each.node.name, each.at.path, section or each.key.rpartition(".")[0], name), []
-                ).append(each)
+                    (parameter.node.name, parameter.at.path, section or parameter.key.rpartition(".")[0], name), []
+                ).append(parameter)
     for (_, _, section, _), group in groups.items():
-        lines = {each.place: each for each in group}
-        yield _finding(min(group, key=lambda each: each.at.sort_key), section, sorted({key for _, key in lines}))
+        lines = {parameter.place: parameter for parameter in group}
+        yield _finding(
+            min(group, key=lambda parameter: parameter.at.sort_key), section, sorted({key for _, key in lines})
+        )
 
 
 def _section(given: Given) -> str:
@@ -55,7 +65,7 @@ def _is_spare(node: SystemNode, section: str) -> bool:
 
 def _meant(given: Given) -> str:
     """A parameter of the node that nothing else gives, and that is called nearly the same."""
-    own = {each.key for each in given.node.given}
+    own = {parameter.key for parameter in given.node.given}
     return near(given.key, [name for name in given.node.names.declared if name not in own]) or ""
 
 

@@ -34,12 +34,14 @@ def _declared(system: System) -> Iterator[Finding]:
             keys = [key for key, _ in missing]
             end = missing[0][1]
             alike = _alike(system, node, missing)
-            if any(each.is_default and (not node.is_default or _at(each) < _at(node)) for each in alike):
+            if any(
+                other_node.is_default and (not node.is_default or _at(other_node) < _at(node)) for other_node in alike
+            ):
                 continue  # told there
             files = _files(node)
             shared = f"set it in {files[0]}" if len(files) == 1 else "set it in one of the files that they share"
             where = shared if alike else "set it here"
-            given = {each.key for each in node.given}
+            given = {parameter.key for parameter in node.given}
             meant = near(keys[0], [key for key in given if key not in node.names.declared])
             yield Finding(
                 at=node.location,
@@ -50,11 +52,11 @@ def _declared(system: System) -> Iterator[Finding]:
                     )
                     + (f"; {meant} is set, but not declared" if meant else "")
                 ),
-                about=(node, *(each for _, each in missing)),
+                about=(node, *(end for _, end in missing)),
                 apart=tuple(keys),
                 related=(
                     (end.location, f"{keys[0]} is declared without a default"),
-                    *((each.location, f"{each} does not get it, either") for each in alike),
+                    *((other_node.location, f"{other_node} does not get it, either") for other_node in alike),
                 ),
             )
 
@@ -63,7 +65,7 @@ def _lacking(node: SystemNode) -> list[tuple[str, End]]:
     """What a node of ROS 2 declares without a value and does not get."""
     if node.ros != 2 or not node.is_launched or not node.known or node.raw.conditions:
         return []
-    given = {each.key for each in node.given}
+    given = {parameter.key for parameter in node.given}
     return [
         (key, end)
         for key, ends in node.names.declared.items()
@@ -76,9 +78,9 @@ def _alike(system: System, node: SystemNode, missing: list[tuple[str, End]]) -> 
     """The nodes of other launch files, of the same class and with the same files of parameters, that lack the same: one file is to be mended."""
     found: dict[tuple[object, ...], SystemNode] = {}
     files, wanted = _files(node), [(key, end.location) for key, end in missing]
-    for each in system.whole.systems if files else ():
-        for other in each.nodes:
-            if _at(other) == _at(node) or _at(other) in found or other.location.path in each.refused:
+    for other_system in system.whole.systems if files else ():
+        for other in other_system.nodes:
+            if _at(other) == _at(node) or _at(other) in found or other.location.path in other_system.refused:
                 continue
             if _files(other) == files and [(key, end.location) for key, end in _lacking(other)] == wanted:
                 found[_at(other)] = other
@@ -90,7 +92,7 @@ def _at(node: SystemNode) -> tuple[object, ...]:
 
 
 def _files(node: SystemNode) -> list[str]:
-    return sorted({each.at.path for each in node.given if each.at.path.endswith((".yaml", ".yml"))})
+    return sorted({parameter.at.path for parameter in node.given if parameter.at.path.endswith((".yaml", ".yml"))})
 
 
 def _read(system: System) -> Iterator[Finding]:
@@ -109,10 +111,14 @@ def _read(system: System) -> Iterator[Finding]:
         if missing:
             keys = list(missing)
             end = missing[keys[0]]
-            given = [each.name.removeprefix(begin) for each in system.parameters if each.name.startswith(begin)]
+            given = [
+                parameter.name.removeprefix(begin)
+                for parameter in system.parameters
+                if parameter.name.startswith(begin)
+            ]
             meant = near(
                 keys[0],
-                [each for each in given if each not in {e.name.removeprefix(begin) for e in node.ends}],
+                [item for item in given if item not in {e.name.removeprefix(begin) for e in node.ends}],
                 dot="/",
             )
             effect = (
@@ -191,9 +197,9 @@ def _is_chosen(lines: list[str]) -> bool:
 
 def _may_have(system: System, node: SystemNode, key: str) -> bool:
     """Whether something may give the parameter: a launch file that starts a node of the type, another node, a command that people are told."""
-    for each in system.whole.systems:
-        for other in each.nodes:
-            if other.type == node.type and _is_given(each, other, key):
+    for other_system in system.whole.systems:
+        for other in other_system.nodes:
+            if other.type == node.type and _is_given(other_system, other, key):
                 return True
     last = key.rpartition("/")[2]
     return any(f"_{key}:=" in text or (last in text and "rosparam set" in text) for text in _pages(system))

@@ -19,17 +19,17 @@ def check(system: System) -> Iterator[Finding]:
     vague = sorted({".*".join(map(re.escape, end.name.split("?"))) for end in reads if "?" in end.name})
     perhaps = re.compile("|".join(vague)) if vague else None
     nodes = {node.name: node for node in system.nodes if node.ros == 1 and node.known and node.complete}
-    for each in system.parameters:
-        node = _owner(each, nodes)
-        if node is None or each.name in named or any(part in read for part in _around(each.name)):
+    for parameter in system.parameters:
+        node = _owner(parameter, nodes)
+        if node is None or parameter.name in named or any(part in read for part in _around(parameter.name)):
             continue
-        if perhaps is not None and perhaps.fullmatch(each.name):
+        if perhaps is not None and perhaps.fullmatch(parameter.name):
             continue
         yield Finding(
-            at=each.origin or each.location or node.location,
-            message=f"{node} is given the parameter {each.name}, but neither {node.type} nor another node reads it: the value "
+            at=parameter.origin or parameter.location or node.location,
+            message=f"{node} is given the parameter {parameter.name}, but neither {node.type} nor another node reads it: the value "
             "has no effect; correct the name, or remove it",
-            about=(node, each.name),
+            about=(node, parameter.name),
         )
 
 

@@ -13,10 +13,10 @@ def check(system: System) -> Iterator[Finding]:
         for key, ends in node.names.declared.items() if node.ros == 2 else ():
             if all(end.raw.range is None for end in ends):
                 continue
-            given = [each for each in node.given if each.key == key]
-            for each in given:
-                if not _differ(ends) and each.type == ends[0].type:
-                    yield from _judged(ends[0], key, each.value, each)
+            given = [parameter for parameter in node.given if parameter.key == key]
+            for parameter in given:
+                if not _differ(ends) and parameter.type == ends[0].type:
+                    yield from _judged(ends[0], key, parameter.value, parameter)
             for end in ends if not given else ():
                 yield from _judged(end, key, end.raw.value, None)
 

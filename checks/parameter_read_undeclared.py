@@ -48,9 +48,13 @@ def _is_guarded(end: End) -> bool:
 
     A call that throws has nothing that tells a type; where it is not strict, somebody catches it.
     """
-    if not end.raw.is_strict and end.raw.type is None and not any(each.field == "type" for each in end.raw.unknowns):
+    if (
+        not end.raw.is_strict
+        and end.raw.type is None
+        and not any(unknown.field == "type" for unknown in end.raw.unknowns)
+    ):
         return True
-    return any("has_parameter" in each.condition or each.statement == "catch" for each in end.conditions)
+    return any("has_parameter" in condition.condition or condition.statement == "catch" for condition in end.conditions)
 
 
 CHECK = Check(

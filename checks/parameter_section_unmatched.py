@@ -25,26 +25,28 @@ def _of_file(system: System, unserved: list[ParameterFileUse], uses: tuple[Param
     """The sections that match no process which is given the file, where another process is given it for nothing."""
     if not all(use.is_read for use in uses):
         return
-    live = {_key(each) for use in uses for each in use.patterns if _matches(use, each) is not False}
+    live = {_key(pattern) for use in uses for pattern in use.patterns if _matches(use, pattern) is not False}
     is_own = len({use.program for use in uses}) == 1
     told: set[tuple[str, Location]] = set()
     for use in unserved:
-        dead = [each for each in use.patterns if _key(each) not in live]
-        for each in dead:
-            is_meant = (is_own and len(dead) == 1) or any(_is_like(each.pattern, name) for name in _names(system, use))
-            if is_meant and _key(each) not in told:
-                told.add(_key(each))
+        dead = [pattern for pattern in use.patterns if _key(pattern) not in live]
+        for node_pattern in dead:
+            is_meant = (is_own and len(dead) == 1) or any(
+                _is_like(node_pattern.pattern, name) for name in _names(system, use)
+            )
+            if is_meant and _key(node_pattern) not in told:
+                told.add(_key(node_pattern))
                 called = f"{use.node}, which" if use.node else f"the node of {'/'.join(use.program)}, which"
                 yield Finding(
-                    at=each.location,
+                    at=node_pattern.location,
                     message=(
-                        f"the section {each.pattern} matches no node that gets this file: {called} has another name and gets none "
-                        f"of these parameters; write {_right(use)} or /** here, or name the node {each.pattern}"
+                        f"the section {node_pattern.pattern} matches no node that gets this file: {called} has another name and gets none "
+                        f"of these parameters; write {_right(use)} or /** here, or name the node {node_pattern.pattern}"
                     ),
-                    about=(each.pattern, "/".join(use.program)),
+                    about=(node_pattern.pattern, "/".join(use.program)),
                     flow=(
                         (use.location, "the file is loaded here"),
-                        (each.location, "this section has another name"),
+                        (node_pattern.location, "this section has another name"),
                     ),
                     presence=use.presence,
                 )
@@ -55,7 +57,7 @@ def _key(pattern: NodePattern) -> tuple[str, Location]:
 
 
 def _is_unserved(use: ParameterFileUse) -> bool:
-    return bool(use.patterns) and all(_matches(use, each) is False for each in use.patterns)
+    return bool(use.patterns) and all(_matches(use, pattern) is False for pattern in use.patterns)
 
 
 def _matches(use: ParameterFileUse, pattern: NodePattern) -> bool | None:

@@ -17,9 +17,9 @@ _TEXTS = (".xml", ".in", ".em", ".jinja", ".cmake", ".txt")
 
 
 def check(project: Project) -> Iterator[Finding]:
-    described = {_last(each.type) for package in project.packages for each in package.build.plugins}
+    described = {_last(plugin.type) for package in project.packages for plugin in package.build.plugins}
     for package in project.packages:
-        missing = [each for each in _registered(package) if _last(each.type) not in described]
+        missing = [registration for registration in _registered(package) if _last(registration.type) not in described]
         if not missing:
             continue
         words = {
@@ -28,9 +28,9 @@ def check(project: Project) -> Iterator[Finding]:
             if path.endswith(_TEXTS) and (package.path == "." or path.startswith(f"{package.path}/"))
             for word in re.findall(r"\w+", project.text(path))
         }
-        for each in missing:
-            if _last(each.type) not in words:
-                yield _finding(package, each)
+        for registration in missing:
+            if _last(registration.type) not in words:
+                yield _finding(package, registration)
 
 
 def _registered(package: ProjectPackage) -> Iterator[Registration]:
@@ -44,23 +44,28 @@ def _registered(package: ProjectPackage) -> Iterator[Registration]:
         for path in target.sources
         if path not in target.conditional_sources
     }
-    for each in registrations(package):
-        is_plain = re.fullmatch(r"[\w:]+", each.type) is not None
-        inner = each.location.path.removeprefix(f"{package.path}/")
-        space = each.type.lstrip(":").partition("::")[0]
+    for registration in registrations(package):
+        is_plain = re.fullmatch(r"[\w:]+", registration.type) is not None
+        inner = registration.location.path.removeprefix(f"{package.path}/")
+        space = registration.type.lstrip(":").partition("::")[0]
         if space != package.name and package.project.knowledge.is_package(space):
             continue  # a class of another package, which describes it
-        if is_plain and each.macro.startswith(_MACRO) and each.location.path in built and not _TEST.search(inner):
-            yield each
+        if (
+            is_plain
+            and registration.macro.startswith(_MACRO)
+            and registration.location.path in built
+            and not _TEST.search(inner)
+        ):
+            yield registration
 
 
-def _finding(package: ProjectPackage, each: Registration) -> Finding:
+def _finding(package: ProjectPackage, registration: Registration) -> Finding:
     return Finding(
-        at=each.location,
-        message=f"{package.name} registers {each.type} as a {each.base}, but its plug-in description does not list it: "
+        at=registration.location,
+        message=f"{package.name} registers {registration.type} as a {registration.base}, but its plug-in description does not list it: "
         "pluginlib cannot load the class; add a <class> element to the exported description",
-        about=(package.name, each.type),
-        apart=(each.type,),
+        about=(package.name, registration.type),
+        apart=(registration.type,),
         related=tuple((Location(path, 1), "an exported description") for path in exported_under(package)),
     )
 

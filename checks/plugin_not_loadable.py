@@ -49,13 +49,14 @@ class _Package:
     left_over: int = 0
 
     def __post_init__(self) -> None:
-        for each in self.registered:
-            self.by_type.setdefault(each.type, []).append(each)
-            self.by_last.setdefault(each.type.rpartition("::")[2], []).append(each)
+        for registration in self.registered:
+            self.by_type.setdefault(registration.type, []).append(registration)
+            self.by_last.setdefault(registration.type.rpartition("::")[2], []).append(registration)
         every = self.package.build.plugins
-        self.described += (each for each in every if each.base != _COMPONENT and each.location.path in self.exports)
+        described = (plugin for plugin in every if plugin.base != _COMPONENT)
+        self.described += (plugin for plugin in described if plugin.location.path in self.exports)
         types = {plugin.type for plugin in self.described}
-        self.awaits_description = any(each.type not in types for each in self.registered)
+        self.awaits_description = any(registration.type not in types for registration in self.registered)
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -68,26 +69,26 @@ def check(project: Project) -> Iterator[Finding]:
         if exports or own:
             found.append(_Package(package, own, exports, libraries))
     classes = class_names(project.programs.values()) if found else set()
-    others = {macro.type for each in found for macro in each.registered}
-    for each in found:
-        wrong = tuple(_described(each, others))
+    others = {macro.type for package in found for macro in package.registered}
+    for exporter in found:
+        wrong = tuple(_described(exporter, others))
         yield from wrong
-        yield from _exported(each, loading, {name for finding in wrong for name in finding.apart})
-        yield from _not_exported(each)
-        yield from _in_two(each)
-        yield from _unknown_classes(each, classes)
+        yield from _exported(exporter, loading, {name for finding in wrong for name in finding.apart})
+        yield from _not_exported(exporter)
+        yield from _in_two(exporter)
+        yield from _unknown_classes(exporter, classes)
 
 
 def _described(found: _Package, others: Container[str]) -> Iterator[Finding]:
     """Each class of the descriptions: its library, its macro in it, its base."""
     seen_through: dict[str, bool] = {}
-    for each in found.described:
-        if "." in each.type or not each.library or "$" in each.library or "@" in each.library:
+    for plugin in found.described:
+        if "." in plugin.type or not plugin.library or "$" in plugin.library or "@" in plugin.library:
             continue  # Python's, or made by the build
-        library = _library(each, found)
+        library = _library(plugin, found)
         if library is None:
-            if not _may_be_elsewhere(each, found, others):
-                yield _left_over(each, found, _no_library(each, found))
+            if not _may_be_elsewhere(plugin, found, others):
+                yield _left_over(plugin, found, _no_library(plugin, found))
             continue
         if library.name not in seen_through:
             is_open = not _is_whole(library, found.package)
@@ -96,34 +97,35 @@ def _described(found: _Package, others: Container[str]) -> Iterator[Finding]:
             )
         if not seen_through[library.name]:
             continue
-        macros = found.by_type.get(each.type, [])
+        macros = found.by_type.get(plugin.type, [])
         inside = compiled_into(library, found.package)
         here = [macro for macro in macros if macro.location.path in inside]
         if not here and all(_is_source(macro.location.path) for macro in macros):
-            if not is_written(each.type, MACROS, inside, found.package.project):
-                yield _left_over(each, found, _not_registered(each, library, found, macros))
-        elif here and not any(_is_base(macro.base, each.base) for macro in here):
-            yield _other_base(each, found, here[0])
+            if not is_written(plugin.type, MACROS, inside, found.package.project):
+                yield _left_over(plugin, found, _not_registered(plugin, library, found, macros))
+        elif here and not any(_is_base(macro.base, plugin.base) for macro in here):
+            yield _other_base(plugin, found, here[0])
 
 
-def _library(each: PluginClass, found: _Package) -> Target | None:
+def _library(plugin: PluginClass, found: _Package) -> Target | None:
     """The target that makes the library which the description names.
 
     ROS 2 tries the name with and without ``lib`` before it, ROS 1 takes it as it is (pluginlib's class_loader_imp.hpp); both look
     for the last part of a path, too.
     """
-    name = posixpath.basename(each.library).removesuffix(".so")
+    name = posixpath.basename(plugin.library).removesuffix(".so")
     names = [name]
     if found.package.ros != 1:
         names.append(name.removeprefix("lib") if name.startswith("lib") else f"lib{name}")
-    return next((found.libraries[each] for each in names if each in found.libraries), None)
+    return next((found.libraries[name] for name in names if name in found.libraries), None)
 
 
-def _may_be_elsewhere(each: PluginClass, found: _Package, others: Container[str]) -> bool:
+def _may_be_elsewhere(plugin: PluginClass, found: _Package, others: Container[str]) -> bool:
     """Whether what is not seen may make the library: another package, unknown makers of targets, names that a build decides on, a branch
     of CMake that is not followed, as under an option that is off by default.
     """
-    if (not found.by_type.get(each.type, []) and each.type in others) or may_be_added(found.package, each.library):
+    is_only_elsewhere = not found.by_type.get(plugin.type) and plugin.type in others
+    if is_only_elsewhere or may_be_added(found.package, plugin.library):
         return True
     words = ("is not known", "only known in a build")
     return not found.package.build.targets or any(
@@ -132,10 +134,10 @@ def _may_be_elsewhere(each: PluginClass, found: _Package, others: Container[str]
     )
 
 
-def _no_library(each: PluginClass, found: _Package) -> Finding:
-    name = posixpath.basename(each.library)
+def _no_library(plugin: PluginClass, found: _Package) -> Finding:
+    name = posixpath.basename(plugin.library)
     lacking = found.package.ros == 1 and f"lib{name}" in found.libraries
-    macros = [macro for macro in found.by_type.get(each.type, []) if _is_source(macro.location.path)]
+    macros = [macro for macro in found.by_type.get(plugin.type, []) if _is_source(macro.location.path)]
     makers = sorted({file_name(t) for m in macros for t in found.libraries.values() if m.location.path in t.sources})
     if lacking:
         hint = f"the file is lib{name}.so, and ROS 1 adds no lib prefix: write lib/lib{name}"
@@ -144,42 +146,42 @@ def _no_library(each: PluginClass, found: _Package) -> Finding:
     else:
         hint = "build the library, or remove the description"
     return Finding(
-        at=each.location,
-        message=f"plug-in {each.name} cannot be loaded: package {found.package} builds no library {each.library!r}; {hint}",
-        about=(found.package.name, each.type),
-        apart=(each.type,),
+        at=plugin.location,
+        message=f"plug-in {plugin.name} cannot be loaded: package {found.package} builds no library {plugin.library!r}; {hint}",
+        about=(found.package.name, plugin.type),
+        apart=(plugin.type,),
     )
 
 
-def _left_over(each: PluginClass, found: _Package, finding: Finding) -> Finding:
+def _left_over(plugin: PluginClass, found: _Package, finding: Finding) -> Finding:
     """A warning where the description is all that is left: no class of the package has the name, none waits for a description,
     and no file asks for it. Then nothing stops working, but whoever lists what there is to load shows one that is not."""
     found.left_over += 1
     if found.left_over > MAX_LEFT_OVER:
         return finding
-    if _has_class(each, found) or found.awaits_description:
+    if _has_class(plugin, found) or found.awaits_description:
         return finding
-    if is_asked_for((each.name, each.type), found.package.project):
+    if is_asked_for((plugin.name, plugin.type), found.package.project):
         return finding
     remedy = "build it, or remove the description and what offers it"
     message = f"{finding.message.rpartition(';')[0]}; no class of the package has this name: {remedy}"
     return replace(finding, message=message, level=Level.WARNING)
 
 
-def _has_class(each: PluginClass, found: _Package) -> bool:
+def _has_class(plugin: PluginClass, found: _Package) -> bool:
     """Whether a class of the package may be the one described: it is called so, and is not another one that is described or registered."""
     programs = found.package.project.programs
-    last = each.type.rpartition("::")[2]
+    last = plugin.type.rpartition("::")[2]
     if last not in class_names(programs.get(file.path) for file in found.package.files):
         return False
     others = {plugin.type for plugin in found.described} | {macro.type for macro in found.registered}
     alike = {name for name in own_classes(found.package) if name.rpartition("::")[2] == last}
-    return not alike or not alike <= others - {each.type}
+    return not alike or not alike <= others - {plugin.type}
 
 
-def _not_registered(each: PluginClass, library: Target, found: _Package, macros: list[Registration]) -> Finding:
-    last = each.type.rpartition("::")[2]
-    alike = [m for m in found.by_last.get(last, ()) if m.type != each.type]
+def _not_registered(plugin: PluginClass, library: Target, found: _Package, macros: list[Registration]) -> Finding:
+    last = plugin.type.rpartition("::")[2]
+    alike = [m for m in found.by_last.get(last, ()) if m.type != plugin.type]
     related: tuple[tuple[Location, str], ...] = ()
     if macros:
         hint = f"add {macros[0].location.path}, which registers it, to the sources if it compiles, or remove the class here"
@@ -190,24 +192,24 @@ def _not_registered(each: PluginClass, library: Target, found: _Package, macros:
     else:
         hint = "add PLUGINLIB_EXPORT_CLASS for it to a source"
     return Finding(
-        at=each.location,
-        message=f"plug-in {each.name} cannot be loaded: library {library.name} does not register {each.type}; {hint}",
-        about=(found.package.name, each.type),
+        at=plugin.location,
+        message=f"plug-in {plugin.name} cannot be loaded: library {library.name} does not register {plugin.type}; {hint}",
+        about=(found.package.name, plugin.type),
         related=related,
-        apart=(each.type,),
+        apart=(plugin.type,),
     )
 
 
-def _other_base(each: PluginClass, found: _Package, macro: Registration) -> Finding:
+def _other_base(plugin: PluginClass, found: _Package, macro: Registration) -> Finding:
     return Finding(
-        at=each.location,
+        at=plugin.location,
         message=(
-            f"plug-in {each.name} cannot be loaded: the description gives the base class {each.base}, the "
+            f"plug-in {plugin.name} cannot be loaded: the description gives the base class {plugin.base}, the "
             f"registration {macro.base}; write the same base class in both places"
         ),
-        about=(found.package.name, each.type),
+        about=(found.package.name, plugin.type),
         related=((macro.location, f"it is registered as a {macro.base} here"),),
-        apart=(each.type,),
+        apart=(plugin.type,),
     )
 
 
@@ -222,17 +224,17 @@ def _exported(
 ) -> Iterator[Finding]:
     """Each description: exported to the package that the loaders of its base classes name."""
     for path, packages in found.exports.items():
-        for each in found.described:
-            wanted = loading.get(each.base, {})
-            if each.location.path != path or each.type in wrong or not wanted or set(packages) & set(wanted):
+        for plugin in found.described:
+            wanted = loading.get(plugin.base, {})
+            if plugin.location.path != path or plugin.type in wrong or not wanted or set(packages) & set(wanted):
                 continue
             name, where = sorted(wanted.items())[0]
             package, at = list(packages.items())[0]
             yield Finding(
                 at=at,
                 message=(
-                    f"{posixpath.basename(path)} is exported to {package}, but pluginlib searches plug-ins of {each.base} in "
-                    f"exports to {name}: {each.name} is not found; export it to {name}"
+                    f"{posixpath.basename(path)} is exported to {package}, but pluginlib searches plug-ins of {plugin.base} in "
+                    f"exports to {name}: {plugin.name} is not found; export it to {name}"
                 ),
                 about=(found.package.name, posixpath.relpath(path, found.package.path), package),
                 related=((where, f"{name} is searched here"),),
@@ -244,12 +246,12 @@ def _not_exported(found: _Package) -> Iterator[Finding]:
     """Descriptions of classes that are built and registered, which nothing exports."""
     package = found.package
     built = {path for target in package.build.targets if not target.is_test for path in target.sources}
-    types = {each.type for each in found.registered if each.location.path in built}
+    types = {registration.type for registration in found.registered if registration.location.path in built}
     if not types or any(
         "pluginlib" in word for c in package.build.commands for word in c.arguments[:1] if c.name != "find_package"
     ):
         return
-    described = {each.type for each in found.described}
+    described = {plugin.type for plugin in found.described}
     for file in package.files:
         if file.language != "xml" or file.path in found.exports or _TEST.search(file.path.removeprefix(package.path)):
             continue
@@ -287,12 +289,12 @@ def _is_mentioned(name: str, package: ProjectPackage) -> bool:
 
 def _in_two(found: _Package) -> Iterator[Finding]:
     """A class whose macro is compiled into two shared libraries."""
-    for each in found.registered:
+    for macro in found.registered:
         holders = sorted(
             name
             for name, target in found.libraries.items()
-            if each.location.path in target.sources
-            and each.location.path not in target.conditional_sources
+            if macro.location.path in target.sources
+            and macro.location.path not in target.conditional_sources
             and target.is_installed
             and not target.is_conditional
         )
@@ -300,13 +302,13 @@ def _in_two(found: _Package) -> Iterator[Finding]:
         holders = [name for name, variant in zip(holders, made, strict=True) if made.count(variant) > 1]
         if len(holders) > 1:
             yield Finding(
-                at=each.location,
+                at=macro.location,
                 message=(
-                    f"{each.type} is registered in {len(holders)} libraries, {listed(holders)}, because all of them "
+                    f"{macro.type} is registered in {len(holders)} libraries, {listed(holders)}, because all of them "
                     "compile this file: if both are loaded, the load order decides which one is used; compile the file in "
                     "one library only"
                 ),
-                about=(found.package.name, each.type),
+                about=(found.package.name, macro.type),
                 level=Level.WARNING,
             )
 
@@ -314,16 +316,16 @@ def _in_two(found: _Package) -> Iterator[Finding]:
 def _unknown_classes(found: _Package, classes: Container[str]) -> Iterator[Finding]:
     """Macros for classes of the package's own namespaces that the workspace, whose *classes* are given by their last parts, lacks."""
     built = {path for target in found.package.build.targets for path in target.sources}
-    for each in found.registered:
-        space, _, last = each.type.removeprefix("::").rpartition("::")
-        if each.location.path not in built or last in classes or not re.fullmatch(r"[\w:]+::\w+", each.type):
+    for macro in found.registered:
+        space, _, last = macro.type.removeprefix("::").rpartition("::")
+        if macro.location.path not in built or last in classes or not re.fullmatch(r"[\w:]+::\w+", macro.type):
             continue
         own = own_classes(found.package)
         if any(name.startswith(f"{space}::") for name in own):
             yield Finding(
-                at=each.location,
-                message=f"{each.macro} names the class {each.type}, which does not exist: this does not compile; correct the name",
-                about=(found.package.name, each.type),
+                at=macro.location,
+                message=f"{macro.macro} names the class {macro.type}, which does not exist: this does not compile; correct the name",
+                about=(found.package.name, macro.type),
             )
 
 

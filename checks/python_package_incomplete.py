@@ -39,13 +39,13 @@ def check(project: Project) -> Iterator[Finding]:
 
 def _entry_points(package: ProjectPackage) -> Iterator[Finding]:
     """``name = module:function``: the module's file, and the function in it."""
-    for each in package.build.entry_points:
-        if each.path:
-            missing = _missing_name(each, package)
+    for entry_point in package.build.entry_points:
+        if entry_point.path:
+            missing = _missing_name(entry_point, package)
             if missing is not None:
                 yield missing
-        elif _is_own(each.module, package):
-            yield _missing_module(each, package)
+        elif _is_own(entry_point.module, package):
+            yield _missing_module(entry_point, package)
 
 
 def _is_there(path: str, package: ProjectPackage) -> bool:
@@ -76,12 +76,14 @@ def _below(roots: list[str], package: ProjectPackage) -> Iterator[str]:
 def _generated(package: ProjectPackage) -> tuple[str, ...]:
     """The modules that the build makes."""
     return tuple(
-        f"{package.name}.{each.name}" for each in package.build.parameter_libraries if each.language == "python"
+        f"{package.name}.{parameter_library.name}"
+        for parameter_library in package.build.parameter_libraries
+        if parameter_library.language == "python"
     )
 
 
-def _missing_module(each: EntryPoint, package: ProjectPackage) -> Finding:
-    folder, _, last = each.module.rpartition(".")
+def _missing_module(entry_point: EntryPoint, package: ProjectPackage) -> Finding:
+    folder, _, last = entry_point.module.rpartition(".")
     beside = sorted(
         path.rpartition("/")[2].removesuffix(".py")
         for path in (file.path for file in package.files if file.language == "python")
@@ -91,22 +93,22 @@ def _missing_module(each: EntryPoint, package: ProjectPackage) -> Finding:
     meant = f"; write {folder}.{alike[0]}" if alike else ""
     fixes: tuple[Fix, ...] = ()
     if len(alike) == 1:
-        fixes = _replaced(each, each.module, f"{folder}.{alike[0]}", package)
+        fixes = _replaced(entry_point, entry_point.module, f"{folder}.{alike[0]}", package)
     return Finding(
-        at=each.location,
-        message=f"program {each.name} of package {package.name} cannot start: the module {each.module} does not "
+        at=entry_point.location,
+        message=f"program {entry_point.name} of package {package.name} cannot start: the module {entry_point.module} does not "
         f"exist{meant}",
-        about=(package.name, each.name),
-        apart=(each.name,),
+        about=(package.name, entry_point.name),
+        apart=(entry_point.name,),
         fixes=fixes,
     )
 
 
-def _missing_name(each: EntryPoint, package: ProjectPackage) -> Finding | None:
+def _missing_name(entry_point: EntryPoint, package: ProjectPackage) -> Finding | None:
     """The function, as far as the module's text can tell: star imports and assignments of all kinds are in doubt."""
-    name = each.function.partition(".")[0]
-    program = package.project.programs.get(each.path)
-    text = package.project.text(each.path)
+    name = entry_point.function.partition(".")[0]
+    program = package.project.programs.get(entry_point.path)
+    text = package.project.text(entry_point.path)
     if (
         program is None
         or program.problems
@@ -130,34 +132,38 @@ def _missing_name(each: EntryPoint, package: ProjectPackage) -> Finding | None:
     alike = sorted(other for other in own if is_slip(other, name))
     meant = f"; write {alike[0]}" if alike else ""
     return Finding(
-        at=each.location,
-        message=f"program {each.name} of package {package.name} cannot start: {each.path} has no function "
-        f"{each.function}(){meant}",
-        about=(package.name, each.name),
-        related=((Location(each.path, 1), f"the module {each.module}"),),
-        apart=(each.name,),
-        fixes=_replaced(each, f"{each.module}:{each.function}", f"{each.module}:{alike[0]}", package)
+        at=entry_point.location,
+        message=f"program {entry_point.name} of package {package.name} cannot start: {entry_point.path} has no function "
+        f"{entry_point.function}(){meant}",
+        about=(package.name, entry_point.name),
+        related=((Location(entry_point.path, 1), f"the module {entry_point.module}"),),
+        apart=(entry_point.name,),
+        fixes=_replaced(
+            entry_point, f"{entry_point.module}:{entry_point.function}", f"{entry_point.module}:{alike[0]}", package
+        )
         if len(alike) == 1
         else (),
     )
 
 
-def _replaced(each: EntryPoint, old: str, new: str, package: ProjectPackage) -> tuple[Fix, ...]:
+def _replaced(entry_point: EntryPoint, old: str, new: str, package: ProjectPackage) -> tuple[Fix, ...]:
     """*new* in the place of *old* in the line of the entry point, where it stands once."""
-    lines = package.project.text(each.location.path).splitlines()
-    number = each.location.line or 0
+    lines = package.project.text(entry_point.location.path).splitlines()
+    number = entry_point.location.line or 0
     line = lines[number - 1] if 0 < number <= len(lines) else ""
     if line.count(old) != 1:
         return ()
     at = line.index(old)
     start, end = (number, at + 1), (number, at + 1 + len(old))
-    return (Fix(f"start {new}", (Edit(each.location.path, start, end, new),)),)
+    return (Fix(f"start {new}", (Edit(entry_point.location.path, start, end, new),)),)
 
 
 def _directories(package: ProjectPackage, launched: set[tuple[str, str]]) -> Iterator[Finding]:
     """setup.cfg: programs have to go to ``lib/<package>`` to be found by ros2 run and launch files."""
     nodes = [
-        each for each in package.build.entry_points if _is_node(each, package) or (package.name, each.name) in launched
+        entry_point
+        for entry_point in package.build.entry_points
+        if _is_node(entry_point, package) or (package.name, entry_point.name) in launched
     ]
     if not nodes:
         return
@@ -169,7 +175,7 @@ def _directories(package: ProjectPackage, launched: set[tuple[str, str]]) -> Ite
             if section == "develop" and given.get("install", (value, 0))[0] == value:
                 continue  # told once, of install
             fixes = []
-            for each, (other, number) in given.items():
+            for item, (other, number) in given.items():
                 if other == value:
                     text = package.project.text(path).splitlines()[number - 1]
                     at = text.rindex(value)
@@ -215,9 +221,9 @@ def _no_directory(package: ProjectPackage, node: EntryPoint, path: str, given: d
     )
 
 
-def _is_node(each: EntryPoint, package: ProjectPackage) -> bool:
+def _is_node(entry_point: EntryPoint, package: ProjectPackage) -> bool:
     """Whether a program runs a ROS node: other tools (ros2cli, linters) are put into ``bin`` on purpose."""
-    return _NODE.search(package.project.text(each.path)) is not None
+    return _NODE.search(package.project.text(entry_point.path)) is not None
 
 
 def _marker(package: ProjectPackage) -> Iterator[Finding]:
@@ -225,8 +231,8 @@ def _marker(package: ProjectPackage) -> Iterator[Finding]:
     others = package.project.text(package.inside("setup.cfg")) + package.project.text(package.inside("pyproject.toml"))
     if any("data_files" in problem.message for problem in package.build.problems) or re.search("data[-_]files", others):
         return
-    here = [each for each in package.build.installed if each.destination == _MARKERS]
-    if any(each.name == package.name for each in here):
+    here = [installed for installed in package.build.installed if installed.destination == _MARKERS]
+    if any(installed.name == package.name for installed in here):
         return
     setup = package.inside("setup.py")
     wrong = f"data_files installs the marker {here[0].name}, which differs from the package name" if here else ""
@@ -249,9 +255,9 @@ def _packages(package: ProjectPackage) -> Iterator[Finding]:
     for name, where in package.build.python_packages:
         root = next(
             (
-                each
-                for each in sorted(roots, key=len, reverse=True)
-                if not each or name == each or name.startswith(f"{each}.")
+                root
+                for root in sorted(roots, key=len, reverse=True)
+                if not root or name == root or name.startswith(f"{root}.")
             ),
             None,
         )

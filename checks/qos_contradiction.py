@@ -47,7 +47,9 @@ def _not_kept(end: End, qos: Qos, system: System) -> Iterator[str]:
         publishers = [
             giver for topic in system.topics if end in topic.takers for giver, _ in can_meet(topic.givers, (end,))
         ]
-        if not publishers or any(each.qos is None or each.qos.reliability != "reliable" for each in publishers):
+        if not publishers or any(
+            publisher.qos is None or publisher.qos.reliability != "reliable" for publisher in publishers
+        ):
             return
     yield "what transient local keeps for late subscribers is sent again with reliable delivery only; make it reliable"
 

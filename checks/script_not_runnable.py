@@ -65,15 +65,15 @@ def _of(
     package: ProjectPackage, launched: dict[str, Location], level: Level, programs: Programs
 ) -> Iterator[Finding | _Bit]:
     seen: set[str] = set()
-    for each in package.build.installed:
-        if not _is_for_programs(each, package):
+    for script in package.build.installed:
+        if not _is_for_programs(script, package):
             continue
-        if each.kind == "directory":
-            yield from _unpacked(each, package)
-        elif each.path not in seen and package.project.text(each.path) and not _is_sourced(each.path, package):
-            seen.add(each.path)
-            yield from _first_line(each.path, package)
-            yield from _mode(each, package, level, programs)
+        if script.kind == "directory":
+            yield from _unpacked(script, package)
+        elif script.path not in seen and package.project.text(script.path) and not _is_sourced(script.path, package):
+            seen.add(script.path)
+            yield from _first_line(script.path, package)
+            yield from _mode(script, package, level, programs)
     yield from _started(package, launched, seen)
     yield from _configured(package)
 
@@ -81,11 +81,11 @@ def _of(
 def _joined(package: ProjectPackage, found: Iterable[Finding | _Bit]) -> Iterator[Finding]:
     """The scripts of a package without the execute bit for which the same is at stake in one finding."""
     groups: dict[tuple[str, Level], list[str]] = {}
-    for each in found:
-        if isinstance(each, Finding):
-            yield each
+    for finding in found:
+        if isinstance(finding, Finding):
+            yield finding
         else:
-            groups.setdefault((each.why, each.level), []).append(each.path)
+            groups.setdefault((finding.why, finding.level), []).append(finding.path)
     for (why, level), paths in groups.items():
         yield _without_bit(package, list(dict.fromkeys(paths)), why, level)
 
@@ -94,12 +94,12 @@ def _is_copied(project: Project) -> bool:
     """Whether evidently nobody builds with links to the sources: no script (of two or more) of ament's install(PROGRAMS) has its bit, and nothing says so."""
     bits = project.workspace.executables
     paths = {
-        each.path
+        script.path
         for package in project.packages
         if package.ros == 2
-        for each in package.build.installed
-        if each.kind == "program" and not each.keeps_mode and _is_for_programs(each, package)
-        if project.text(each.path).startswith("#!") and not _is_sourced(each.path, package)
+        for script in package.build.installed
+        if script.kind == "program" and not script.keeps_mode and _is_for_programs(script, package)
+        if project.text(script.path).startswith("#!") and not _is_sourced(script.path, package)
     }
     if bits is None or len(paths) < _FEW or not paths.isdisjoint(bits):
         return False
@@ -127,8 +127,8 @@ def _configured(package: ProjectPackage) -> Iterator[_Bit]:
                 yield _Bit(path, _RUN_BY_BUILD, Level.NOTE if is_for_noetic(package.project) else Level.WARNING)
 
 
-def _is_for_programs(each: Installed, package: ProjectPackage) -> bool:
-    return each.destination in ("bin", f"lib/{package.name}")
+def _is_for_programs(script: Installed, package: ProjectPackage) -> bool:
+    return script.destination in ("bin", f"lib/{package.name}")
 
 
 def _first_line(path: str, package: ProjectPackage) -> Iterator[Finding]:
@@ -187,37 +187,39 @@ def _without(path: str, package: ProjectPackage, lines: list[str]) -> Finding:
     )
 
 
-def _mode(each: Installed, package: ProjectPackage, level: Level, programs: Programs) -> Iterator[Finding | _Bit]:
+def _mode(script: Installed, package: ProjectPackage, level: Level, programs: Programs) -> Iterator[Finding | _Bit]:
     """The execute bit: taken away by the installation, or missing where the source's own counts."""
-    text = package.project.text(each.path)
+    text = package.project.text(script.path)
     if not text.startswith("#!"):
         return
-    if each.kind == "file":
-        if _is_read_alone(each, package, programs) or is_made_program_later(package, each.path, each):
+    if script.kind == "file":
+        if _is_read_alone(script, package, programs) or is_made_program_later(package, script.path, script):
             return
-        if not each.keeps_mode and _is_program(each.path, package.project) and not _gives_modes(each, package):
+        if not script.keeps_mode and _is_program(script.path, package.project) and not _gives_modes(script, package):
             yield Finding(
-                at=each.location,
+                at=script.location,
                 message=(
-                    f"install(FILES) installs {each.path} next to programs, but without the execute bit: ros{_two(package)} "
+                    f"install(FILES) installs {script.path} next to programs, but without the execute bit: ros{_two(package)} "
                     "run does not find it; use install(PROGRAMS)"
                 ),
-                about=(package.name, each.path),
+                about=(package.name, script.path),
             )
         return
     bits = package.project.workspace.executables
-    if bits is None or each.path in bits or _is_relayed(each, package) or not _is_program(each.path, package.project):
+    if bits is None or script.path in bits or _is_relayed(script, package):
         return
-    if is_given_to_another(each.path, package):
+    if not _is_program(script.path, package.project):
         return
-    if each.keeps_mode:
+    if is_given_to_another(script.path, package):
+        return
+    if script.keeps_mode:
         why = _KEPT
     elif package.ros == 1:
         why = _DEVEL
     else:
         why = _LINKED
-    if each.keeps_mode or package.ros is not None:
-        yield _Bit(each.path, why, level if why is _LINKED else Level.WARNING)
+    if script.keeps_mode or package.ros is not None:
+        yield _Bit(script.path, why, level if why is _LINKED else Level.WARNING)
 
 
 def _without_bit(package: ProjectPackage, paths: list[str], why: str, level: Level) -> Finding:
@@ -234,23 +236,23 @@ def _without_bit(package: ProjectPackage, paths: list[str], why: str, level: Lev
     )
 
 
-def _unpacked(each: Installed, package: ProjectPackage) -> Iterator[Finding]:
+def _unpacked(script: Installed, package: ProjectPackage) -> Iterator[Finding]:
     """install(DIRECTORY) gives its files no execute bit, unless told to."""
-    if _gives_modes(each, package) or each.keeps_mode:
+    if _gives_modes(script, package) or script.keeps_mode:
         return
-    inside = [file.path for file in package.files if file.path.startswith(f"{each.path}/")]
+    inside = [file.path for file in package.files if file.path.startswith(f"{script.path}/")]
     programs = [path for path in inside if package.project.text(path).startswith("#!")]
     programs = [path for path in programs if _is_program(path, package.project)]
-    programs = [path for path in programs if not is_made_program_later(package, path, each)]
+    programs = [path for path in programs if not is_made_program_later(package, path, script)]
     if programs:
         yield Finding(
-            at=each.location,
+            at=script.location,
             message=(
                 f"install(DIRECTORY) installs {', '.join(programs[:3])} next to programs, but without the execute bit: "
                 f"ros{_two(package)} run does not find {('it' if len(programs) == 1 else 'them')}; use install(PROGRAMS), "
                 "or add USE_SOURCE_PERMISSIONS"
             ),
-            about=(package.name, each.path),
+            about=(package.name, script.path),
         )
 
 
@@ -296,11 +298,11 @@ def _is_program(path: str, project: Project) -> bool:
     )
 
 
-def _is_read_alone(each: Installed, package: ProjectPackage, programs: Programs) -> bool:
+def _is_read_alone(script: Installed, package: ProjectPackage, programs: Programs) -> bool:
     """Whether an interpreter is given the file, and nothing starts it by its name."""
-    if (package.name, each.name) in programs.started or programs.told(package.name, each.name) is not None:
+    if (package.name, script.name) in programs.started or programs.told(package.name, script.name) is not None:
         return False
-    return is_given_to_another(each.path, package)
+    return is_given_to_another(script.path, package)
 
 
 def _imports(text: str) -> bool:
@@ -319,15 +321,15 @@ def _is_python_3(text: str) -> bool:
     return True
 
 
-def _gives_modes(each: Installed, package: ProjectPackage) -> bool:
+def _gives_modes(script: Installed, package: ProjectPackage) -> bool:
     """Whether the command says which modes the files get, or is not one that is known."""
-    commands = [command for command in package.commands("install") if command.location == each.location]
+    commands = [command for command in package.commands("install") if command.location == script.location]
     return not commands or any(word in command.arguments for command in commands for word in _MODES)
 
 
-def _is_relayed(each: Installed, package: ProjectPackage) -> bool:
+def _is_relayed(script: Installed, package: ProjectPackage) -> bool:
     """catkin_install_python makes an executable of its own in the devel space."""
-    return any(command.location == each.location for command in package.commands("catkin_install_python"))
+    return any(command.location == script.location for command in package.commands("catkin_install_python"))
 
 
 def _interpreter(line: str) -> str:

@@ -69,12 +69,12 @@ def _forbidden(policy: Policy, name: str, nodes: list[SystemNode], rules: Callab
         enclave = enclave_of(node.raw)
         enclaves = [enclave] if enclave is not None else list(dict.fromkeys(profile.enclave for profile in profiles))
         here = [profile for profile in profiles if profile.enclave in enclaves]
-        if not here or not all(policy.is_told(each) and rules(each).is_whole for each in enclaves):
+        if not here or not all(policy.is_told(enclave) and rules(enclave).is_whole for enclave in enclaves):
             continue
         for end in node.ends:
             if end.implicit or not end.known or end.kind not in DOES or (end.kind, end.name) in told:
                 continue
-            verdicts = {rules(each).verdict(end.kind, end.name) for each in enclaves}
+            verdicts = {rules(enclave).verdict(end.kind, end.name) for enclave in enclaves}
             if "allowed" not in verdicts:
                 told.add((end.kind, end.name))
                 yield _refusal(policy, here[0], end, verdicts)

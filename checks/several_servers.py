@@ -31,11 +31,11 @@ _CALLED: WeakKeyDictionary[Whole, dict[tuple[str, str], bool]] = WeakKeyDictiona
 
 
 def check(system: System) -> Iterator[Finding]:
-    for each in _pairs(system).values():
-        first, *others = _systems_with(each, system)
+    for pair in _pairs(system).values():
+        first, *others = _systems_with(pair, system)
         if first[0] is system:
             systems = [first[0], *(other for other, _ in others)]
-            yield _finding(each, [node for _, node in others], _level(each, systems))
+            yield _finding(pair, [node for _, node in others], _level(pair, systems))
 
 
 def _level(pairs: list[tuple[Channel, End, End]], systems: list[System]) -> Level | None:
@@ -54,16 +54,16 @@ def _level(pairs: list[tuple[Channel, End, End]], systems: list[System]) -> Leve
 def _is_called_in(channel: Channel, system: System) -> bool:
     """Whether a node of *system* has a client of *channel*."""
     every = system.services if channel.kind == "service" else system.actions
-    return any(each.name == channel.name and each.takers for each in every)
+    return any(other_channel.name == channel.name and other_channel.takers for other_channel in every)
 
 
 def _systems_with(pairs: list[tuple[Channel, End, End]], system: System) -> list[tuple[System, SystemNode]]:
     """The systems in which the same two nodes offer the same, each with the second node: first one that has it by default."""
     if system.whole not in _SEEN:
         seen: dict[_Key, list[tuple[System, SystemNode]]] = {}
-        for each in system.whole.systems:
-            for found in _pairs(each).values() if not each.is_refused else ():
-                seen.setdefault(_key(found), []).append((each, found[0][2].node))
+        for other_system in system.whole.systems:
+            for found in _pairs(other_system).values() if not other_system.is_refused else ():
+                seen.setdefault(_key(found), []).append((other_system, found[0][2].node))
         for every in seen.values():
             every.sort(key=lambda one: bool(one[1].presence) or not one[1].is_default)
         _SEEN[system.whole] = seen
@@ -104,8 +104,12 @@ def _is_called(channel: Channel, system: System) -> bool:
 
 
 def _calls(channel: Channel, system: System) -> bool:
-    for each in _channels(system):
-        if each.name == channel.name and each.kind == channel.kind and any(end.in_source for end in each.takers):
+    for other_channel in _channels(system):
+        if (
+            other_channel.name == channel.name
+            and other_channel.kind == channel.kind
+            and any(end.in_source for end in other_channel.takers)
+        ):
             return True
     if system.workspace is None:
         return False
@@ -127,9 +131,9 @@ def _calls(channel: Channel, system: System) -> bool:
 
 
 def _channels(system: System) -> Iterator[Channel]:
-    for each in system.whole.systems:
-        yield from each.services
-        yield from each.actions
+    for other_system in system.whole.systems:
+        yield from other_system.services
+        yield from other_system.actions
 
 
 def _are_two(one: End, other: End, system: System) -> bool:
@@ -186,7 +190,7 @@ def _finding(found: list[tuple[Channel, End, End]], likewise: list[SystemNode], 
     return Finding(
         at=second.node.location if is_twice else named_at(second),
         message=f"{whose} offer the {channel.kind} {channel}{more}: {effect}{advice}",
-        about=tuple(part for each in found for part in each),
+        about=tuple(part for item in found for part in item),
         related=(
             *((end.location, f"{end.word} {end.name}") for _, one, two in found for end in (one, two)),
             *((node.location, f"{node} is started beside {first.node} here, too") for node in likewise),

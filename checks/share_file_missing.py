@@ -101,7 +101,9 @@ def _finding(package: ProjectPackage, use: _Use) -> Iterator[Finding]:
     if not _is_known(package) or may_appear(package, path, _QUIET):
         return
     place = posixpath.normpath(f"share/{package.name}/{use.inner}")
-    sources = [each.path for each in package.build.installed if f"{each.destination}/{each.name}" == place]
+    sources = [
+        installed.path for installed in package.build.installed if f"{installed.destination}/{installed.name}" == place
+    ]
     sources += [
         name
         for name in project.workspace.names

@@ -100,7 +100,7 @@ def _finding(constructor: Routine, way: tuple[tuple[Routine, Call], ...], at: Lo
         "std::bad_weak_ptr (before C++17 the behaviour is undefined); call it in a method that runs after std::make_shared, or "
         "pass the node by *this or by its interfaces",
         about=(constructor.owner, way[-1][0].title),
-        flow=tuple((Location(each.path, call.line, call.column), "calls this") for each, call in way)
+        flow=tuple((Location(routine.path, call.line, call.column), "calls this") for routine, call in way)
         if len(way) > 1
         else (),
         level=None if is_sure else Level.WARNING,

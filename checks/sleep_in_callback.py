@@ -76,32 +76,32 @@ def check(project: Project) -> Iterator[Finding]:
     code = project.code
     seen: set[int] = set()
     found: dict[int, list[tuple[Reached, Call, float]]] = {}
-    for each in in_callbacks(code):
-        if each.routine.is_test or each.callback.maker.is_test or not _holds_up(code, each.callback):
+    for reached in in_callbacks(code):
+        if reached.routine.is_test or reached.callback.maker.is_test or not _holds_up(code, reached.callback):
             continue
-        calls = code.body(each.routine).calls
-        if ENDS.intersection(call.name for call in calls) or any(map(_depends, each.path[1:])):
+        calls = code.body(reached.routine).calls
+        if ENDS.intersection(call.name for call in calls) or any(map(_depends, reached.path[1:])):
             continue
         for call in calls:
-            if id(call) in seen or "sleep" not in call.name or (each.path and _depends((each.routine, call))):
+            if id(call) in seen or "sleep" not in call.name or (reached.path and _depends((reached.routine, call))):
                 continue
-            seconds = sleeps(code, each.routine, call)
+            seconds = sleeps(code, reached.routine, call)
             if seconds is not None and not 0 <= seconds < SHORT:
                 seen.add(id(call))
-                found.setdefault(id(each.callback.routine), []).append((each, call, seconds))
+                found.setdefault(id(reached.callback.routine), []).append((reached, call, seconds))
     for every in found.values():
         yield _finding(code, every)
 
 
 def _finding(code: Codebase, every: list[tuple[Reached, Call, float]]) -> Finding:
     """One finding for a callback, however often it sleeps."""
-    each, call, seconds = every[0]
-    kind, title = each.callback.kind, each.callback.routine.title
+    reached, call, seconds = every[0]
+    kind, title = reached.callback.kind, reached.callback.routine.title
     long = f" for {seconds:g} s" if seconds >= 0 else " for a time that is not known"
     where = f"{title}, the callback of a {kind}"
-    if each.routine is not each.callback.routine:
-        where = f"{each.routine.title}, which {title}, the callback of a {kind}, runs"
-    ros2 = each.callback.ros == 2
+    if reached.routine is not reached.callback.routine:
+        where = f"{reached.routine.title}, which {title}, the callback of a {kind}, runs"
+    ros2 = reached.callback.ros == 2
     others = "no other callback of the node's default group runs" if ros2 else "the spinner runs no other callback"
     threads = (
         "put the callback into a separate callback group, with a multi-threaded executor"
@@ -112,13 +112,13 @@ def _finding(code: Codebase, every: list[tuple[Reached, Call, float]]) -> Findin
     advice = threads if kind == "service" else f"use a timer, or {threads}"
     effect = f"{others}, and messages are delayed or lost; {advice}"
     return Finding(
-        at=call_place(each.routine, call),
+        at=call_place(reached.routine, call),
         message=f"the thread sleeps{long} in {where}: during the sleep {effect}",
         about=(title, "sleep"),
         related=tuple((call_place(other.routine, sleep), "also sleeps here") for other, sleep, _ in every[1:]),
-        flow=each.flow(call, "sleeps here"),
+        flow=reached.flow(call, "sleeps here"),
         level=Level.NOTE
-        if _loses_nothing(code, each.callback) or all(_is_minor(code, *one) for one in every)
+        if _loses_nothing(code, reached.callback) or all(_is_minor(code, *one) for one in every)
         else None,
     )
 
@@ -153,24 +153,24 @@ def _is_failure(test: syntax.Expression) -> bool:
     return (isinstance(test, syntax.Operation) and test.operator == "!") or any(map(FAILURE.search, words))
 
 
-def _is_minor(code: Codebase, each: Reached, call: Call, seconds: float) -> bool:
+def _is_minor(code: Codebase, reached: Reached, call: Call, seconds: float) -> bool:
     """Whether it holds others up briefly, a known number of times, after a failure, at the start, or where nobody waits."""
-    if _is_after_failure(code, each.routine, call) or _is_initialising(each, call):
+    if _is_after_failure(code, reached.routine, call) or _is_initialising(reached, call):
         return True
     if 0 <= seconds < BRIEF or any(place.kind == "loop" and _is_bounded(place) for place in call.around):
         return True
-    return any(TOOLS.search(routine.path.lower()) for routine in (each.callback.maker, each.routine))
+    return any(TOOLS.search(routine.path.lower()) for routine in (reached.callback.maker, reached.routine))
 
 
-def _is_initialising(each: Reached, call: Call) -> bool:
+def _is_initialising(reached: Reached, call: Call) -> bool:
     """Whether it is done once, when hardware is brought up: in a service for that, or while a flag says that it is not initialized yet."""
-    callback = each.callback
+    callback = reached.callback
     if callback.kind == "service":
         texts = (given.value for given in callback.call.args if isinstance(given, syntax.String))
         named = (callback.routine.function.name, *texts)
         if any(INITIAL.search(name.rpartition(":")[2].rpartition(".")[2]) for name in named):
             return True
-    around = (place for _, step in (*each.path, (each.routine, call)) for place in step.around)
+    around = (place for _, step in (*reached.path, (reached.routine, call)) for place in step.around)
     tests = (place.test for place in around)
     return any(test is not None and _asks_for_flag(test) for test in tests)
 
@@ -193,7 +193,7 @@ def _depends(step: tuple[Routine, Call]) -> bool:
     routine, call = step
     parameters = {parameter.name for parameter in routine.function.parameters}
     conditions = (place.test or _condition(place) for place in call.around)
-    return any(parameters & names_in(each) for each in conditions if each is not None)
+    return any(parameters & names_in(condition) for condition in conditions if condition is not None)
 
 
 def _condition(place: Place) -> syntax.Expression | None:
@@ -251,8 +251,8 @@ def _pause(code: Codebase, routine: Routine, expression: syntax.Expression) -> f
     made = code.body(routine).variables.get(expression.name) if isinstance(expression, syntax.Name) else None
     if made is None:
         return _chrono(expression)
-    pauses = [_chrono(_value(each)) for each in made]
-    return -1 if any(each < 0 for each in pauses) else max(pauses)
+    pauses = [_chrono(_value(variable)) for variable in made]
+    return -1 if any(pause < 0 for pause in pauses) else max(pauses)
 
 
 def _value(variable: Variable) -> syntax.Expression:

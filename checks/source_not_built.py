@@ -39,23 +39,23 @@ def _needed(package: ProjectPackage, path: str, every: frozenset[str]) -> Iterat
     program = project.programs.get(path)
     stem = posixpath.splitext(posixpath.basename(path))[0]
     headers = {
-        each
-        for each in every
-        if posixpath.splitext(posixpath.basename(each))[0] == stem and not each.endswith(SUFFIXES)
+        item
+        for item in every
+        if posixpath.splitext(posixpath.basename(item))[0] == stem and not item.endswith(SUFFIXES)
     }
     if program is None or len(headers) != 1:
         return
     defined = {
-        (each.owner.replace("::", ".").rpartition(".")[2], each.name.replace("::", ".").rpartition(".")[2])
-        for each in program.functions
-        if each.body is not None and each.owner
+        (function.owner.replace("::", ".").rpartition(".")[2], function.name.replace("::", ".").rpartition(".")[2])
+        for function in program.functions
+        if function.body is not None and function.owner
     }
     elsewhere = {
-        (each.owner.replace("::", ".").rpartition(".")[2], each.name.replace("::", ".").rpartition(".")[2])
+        (function.owner.replace("::", ".").rpartition(".")[2], function.name.replace("::", ".").rpartition(".")[2])
         for other, facts in project.programs.items()
         if other != path and other in every
-        for each in facts.functions
-        if each.body is not None and each.owner
+        for function in facts.functions
+        if function.body is not None and function.owner
     }
     own = sorted(defined - elsewhere)
     header = headers.pop()
@@ -97,7 +97,7 @@ def _caller(
 
 def _includes(package: ProjectPackage, source: str, header: str) -> bool:
     program = package.project.programs.get(source)
-    names = (each.strip('<>"') for each in program.includes) if program is not None else ()
+    names = (include.strip('<>"') for include in program.includes) if program is not None else ()
     return any(package.included.own(name, source) == header for name in names)
 
 

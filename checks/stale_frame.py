@@ -65,7 +65,9 @@ def check(project: Project) -> Iterator[Finding]:
 
 def _changed(project: Project, base: Project) -> frozenset[str]:
     """The suffixes of the files that are not as they were at the base."""
-    old, new = ({(file.path, file.digest) for file in each.workspace.files} for each in (base, project))
+    old, new = (
+        {(file.path, file.digest) for file in other_project.workspace.files} for other_project in (base, project)
+    )
     return frozenset("." + path.rpartition(".")[2] for path, _ in old ^ new)
 
 
@@ -76,8 +78,8 @@ def _renamed(project: Project, base: Project, changed: frozenset[str]) -> Iterat
     old, new = ({frame.name for frame in frames} for frames in (before, after))
     written = None
     for source in dict.fromkeys(frame.source for frame in before):
-        gone = {each.name: each for each in before if each.source == source and each.name not in new}
-        come = {each.name: each for each in after if each.source == source and each.name not in old}
+        gone = {frame.name: frame for frame in before if frame.source == source and frame.name not in new}
+        come = {frame.name: frame for frame in after if frame.source == source and frame.name not in old}
         for name in gone:
             if name in COMMON or not come:
                 continue

@@ -30,9 +30,9 @@ def check(project: Project) -> Iterator[Finding]:
 
 
 def _finding(left: LeftBehind, ends: list[End]) -> Finding:
-    end = min(ends, key=lambda each: (len(each.node.name), each.node.name))
+    end = min(ends, key=lambda end: (len(end.node.name), end.node.name))
     does, missing, result = ALONE[end.kind]
-    others = len({each.node.name for each in ends}) - 1
+    others = len({end.node.name for end in ends}) - 1
     who = f"{end.node}{f' and {others} more' if others else ''}"
     at = _at(left, end)
     place = _at(left, left.now) if left.now is not None else None
@@ -61,11 +61,11 @@ def _finding(left: LeftBehind, ends: list[End]) -> Finding:
         if left.now is not None and place is not None
         else ()
     )
-    shown = {each.location: (each.location, str(each)) for each in ends if each.location != at}
+    shown = {end.location: (end.location, str(end)) for end in ends if end.location != at}
     return Finding(
         at=at,
         message=f"{who} still {does} {left.name}, {said}, so {result}; {remedy}",
-        about=(left.name, end.kind, *sorted({each.node.type for each in ends})[:SHOWN]),
+        about=(left.name, end.kind, *sorted({end.node.type for end in ends})[:SHOWN]),
         related=(*related, *list(shown.values())[:SHOWN]),
         level=Level.ERROR if left.action != "removed" and (left.together or left.certain) else Level.WARNING,
     )

@@ -75,20 +75,20 @@ def _finding(routine: Routine, call: Call, what: str, said: str) -> Finding:
 
 
 def _topic(call: Call) -> str:
-    return next((each.value for each in call.args if isinstance(each, syntax.String)), "")
+    return next((argument.value for argument in call.args if isinstance(argument, syntax.String)), "")
 
 
 def _dropped(code: Codebase, routine: Routine, call: Call) -> str | None:
     """The local variable that alone keeps what a call makes, in a function that just goes on and returns."""
     for name, every in code.body(routine).variables.items():
-        for each in every:
-            if each.is_static or len(every) > 1:
+        for variable in every:
+            if variable.is_static or len(every) > 1:
                 continue
-            if each.value is not call.whole or "&" in each.type.marks:
+            if variable.value is not call.whole or "&" in variable.type.marks:
                 continue
-            if routine.function.kind == "lambda" or any(place.kind == "loop" for place in each.around):
+            if routine.function.kind == "lambda" or any(place.kind == "loop" for place in variable.around):
                 return None
-            rest = code.lines(routine, each.line)
+            rest = code.lines(routine, variable.line)
             if len(re.findall(rf"\b{re.escape(name)}\b", rest)) != 1 or STAYS.search(_POINTER.sub(" ", rest)):
                 return None
             return name

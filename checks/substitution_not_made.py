@@ -62,7 +62,7 @@ def _kept(project: Project, ros: int, parameter: Parameter) -> _Kept | None:
     tag, at, value = parameter.location, parameter.origin, parameter.value
     if tag is None or at is None or parameter.source != "launch":
         return None
-    written = next((each for text in _texts(value) for each in _WRITTEN[ros].findall(text)), None)
+    written = next((item for text in _texts(value) for item in _WRITTEN[ros].findall(text)), None)
     if written is None or written not in project.text(at.path) or _is_made(project, ros, tag):
         return None  # what stands in no file is a path that a launch file has put in
     return _Kept(ros, tag, at, written, parameter)
@@ -83,8 +83,12 @@ def _finding(kept: list[_Kept]) -> Finding:
         at=tag,
         message=f"{first.written} is not substituted in {where}: the parameter {first.parameter.name} gets this text itself{more}; "
         f"{instead}",
-        about=(path, *sorted({each.written for each in kept})),
-        related=tuple((each.at, f"{each.written} stays as it is") for each in kept[:_SHOWN] if each.at != tag),
+        about=(path, *sorted({other_kept.written for other_kept in kept})),
+        related=tuple(
+            (other_kept.at, f"{other_kept.written} stays as it is")
+            for other_kept in kept[:_SHOWN]
+            if other_kept.at != tag
+        ),
         presence=first.parameter.presence,
         apart=(path,),
     )
@@ -112,9 +116,9 @@ def _at(root: Element, line: int | None) -> Element | None:
 
 def _texts(value: object) -> Iterator[str]:
     """The texts in a value, of a list those of its items."""
-    for each in value if isinstance(value, (list, tuple)) else (value,):
-        if isinstance(each, str) and "$(" in each and len(each) <= _LONG:
-            yield each
+    for item in value if isinstance(value, (list, tuple)) else (value,):
+        if isinstance(item, str) and "$(" in item and len(item) <= _LONG:
+            yield item
 
 
 CHECK = Check(

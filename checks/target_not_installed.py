@@ -39,8 +39,8 @@ _ORDER = (Level.ERROR, Level.WARNING, Level.NOTE)
 def check(project: Project) -> Iterator[Finding]:
     programs, devel = Programs(project), DevelSpaces(project)
     for package in project.packages:
-        for each in _of(package, programs):
-            yield replace(each, level=Level.NOTE) if devel.has(package) else each
+        for finding in _of(package, programs):
+            yield replace(finding, level=Level.NOTE) if devel.has(package) else finding
         if _is_known(package) and package.ros is not None and not package.raw.is_metapackage:
             yield from _elsewhere(package, programs)  # a rule that is there, and wrong, counts in a devel space, too
 
@@ -55,8 +55,8 @@ def _of(package: ProjectPackage, programs: Programs) -> Iterator[Finding]:
         return
     yield from libraries
     groups: dict[tuple[str, Level], list[Uninstalled]] = {}
-    for each in left:
-        groups.setdefault((each.kind, each.level), []).append(each)
+    for other_uninstalled in left:
+        groups.setdefault((other_uninstalled.kind, other_uninstalled.level), []).append(other_uninstalled)
     for group in groups.values():
         yield _left_out(package, group)
 
@@ -70,8 +70,11 @@ def _nothing(package: ProjectPackage, libraries: list[Finding], left: list[Unins
 
     A note in ROS 1, where who never installs uses such a package from its devel space.
     """
-    places = [(each.at, each.apart[0], each.level or Level.ERROR, each.related) for each in libraries]
-    places += [(each.at, each.shown, each.level, each.related) for each in left]
+    places = [(library.at, library.apart[0], library.level or Level.ERROR, library.related) for library in libraries]
+    places += [
+        (other_uninstalled.at, other_uninstalled.shown, other_uninstalled.level, other_uninstalled.related)
+        for other_uninstalled in left
+    ]
     names = [name for _, name, _, _ in places]
     are = "is" if len(names) == 1 else "are"
     finder = "ros2 run and launch do" if package.ros == 2 else "in an install space rosrun and roslaunch do"
@@ -83,7 +86,9 @@ def _nothing(package: ProjectPackage, libraries: list[Finding], left: list[Unins
         about=(package.name,),
         related=_related(((at, f"{name} is not installed") for at, name, _, _ in places[1:]), (r for *_, r in places)),
         level=min((level for _, _, level, _ in places), key=_ORDER.index) if package.ros == 2 else Level.NOTE,
-        fixes=_fixes(package, left) if left and not libraries and len({each.kind for each in left}) == 1 else (),
+        fixes=_fixes(package, left)
+        if left and not libraries and len({other_uninstalled.kind for other_uninstalled in left}) == 1
+        else (),
     )
 
 
@@ -91,18 +96,18 @@ def _left_out(package: ProjectPackage, group: list[Uninstalled]) -> Finding:
     """One finding for all programs of a kind for which the same is at stake: one install() mends them."""
     first, kind = group[0], group[0].kind
     runner = "ros2 run and launch do" if package.ros == 2 else "in an install space rosrun and roslaunch do"
-    names = [each.shown for each in group]
+    names = [other_uninstalled.shown for other_uninstalled in group]
     if len(group) == 1:
         message = f"the {kind} {first.shown} is not installed: {runner} not find it"
     else:
         message = f"the {kind}s {_listed(names)} are not installed: {runner} not find them"
-    things = tuple(each.name for each in group)
-    others = ((each.at, f"{each.shown} is not installed") for each in group[1:])
+    things = tuple(other_uninstalled.name for other_uninstalled in group)
+    others = ((other_uninstalled.at, f"{other_uninstalled.shown} is not installed") for other_uninstalled in group[1:])
     return Finding(
         at=first.at,
         message=message,
         about=(package.name, *things),
-        related=_related(others, (each.related for each in group)),
+        related=_related(others, (other_uninstalled.related for other_uninstalled in group)),
         apart=things,
         level=first.level,
         fixes=_fixes(package, group),
@@ -121,24 +126,24 @@ def _related(
 ) -> tuple[tuple[Location, str], ...]:
     """The other places, and what starts the programs: each place once."""
     found: dict[Location, str] = {}
-    for place, text in (*others, *(each for group in starts for each in group)):
+    for place, text in (*others, *(item for group in starts for item in group)):
         found.setdefault(place, text)
     return tuple(found.items())
 
 
 def _fixes(package: ProjectPackage, group: list[Uninstalled]) -> tuple[Fix, ...]:
-    names = " ".join(each.name for each in group)
+    names = " ".join(other_uninstalled.name for other_uninstalled in group)
     if group[0].kind == "script":
         if package.ros == 1:
             line = f"catkin_install_python(PROGRAMS {names} DESTINATION ${{CATKIN_PACKAGE_BIN_DESTINATION}})"
         else:
             line = f"install(PROGRAMS {names} DESTINATION lib/${{PROJECT_NAME}})"
     else:
-        if any(each.at.path != package.cmake_path for each in group):
+        if any(other_uninstalled.at.path != package.cmake_path for other_uninstalled in group):
             return ()
         place = "lib/${PROJECT_NAME}" if package.ros == 2 else "${CATKIN_PACKAGE_BIN_DESTINATION}"
         line = f"install(TARGETS {names} DESTINATION {place})"
-    fix = install_line(package, line, f"install {_listed([each.name for each in group])}")
+    fix = install_line(package, line, f"install {_listed([other_uninstalled.name for other_uninstalled in group])}")
     return (fix,) if fix is not None else ()
 
 
@@ -150,7 +155,9 @@ def _elsewhere(package: ProjectPackage, programs: Programs) -> Iterator[Finding]
             use = programs.started.get((package.name, target.output))
             place = _wrong_place(package, list(package.cmake.destinations(target.name)), use is not None)
             if place is not None:
-                installs = (each.command.location for each in package.cmake.installs if target.name in each.things)
+                installs = (
+                    install.command.location for install in package.cmake.installs if target.name in install.things
+                )
                 groups.setdefault((next(installs, target.location), place), []).append((target, use))
     for (at, place), group in groups.items():
         yield _misplaced(package, at, place, group)
@@ -170,7 +177,7 @@ def _libraries(package: ProjectPackage) -> Iterator[Finding]:
         hint = (
             "; it has only headers, and the linker may leave it out: make it an INTERFACE library" if is_empty else ""
         )
-        described = sorted({posixpath.basename(each.location.path) for each in lost.get(target.name, ())})
+        described = sorted({posixpath.basename(plugin.location.path) for plugin in lost.get(target.name, ())})
         if described:
             hint += f"; neither is {described[0]}, which describes it"
         level = Level.ERROR if package.ros == 2 and not is_empty and not why.endswith(_ALONE) else Level.WARNING
@@ -184,31 +191,31 @@ def _libraries(package: ProjectPackage) -> Iterator[Finding]:
             fix=_fix(package, target, described),
         )
     if package.ros == 2:
-        for each in package.build.plugins:
-            places = cmake.destinations(each.library) if each.base == "rclcpp_components::NodeFactory" else ()
-            if not places or any("$" in p or p in ("lib", "") for p in places) or each.library in said:
+        for plugin in package.build.plugins:
+            places = cmake.destinations(plugin.library) if plugin.base == "rclcpp_components::NodeFactory" else ()
+            if not places or any("$" in p or p in ("lib", "") for p in places) or plugin.library in said:
                 continue
-            said.add(each.library)
+            said.add(plugin.library)
             yield _finding(
                 package,
-                each.library,
+                plugin.library,
                 (
-                    f"the library {each.library} is installed to {places[0]}, but component containers load {each.type} from "
+                    f"the library {plugin.library} is installed to {places[0]}, but component containers load {plugin.type} from "
                     "lib; correct the destination"
                 ),
                 level=Level.ERROR,
-                at=next((i.command.location for i in cmake.installs if each.library in i.things), target.location),
-                related=((each.location, "is registered here"),),
+                at=next((i.command.location for i in cmake.installs if plugin.library in i.things), target.location),
+                related=((plugin.location, "is registered here"),),
             )
 
 
 def _is_idle(package: ProjectPackage, target: Target) -> bool:
     """Whether *target* holds nodelets alone, and no launch file, script or page of the workspace names one of them."""
-    plugins = [each for each in package.build.plugins if plugin_library(package, each) is target]
-    if package.ros != 1 or not plugins or any(each.base != _NODELET for each in plugins):
+    plugins = [plugin for plugin in package.build.plugins if plugin_library(package, plugin) is target]
+    if package.ros != 1 or not plugins or any(plugin.base != _NODELET for plugin in plugins):
         return False
-    names = {name for each in plugins for name in (each.name, each.type.replace("::", "/"))}
-    described = {each.location.path for each in plugins} | {package.manifest_path}
+    names = {name for plugin in plugins for name in (plugin.name, plugin.type.replace("::", "/"))}
+    described = {plugin.location.path for plugin in plugins} | {package.manifest_path}
     workspace = package.project.workspace
     paths = {file.path for file in workspace.files if file.language in _LOADERS}
     paths |= {path for path in workspace.names if path.lower().endswith((".md", ".rst", ".launch", ".test"))}
@@ -231,10 +238,10 @@ def _needed(package: ProjectPackage) -> Iterator[tuple[Target, str, tuple[tuple[
                 at_run = "fails to start" if target.kind == "executable" else "cannot be loaded"
                 why = f"the installed {what} {target.name} is linked with it and {at_run} from the install space"
                 yield other, why, ((target.location, f"{target.name}, which is installed"),)
-    for each in package.build.plugins:
-        found = plugin_library(package, each)
+    for plugin in package.build.plugins:
+        found = plugin_library(package, plugin)
         if found is not None:
-            yield found, f"{each.type} {_BY_CLASS}", ((each.location, f"declares {each.type}"),)
+            yield found, f"{plugin.type} {_BY_CLASS}", ((plugin.location, f"declares {plugin.type}"),)
     yield from _left_of_many(package)
     keywords = ("INCLUDE_DIRS", "CATKIN_DEPENDS", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS")
     for command in package.commands("ament_export_libraries", "catkin_package"):
@@ -252,9 +259,9 @@ def _left_of_many(package: ProjectPackage) -> Iterator[tuple[Target, str, tuple[
     left = [target for target in every if not may_be_installed(package, target)]
     if len(left) != 1 or len(every) < 4 or is_said_not_installed(package, left[0].location):
         return
-    if any(left[0].name in each.arguments[1:] for each in package.commands("target_link_libraries")):
+    if any(left[0].name in command.arguments[1:] for command in package.commands("target_link_libraries")):
         return
-    installed = [(each.location, f"{each.name}, which is installed") for each in every if each is not left[0]]
+    installed = [(target.location, f"{target.name}, which is installed") for target in every if target is not left[0]]
     yield left[0], f"the {len(installed)} other libraries of {package.name} are: {_ALONE}", tuple(installed[:3])
 
 

@@ -46,7 +46,7 @@ def check(project: Project) -> Iterator[Finding]:
             continue
         switch = "CATKIN_ENABLE_TESTING" if package.ros == 1 else "BUILD_TESTING"
         otherwise = re.compile(_OTHERWISE.format(switch), re.IGNORECASE)
-        found = [each for each in (_catkin(package) if package.ros == 1 else _ament(package))]
+        found = [command for command in (_catkin(package) if package.ros == 1 else _ament(package))]
         if found and not any(
             otherwise.search(project.text(path)) for path in {c.location.path for c in package.build.commands}
         ):
@@ -54,16 +54,22 @@ def check(project: Project) -> Iterator[Finding]:
 
 
 def _catkin(package: ProjectPackage) -> Iterator[CMakeCommand]:
-    if any("catkin" in each.arguments[:1] for each in package.commands("find_package")):
-        yield from (each for each in package.commands(*sorted(_OF_CATKIN)) if _is_always_run(each))
+    if any("catkin" in command.arguments[:1] for command in package.commands("find_package")):
+        yield from (command for command in package.commands(*sorted(_OF_CATKIN)) if _is_always_run(command))
 
 
 def _ament(package: ProjectPackage) -> Iterator[CMakeCommand]:
     """Those whose packages are found for tests alone: whoever has found them always has the commands, too."""
-    always = {each.arguments[0] for each in package.commands("find_package") if each.arguments and not each.is_test}
-    for_tests = {each.arguments[0] for each in package.commands("find_package") if each.arguments and each.is_test}
-    if any(each.is_test for each in package.commands(*_AUTO)):
-        for_tests |= {each.name for each in package.raw.dependencies}
+    always = {
+        command.arguments[0]
+        for command in package.commands("find_package")
+        if command.arguments and not command.is_test
+    }
+    for_tests = {
+        command.arguments[0] for command in package.commands("find_package") if command.arguments and command.is_test
+    }
+    if any(command.is_test for command in package.commands(*_AUTO)):
+        for_tests |= {dependency.name for dependency in package.raw.dependencies}
     for command in package.commands(*_OF_AMENT):
         if _is_always_run(command) and _OF_AMENT[command.name] in for_tests - always:
             yield command
@@ -75,7 +81,7 @@ def _is_always_run(command: CMakeCommand) -> bool:
 
 def _finding(package: ProjectPackage, switch: str, found: list[CMakeCommand]) -> Finding:
     first = found[0]
-    places = tuple((each.location, "here, too") for each in found[1:] if each.location != first.location)
+    places = tuple((command.location, "here, too") for command in found[1:] if command.location != first.location)
     if package.ros == 1:
         why = "catkin stops with an error where tests are switched off (-DCATKIN_ENABLE_TESTING=OFF)"
     else:

@@ -68,10 +68,12 @@ class _Types:
         if end not in self._known:
             alike = self._alike[id(end.node), end.kind]
             if _is_choice(end):
-                self._known[end] = frozenset(each.type for each in alike if _is_choice(each))
+                self._known[end] = frozenset(other_end.type for other_end in alike if _is_choice(other_end))
             else:
-                beside = (each for each in alike if each is end or _is_beside(each, end, self._system))
-                self._known[end] = frozenset(each.type for each in beside)
+                beside = (
+                    other_end for other_end in alike if other_end is end or _is_beside(other_end, end, self._system)
+                )
+                self._known[end] = frozenset(other_end.type for other_end in beside)
         return self._known[end]
 
 
@@ -90,8 +92,8 @@ def _is_beside(one: End, other: End, system: System) -> bool:
 
 def _finding(about: tuple[Channel | End, ...], given: str, taken: str) -> Finding:
     """One mistake, however many topics and nodes it has to do with."""
-    topics = [each for each in about if isinstance(each, Channel)]
-    all_ends = tuple(each for each in about if isinstance(each, End))
+    topics = [channel for channel in about if isinstance(channel, Channel)]
+    all_ends = tuple(end for end in about if isinstance(end, End))
     ends = tuple(end for end in all_ends if end.name == topics[0].name)
     publishers = [end for end in ends if end.kind == "publishers"]
     subscribers = [end for end in ends if end.kind == "subscribers"]

@@ -16,40 +16,40 @@ def check(project: Project) -> Iterator[Finding]:
     seen: set[int] = set()
     paths = code.mentioning("lookupTransform", "lookup_transform", "tf_buffer", "tf2_ros")
     filtered = code.mentioning(*FILTERS)
-    for each in in_callbacks(code):
-        made = each.callback
+    for reached in in_callbacks(code):
+        made = reached.callback
         if (
-            each.routine.path not in paths
+            reached.routine.path not in paths
             or made.maker.is_test
             or (made.ros == 1 and (made.maker.is_python or made.kind == "service"))
         ):
             continue
         if made.call.name == "registerCallback" and made.maker.path in filtered:
             continue
-        if any(is_caught(call.around) for _, call in each.path):
+        if any(is_caught(call.around) for _, call in reached.path):
             continue
-        calls = code.body(each.routine).calls
-        on_the_way = (call.name for routine, _ in each.path for call in code.body(routine).calls)
+        calls = code.body(reached.routine).calls
+        on_the_way = (call.name for routine, _ in reached.path for call in code.body(routine).calls)
         if ASKED.intersection(call.name for call in calls) or ASKED.intersection(on_the_way):
             continue
         for call in calls:
-            if id(call) in seen or is_caught(call.around) or not is_lookup(code, each.routine, call):
+            if id(call) in seen or is_caught(call.around) or not is_lookup(code, reached.routine, call):
                 continue
             seen.add(id(call))
             title = made.routine.title
             yield Finding(
-                at=call_place(each.routine, call),
+                at=call_place(reached.routine, call),
                 message=f"{call.name} throws if the transform is not available, but neither {title}, the callback of a "
                 f"{made.kind}, nor a caller below it catches the exception: the node terminates; catch "
                 "tf2::TransformException"
-                if not each.routine.is_python
+                if not reached.routine.is_python
                 else (
                     f"{call.name} raises if the transform is not available, but neither {title}, the callback of a "
                     f"{made.kind}, nor a caller below it catches the exception: it ends spin(); catch "
                     "tf2_ros.TransformException"
                 ),
-                about=(title, each.routine.title, call.name),
-                flow=each.flow(call, "looks up a transform here"),
+                about=(title, reached.routine.title, call.name),
+                flow=reached.flow(call, "looks up a transform here"),
             )
 
 

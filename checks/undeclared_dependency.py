@@ -80,7 +80,7 @@ def check(project: Project) -> Iterator[Finding]:
                 yield _circular(package, name, uses)
             else:
                 proposed[package.name] = proposed.get(package.name, frozenset()) | {name}
-                others = [said[each] for each, by in brought.items() if by == providers]
+                others = [said[group] for group, by in brought.items() if by == providers]
                 yield _finding(package, providers, uses, others, provisions)
         if provided is not None and not provided.is_open and not _has_environment(package, provisions):
             yield from _environment(package)
@@ -159,14 +159,14 @@ def _finding(
     said = listed(keys)
     alternative = f" (or {', '.join(others)})" if others else ""
     if brought:
-        alternative += f", which brings {listed([each[0].what.removeprefix('#include ') for each in brought])}, too"
+        alternative += f", which brings {listed([item[0].what.removeprefix('#include ') for item in brought])}, too"
     return Finding(
         at=last_dependency(package),
         message=f"{package.name} needs {said} to build ({uses[0].what}), but package.xml does not declare {'it' if len(keys) == 1 else 'them'}: the build "
         f"fails on a machine without {said}; {_REMOVE if is_idle else ''}add {tags}{alternative}{said_misplaced(package, providers)}",
         about=(package.name, name),
         related=tuple(
-            (use.location, f"needs {name}: {use.what}") for each in (uses, *brought) for use in each[:_SHOWN]
+            (use.location, f"needs {name}: {use.what}") for item in (uses, *brought) for use in item[:_SHOWN]
         ),
         apart=(name,),
         level=Level.NOTE if _is_built_from_source(package.project, providers) else None,
@@ -181,9 +181,13 @@ def _is_idle(package: ProjectPackage, name: str, uses: list[Need]) -> bool:
     word = re.compile(rf"\b{re.escape(name)}\b")
     for command in package.build.commands:
         is_found = command.name == "find_package"
-        if name.lower() in command.name or (not is_found and any(name in each for each in command.arguments)):
+        if name.lower() in command.name or (not is_found and any(name in argument for argument in command.arguments)):
             return False
-        if is_found and command.arguments[:1] != ("catkin",) and any(name in each for each in command.arguments[1:]):
+        if (
+            is_found
+            and command.arguments[:1] != ("catkin",)
+            and any(name in argument for argument in command.arguments[1:])
+        ):
             return False
     if _calls_unknown(package):
         return False  # the package may define it
@@ -301,7 +305,7 @@ def _environment(package: ProjectPackage) -> Iterator[Finding]:
 
 def _only_tested(package: ProjectPackage, name: str, uses: list[Need]) -> Finding:
     """What the manifest has for tests alone, and more than tests use."""
-    line = next((each.line for each in package.raw.dependencies if each.name == name), None)
+    line = next((dependency.line for dependency in package.raw.dependencies if dependency.name == name), None)
     return Finding(
         at=Location(package.manifest_path, line or 1),
         message=f"{package.name} needs {name} to build ({uses[0].what}), but declares it for tests only: a build without "

@@ -96,11 +96,11 @@ def check(project: Project) -> Iterator[Finding]:
                     yield _only_tested(package, tested[0], more)
             else:
                 running = [use for use in uses if use.location.path not in aside]
-                each = replace(_missing(package, running or uses, pins, left), is_idle=not running)
-                is_circular = closes_a_cycle(package.name, each.name, project.manifests, proposed)
-                groups.setdefault((each.level, is_circular, each.is_idle), []).append(each)
+                other_missing = replace(_missing(package, running or uses, pins, left), is_idle=not running)
+                is_circular = closes_a_cycle(package.name, other_missing.name, project.manifests, proposed)
+                groups.setdefault((other_missing.level, is_circular, other_missing.is_idle), []).append(other_missing)
                 if not is_circular:
-                    proposed[package.name] = proposed.get(package.name, frozenset()) | {each.name}
+                    proposed[package.name] = proposed.get(package.name, frozenset()) | {other_missing.name}
         for (_, is_circular, _), group in groups.items():
             yield _circular(package, group) if is_circular else _finding(package, group)
 
@@ -114,7 +114,11 @@ def _called(need: Need) -> frozenset[str]:
 def _is_named(need: Need, package: ProjectPackage) -> bool:
     """Whether the manifest declares, for more than tests, a package that is called after the module."""
     module = need.what.removeprefix("import ")
-    return any(is_called_after(each.name, module) for each in package.raw.dependencies if each.kind != "test_depend")
+    return any(
+        is_called_after(dependency.name, module)
+        for dependency in package.raw.dependencies
+        if dependency.kind != "test_depend"
+    )
 
 
 def _missing(
@@ -125,10 +129,10 @@ def _missing(
     is_certain = not others and is_of_ros(name, package.project)
     if name.startswith(("python3-", "python-")) and not name.endswith("-pip"):
         others = []  # of the other Python, of pip, or with more than the module
-    called = [each for use in uses for each in sorted(_called(use))]
-    pin = next((pins[each] for each in called if each in pins), None)
-    by_pip = next((left[each] for each in called if each in left), None)
-    if any(is_of_ros(each, package.project) for each in uses[0].providers):
+    called = [item for use in uses for item in sorted(_called(use))]
+    pin = next((pins[item] for item in called if item in pins), None)
+    by_pip = next((left[item] for item in called if item in left), None)
+    if any(is_of_ros(provider, package.project) for provider in uses[0].providers):
         by_pip = None  # pip has no packages of ROS
     return _Missing(name, tuple(others), tuple(uses), is_certain, pin, by_pip)
 
@@ -143,8 +147,10 @@ def _by_pip(package: ProjectPackage) -> Iterator[str]:
 def _finding(package: ProjectPackage, group: list[_Missing]) -> Finding:
     """One finding for all modules of which the same is at stake: they are declared in one place."""
     kind = "exec_depend" if package.raw.format > 1 else "run_depend"
-    modules = tuple(module for each in group for module in each.modules)
-    lines = [f"{dependency_tags(package, kind, each.name)}{_alternative(each, _is_told(group))}" for each in group]
+    modules = tuple(module for missing in group for module in missing.modules)
+    lines = [
+        f"{dependency_tags(package, kind, missing.name)}{_alternative(missing, _is_told(group))}" for missing in group
+    ]
     if len(group) == 1:
         them, fails = "it", f"the import fails on a machine without {group[0].name}"
     else:
@@ -152,9 +158,9 @@ def _finding(package: ProjectPackage, group: list[_Missing]) -> Finding:
     return Finding(
         at=last_dependency(package),
         message=f"{package.name} imports {listed(modules)}, but package.xml declares no package that provides {them}: "
-        f"{fails}; add {listed(lines)}{_by_choice(group)}{_aside(group)}{said_misplaced(package, (each.name for each in group))}",
+        f"{fails}; add {listed(lines)}{_by_choice(group)}{_aside(group)}{said_misplaced(package, (missing.name for missing in group))}",
         about=(package.name, *modules),
-        related=tuple(place for each in group for place in _places(each)),
+        related=tuple(place for missing in group for place in _places(missing)),
         apart=modules,
         level=group[0].level,
         fixes=_fixes(package, group),
@@ -163,7 +169,11 @@ def _finding(package: ProjectPackage, group: list[_Missing]) -> Finding:
 
 def _by_choice(group: list[_Missing]) -> str:
     """Where the package leaves them to pip, if that is not only by a version."""
-    left = {each.name: each.left or each.pin for each in group if each.left is not None or each.pin is not None}
+    left = {
+        missing.name: missing.left or missing.pin
+        for missing in group
+        if missing.left is not None or missing.pin is not None
+    }
     if not _is_told(group):
         return ""
     what = ("it" if len(left) == 1 else "them") if len(left) == len(group) else listed(list(left))
@@ -173,14 +183,14 @@ def _by_choice(group: list[_Missing]) -> str:
 
 def _is_told(group: list[_Missing]) -> bool:
     """Whether one of them is left to pip by more than a version: then all that pip may install is told at once."""
-    return any(each.left is not None and each.pin is None for each in group)
+    return any(missing.left is not None and missing.pin is None for missing in group)
 
 
 def _aside(group: list[_Missing]) -> str:
     """That only files import it which nothing starts or imports."""
     files = (
-        sorted({use.location.path for each in group for use in each.uses})
-        if all(each.is_idle for each in group)
+        sorted({use.location.path for missing in group for use in missing.uses})
+        if all(missing.is_idle for missing in group)
         else []
     )
     if not files:
@@ -191,8 +201,8 @@ def _aside(group: list[_Missing]) -> str:
 
 def _circular(package: ProjectPackage, group: list[_Missing]) -> Finding:
     """The packages of the modules need *package*: build tools refuse both in a row."""
-    modules = tuple(module for each in group for module in each.modules)
-    names = [each.name for each in group]
+    modules = tuple(module for missing in group for module in missing.modules)
+    names = [missing.name for missing in group]
     need, them = ("needs", "it") if len(names) == 1 else ("need", "them")
     return Finding(
         at=last_dependency(package),
@@ -200,36 +210,38 @@ def _circular(package: ProjectPackage, group: list[_Missing]) -> Finding:
         f"{package.name}: with {them} declared the build tool stops at the circular dependency; move what imports {them} out of "
         f"{package.name}",
         about=(package.name, *modules),
-        related=tuple(place for each in group for place in _places(each)),
+        related=tuple(place for missing in group for place in _places(missing)),
         apart=modules,
         level=Level.WARNING,
     )
 
 
-def _alternative(each: _Missing, is_told: bool) -> str:
+def _alternative(missing: _Missing, is_told: bool) -> str:
     """What would do as well; *is_told* where the message says for all together that pip may install them."""
     pin = ""
-    if each.pin is not None and not is_told:
-        pin = f", unless pip is to install it: {line_of(each.pin)} asks for a version"
-    return (f" (or {', '.join(each.others)})" if each.others else "") + pin
+    if missing.pin is not None and not is_told:
+        pin = f", unless pip is to install it: {line_of(missing.pin)} asks for a version"
+    return (f" (or {', '.join(missing.others)})" if missing.others else "") + pin
 
 
-def _places(each: _Missing) -> Iterator[tuple[Location, str]]:
-    for use in each.uses[:_SHOWN]:
-        yield use.location, f"needs {each.name}: {use.what}"
-    if each.pin is not None:
-        yield each.pin, "pip is asked for a version here"
-    elif each.left is not None:
-        yield each.left, "pip is asked for it here"
+def _places(missing: _Missing) -> Iterator[tuple[Location, str]]:
+    for use in missing.uses[:_SHOWN]:
+        yield use.location, f"needs {missing.name}: {use.what}"
+    if missing.pin is not None:
+        yield missing.pin, "pip is asked for a version here"
+    elif missing.left is not None:
+        yield missing.left, "pip is asked for it here"
 
 
 def _fixes(package: ProjectPackage, group: list[_Missing]) -> tuple[Fix, ...]:
-    made = [add_dependency(package, "exec_depend", each.name) if each.is_certain else None for each in group]
+    made = [add_dependency(package, "exec_depend", missing.name) if missing.is_certain else None for missing in group]
     fixes = [fix for fix in made if fix is not None]
     if len(fixes) < len(group):
         return ()
     return (
-        Fix(f"declare {listed([each.name for each in group])}", tuple(edit for fix in fixes for edit in fix.edits)),
+        Fix(
+            f"declare {listed([missing.name for missing in group])}", tuple(edit for fix in fixes for edit in fix.edits)
+        ),
     )
 
 
@@ -245,7 +257,7 @@ def _only_tested(package: ProjectPackage, name: str, uses: list[Need]) -> Findin
     """What the manifest has for tests alone, and more than tests use."""
     modules = tuple(dict.fromkeys(use.what.removeprefix("import ") for use in uses))
     kind = "exec_depend" if package.raw.format > 1 else "run_depend"
-    line = next((each.line for each in package.raw.dependencies if each.name == name), None)
+    line = next((dependency.line for dependency in package.raw.dependencies if dependency.name == name), None)
     return Finding(
         at=Location(package.manifest_path, line or 1),
         message=f"{package.name} imports {name} ({uses[0].what}), but declares it for tests only: an installation without "

@@ -84,15 +84,15 @@ def _of_others(package: ProjectPackage | None, provisions: Provisions, sources: 
     if package is None or package.manifest is None:
         return frozenset()
     imports = tuple(imports_of(package, sources))
-    aside = unreached(package, {each.location.path for each in imports}) if imports else frozenset()
-    running = (each for each in imports if each.location.path not in aside)
+    aside = unreached(package, {import_.location.path for import_ in imports}) if imports else frozenset()
+    running = (import_ for import_ in imports if import_.location.path not in aside)
     return lacking(package, (*needs_of(package, sources), *running), provisions)
 
 
 def _finding(package: Package, group: list[_Missing], level: Level | None, is_test: bool) -> Finding:
     tag = "test_depend" if is_test else "exec_depend" if package.format > 1 else "run_depend"
-    names = tuple(each.name for each in group)
-    is_one = len({use.location.path for each in group for use in each.uses}) == 1
+    names = tuple(missing.name for missing in group)
+    is_one = len({use.location.path for missing in group for use in missing.uses}) == 1
     if len(group) == 1:
         them, lacking = "it", names[0]
     else:
@@ -105,7 +105,7 @@ def _finding(package: Package, group: list[_Missing], level: Level | None, is_te
         message=f"{files} of {package.name} {'uses' if is_one else 'use'} {listed(names)}, but package.xml does not declare {them}: "
         f"{fails} on a machine without {lacking}; add {listed([dependency_tag(tag, name, package) for name in names])}",
         about=(package.name, *names),
-        related=tuple((use.location, f"needs {each.name}") for each in group for use in each.uses[:_SHOWN]),
+        related=tuple((use.location, f"needs {missing.name}") for missing in group for use in missing.uses[:_SHOWN]),
         flow=included_by(group[0].uses[0]) if len(group) == 1 else (),
         apart=names,
         level=level,
@@ -117,7 +117,7 @@ def _used(systems: Iterable[System]) -> Mapping[str, tuple[Package, dict[str, li
     found: dict[str, tuple[Package, dict[str, list[PackageUse]]]] = {}
     seen: set[tuple[Location, str]] = set()
     for system in systems:
-        for use in (said_by(each, system) for each in system.facts(PackageUse)):
+        for use in (said_by(fact, system) for fact in system.facts(PackageUse)):
             place = (use.location, use.package)
             if place in seen or use.location.path in system.refused:
                 continue
@@ -130,7 +130,7 @@ def _used(systems: Iterable[System]) -> Mapping[str, tuple[Package, dict[str, li
 
 def _declarable(name: str, packages: Iterable[str], system: System) -> frozenset[str]:
     """Those of the *packages* that the launch files of the package *name* use which do not need *name* by their manifests."""
-    return frozenset(each for each in packages if not closes_a_cycle(name, each, system.packages))
+    return frozenset(package for package in packages if not closes_a_cycle(name, package, system.packages))
 
 
 def _is_generated(package: Package, system: System) -> bool:

@@ -47,8 +47,8 @@ def _is_to_be_had(name: str, package: ProjectPackage) -> bool:
         return True
     if project.knowledge.is_package(name) is not True or not project.knowledge.is_current(name, package.ros):
         return False
-    names = {each.name for each in project.packages}
-    return any(name in each.declared for each in project.packages) or meant_here(name, names) is None
+    names = {other_package.name for other_package in project.packages}
+    return any(name in other_package.declared for other_package in project.packages) or meant_here(name, names) is None
 
 
 def _finding(package: ProjectPackage, missing: dict[str, list[Lookup]]) -> Finding:

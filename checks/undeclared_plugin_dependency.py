@@ -53,8 +53,8 @@ def check(project: Project) -> Iterator[Finding]:
     exported = {
         name: package.name
         for package in reversed(project.packages)
-        for each in package.build.plugins
-        for name in (each.name, each.type)
+        for plugin in package.build.plugins
+        for name in (plugin.name, plugin.type)
     }
     uses = _used(project)
     got: dict[str, tuple[frozenset[str], bool]] = {}
@@ -74,7 +74,7 @@ def check(project: Project) -> Iterator[Finding]:
             continue
         if is_left_out(package, use, system) or closes_a_cycle(package.name, needed, system.packages, uses):
             continue
-        aside = _is_aside(use, system) or all(_is_aside(_use(needed, each), system) for each in named.launches)
+        aside = _is_aside(use, system) or all(_is_aside(_use(needed, launch), system) for launch in named.launches)
         level = Level.WARNING if got[package.name][1] and not aside else Level.NOTE
         groups.setdefault((package.name, level), (package, {}))[1].setdefault(needed, []).append(named.plugin)
     yield from (_finding(package, lacking, level) for (_, level), (package, lacking) in groups.items())
@@ -100,7 +100,7 @@ def _finding(package: Package, lacking: Mapping[str, list[PluginUse]], level: Le
         f"plug-in; add {listed([dependency_tag(tag, name, package) for name in lacking])}",
         about=(package.name, *lacking),
         related=tuple(
-            (each.location, f"needs {name}") for name, plugins in lacking.items() for each in plugins[:_SHOWN]
+            (plugin.location, f"needs {name}") for name, plugins in lacking.items() for plugin in plugins[:_SHOWN]
         ),
         apart=tuple(lacking),
         level=level,
@@ -123,7 +123,9 @@ def _named(project: Project) -> Iterator[_Named]:
     """The plug-ins of the YAML files that launch files name, and those that launch files set in parameters."""
     files = _files(project)
     plugins = {path: list(plugins_in_yaml(path, project.text(path))) for path in sorted(files)}
-    unread = _unread(project, {(path, each.location.line or 0) for path, found in plugins.items() for each in found})
+    unread = _unread(
+        project, {(path, plugin_use.location.line or 0) for path, found in plugins.items() for plugin_use in found}
+    )
     for path, found in plugins.items():
         for plugin in found:
             if (path, plugin.location.line or 0) not in unread:
@@ -136,11 +138,11 @@ def _unread(project: Project, lines: Container[tuple[str, int]]) -> frozenset[tu
     """Those of the *lines* of YAML files whose parameters only nodes get that load no plug-ins by them."""
     read: dict[tuple[str, int], bool] = {}
     for system in project.systems:
-        for each in system.parameters:
-            place = (each.origin.path, each.origin.line or 0) if each.origin is not None else ("", 0)
-            if place in lines and isinstance(each.value, str) and not read.get(place, False):
-                key = each.name.replace("/", ".").rpartition(".")[2]
-                read[place] = not is_of_node(system, each) or may_load(project, system, each, key)
+        for parameter in system.parameters:
+            place = (parameter.origin.path, parameter.origin.line or 0) if parameter.origin is not None else ("", 0)
+            if place in lines and isinstance(parameter.value, str) and not read.get(place, False):
+                key = parameter.name.replace("/", ".").rpartition(".")[2]
+                read[place] = not is_of_node(system, parameter) or may_load(project, system, parameter, key)
     return frozenset(place for place, is_read in read.items() if not is_read)
 
 
@@ -161,15 +163,19 @@ def _got(
     got: dict[str, tuple[frozenset[str], bool]],
 ) -> list[tuple[frozenset[str], bool]]:
     """What *package* gets, the packages whose launch files read the parameter, and those whose nodes these start."""
-    packages = {each.name: each for place in named.launches if (each := owner(system, place)) is not None}
+    packages = {
+        other_package.name: other_package
+        for place in named.launches
+        if (other_package := owner(system, place)) is not None
+    }
     packages[package.name] = package
     found = []
-    for each in packages.values():
-        if each.name not in got:
-            names, is_whole = provided(each, system)
-            further, is_all = brought_by(uses.get(each.name, ()), each.ros, system)
-            got[each.name] = names | further, is_whole and is_all
-        found.append(got[each.name])
+    for other_package in packages.values():
+        if other_package.name not in got:
+            names, is_whole = provided(other_package, system)
+            further, is_all = brought_by(uses.get(other_package.name, ()), other_package.ros, system)
+            got[other_package.name] = names | further, is_whole and is_all
+        found.append(got[other_package.name])
     return found
 
 
@@ -187,7 +193,7 @@ def _package_of(plugin: PluginUse, ros: int | None, project: Project, exported: 
     released = project.knowledge.plugins(plugin.name)
     if released is not None:
         owners = {package for package, base in released if not _OTHER.fullmatch(base)}
-        owners = {each for each in owners if project.knowledge.is_current(each, ros)}
+        owners = {item for item in owners if project.knowledge.is_current(item, ros)}
         return next(iter(owners)) if len(owners) == 1 else None
     if not plugin.is_sure or project.knowledge.is_metapackage(space, ros) or not project.knowledge.is_package(space):
         return None

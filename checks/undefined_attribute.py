@@ -24,24 +24,24 @@ def check(project: Project) -> Iterator[Finding]:
 
 def _found(project: Project) -> Iterator[Finding]:
     classes: dict[tuple[str, str], list[Unset]] = {}
-    for each in unset_attributes(project):
-        classes.setdefault((each.location.path, each.owner), []).append(each)
+    for unset in unset_attributes(project):
+        classes.setdefault((unset.location.path, unset.owner), []).append(unset)
     for found in classes.values():
-        nodes = [each for each in found if each.name in OF_NODES and not OF_NODES & each.known]
+        nodes = [unset for unset in found if unset.name in OF_NODES and not OF_NODES & unset.known]
         if len(nodes) > 1:
             yield _no_node(nodes)
-        yield from map(_finding, (each for each in found if len(nodes) < 2 or each not in nodes))
+        yield from map(_finding, (unset for unset in found if len(nodes) < 2 or unset not in nodes))
 
 
-def _finding(each: Unset) -> Finding:
-    method = each.routine.function.name.rpartition(".")[2]
+def _finding(unset: Unset) -> Finding:
+    method = unset.routine.function.name.rpartition(".")[2]
     return Finding(
-        at=each.location,
-        message=f"{each.owner} reads self.{each.name}, but nothing sets or defines it: the line raises "
-        f"AttributeError{_like(each)}{'' if each.is_reached else f' (no Python file here calls {method}())'}",
-        level=None if each.is_reached else Level.NOTE,
-        about=(each.owner, each.name),
-        apart=(each.owner, each.name),
+        at=unset.location,
+        message=f"{unset.owner} reads self.{unset.name}, but nothing sets or defines it: the line raises "
+        f"AttributeError{_like(unset)}{'' if unset.is_reached else f' (no Python file here calls {method}())'}",
+        level=None if unset.is_reached else Level.NOTE,
+        about=(unset.owner, unset.name),
+        apart=(unset.owner, unset.name),
     )
 
 
@@ -50,18 +50,18 @@ def _no_node(found: list[Unset]) -> Finding:
     first, *others = found
     return Finding(
         at=first.location,
-        message=f"{first.owner} calls {listed([f'self.{each.name}()' for each in found])}, but is no rclpy.node.Node: the line raises "
+        message=f"{first.owner} calls {listed([f'self.{unset.name}()' for unset in found])}, but is no rclpy.node.Node: the line raises "
         "AttributeError; derive the class from Node",
         about=(first.owner, "Node"),
-        related=tuple((each.location, f"self.{each.name} is called here") for each in others),
+        related=tuple((other.location, f"self.{other.name} is called here") for other in others),
         apart=(first.owner, "Node"),
     )
 
 
-def _like(each: Unset) -> str:
-    if any(each.name == parameter.name for parameter in each.routine.function.parameters):
-        return f"; write {each.name}, the parameter of {each.routine.function.name.rpartition('.')[2]}()"
-    found = get_close_matches(each.name, sorted(each.known), 1, 0.75)
+def _like(unset: Unset) -> str:
+    if any(unset.name == parameter.name for parameter in unset.routine.function.parameters):
+        return f"; write {unset.name}, the parameter of {unset.routine.function.name.rpartition('.')[2]}()"
+    found = get_close_matches(unset.name, sorted(unset.known), 1, 0.75)
     return f"; did you mean self.{found[0]}?" if found else "; set it in __init__()"
 
 

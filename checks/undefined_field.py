@@ -16,19 +16,19 @@ def check(project: Project) -> Iterator[Finding]:
 
 
 def _found(project: Project) -> Iterator[Finding]:
-    for each in missing_fields(project):
+    for missing in missing_fields(project):
         yield Finding(
-            at=each.location,
-            message=f"{each.written}: {each.struct.name} has no field {each.field}, so the line raises "
-            f"AttributeError{_like(each)}",
-            about=(each.struct.name, each.field),
-            apart=(each.routine.title, each.struct.name, each.field),
+            at=missing.location,
+            message=f"{missing.written}: {missing.struct.name} has no field {missing.field}, so the line raises "
+            f"AttributeError{_like(missing)}",
+            about=(missing.struct.name, missing.field),
+            apart=(missing.routine.title, missing.struct.name, missing.field),
         )
 
 
-def _like(each: MissingField) -> str:
-    names = sorted(each.struct.fields)
-    found = get_close_matches(each.field, names, 1)
+def _like(missing: MissingField) -> str:
+    names = sorted(missing.struct.fields)
+    found = get_close_matches(missing.field, names, 1)
     if found:
         return f"; it has {found[0]}"
     return f"; it has {', '.join(names)}" if 0 < len(names) < 6 else ""

@@ -29,7 +29,7 @@ def check(project: Project) -> Iterator[Finding]:
     for finding in together(_told_apart(_expanded(project))):
         told.add(finding.at)
         yield finding
-    yield from (each for each in _uncalled(project) if each.at not in told)
+    yield from (finding for finding in _uncalled(project) if finding.at not in told)
 
 
 def _told_apart(findings: Iterator[Finding]) -> Iterator[tuple[str, Finding]]:
@@ -80,14 +80,18 @@ def _parameters(params: str) -> set[str]:
 def _expanded(project: Project) -> Iterator[Finding]:
     for description in descriptions(project):
         own = is_by_itself(description)
-        faults = [each for each in description.robot.faults if each.certain and is_for_us(each, description, own)]
+        faults = [fault for fault in description.robot.faults if fault.certain and is_for_us(fault, description, own)]
         if faults and not description.command and not _is_for_xacro(description.robot.path, project):
             continue
         for number, fault in enumerate(faults):
             said = "" if description.ros == 1 and fault.defined_later else message(fault, description)
-            if said and not any(is_same(fault, each, description) for each in faults[:number]):
+            if said and not any(is_same(fault, other_fault, description) for other_fault in faults[:number]):
                 is_given = fault.kind == "argument" and description.location is not None
-                others = [each.location for each in faults[number + 1 :] if is_same(fault, each, description)]
+                others = [
+                    other_fault.location
+                    for other_fault in faults[number + 1 :]
+                    if is_same(fault, other_fault, description)
+                ]
                 again = tuple((place, "here, too") for place in others if place != fault.location)
                 yield Finding(
                     at=description.location if is_given and description.location else fault.location,
@@ -138,7 +142,11 @@ def message(fault: Fault, description: Description) -> str:
         return f"the property {name!r} is not defined here: xacro stops with an error{hint}"
     if fault.kind == "argument":
         if description.command:
-            names = [each.name for each in description.robot.faults if each.certain and each.kind == "argument"]
+            names = [
+                other_fault.name
+                for other_fault in description.robot.faults
+                if other_fault.certain and other_fault.kind == "argument"
+            ]
             every = ", ".join(dict.fromkeys(names))
             return f"{description.robot.path} reads the argument{'s' if ',' in every else ''} {every}, not given here and without a default: xacro stops with an error"
         return (

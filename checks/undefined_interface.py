@@ -25,14 +25,14 @@ class Defining:
     def __init__(self, package: ProjectPackage) -> None:
         self.package = package
         self.interfaces = package.build.interfaces
-        self.messages = {each.name for each in self.interfaces if each.kind == "msg"}
+        self.messages = {interface.name for interface in self.interfaces if interface.kind == "msg"}
         if package.ros != 2:
             made = ("Action", "Goal", "Result", "Feedback", "ActionGoal", "ActionResult", "ActionFeedback")
             self.messages |= {f"{e.name}{ending}" for e in self.interfaces if e.kind == "action" for ending in made}
         self.references = {
             reference
-            for each in self.interfaces
-            for reference in references_to(package.name, each.kind, each.name.partition("/")[2], package.ros)
+            for interface in self.interfaces
+            for reference in references_to(package.name, interface.kind, interface.name.partition("/")[2], package.ros)
         }
 
     def like(self, kind: str, stem: str) -> str:
@@ -59,12 +59,12 @@ def check(project: Project) -> Iterator[Finding]:
 def _without_parts(found: Iterator[Finding]) -> Iterator[Finding]:
     """Without the request or response of a service that the same file imports as well: the import of both is one mistake."""
     findings = list(found)
-    named = {(each.at.path, *each.about) for each in findings}
-    for each in findings:
-        name = str(each.about[0])
+    named = {(finding.at.path, *finding.about) for finding in findings}
+    for finding in findings:
+        name = str(finding.about[0])
         service = re.sub(r"(?:Request|Response)$", "", name)
-        if ".srv." not in name or service == name or (each.at.path, service) not in named:
-            yield each
+        if ".srv." not in name or service == name or (finding.at.path, service) not in named:
+            yield finding
 
 
 def _once_a_file(found: Iterator[tuple[str, Finding]]) -> Iterator[Finding]:
@@ -73,17 +73,23 @@ def _once_a_file(found: Iterator[tuple[str, Finding]]) -> Iterator[Finding]:
     for old, finding in found:
         files.setdefault((finding.at.path, old), []).append(finding)
     for first, *others in files.values():
-        yield replace(first, related=tuple((each.at, f"{each.about[0]}, too") for each in others))
+        yield replace(first, related=tuple((other.at, f"{other.about[0]}, too") for other in others))
 
 
 def _is_known(package: ProjectPackage) -> bool:
     """Whether CMake tells all that the package generates, and the files are there."""
     commands = package.commands(*GENERATE)
-    arguments = [argument for each in commands for argument in each.arguments]
-    if not commands or any(each.is_conditional for each in commands) or any("$" in each for each in arguments):
+    arguments = [argument for command in commands for argument in command.arguments]
+    if (
+        not commands
+        or any(command.is_conditional for command in commands)
+        or any("$" in argument for argument in arguments)
+    ):
         return False
-    there = {(each.name.partition("/")[2], each.path.rpartition(".")[2]) for each in package.build.interfaces}
-    files = (each.rpartition("/")[2].rpartition(".") for each in arguments if each.endswith(ENDINGS))
+    there = {
+        (interface.name.partition("/")[2], interface.path.rpartition(".")[2]) for interface in package.build.interfaces
+    }
+    files = (argument.rpartition("/")[2].rpartition(".") for argument in arguments if argument.endswith(ENDINGS))
     return all((stem, ending) in there for stem, _, ending in files)
 
 
@@ -91,7 +97,12 @@ def _in_interfaces(project: Project, defining: Mapping[str, Defining]) -> Iterat
     """Fields of a type that is not there."""
     for package in project.packages:
         for interface in package.build.interfaces if package.name in defining else ():
-            for field in (each for section in interface.sections for each in section if interface.is_generated):
+            for field in (
+                interface_field
+                for section in interface.sections
+                for interface_field in section
+                if interface.is_generated
+            ):
                 base = re.split(r"[\[<]", field.type)[0]
                 if package.ros == 2 and field.written.partition("[")[0] == "Header":
                     continue  # foreign-interface-type
@@ -181,17 +192,19 @@ def _unless_handmade(
         file = name.rpartition("/")[2]
         if not reference.kind and reference.stem.endswith(OF_A_CONFIG):
             return None
-        if file in ends and any(each.endswith(f"/{name}") or each == name for each in project.workspace.names):
+        if file in ends and any(
+            other_path.endswith(f"/{name}") or other_path == name for other_path in project.workspace.names
+        ):
             return None
         stem = file.partition(".")[0]
-        if any(stem in argument for each in of.package.build.commands for argument in each.arguments):
+        if any(stem in argument for command in of.package.build.commands for argument in command.arguments):
             return None
         said = f"{name} is included, but {of.package.name} defines no such interface"
         is_sure = path in built
         effect = "this file does not build"
     else:
         module = name.rpartition(".")[0].replace(".", "/")
-        if any(each.endswith((f"{module}.py", f"{module}/__init__.py")) for each in project.workspace.names):
+        if any(name.endswith((f"{module}.py", f"{module}/__init__.py")) for name in project.workspace.names):
             return None
         said = f"{name} is imported, but {of.package.name} defines no such interface"
         effect, is_sure = "the import fails", True

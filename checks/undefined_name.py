@@ -22,9 +22,9 @@ def check(project: Project) -> Iterator[Finding]:
             continue
         if file.package not in loads:
             loads[file.package] = any(
-                LOADS.search(project.text(each.path))
-                for each in project.workspace.files
-                if each.package == file.package and each.language == "python"
+                LOADS.search(project.text(other_file.path))
+                for other_file in project.workspace.files
+                if other_file.package == file.package and other_file.language == "python"
             )
         if loads[file.package]:
             continue

@@ -24,8 +24,8 @@ def check(project: Project) -> Iterator[Finding]:
             continue
         if _NODES.fullmatch(dotted(code, routine, call.callee)) is None:
             continue
-        keywords = (each for each in call.args if isinstance(each, syntax.Keyword))
-        given = {each.name: each.value.value for each in keywords if isinstance(each.value, syntax.String)}
+        keywords = (argument for argument in call.args if isinstance(argument, syntax.Keyword))
+        given = {keyword.name: keyword.value.value for keyword in keywords if isinstance(keyword.value, syntax.String)}
         package, program = project.package(given.get("package", "")), given.get("executable", "")
         if package is None or not program or not _lacks(package, program):
             continue
@@ -40,9 +40,17 @@ def check(project: Project) -> Iterator[Finding]:
 
 def _programs(package: ProjectPackage) -> set[str]:
     build = package.build
-    names = {each.output or each.name for each in build.targets if each.kind == "executable"}
-    names |= {each.name or posixpath.basename(each.path) for each in build.installed if each.kind == "program"}
-    return names | {each.name for each in build.entry_points} | {posixpath.basename(path) for path in build.scripts}
+    names = {target.output or target.name for target in build.targets if target.kind == "executable"}
+    names |= {
+        installed.name or posixpath.basename(installed.path)
+        for installed in build.installed
+        if installed.kind == "program"
+    }
+    return (
+        names
+        | {entry_point.name for entry_point in build.entry_points}
+        | {posixpath.basename(path) for path in build.scripts}
+    )
 
 
 def _lacks(package: ProjectPackage, program: str) -> bool:

@@ -11,7 +11,7 @@ from haros_ci.api.packages import Lookup, lookups, meant_here, meant_released, r
 
 def check(project: Project) -> Iterator[Finding]:
     names = [package.name for package in project.packages]
-    declared = {each.name for package in project.workspace.packages for each in package.dependencies}
+    declared = {dependency.name for package in project.workspace.packages for dependency in package.dependencies}
     is_alone = all(name in names or project.knowledge.is_known(name) for name in declared)
     for package in project.packages:
         for use in lookups(package):

@@ -38,9 +38,9 @@ class _Known:
         spaces: dict[str, list[str]] = {}
         owners: dict[str, set[str]] = {}
         for package in project.packages:
-            for each in package.build.plugins:
-                for name in {each.name, each.type} if "NodeFactory" in each.base else {each.name}:
-                    names.setdefault(name, each.location)
+            for plugin in package.build.plugins:
+                for name in {plugin.name, plugin.type} if "NodeFactory" in plugin.base else {plugin.name}:
+                    names.setdefault(name, plugin.location)
                     space = _plain(name).rpartition("::")[0]
                     spaces.setdefault(space, []).append(name)
                     owners.setdefault(space, set()).add(package.name)

@@ -100,7 +100,7 @@ def _unknown(package: ProjectPackage, command: CMakeCommand, is_open: bool) -> I
         names = words[:end] if command.name == "set_target_properties" else words[:1]
         yield from ((name, f"{command.name}() stops the build") for name in names if not _is_made(package, name))
     elif command.name == "install" and words[:1] == ("TARGETS",) and not command.is_test:
-        things = [name for each in cmake.installs if each.command is command for name in each.things]
+        things = [name for install in cmake.installs if install.command is command for name in install.things]
         yield from ((name, "install() stops the build") for name in things if not _is_made(package, name))
     elif command.name in ("ament_export_targets", "ament_export_interfaces"):
         for name in _sets(package, command):
@@ -129,7 +129,7 @@ def _unknown(package: ProjectPackage, command: CMakeCommand, is_open: bool) -> I
 
 def _sets(package: ProjectPackage, command: CMakeCommand) -> Iterator[str]:
     """The sets of targets that *command* exports and that nothing is put into."""
-    sets = {each.export for each in package.cmake.installs if each.kind == "TARGETS"}
+    sets = {install.export for install in package.cmake.installs if install.kind == "TARGETS"}
     if any("$" in name for name in sets):
         return
     words = (
@@ -146,7 +146,7 @@ def _sets(package: ProjectPackage, command: CMakeCommand) -> Iterator[str]:
 def _dependencies(package: ProjectPackage, command: CMakeCommand) -> Iterator[Finding]:
     """What catkin_package() exports and that is not found, or that nobody who installs the package has."""
     kinds = ("depend", "exec_depend", "run_depend", "build_export_depend")
-    there = {each.name for each in package.raw.dependencies if each.kind in kinds}
+    there = {dependency.name for dependency in package.raw.dependencies if dependency.kind in kinds}
     for name in dict.fromkeys(command.after("CATKIN_DEPENDS", *_KEYWORDS)):
         if name not in there and "$" not in name and package.manifest is not None:
             tag = "exec_depend" if package.raw.format > 1 else "run_depend"
@@ -192,7 +192,7 @@ def _needed(package: ProjectPackage, words: tuple[str, ...]) -> Iterator[tuple[s
     """Exported dependencies that this package does not find itself, and that nobody knows."""
     project = package.project
     finds = package.commands("find_package", "pkg_check_modules", "find_library", "fetchcontent_declare")
-    found = {word for each in finds for word in each.arguments}
+    found = {word for find in finds for word in find.arguments}
     scripts = [path for path in project.workspace.names if path.endswith(".cmake")]
     for name in words:
         if name in found or "$" in name or project.package(name) is not None or not _is_written(package, name):
@@ -267,7 +267,7 @@ def _hint_of_several(package: ProjectPackage, command: CMakeCommand, wrong: tupl
     near = [_near(package, command, name) for name in wrong]
     if all(near) and len(set(near)) == len(near):
         return f"; did you mean {listed(near)}?"
-    names = [each for each in _candidates(package, command, wrong[0]) if each not in command.arguments]
+    names = [candidate for candidate in _candidates(package, command, wrong[0]) if candidate not in command.arguments]
     return f"{_instead(names)}: write the right ones, or remove the names" if names else "; remove the names"
 
 
@@ -278,17 +278,19 @@ def _is_library(command: CMakeCommand, name: str) -> bool:
 def _candidates(package: ProjectPackage, command: CMakeCommand, name: str) -> list[str]:
     """What *name* may be meant for."""
     if command.name == "ament_export_dependencies":
-        return sorted({word for each in package.commands("find_package") for word in each.arguments[:1]})
+        return sorted(
+            {word for other_command in package.commands("find_package") for word in other_command.arguments[:1]}
+        )
     names = sorted(package.cmake.targets)
     if _is_library(command, name):  # an executable is no library that others could link
-        return [each for each in names if package.cmake.targets[each].kind != "executable"]
+        return [item for item in names if package.cmake.targets[item].kind != "executable"]
     return names
 
 
 def _near(package: ProjectPackage, command: CMakeCommand, name: str) -> str:
     """The one that *name* is meant for; "" where none is like it."""
     names = _candidates(package, command, name)
-    near = [each for each in names if _squeezed(each) == _squeezed(name)]
+    near = [item for item in names if _squeezed(item) == _squeezed(name)]
     if _is_library(command, name) and not near:
         near = _only_installed(package, names)
     near = near or get_close_matches(name[:100], names[:MAX_NAMES], 1, 0.75)

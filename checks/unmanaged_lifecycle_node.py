@@ -23,7 +23,7 @@ def check(system: System) -> Iterator[Finding]:
         full = {name: name if name.startswith("/") else f"{space}/{name}" for name in names}
         managed |= set(full.values())
         there = {node.name: node for node in system.nodes if together(node.presence, manager.presence) is not None}
-        if not system.closed and not any(each in there for each in full.values()):
+        if not system.closed and not any(item in there for item in full.values()):
             continue
         for name, wanted in full.items():
             if wanted not in there:
@@ -37,10 +37,10 @@ def _managers(system: System) -> Iterator[tuple[SystemNode, Parameter, list[str]
     for node in system.nodes:
         if "lifecycle_manager" not in node.raw.type and node.package != "nav2_lifecycle_manager":
             continue
-        found = [each for each in system.parameters if each.name == f"{node.name}:node_names"]
+        found = [parameter for parameter in system.parameters if parameter.name == f"{node.name}:node_names"]
         for parameter in found[:1]:
             names = parameter.value
-            if isinstance(names, list) and all(isinstance(each, str) and "?" not in each for each in names):
+            if isinstance(names, list) and all(isinstance(name, str) and "?" not in name for name in names):
                 if names and not parameter.unknowns and not parameter.conditions and not node.raw.conditions:
                     yield node, parameter, names
 

@@ -14,10 +14,10 @@ _SHOWN = 10
 
 def check(system: System) -> Iterator[Finding]:
     yield from _missing(system)
-    needs = any(each.is_top and each.default is None and each.ros == 2 for each in system.facts(ArgumentDeclaration))
+    needs = any(fact.is_top and fact.default is None and fact.ros == 2 for fact in system.facts(ArgumentDeclaration))
     places: dict[str, set[str]] = {}
-    for each in system.facts(ArgumentDeclaration):
-        places.setdefault(each.name, set()).add(each.location.path)
+    for fact in system.facts(ArgumentDeclaration):
+        places.setdefault(fact.name, set()).add(fact.location.path)
     for read, others in _first(system.facts(ArgumentRead)):
         # A launch file of ROS 2 that cannot be launched by itself is there to be included, and inherits what is set around it.
         if read.ros == 2 and needs:

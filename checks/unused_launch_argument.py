@@ -172,16 +172,18 @@ def _is_of_family(argument: ArgumentDeclaration, system: System) -> bool:
     path = argument.location.path
     folder, _, name = path.rpartition("/")
     family = _FAMILY.match(name)
-    same = [each.rpartition("/")[0] for each in system.whole.files_by_name.get(name, ())]
-    if len(same) >= _MANY and any((each, argument.name) in system.whole.used_arguments for each in same):
+    same = [file.rpartition("/")[0] for file in system.whole.files_by_name.get(name, ())]
+    if len(same) >= _MANY and any((item, argument.name) in system.whole.used_arguments for item in same):
         return True
     if family is None or (folder, argument.name) not in system.whole.used_arguments:
         return False
-    beside = [each for each in system.whole.launch_files if each.startswith(f"{folder}/{family[0]}")]
+    beside = [
+        launch_file for launch_file in system.whole.launch_files if launch_file.startswith(f"{folder}/{family[0]}")
+    ]
     readers = {
         fact.location.path
-        for each in system.whole.systems
-        for fact in each.facts(ArgumentDeclaration)
+        for other_system in system.whole.systems
+        for fact in other_system.facts(ArgumentDeclaration)
         if fact.name == argument.name and fact.is_used
     }
     return len(beside) >= _MANY and not readers.isdisjoint(beside)
@@ -218,8 +220,8 @@ def _is_kept(argument: ArgumentDeclaration, system: System) -> bool:
     above = "\n".join((*lines[start:at], first))
     below = lines[at + 1] if at + 1 < len(lines) and _COMMENT.match(lines[at + 1]) else ""
     return any(
-        pattern.search(each)
-        for pattern, each in ((_KEPT, text), (_NEEDED, _comments(above)), (_NOT_TO_GO, _comments(below)))
+        pattern.search(item)
+        for pattern, item in ((_KEPT, text), (_NEEDED, _comments(above)), (_NOT_TO_GO, _comments(below)))
     )
 
 

@@ -22,11 +22,13 @@ HEAD = "qos_overrides."
 
 def check(system: System) -> Iterator[Finding]:
     for given in _by_place(system).values():
-        used = [each for each in given if _declares(each)]
+        used = [parameter for parameter in given if _declares(parameter)]
         if used:
             yield from _value(used[0])
             continue
-        said = [_unused(each.node, each.key) if each.node.names.is_whole else None for each in given]
+        said = [
+            _unused(parameter.node, parameter.key) if parameter.node.names.is_whole else None for parameter in given
+        ]
         if all(said) and not _is_used_elsewhere(system, given[0]):
             first, (text, end) = given[0], said[0] or ("", None)
             yield Finding(
@@ -41,9 +43,9 @@ def check(system: System) -> Iterator[Finding]:
 def _by_place(system: System) -> dict[tuple[Location, str], list[Given]]:
     """The overrides of *system*, those of one line together: it may go to several nodes, and is of use if one uses it."""
     found: dict[tuple[Location, str], list[Given]] = {}
-    for each in system.given:
-        if each.key.startswith(HEAD):
-            found.setdefault(each.place, []).append(each)
+    for parameter in system.given:
+        if parameter.key.startswith(HEAD):
+            found.setdefault(parameter.place, []).append(parameter)
     return found
 
 
@@ -53,7 +55,11 @@ def _declares(given: Given) -> bool:
 
 def _is_used_elsewhere(system: System, given: Given) -> bool:
     """Whether a node of another system uses what is said here."""
-    return any(each.place == given.place and _declares(each) for other in system.whole.systems for each in other.given)
+    return any(
+        parameter.place == given.place and _declares(parameter)
+        for other in system.whole.systems
+        for parameter in other.given
+    )
 
 
 def _value(given: Given) -> Iterator[Finding]:

@@ -21,8 +21,8 @@ def check(system: System) -> Iterator[Finding]:
     for node in system.nodes:
         if clocks.get(id(node)) is not False or not _takes_part(node):
             continue
-        others = [each for each in simulated if together(node.presence, each.presence) is not None]
-        partner = next((each for each in others if _are_linked(system, node, each)), None)
+        others = [other_node for other_node in simulated if together(node.presence, other_node.presence) is not None]
+        partner = next((other for other in others if _are_linked(system, node, other)), None)
         if partner is not None:
             yield Finding(
                 at=node.location,

@@ -49,9 +49,9 @@ def check(project: Project) -> Iterator[Finding]:
 def _build_type(package: ProjectPackage) -> Iterator[Finding]:
     """At most one finding about the build type: with it wrong, nothing more can be said."""
     found = build_types(package)
-    certain = [each for each in found if not each.attributes.get("condition")]
-    if len(certain) > 1 and len({word(each) for each in certain}) > 1:
-        names = " and ".join(word(each) for each in certain)
+    certain = [element for element in found if not element.attributes.get("condition")]
+    if len(certain) > 1 and len({word(element) for element in certain}) > 1:
+        names = " and ".join(word(element) for element in certain)
         message = f"{package} has the build types {names}: colcon allows one and skips the package; remove the others"
         yield _finding(package, place(package, certain[1]), message, "several")
     elif not found:
@@ -160,7 +160,7 @@ def _said(package: ProjectPackage, kind: str, at: Location) -> Iterator[Finding]
 
 def _is_for_both(package: ProjectPackage) -> bool:
     """Whether the manifest tells one ROS from the other: so does its CMake, somehow."""
-    return any("ROS_VERSION" in each.attributes.get("condition", "") for each in exports(package, "build_type"))
+    return any("ROS_VERSION" in export.attributes.get("condition", "") for export in exports(package, "build_type"))
 
 
 def _other(package: ProjectPackage, at: Location, kind: str, call: CMakeCommand, meant: str) -> Finding:

@@ -24,22 +24,26 @@ def check(project: Project) -> Iterator[Finding]:
 
 
 def _found(project: Project) -> Iterator[Finding]:
-    for each in wrong_values(project):
+    for wrong_value in wrong_values(project):
         yield Finding(
-            at=each.location,
-            message=f"{each.written.rstrip('=')}{')' if '(' in each.written else ''} is {each.type}, but is given {_value(each)}: "
-            f"{_effect(each.ros)}{_instead(each)}",
-            about=(each.routine.title, each.written),
-            apart=(each.routine.title, each.written),
-            level=Level.WARNING if each.ros == 1 else None,
+            at=wrong_value.location,
+            message=f"{wrong_value.written.rstrip('=')}{')' if '(' in wrong_value.written else ''} is {wrong_value.type}, but is given {_value(wrong_value)}: "
+            f"{_effect(wrong_value.ros)}{_instead(wrong_value)}",
+            about=(wrong_value.routine.title, wrong_value.written),
+            apart=(wrong_value.routine.title, wrong_value.written),
+            level=Level.WARNING if wrong_value.ros == 1 else None,
         )
     yield from _published(project.code)
 
 
-def _value(each: WrongValue) -> str:
-    if each.kind == "Time":
+def _value(wrong_value: WrongValue) -> str:
+    if wrong_value.kind == "Time":
         return "the Time of rclpy"
-    return f"{each.value}, {_KINDS[each.kind]}" if each.value and each.kind != "none" else _KINDS[each.kind]
+    return (
+        f"{wrong_value.value}, {_KINDS[wrong_value.kind]}"
+        if wrong_value.value and wrong_value.kind != "none"
+        else _KINDS[wrong_value.kind]
+    )
 
 
 def _effect(ros: int) -> str:
@@ -48,16 +52,16 @@ def _effect(ros: int) -> str:
     return "the line raises AssertionError, and without these checks (off by default since Jazzy) a wrong value is sent"
 
 
-def _instead(each: WrongValue) -> str:
-    if each.kind == "Time":
+def _instead(wrong_value: WrongValue) -> str:
+    if wrong_value.kind == "Time":
         return "; append .to_msg()"
-    if each.type in ("float32", "float64") and each.kind == "int":
-        return f"; write {each.value}.0" if each.value else "; put float() around it"
-    if each.kind == "list":
-        return "; write floats" if each.type.startswith("float") else ""
-    if each.type == "bool" and each.value in ("0", "1"):
-        return f"; write {each.value == '1'}"
-    if each.type == "string" and each.kind in ("int", "float", "bool"):
+    if wrong_value.type in ("float32", "float64") and wrong_value.kind == "int":
+        return f"; write {wrong_value.value}.0" if wrong_value.value else "; put float() around it"
+    if wrong_value.kind == "list":
+        return "; write floats" if wrong_value.type.startswith("float") else ""
+    if wrong_value.type == "bool" and wrong_value.value in ("0", "1"):
+        return f"; write {wrong_value.value == '1'}"
+    if wrong_value.type == "string" and wrong_value.kind in ("int", "float", "bool"):
         return "; put str() around it"
     return ""
 
@@ -87,7 +91,7 @@ def _published(code: Codebase) -> Iterator[Finding]:
 def _written(value: syntax.Expression) -> str:
     """What tells *value* from others that are published in the same function."""
     if isinstance(value, syntax.Format):
-        return "".join(each.value for each in value.parts if isinstance(each, syntax.String))
+        return "".join(part.value for part in value.parts if isinstance(part, syntax.String))
     return str(value.value) if isinstance(value, (syntax.String, syntax.Number, syntax.Boolean)) else ""
 
 

@@ -79,9 +79,9 @@ def _installs_generated(package: ProjectPackage) -> bool:
 
 
 def _is_made(package: ProjectPackage, path: str) -> bool:
-    makers = (each for each in package.build.commands if each.name not in _QUIET)
-    named = any(each.place(word) == path or f"{path}/" in word for each in makers for word in each.arguments)
-    return named or path == "." or may_appear(package, path, {each.name for each in package.build.commands})
+    makers = (command for command in package.build.commands if command.name not in _QUIET)
+    named = any(maker.place(word) == path or f"{path}/" in word for maker in makers for word in maker.arguments)
+    return named or path == "." or may_appear(package, path, {command.name for command in package.build.commands})
 
 
 CHECK = Check(

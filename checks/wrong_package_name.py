@@ -92,7 +92,7 @@ def _named(package: ProjectPackage, call: CMakeCommand) -> CMakeCommand | None:
             break
         if command.directory == call.directory:
             before.append(command)
-    return before[-1] if before and not any(each.is_conditional for each in before) else None
+    return before[-1] if before and not any(command.is_conditional for command in before) else None
 
 
 def _of_setup(package: ProjectPackage) -> Iterator[Finding]:

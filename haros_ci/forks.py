@@ -64,8 +64,8 @@ def _forked(jobs: Sequence[Callable[[], T]], batches: list[list[int]], count: in
                 os.waitpid(child, 0)
         raise
     finally:
-        for each in (queue, *life):
-            os.close(each)
+        for other_number in (queue, *life):
+            os.close(other_number)
     for more in brought:
         found.update(more)
     return found

@@ -76,8 +76,8 @@ def hosted(
         Path(settings.plugin_export) if settings.plugin_export else None,
     )
     places = _places(scenes, workspace)
-    runs = (_run(each, places, files) for each in told)
-    return tuple(_asked(each, run, found, workspace, settings) for each, run in zip(told, runs, strict=True))
+    runs = (_run(output, places, files) for output in told)
+    return tuple(_asked(output, run, found, workspace, settings) for output, run in zip(told, runs, strict=True))
 
 
 def _places(scenes: Scenes, workspace: Workspace) -> Places:
@@ -122,12 +122,16 @@ def _result(plugin: HarosPlugin, data: Mapping[str, Any], places: Places) -> Res
     scope = places.scopes.get(str(data.get("scope")))
     if scope is None:
         return None
-    resources = [each for each in data.get("resources") or () if isinstance(each, Mapping)]
-    where = [(place, str(each.get("words"))) for each in resources if (place := _location(each, places)) is not None]
+    resources = [item for item in data.get("resources") or () if isinstance(item, Mapping)]
+    where = [
+        (place, str(resource.get("words")))
+        for resource in resources
+        if (place := _location(resource, places)) is not None
+    ]
     line = data.get("line")
     at = where[0][0] if where else replace(scope, line=line if type(line) is int and line >= 1 else scope.line)
     configuration = str(data["scope"]).partition("configuration:")[2]
-    named = {name for each in resources for name in each.get("names") or () if isinstance(name, str)}
+    named = {name for resource in resources for name in resource.get("names") or () if isinstance(name, str)}
     names = tuple(sorted(named)) or ((configuration,) if configuration else ())
     message = " ".join(re.sub(r"<br\s*/?>", " ", str(data.get("message"))).split())[:LONGEST].rstrip(". ")
     message = message or f"the rule {data['rule']} is broken"
@@ -157,7 +161,7 @@ def _asked(told: Told, run: Run, found: Any, workspace: Workspace, settings: Set
 
     declared = {"rules": dict(told.plugin.queries)}
     asked = queries.run(found, declared, f"plugin.yaml of {told.plugin.name}", workspace.files)
-    results = (replace(each, tool=run.tool.name, rule=each.rule.removeprefix("user:")) for each in asked.results)
+    results = (replace(result, tool=run.tool.name, rule=result.rule.removeprefix("user:")) for result in asked.results)
     return replace(
         run,
         results=tuple(sorted((*run.results, *results), key=lambda result: result.sort_key)),
@@ -191,7 +195,7 @@ def _metrics(
 ) -> ByScope:
     """The values of all metrics by the id of file or package, if a plug-in wants any."""
     if not any(
-        hook in ("*", "process_file_metric", "process_package_metric") for each in plugins for hook in each.hooks
+        hook in ("*", "process_file_metric", "process_package_metric") for plugin in plugins for hook in plugin.hooks
     ):
         return {}
     from haros_ci.measuring.measures import measured

@@ -99,12 +99,12 @@ def without_hints(
 ) -> tuple[Result, ...]:
     """*results* without those of catkin_lint that repeat a hint of ours, of *every* result, which the profile passes over."""
     hints = [
-        each
-        for each in every
-        if each.tool == own.TOOL
-        and each.level is Level.NOTE
-        and selection.wants(each.tool, each.rule, each.location.path)
-        and selection.decide(each.tool, each.rule, each.location.path, default=each.level) is None
+        result
+        for result in every
+        if result.tool == own.TOOL
+        and result.level is Level.NOTE
+        and selection.wants(result.tool, result.rule, result.location.path)
+        and selection.decide(result.tool, result.rule, result.location.path, default=result.level) is None
     ]
     return unrepeated(results, hints, workspace.package_finder())
 

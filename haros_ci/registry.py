@@ -193,8 +193,8 @@ def with_haros_plugins(before: Registry, settings: Settings) -> Registry:
     plugins = chosen(*names, settings.root)
     return replace(
         before,
-        tool_rules=MappingProxyType({**before.tool_rules, **{each.name: each.all_rules() for each in plugins}}),
-        declared=(*before.declared, *(each.name for each in plugins)),
+        tool_rules=MappingProxyType({**before.tool_rules, **{plugin.name: plugin.all_rules() for plugin in plugins}}),
+        declared=(*before.declared, *(plugin.name for plugin in plugins)),
     )
 
 

@@ -95,7 +95,7 @@ class Clock:
 
     def total(self) -> Spent:
         """All stages together, which is all the time until the last change."""
-        return _sum(each for parts in self.spent.values() for each in parts.values())
+        return _sum(part for parts in self.spent.values() for part in parts.values())
 
     def lines(self) -> Iterator[str]:
         """The table: stages in the order in which they began, the dearest parts of each below it, and the sum."""
@@ -183,8 +183,8 @@ def remark(sentence: str) -> None:
 
 def _sum(spent: Iterable[Spent]) -> Spent:
     whole = NOTHING
-    for each in spent:
-        whole = whole.plus(each)
+    for item in spent:
+        whole = whole.plus(item)
     return whole
 
 

@@ -90,8 +90,8 @@ class Evaluation:
         stops_at = isinstance(node.op, ast.Or)
         doubt = False
         value: Any = None
-        for each in node.values:
-            value = self.value(each, depth)
+        for other_node in node.values:
+            value = self.value(other_node, depth)
             if language.is_unknown(value):
                 if not (language.looks_past_unknown and language.is_truth(value)):
                     return language.unknown()
@@ -104,8 +104,8 @@ class Evaluation:
         language = self.language
         left = self.value(node.left, depth)
         doubt = False
-        for op, each in zip(node.ops, node.comparators, strict=True):
-            right = self.value(each, depth)
+        for op, comparator in zip(node.ops, node.comparators, strict=True):
+            right = self.value(comparator, depth)
             if language.is_unknown(left) or language.is_unknown(right):
                 if not language.looks_past_unknown:
                     return language.unknown(True)
@@ -128,31 +128,31 @@ class Evaluation:
         return language.unknown(isinstance(one, bool) and isinstance(other, bool))
 
     def _list(self, node: ast.List, depth: int) -> Any:
-        return [self.value(each, depth) for each in node.elts]
+        return [self.value(elt, depth) for elt in node.elts]
 
     def _tuple(self, node: ast.Tuple, depth: int) -> Any:
-        return tuple([self.value(each, depth) for each in node.elts])
+        return tuple([self.value(elt, depth) for elt in node.elts])
 
     def _set(self, node: ast.Set, depth: int) -> Any:
-        values = [self.value(each, depth) for each in node.elts]
+        values = [self.value(elt, depth) for elt in node.elts]
         return self.language.unknown() if self.language.is_unknown(values) else self.language.set_of(values)
 
     def _dict(self, node: ast.Dict, depth: int) -> Any:
         found = {}
-        for key, each in zip(node.keys, node.values, strict=True):
+        for key, value in zip(node.keys, node.values, strict=True):
             if key is None:
                 raise NotFollowed(node)
             name = self.language.looked_into(self.value(key, depth))
             if self.language.is_unknown(name):
                 return self.language.unknown()
-            found[name] = self.value(each, depth)
+            found[name] = self.value(value, depth)
         return found
 
     def _subscript(self, node: ast.Subscript, depth: int) -> Any:
         owner = self.language.looked_into(self.value(node.value, depth))
         if isinstance(node.slice, ast.Slice):
             bounds = (node.slice.lower, node.slice.upper, node.slice.step)
-            parts = [None if each is None else self.value(each, depth) for each in bounds]
+            parts = [None if bound is None else self.value(bound, depth) for bound in bounds]
             if node.slice.step is not None and not self.language.has_steps:
                 raise NotFollowed(node)
             index: Any = slice(*parts)
@@ -184,24 +184,24 @@ class Evaluation:
             raise NotFollowed(node)
         function = self._callee(node, depth)
         arguments: list[Any] = []
-        for each in node.args:
-            if isinstance(each, ast.Starred) and ast.Starred in language.syntax:
-                value = self.value(each.value, depth)
+        for argument in node.args:
+            if isinstance(argument, ast.Starred) and ast.Starred in language.syntax:
+                value = self.value(argument.value, depth)
                 arguments += [value] if language.is_unknown(value) else list(bounded(value, self.limits))
             else:
-                arguments.append(self.value(each, depth))
-        named = {each.arg: self.value(each.value, depth) for each in node.keywords if each.arg is not None}
+                arguments.append(self.value(argument, depth))
+        named = {keyword.arg: self.value(keyword.value, depth) for keyword in node.keywords if keyword.arg is not None}
         if not isinstance(function, Function) or len(named) != len(node.keywords):
             return language.unknown()
         if function.name == "str" and len(arguments) == 1 and isinstance(arguments[0], str) and not named:
             return arguments[0]  # all the same what is known of it
         if language.is_unknown(arguments) or language.is_unknown(named):
             return language.unknown(function.is_truth)
-        language.spend(1 + sum(len(each) for each in arguments if hasattr(each, "__len__")) // 16)
+        language.spend(1 + sum(len(argument) for argument in arguments if hasattr(argument, "__len__")) // 16)
         return bounded(function.call(*arguments, **named), self.limits)
 
     def _joinedstr(self, node: ast.JoinedStr, depth: int) -> Any:
-        parts = [self.value(each, depth) for each in node.values]
+        parts = [self.value(value, depth) for value in node.values]
         if self.language.is_unknown(parts):
             return self.language.unknown()
         return bounded("".join(map(str, parts)), self.limits)
@@ -236,9 +236,9 @@ class Evaluation:
         values = self.value(generators[0].iter, depth)
         if not isinstance(values, (str, range, *COLLECTIONS)) or self.is_lost(values):
             return False
-        for each in bounded(values, self.limits):
+        for entry in bounded(values, self.limits):
             self.language.spend(1)
-            if not self._bind(generators[0].target, each):
+            if not self._bind(generators[0].target, entry):
                 return False
             tests = [self.value(test, depth) for test in generators[0].ifs]
             if self.language.is_unknown(tests):
@@ -255,7 +255,7 @@ class Evaluation:
             return False
         if len(target.elts) != len(value):
             return False
-        return all(self._bind(each, part) for each, part in zip(target.elts, value, strict=True))
+        return all(self._bind(elt, part) for elt, part in zip(target.elts, value, strict=True))
 
 
 def _on(kind: type[_Node], evaluate: Callable[[Evaluation, _Node, int], Any]) -> tuple[type[ast.expr], _Evaluator]:

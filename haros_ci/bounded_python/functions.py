@@ -26,8 +26,8 @@ class Function:
 def items(values: Iterable[Any]) -> list[Any]:
     """What is in *values*, in order; TooMuch if that is more than a collection may hold."""
     found = []
-    for each in values:
-        found.append(each)
+    for value in values:
+        found.append(value)
         if len(found) > MAX_SIZE:
             raise TooMuch
     return found
@@ -36,7 +36,7 @@ def items(values: Iterable[Any]) -> list[Any]:
 def _sum(values: Iterable[Any], start: Any = 0) -> Any:
     """The sum; that of lists grows with the square of their number."""
     found = items(values)
-    if any(isinstance(each, (list, tuple)) for each in (start, *found)):
+    if any(isinstance(item, (list, tuple)) for item in (start, *found)):
         raise NotFollowed(said="adds up lists, which is not interpreted")
     return sum(found, start)
 
@@ -72,7 +72,7 @@ FUNCTIONS: Mapping[str, Callable[..., Any]] = {
     "bool": bool,
     "dict": lambda *given, **more: dict(*given, **more),
     "divmod": divmod,
-    "enumerate": lambda values, start=0: [(start + at, each) for at, each in enumerate(items(values))],
+    "enumerate": lambda values, start=0: [(start + at, item) for at, item in enumerate(items(values))],
     "float": float,
     "int": int,
     "len": len,
@@ -87,5 +87,5 @@ FUNCTIONS: Mapping[str, Callable[..., Any]] = {
     "str": _text,
     "sum": _sum,
     "tuple": lambda values=(): tuple(items(values)),
-    "zip": lambda *values: [tuple(each) for each in zip(*(items(value) for value in values))],
+    "zip": lambda *values: [tuple(item) for item in zip(*(items(value) for value in values))],
 }

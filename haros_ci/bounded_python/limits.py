@@ -78,14 +78,14 @@ def weight(value: Any, limits: Limits) -> int:
     found = 0
     pending = [value]
     while pending:
-        each = pending.pop()
+        item = pending.pop()
         found += 1
-        if isinstance(each, str):
-            found += len(each) // 16
-        elif isinstance(each, dict) and not isinstance(each, Module):
-            pending += each.values()
-        elif isinstance(each, (list, tuple, set, frozenset)):
-            pending += each
+        if isinstance(item, str):
+            found += len(item) // 16
+        elif isinstance(item, dict) and not isinstance(item, Module):
+            pending += item.values()
+        elif isinstance(item, (list, tuple, set, frozenset)):
+            pending += item
         if found + len(pending) > limits.weight:
             raise TooMuch
     return found
@@ -107,9 +107,9 @@ def check_operation(op: ast.operator, left: Any, right: Any, limits: Limits) -> 
 def check_text_method(name: str, text: str, arguments: list[Any], limits: Limits) -> None:
     """TooMuch if ``text.name(*arguments)`` would be longer than what is allowed."""
     size = 0
-    if name == "replace" and len(arguments) >= 2 and all(isinstance(each, str) for each in arguments[:2]):
+    if name == "replace" and len(arguments) >= 2 and all(isinstance(argument, str) for argument in arguments[:2]):
         size = len(text) + (text.count(arguments[0]) + 1) * len(arguments[1])
     elif name == "join" and arguments and isinstance(arguments[0], (list, tuple, dict, set, frozenset)):
-        size = sum(len(each) + len(text) for each in arguments[0] if isinstance(each, str))
+        size = sum(len(argument) + len(text) for argument in arguments[0] if isinstance(argument, str))
     if size > limits.size:
         raise TooMuch

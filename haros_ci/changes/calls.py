@@ -64,7 +64,7 @@ def by_name(rows: Iterable[Row], kinds: frozenset[str]) -> Rows:
     for row in rows:
         if not row.is_class and any(entry.kind in kinds and not entry.implicit for entry in row.makes):
             found.setdefault(_last(row.call), []).append(row)
-    return {name: tuple(each) for name, each in found.items()}
+    return {name: tuple(item) for name, item in found.items()}
 
 
 def is_test(path: str) -> bool:
@@ -147,7 +147,7 @@ def _selected(template: Template | None, args: Arguments) -> int | str | None:
     """The argument that a template selects: its number, or a Python keyword."""
     if template is None or len(template.parts) != 1 or isinstance(template.parts[0], str):
         return None
-    for alternative in (part for each in template.parts[0][0] for part in _OF_TYPE.sub(r"\1", each).split("|")):
+    for alternative in (part for text in template.parts[0][0] for part in _OF_TYPE.sub(r"\1", text).split("|")):
         position = int(alternative) if _INDEX.match(alternative) else alternative
         if argument_of(position, args) is not None:
             return position

@@ -59,32 +59,34 @@ def tail(name: str) -> str:
 def told_once(found: Iterable[Difference]) -> tuple[Change, ...]:
     """The differences, each change once, sorted."""
     alike: dict[tuple[object, ...], list[Difference]] = {}
-    for each in found:
-        alike.setdefault(each.key, []).append(each)
+    for difference in found:
+        alike.setdefault(difference.key, []).append(difference)
     return tuple(sorted((_change(group) for group in alike.values()), key=lambda change: change.sort_key))
 
 
 def _change(group: list[Difference]) -> Change:
-    first = min(group, key=lambda each: (len(each.name), each.name, each.configuration))
+    first = min(group, key=lambda difference: (len(difference.name), difference.name, difference.configuration))
 
     def every(values: Iterable[str]) -> tuple[str, ...]:
         return tuple(sorted({value for value in values if value}, key=lambda text: (len(text), text)))
 
-    renames = sorted({(each.old_name, each.name) for each in group}, key=lambda pair: (len(pair[1]), pair))
+    renames = sorted(
+        {(difference.old_name, difference.name) for difference in group}, key=lambda pair: (len(pair[1]), pair)
+    )
     return Change(
         what=first.what,
         action=first.action,
-        names=tuple(new for _, new in renames) if first.old_name else every(each.name for each in group),
+        names=tuple(new for _, new in renames) if first.old_name else every(difference.name for difference in group),
         aspect=first.aspect,
         before=first.before,
         after=first.after,
-        nodes=every(each.node for each in group),
-        programs=every(each.program for each in group),
-        configurations=tuple(sorted({each.configuration for each in group if each.configuration})),
+        nodes=every(difference.node for difference in group),
+        programs=every(difference.program for difference in group),
+        configurations=tuple(sorted({difference.configuration for difference in group if difference.configuration})),
         base=first.base,
         head=first.head,
-        users=every(user for each in group for user in each.users),
-        details=tuple(dict.fromkeys(word for each in group for word in each.details)),
+        users=every(user for difference in group for user in difference.users),
+        details=tuple(dict.fromkeys(word for difference in group for word in difference.details)),
         old_names=tuple(old for old, _ in renames) if first.old_name else (),
     )
 

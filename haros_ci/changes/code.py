@@ -27,8 +27,8 @@ def compare_calls(
     know, a parameter that is new or gone in the text is told, too, where others of its name hide it: those of other plug-ins that may be
     loaded under the same name.
     """
-    seen = tuple(_places(each) for each in architectures)
-    said = {(each.what, tail(name)) for each in told for name in (each.name, each.old_name)}
+    seen = tuple(_places(architecture) for architecture in architectures)
+    said = {(difference.what, tail(name)) for difference in told for name in (difference.name, difference.old_name)}
     left = {moved(path): calls for path, calls in base.items()}
     pairs, gone, new = _paired(left, head)
     for old, now in pairs:
@@ -119,7 +119,7 @@ def _paired(base: Calls, head: Calls) -> tuple[list[tuple[Call, Call]], Found, F
                 pairs.append((call, new[numbers.pop(0)][1]))
             else:
                 rest.append((path, call))
-        gone, new = rest, [each for number, each in enumerate(new) if number not in taken]
+        gone, new = rest, [item for number, item in enumerate(new) if number not in taken]
     return pairs, gone, new
 
 

@@ -64,7 +64,11 @@ def compare(
         home = packages.get(package, package)
         return inner if home == "." else f"{home}/{inner}"
 
-    names = {path_of(each.name): each.name for each in head.architecture.configurations if each.launch}
+    names = {
+        path_of(configuration.name): configuration.name
+        for configuration in head.architecture.configurations
+        if configuration.launch
+    }
     matched = configurations.match(
         base.architecture,
         head.architecture,
@@ -81,7 +85,7 @@ def compare(
     seen = told.differences
     if base.source is not None and head.source is not None:
         evidence = Evidence(base.source, head.source, moved)
-        seen = [each for each in seen if evidence.bears_out(each)]
+        seen = [difference for difference in seen if evidence.bears_out(difference)]
         told.not_known += len(told.differences) - len(seen)
     found = by_instance(seen, Calls(base.architecture, moved), Calls(head.architecture, lambda path: path))
     found += compare_arguments(base.architecture, head.architecture, moved)
@@ -113,7 +117,7 @@ def _compare_systems(base: Configuration, head: Configuration, moved: Moved, tol
         told.pairs += here.pairs
         here.differences += configurations.compare_nodes(old, new, head.name)
         here.differences += compare_remaps(sides)
-        told.differences += (with_users(each, _users(each, takers)) for each in here.differences)
+        told.differences += (with_users(difference, _users(difference, takers)) for difference in here.differences)
     told.differences += (
         configurations.one_sided(REMOVED, node, head.name) for node in pairs.removed if "?" not in node.name
     )
@@ -153,18 +157,32 @@ def _users(difference: Difference, sides: tuple[_Ends, _Ends]) -> set[str]:
 
 def _not_of_files(found: list[Difference], in_files: list[Difference], base: Side, head: Side) -> Iterator[Difference]:
     """*found* without the values that the parameter files themselves tell."""
-    told = {(side, place) for each in in_files for side, place in (("base", each.base), ("head", each.head)) if place}
+    told = {
+        (side, place)
+        for difference in in_files
+        for side, place in (("base", difference.base), ("head", difference.head))
+        if place
+    }
     whole = {(side, place.path) for side, place in told if place.line is None}
     of_files = set(base.values), set(head.values)
-    for each in found:
-        if each.what == "value" and each.aspect != "file":
-            places = [(side, place) for side, place in (("base", each.base), ("head", each.head)) if place is not None]
+    for difference in found:
+        if difference.what == "value" and difference.aspect != "file":
+            places = [
+                (side, place)
+                for side, place in (("base", difference.base), ("head", difference.head))
+                if place is not None
+            ]
             if places and all((side, _line(place)) in told or (side, place.path) in whole for side, place in places):
                 continue
-            if each.base and each.head and each.base.path in of_files[0] and each.head.path in of_files[1]:
+            if (
+                difference.base
+                and difference.head
+                and difference.base.path in of_files[0]
+                and difference.head.path in of_files[1]
+            ):
                 if any((side, _line(place)) in told for side, place in places):
                     continue
-        yield each
+        yield difference
 
 
 def _readers(architecture: Architecture) -> dict[str, int]:

@@ -29,42 +29,42 @@ def match(
     *moved* says where a launch file (``package/path``) of the base is now, *is_there* whether one is on a side (``base`` or ``head``): a launch
     file that another one includes now is no configuration any more, and still not gone.
     """
-    left = {each.name: each for each in base.configurations}
-    right = {each.name: each for each in head.configurations}
+    left = {configuration.name: configuration for configuration in base.configurations}
+    right = {configuration.name: configuration for configuration in head.configurations}
     both = [(left.pop(name), right.pop(name)) for name in list(left) if name in right]
     found: list[Difference] = []
-    for name, each in list(left.items()):
-        other = right.get(moved(name)) if each.launch else None
-        other = other or _same_system(each, right.values())
+    for name, configuration in list(left.items()):
+        other = right.get(moved(name)) if configuration.launch else None
+        other = other or _same_system(configuration, right.values())
         if other is not None:
             both.append((left.pop(name), right.pop(other.name)))
-            if each.launch and not is_there(name, "head"):
+            if configuration.launch and not is_there(name, "head"):
                 found.append(_launch_file(RENAMED, other, old=name))
     elsewhere: list[tuple[Node, Node, str]] = []
     programs = _programs(base), _programs(head)
-    for each in left.values():
-        if each.launch:
-            if not is_there(each.name, "head"):
-                found.append(_launch_file(REMOVED, each))
+    for configuration in left.values():
+        if configuration.launch:
+            if not is_there(configuration.name, "head"):
+                found.append(_launch_file(REMOVED, configuration))
             continue
-        pairs = [(node, _whole(programs[1].get(identity(node), ()), node)) for node in each.nodes]
-        elsewhere += [(node, other, each.name) for node, other in pairs if other is not None]
-    for each in right.values():
-        if each.launch:
-            if not is_there(each.name, "base"):
-                found.append(_launch_file(ADDED, each))
+        pairs = [(node, _whole(programs[1].get(identity(node), ()), node)) for node in configuration.nodes]
+        elsewhere += [(node, other, configuration.name) for node, other in pairs if other is not None]
+    for configuration in right.values():
+        if configuration.launch:
+            if not is_there(configuration.name, "base"):
+                found.append(_launch_file(ADDED, configuration))
             continue
-        pairs = [(node, _whole(programs[0].get(identity(node), ()), node)) for node in each.nodes]
-        elsewhere += [(other, node, each.name) for node, other in pairs if other is not None]
+        pairs = [(node, _whole(programs[0].get(identity(node), ()), node)) for node in configuration.nodes]
+        elsewhere += [(other, node, configuration.name) for node, other in pairs if other is not None]
     told, renamed = _told_programs(*programs)
     return Matched(tuple(both), (*elsewhere, *renamed), (*found, *told))
 
 
-def _same_system(each: Configuration, others: Iterable[Configuration]) -> Configuration | None:
+def _same_system(configuration: Configuration, others: Iterable[Configuration]) -> Configuration | None:
     """A launch file under a new name: the one other that starts the same nodes."""
-    if not each.launch or not each.nodes:
+    if not configuration.launch or not configuration.nodes:
         return None
-    mine = sorted((node.name, identity(node)) for node in each.nodes)
+    mine = sorted((node.name, identity(node)) for node in configuration.nodes)
     same = [o for o in others if o.launch and sorted((node.name, identity(node)) for node in o.nodes) == mine]
     return same[0] if len(same) == 1 else None
 
@@ -132,7 +132,7 @@ def _told_programs(base: Programs, head: Programs) -> tuple[list[Difference], li
     ranked = sorted(
         ((share(ends_of(a), ends_of(b)), key, other) for key, a in gone.items() for other, b in new.items()
          if key[0] == other[0] and ends_of(a)),
-        key=lambda each: (-each[0], each[1:]),
+        key=lambda item: (-item[0], item[1:]),
     )  # fmt: skip
     for same, key, other in ranked:
         if same < ALIKE_PROGRAMS or key not in gone or other not in new:

@@ -21,11 +21,11 @@ def told(found: Iterable[InterfaceChange], containing: Callable[[str], tuple[Int
     for same in alike.values():
         first = same[0]
         if len(same) > 1:
-            said = (f"{each.name}: {word}" for each in same for word in each.details)
+            said = (f"{change.name}: {word}" for change in same for word in change.details)
             first = replace(
                 first,
-                names=tuple(each.name for each in same),
-                users=tuple(dict.fromkeys(user for each in same for user in each.users)),
+                names=tuple(change.name for change in same),
+                users=tuple(dict.fromkeys(user for change in same for user in change.users)),
                 details=tuple(said),
             )
         yield first
@@ -34,22 +34,26 @@ def told(found: Iterable[InterfaceChange], containing: Callable[[str], tuple[Int
 def _one_by_one(
     found: Iterable[InterfaceChange], containing: Callable[[str], tuple[Interface, ...]]
 ) -> Iterator[Change]:
-    for each in found:
-        action = each.what if each.what in (ADDED, REMOVED, RENAMED) else CHANGED
-        users = [f"{other.name} ({other.kind})" for other in containing(each.name)] if each.kind == "msg" else []
-        name = each.after if action == RENAMED else each.name
+    for interface_change in found:
+        action = interface_change.what if interface_change.what in (ADDED, REMOVED, RENAMED) else CHANGED
+        users = (
+            [f"{other.name} ({other.kind})" for other in containing(interface_change.name)]
+            if interface_change.kind == "msg"
+            else []
+        )
+        name = interface_change.after if action == RENAMED else interface_change.name
         yield Change(
             what="interface",
             action=action,
-            names=(_typed(name, each),),
-            aspect=in_words(each) if action == CHANGED else each.kind,
-            before=each.before or None,
-            after=each.after or None,
-            base=None if each.is_in_head else each.location,
-            head=each.location if each.is_in_head else None,
+            names=(_typed(name, interface_change),),
+            aspect=in_words(interface_change) if action == CHANGED else interface_change.kind,
+            before=interface_change.before or None,
+            after=interface_change.after or None,
+            base=None if interface_change.is_in_head else interface_change.location,
+            head=interface_change.location if interface_change.is_in_head else None,
             users=tuple(users),
-            details=_details(each),
-            old_names=(_typed(each.before, each),) if action == RENAMED else (),
+            details=_details(interface_change),
+            old_names=(_typed(interface_change.before, interface_change),) if action == RENAMED else (),
         )
 
 

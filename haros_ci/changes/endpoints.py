@@ -96,8 +96,8 @@ def _compare_kind(sides: Sides, kind: str, base: list[Endpoint], head: list[Endp
     new += [(name, end) for name, ends in right.items() if name not in left for end in ends]
     gone, new = _only_known(sides, gone, new, told)
     for end, other in _renamed(sides, gone, new):
-        gone = [each for each in gone if each[1] is not end]
-        new = [each for each in new if each[1] is not other]
+        gone = [item for item in gone if item[1] is not end]
+        new = [item for item in new if item[1] is not other]
         told.pairs.append((end, other))
         told.differences.append(
             sides.difference(
@@ -116,7 +116,7 @@ def _named(ends: Iterable[Endpoint], node: Node) -> dict[str, list[Endpoint]]:
     for end in ends:
         same = (end.type, end.qos, end.queue_size, shown(end.value))
         found.setdefault(relative(end.original_name, node.name), {}).setdefault(same, end)
-    return {name: list(each.values()) for name, each in found.items()}
+    return {name: list(item.values()) for name, item in found.items()}
 
 
 def _matched(base: list[Endpoint], head: list[Endpoint]) -> Iterator[tuple[Endpoint | None, Endpoint | None]]:
@@ -124,15 +124,15 @@ def _matched(base: list[Endpoint], head: list[Endpoint]) -> Iterator[tuple[Endpo
     left, right = list(base), list(head)
     for is_same in (_is_equal, _has_type):
         for end in list(left):
-            other = next((each for each in right if is_same(end, each)), None)
+            other = next((endpoint for endpoint in right if is_same(end, endpoint)), None)
             if other is not None:
                 left.remove(end)
                 right.remove(other)
                 yield end, other
     while left and right:
         yield left.pop(0), right.pop(0)
-    yield from ((end, None) for end in left if all(end.type not in (None, each.type) for each in head))
-    yield from ((None, end) for end in right if all(end.type not in (None, each.type) for each in base))
+    yield from ((end, None) for end in left if all(end.type not in (None, endpoint.type) for endpoint in head))
+    yield from ((None, end) for end in right if all(end.type not in (None, endpoint.type) for endpoint in base))
 
 
 def _is_equal(end: Endpoint, other: Endpoint) -> bool:
@@ -151,8 +151,8 @@ def _only_known(sides: Sides, gone: Found, new: Found, told: Compared) -> tuple[
     lost = {id(end) for name, end in gone if any(_may_be(name, end, *other) for other in new)}
     found = {id(end) for name, end in new if any(_may_be(*other, name, end) for other in gone)}
     told.not_known += len(lost)
-    gone = [each for each in gone if id(each[1]) not in lost]
-    new = [each for each in new if id(each[1]) not in found]
+    gone = [item for item in gone if id(item[1]) not in lost]
+    new = [item for item in new if id(item[1]) not in found]
     if gone and _doubts(sides.head) - _doubts(sides.base):
         told.not_known += len(gone)
         gone = []
@@ -177,8 +177,8 @@ def _renamed(sides: Sides, gone: Found, new: Found) -> Iterator[tuple[Endpoint, 
     """An end under a new name: in the same file, of the same type and default, the name alike or no other in question."""
     ranked = []
     for place, (name, end) in enumerate(gone):
-        fitting = [(number, each) for number, each in enumerate(new) if _fits(sides, end, each[1])]
-        alone = len(fitting) == 1 and sum(_fits(sides, each, fitting[0][1][1]) for _, each in gone) == 1
+        fitting = [(number, item) for number, item in enumerate(new) if _fits(sides, end, item[1])]
+        alone = len(fitting) == 1 and sum(_fits(sides, endpoint, fitting[0][1][1]) for _, endpoint in gone) == 1
         for number, (other_name, _) in fitting:
             like = likeness(name, other_name)
             if like >= RENAMED_FROM or (alone and end.kind not in ("parameters", "getters")):
@@ -234,7 +234,7 @@ def _changed(sides: Sides, end: Endpoint, other: Endpoint) -> Iterator[Differenc
 
 
 def _aspects(end: Endpoint, other: Endpoint) -> Iterator[tuple[str, str | None, str | None]]:
-    unknown = {each.field for side in (end, other) for each in side.unknowns}
+    unknown = {unknown.field for side in (end, other) for unknown in side.unknowns}
     if end.type != other.type and None not in (end.type, other.type) and is_known(f"{end.type}{other.type}"):
         yield "type", end.type, other.type
     if end.kind in ("parameters", "getters"):
@@ -278,13 +278,13 @@ def _quality(end: Endpoint, other: Endpoint) -> Iterator[tuple[str, str | None, 
 def qos_words(qos: Qos, other: Qos) -> str:
     """In words the policies in which *qos* differs from *other*, those left out that are not known on one side."""
     said = []
-    for each in fields(qos):
-        mine, theirs = getattr(qos, each.name), getattr(other, each.name)
+    for item in fields(qos):
+        mine, theirs = getattr(qos, item.name), getattr(other, item.name)
         if mine == theirs or "?" in (mine, theirs):
             continue
-        if each.name == "depth" and "keep_all" in (qos.history, other.history):
+        if item.name == "depth" and "keep_all" in (qos.history, other.history):
             continue
-        said.append(f"{each.name} {'default' if mine is None else mine}")
+        said.append(f"{item.name} {'default' if mine is None else mine}")
     return ", ".join(said)
 
 

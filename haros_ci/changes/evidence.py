@@ -41,7 +41,7 @@ class Source:
 
     def around(self, place: Location) -> Begin | None:
         """The function that *place* is in, as far as lines tell."""
-        before = [each for each in self.functions.get(place.path, ()) if each[0] <= (place.line or 0)]
+        before = [function for function in self.functions.get(place.path, ()) if function[0] <= (place.line or 0)]
         return before[-1] if before else None
 
     def text(self, path: str, function: Begin) -> str:
@@ -52,14 +52,14 @@ class Source:
 
     def texts_of(self, path: str, name: str) -> set[str]:
         """The texts of the functions called *name* in the changed file *path*."""
-        return {self.text(path, each) for each in self.functions.get(path, ()) if each[1] == name}
+        return {self.text(path, function) for function in self.functions.get(path, ()) if function[1] == name}
 
 
 def functions_of(program: Program) -> tuple[Begin, ...]:
     """Where the functions of a file begin."""
-    classes = {re.split(r"::|\.", each.name)[-1] for each in program.classes}
-    own = (each for each in program.functions if each.kind not in ("lambda", "module"))
-    return tuple(sorted({(each.line, each.name, _class(each.owner, classes)) for each in own}))
+    classes = {re.split(r"::|\.", class_.name)[-1] for class_ in program.classes}
+    own = (function for function in program.functions if function.kind not in ("lambda", "module"))
+    return tuple(sorted({(function.line, function.name, _class(function.owner, classes)) for function in own}))
 
 
 def _class(owner: str, classes: Container[str]) -> str:

@@ -32,12 +32,14 @@ def by_instance(found: Iterable[Difference], base: Calls, head: Calls) -> list[D
     """*found* with the parameters that both revisions' code declares, where a plug-in is loaded, as one difference each prefix."""
     kept: list[Difference] = []
     groups: dict[tuple[str, str, str, str], list[Difference]] = {}
-    for each in found:
-        key = _prefix(each)
-        if key is None or not _is_of_both(each, base, head):
-            kept.append(each)
+    for difference in found:
+        key = _prefix(difference)
+        if key is None or not _is_of_both(difference, base, head):
+            kept.append(difference)
         else:
-            groups.setdefault((each.configuration, each.node, each.action, key), []).append(each)
+            groups.setdefault((difference.configuration, difference.node, difference.action, key), []).append(
+                difference
+            )
     return [*kept, *(_together(key, group) for (_, _, _, key), group in groups.items())]
 
 
@@ -73,5 +75,5 @@ def _together(prefix: str, group: list[Difference]) -> Difference:
         base=None,
         head=None,
         users=(),
-        details=tuple(sorted(each.name for each in group)),
+        details=tuple(sorted(difference.name for difference in group)),
     )

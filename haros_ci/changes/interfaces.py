@@ -60,7 +60,7 @@ class Side:
         for interface, ros in found:
             self.all.setdefault((interface.kind, interface.name), (interface, ros))
         #: Those that are generated: the others no node can use.
-        self.used = {key: each for key, each in self.all.items() if each[0].is_generated}
+        self.used = {key: item for key, item in self.all.items() if item[0].is_generated}
         self._known = {ros: Definitions((i for i, of in self.all.values() if of in (ros, None)), ros) for ros in (1, 2)}
 
     def hash(self, defined: Defined) -> str | None:
@@ -95,7 +95,18 @@ def interface_changes(base: Iterable[Defined], head: Iterable[Defined]) -> tuple
             )
     for key in before.used.keys() & after.used.keys():
         made += _altered(before, after, before.used[key], after.used[key])
-    return tuple(sorted(made, key=lambda each: (each.name, each.kind, each.location.sort_key, each.what, each.field)))
+    return tuple(
+        sorted(
+            made,
+            key=lambda interface_change: (
+                interface_change.name,
+                interface_change.kind,
+                interface_change.location.sort_key,
+                interface_change.what,
+                interface_change.field,
+            ),
+        )
+    )
 
 
 def containing(found: Iterable[Defined], name: str) -> tuple[Interface, ...]:
@@ -111,7 +122,7 @@ def containing(found: Iterable[Defined], name: str) -> tuple[Interface, ...]:
             if (interface.kind, interface.name) not in seen:
                 seen[interface.kind, interface.name] = interface
                 waiting += [interface.name] if interface.kind == "msg" else []
-    return tuple(each for key, each in sorted(seen.items()) if key != ("msg", name))
+    return tuple(interface for key, interface in sorted(seen.items()) if key != ("msg", name))
 
 
 def in_words(change: InterfaceChange) -> str:
@@ -171,23 +182,23 @@ def _altered(before: Side, after: Side, old: Defined, new: Defined) -> Iterable[
     if not was.is_whole or not now.is_whole or was.sections == now.sections:
         return
     parts = zip(PARTS.get(now.kind, ("",)), was.sections, now.sections)
-    found = [(part, each) for part, one, other in parts for each in differences(one, other, ros)]
+    found = [(part, difference) for part, one, other in parts for difference in differences(one, other, ros)]
     if not found:
         return
     hash_before, hash_after = before.hash(old), after.hash(new)
-    for part, each in found:
+    for part, difference in found:
         yield InterfaceChange(
-            name=now.name, kind=now.kind, what=each.what, field=each.name, part=part, before=each.before, after=each.after,
-            hash_before=hash_before, hash_after=hash_after, location=Location(now.path, each.line or None),
-            is_breaking=_is_breaking(each, ros), ros=ros,
+            name=now.name, kind=now.kind, what=difference.what, field=difference.name, part=part, before=difference.before, after=difference.after,
+            hash_before=hash_before, hash_after=hash_after, location=Location(now.path, difference.line or None),
+            is_breaking=_is_breaking(difference, ros), ros=ros,
         )  # fmt: skip
 
 
-def _is_breaking(each: Difference, ros: int | None) -> bool:
-    if each.what == "default":
+def _is_breaking(difference: Difference, ros: int | None) -> bool:
+    if difference.what == "default":
         return False
-    if each.what in ("constant-removed", "constant-renamed"):
+    if difference.what in ("constant-removed", "constant-renamed"):
         return True
-    if each.what == "constant-value":
-        return ros == 1 or each.is_other_value
-    return ros == 1 or not each.what.startswith("constant-")
+    if difference.what == "constant-value":
+        return ros == 1 or difference.is_other_value
+    return ros == 1 or not difference.what.startswith("constant-")

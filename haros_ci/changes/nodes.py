@@ -64,8 +64,8 @@ def pair(base: Iterable[Node], head: Iterable[Node]) -> Pairs:
     added = [node for nodes in right.values() for node in nodes]
     for node, other in _renamed(removed, added):
         both.append((node, other))
-        removed = [each for each in removed if each is not node]
-        added = [each for each in added if each is not other]
+        removed = [other_node for other_node in removed if other_node is not node]
+        added = [other_node for other_node in added if other_node is not other]
     return Pairs(tuple(both), tuple(removed), tuple(added))
 
 

@@ -24,19 +24,19 @@ def edges(found: Iterable[Difference], head: Architecture, base: Architecture) -
     """The ends that come, go or have a new name, with all others at the same topics, services and actions; once each."""
     told: dict[tuple[str, str, str, bool], str] = {}
     touched: dict[tuple[str, str], None] = {}
-    for each in sorted(found, key=lambda item: (item.configuration, item.name)):
-        kind, is_giver, _, _ = _ENDS.get(each.what, ("", False, "", ""))
-        if not kind or not is_known(each.name + each.old_name + each.node) or not each.node:
+    for difference in sorted(found, key=lambda item: (item.configuration, item.name)):
+        kind, is_giver, _, _ = _ENDS.get(difference.what, ("", False, "", ""))
+        if not kind or not is_known(difference.name + difference.old_name + difference.node) or not difference.node:
             continue
-        if each.action in (REMOVED, RENAMED):
-            name = each.old_name or each.name
-            told.setdefault((each.node, name, kind, is_giver), REMOVED)
+        if difference.action in (REMOVED, RENAMED):
+            name = difference.old_name or difference.name
+            told.setdefault((difference.node, name, kind, is_giver), REMOVED)
             touched[kind, name] = None
-        if each.action in (ADDED, RENAMED):
-            told.setdefault((each.node, each.name, kind, is_giver), ADDED)
-            touched[kind, each.name] = None
-        if each.aspect == "type":
-            touched[kind, each.name] = None
+        if difference.action in (ADDED, RENAMED):
+            told.setdefault((difference.node, difference.name, kind, is_giver), ADDED)
+            touched[kind, difference.name] = None
+        if difference.aspect == "type":
+            touched[kind, difference.name] = None
     for configuration in head.configurations:
         for key in _around(configuration, touched):
             told.setdefault(key, "")

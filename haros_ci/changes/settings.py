@@ -38,7 +38,9 @@ def compare_remaps(sides: Sides) -> Iterator[Difference]:
         old, new = base.get(key), head.get(key)
         rule = new or old
         assert rule is not None
-        if not all(is_known(each.source + each.target) for each in (old, new) if each is not None):
+        if not all(
+            is_known(remap_rule.source + remap_rule.target) for remap_rule in (old, new) if remap_rule is not None
+        ):
             continue
         action = CHANGED if old and new else ADDED if new else REMOVED
         yield sides.difference(
@@ -100,7 +102,11 @@ def _arguments(architecture: Architecture) -> dict[tuple[str, str], ArgumentDecl
 
 def _launched(architecture: Architecture, moved: Moved) -> set[str]:
     """The files that launch facts stand in."""
-    return {moved(fact.location.path) for each in architecture.configurations for fact in each.launch_facts}
+    return {
+        moved(fact.location.path)
+        for configuration in architecture.configurations
+        for fact in configuration.launch_facts
+    }
 
 
 def compare_values(
@@ -115,7 +121,7 @@ def compare_values(
         node = key[0]
         if node in gone or node in new or not is_known("".join(key)):
             continue
-        if any(_is_unknown(each) for each in (old, new_one)):
+        if any(_is_unknown(parameter) for parameter in (old, new_one)):
             continue
         before = shown(old.value) if old else None
         after = shown(new_one.value) if new_one else None
@@ -136,7 +142,7 @@ def compare_values(
         if (
             len(group) < MANY
             or files[0] == files[1]
-            or any(each.action == CHANGED for each in group)
+            or any(difference.action == CHANGED for difference in group)
             and not all(files)
         ):
             yield from group
@@ -158,7 +164,9 @@ def _from_elsewhere(node: str, files: tuple[str, str], group: list[Difference], 
         configuration=configuration,
         base=Location(old) if old else None,
         head=Location(new) if new else None,
-        details=tuple(f"{each.name}: {each.before or '—'} → {each.after or '—'}" for each in group),
+        details=tuple(
+            f"{difference.name}: {difference.before or '—'} → {difference.after or '—'}" for difference in group
+        ),
     )
 
 
@@ -195,7 +203,7 @@ def compare_files(
         old, new = ({(v.pattern, v.name): v for v in side} for side in (left[path], head[path]))
         for key in sorted({*old, *new}):
             before, after = old.get(key), new.get(key)
-            texts: list[Any] = [each.text for each in (before, after) if each is not None]
+            texts: list[Any] = [value.text for value in (before, after) if value is not None]
             if None in texts or (len(texts) == 2 and texts[0] == texts[1]):
                 continue
             action = CHANGED if before and after else ADDED if after else REMOVED

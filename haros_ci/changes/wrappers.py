@@ -39,7 +39,7 @@ class Wrappers:
             self._known[name] = None  # a function that calls itself is none
             functions = self._functions.get(name, [])
             if functions and len(functions) <= MAX_ALIKE and depth < MAX_DEPTH:
-                found = {made for each in functions if (made := self._made(*each, depth)) is not None}
+                found = {made for function in functions if (made := self._made(*function, depth)) is not None}
                 self._known[name] = found.pop() if len(found) == 1 else None
         return self._known[name]
 

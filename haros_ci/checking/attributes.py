@@ -101,12 +101,12 @@ def unset_attributes(project: Project) -> Iterator[Unset]:
     """Every attribute that is read and never set, once for each class."""
     code = project.code
     classes = _classes(code)
-    parents = {key: list(bases(code, each.owner)) for key, each in classes.items()}
+    parents = {key: list(bases(code, class_.owner)) for key, class_ in classes.items()}
     related = _related(classes, parents)
     elsewhere = _set_elsewhere(code)
-    for key, each in classes.items():
-        source, definition = each.owner
-        if not each.read or source.package is None or not _is_plain(code, each.owner):
+    for key, class_ in classes.items():
+        source, definition = class_.owner
+        if not class_.read or source.package is None or not _is_plain(code, class_.owner):
             continue
         family = [classes[name] for name in sorted(related[key]) if name in classes]
         if any(_is(above, name) for name in related[key] for above, _ in parents.get(name, ())):
@@ -121,10 +121,10 @@ def unset_attributes(project: Project) -> Iterator[Unset]:
         has = set().union(*(one.has for one in family), *(_KNOWN.get(name, frozenset()) for name in libraries))
         if "__init__" not in has:
             continue
-        known = set(each.has).union(*(_known(above, name, classes) for above, name in parents[key]))
+        known = set(class_.has).union(*(_known(above, name, classes) for above, name in parents[key]))
         if not libraries <= _PLAIN | {"threading.Thread"}:
             has |= _LIFECYCLE  # rclpy may get these names for its plain nodes
-        for name, routine in sorted(each.read.items()):
+        for name, routine in sorted(class_.read.items()):
             is_hidden = name.startswith("__") or (name.startswith("_") and bool(libraries - _PLAIN))
             if name in has or name in elsewhere or is_hidden or _is_asked(code.text(source.path), name):
                 continue
@@ -148,12 +148,12 @@ def _classes(code: Codebase) -> dict[tuple[str, str], _Attributes]:
         program = source.program
         if program.language != "python" or program.problems or source.path.endswith(".pyi"):
             continue
-        names = [each.name for each in program.classes]
-        for each in program.classes:
-            if names.count(each.name) == 1:
-                has = {member.name for member in each.fields}
-                has |= {inner.rpartition(".")[2] for inner in names if inner.rpartition(".")[0] == each.name}
-                found[source.path, each.name] = _Attributes((source, each), [], {}, has)
+        names = [class_.name for class_ in program.classes]
+        for class_ in program.classes:
+            if names.count(class_.name) == 1:
+                has = {member.name for member in class_.fields}
+                has |= {inner.rpartition(".")[2] for inner in names if inner.rpartition(".")[0] == class_.name}
+                found[source.path, class_.name] = _Attributes((source, class_), [], {}, has)
         for function in program.functions:
             one = found.get((source.path, function.owner))
             if one is not None and function.name.rpartition(".")[0] == function.owner:
@@ -207,7 +207,7 @@ def _add(one: _Attributes, routine: Routine) -> None:
     waiting = below(routine.function.body)[::-1]
     while waiting:
         node = waiting.pop()
-        if isinstance(node, syntax.Try) and any(_catches(each) for each in node.handlers):
+        if isinstance(node, syntax.Try) and any(_catches(handler) for handler in node.handlers):
             one.has.update(_set_in(node.body))
             waiting += node.handlers
         elif isinstance(node, syntax.Assignment) and node.operator == "=":
@@ -232,8 +232,8 @@ def _set_in(block: Block) -> Iterator[str]:
 def _targets(target: Expression) -> Iterator[tuple[bool, str]]:
     """The attributes that an assignment sets: whether it is one of ``self``, and its name."""
     if isinstance(target, syntax.ListLiteral):
-        for each in target.items:
-            yield from _targets(each)
+        for item in target.items:
+            yield from _targets(item)
     elif isinstance(target, (syntax.Star, syntax.DoubleStar)):
         yield from _targets(target.value)
     elif isinstance(target, syntax.Member):
@@ -243,8 +243,8 @@ def _targets(target: Expression) -> Iterator[tuple[bool, str]]:
 def _rest(target: Expression) -> Iterator[Expression]:
     """What an assignment's target reads."""
     if isinstance(target, syntax.ListLiteral):
-        for each in target.items:
-            yield from _rest(each)
+        for item in target.items:
+            yield from _rest(item)
     elif isinstance(target, (syntax.Star, syntax.DoubleStar)):
         yield from _rest(target.value)
     elif isinstance(target, syntax.Member):
@@ -263,14 +263,14 @@ def _related(
 ) -> dict[tuple[str, str], set[tuple[str, str]]]:
     """Each class with its bases, its subclasses and their bases: all that may be one object with it."""
     above = {
-        key: {key, *((each[0].path, each[1].name) for each, _ in found if each is not None)}
+        key: {key, *((definition[0].path, definition[1].name) for definition, _ in found if definition is not None)}
         for key, found in parents.items()
     }
     related: dict[tuple[str, str], set[tuple[str, str]]] = {key: set() for key in classes}
     for every in above.values():
-        for each in every:
-            if each in related:
-                related[each] |= every
+        for pair in every:
+            if pair in related:
+                related[pair] |= every
     return related
 
 
@@ -311,8 +311,8 @@ def _place(code: Codebase, routine: Routine, name: str) -> Location:
     """Where the attribute is first read in the routine; the routine's head if that is not found."""
     line = routine.function.line
     wanted = re.compile(rf"\b\w+\.{re.escape(name)}\b")
-    for number, each in enumerate(code.lines(routine, line).split("\n"), line):
-        found = wanted.search(each.partition("#")[0])
+    for number, part in enumerate(code.lines(routine, line).split("\n"), line):
+        found = wanted.search(part.partition("#")[0])
         if found is not None:
             return Location(routine.path, number, found.start() + 1, number, found.end() + 1)
     return Location(routine.path, line or 1)

@@ -58,7 +58,7 @@ class _Names:
 
     def asks(self, test: ast.expr) -> bool:
         return any(
-            self._asks(each) or (isinstance(each, ast.Name) and each.id in self._names) for each in ast.walk(test)
+            self._asks(node) or (isinstance(node, ast.Name) and node.id in self._names) for node in ast.walk(test)
         )
 
 
@@ -78,8 +78,8 @@ def _found(tree: ast.Module, names: _Names) -> Iterator[Span]:
 
 def _behind(block: list[ast.stmt], names: _Names) -> Iterator[Span]:
     """What stands in *block* behind a branch that does not come back."""
-    for number, each in enumerate(block[:-1]):
-        if isinstance(each, ast.If) and isinstance(each.body[-1], _ENDS) and names.asks(each.test):
+    for number, node in enumerate(block[:-1]):
+        if isinstance(node, ast.If) and isinstance(node.body[-1], _ENDS) and names.asks(node.test):
             yield block[number + 1].lineno, block[-1].end_lineno or block[-1].lineno
 
 
@@ -91,9 +91,13 @@ def _made(tree: ast.Module) -> Iterator[tuple[frozenset[str], ast.expr]]:
             if not _makes_actions(node.value):
                 yield frozenset(t.id for t in targets if isinstance(t, ast.Name)), node.value
         elif isinstance(node, ast.FunctionDef):
-            for each in ast.walk(node):
-                if isinstance(each, ast.Return) and each.value is not None and not _makes_actions(each.value):
-                    yield frozenset((node.name,)), each.value
+            for other_node in ast.walk(node):
+                if (
+                    isinstance(other_node, ast.Return)
+                    and other_node.value is not None
+                    and not _makes_actions(other_node.value)
+                ):
+                    yield frozenset((node.name,)), other_node.value
 
 
 def _makes_actions(value: ast.expr) -> bool:

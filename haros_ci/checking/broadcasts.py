@@ -57,14 +57,14 @@ def sent(program: Program) -> tuple[Sent, ...]:
     for index, function in enumerate(program.functions):
         if function.body is not None:
             key = f"{index}"
-            names = {each.name for each in function.parameters}
+            names = {parameter.name for parameter in function.parameters}
             facts.locals[key] = names
             for statement, around in _statements(function.body, ()):
                 _note(facts, function, key, statement, around)
     found = []
     for function, call, around in facts.sends:
         name = function.name.replace("::", ".").rpartition(".")[2]
-        if any(each for each in around) or any(_SWITCH.search(text) for text in facts.guards.get(name, ())):
+        if any(item for item in around) or any(_SWITCH.search(text) for text in facts.guards.get(name, ())):
             continue
         key = str(program.functions.index(function))
         child, parent = _frames(facts, program, key, call.arguments)
@@ -81,7 +81,9 @@ def _statements(block: Block, around: tuple[str, ...]) -> Iterator[tuple[Stateme
             text = str(statement.text)
             yield from _statements(statement.then, (*around, text))
             yield from _statements(statement.other, (*around, text))
-            if _SWITCH.search(text) and any(isinstance(each, syntax.Return) for each in statement.then):
+            if _SWITCH.search(text) and any(
+                isinstance(other_statement, syntax.Return) for other_statement in statement.then
+            ):
                 around = (*around, text)
         elif isinstance(statement, syntax.Loop):
             yield from _statements(statement.before, around)
@@ -116,11 +118,11 @@ def _note(facts: _Facts, function: Function, key: str, statement: Statement, aro
             )
             facts.assigned.setdefault((key, statement.name), []).append(value)
     for expression in _expressions(statement):
-        for each in everything(expression):
-            if isinstance(each, syntax.Assignment) and each.operator == "=":
-                _assign(facts, function, key, each.target, each.value)
-            elif isinstance(each, syntax.Call):
-                _called(facts, function, key, each, around)
+        for record in everything(expression):
+            if isinstance(record, syntax.Assignment) and record.operator == "=":
+                _assign(facts, function, key, record.target, record.value)
+            elif isinstance(record, syntax.Call):
+                _called(facts, function, key, record, around)
 
 
 def _assign(facts: _Facts, function: Function, key: str, target: Expression, value: Expression) -> None:
@@ -193,7 +195,7 @@ def _frame(facts: _Facts, program: Program, key: str, value: Expression, depth: 
     values = [*facts.assigned.get((key, path), ()), *facts.assigned.get(("", path), ())]
     if not values:
         values = [init for name, init in _constants(program) if _last(name) == _last(path)]
-    frames = {_frame(facts, program, key, each, depth + 1) for each in values}
+    frames = {_frame(facts, program, key, item, depth + 1) for item in values}
     named = {frame for frame in frames if frame is not None and frame.parameter}
     if len(named) == 1 and None not in frames:
         return named.pop()
@@ -212,9 +214,9 @@ def _read(facts: _Facts, program: Program, key: str, call: syntax.Call, depth: i
 
 def _constants(program: Program) -> Iterator[tuple[str, Expression]]:
     """The variables and members that are assigned where they are declared, and to what."""
-    for each in (*program.variables, *(each for one in program.classes for each in one.fields)):
-        if isinstance(each.init, syntax.Equals):
-            yield each.name, each.init.value
+    for variable in (*program.variables, *(other_field for one in program.classes for other_field in one.fields)):
+        if isinstance(variable.init, syntax.Equals):
+            yield variable.name, variable.init.value
 
 
 def _last(path: str) -> str:

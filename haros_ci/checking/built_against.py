@@ -12,8 +12,8 @@ _COMMANDS = ("find_package", "catkin_package", "ament_export_dependencies")
 def is_built_against(package: ProjectPackage) -> bool:
     """Whether another package of the workspace is built against *package*, or has those look for it that are built against itself."""
     return any(
-        any(each.name == package.name and each.kind in _KINDS for each in other.raw.dependencies)
-        or any(package.name in each.arguments for each in other.commands(*_COMMANDS))
+        any(dependency.name == package.name and dependency.kind in _KINDS for dependency in other.raw.dependencies)
+        or any(package.name in command.arguments for command in other.commands(*_COMMANDS))
         for other in package.project.packages
         if other is not package
     )

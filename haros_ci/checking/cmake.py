@@ -177,13 +177,15 @@ class CMake:
 
     @cached_property
     def installs(self) -> tuple[Install, ...]:
-        return tuple(_install(each) for each in self.commands if each.name == "install" and each.arguments)
+        return tuple(_install(command) for command in self.commands if command.name == "install" and command.arguments)
 
     @cached_property
     def installs_unknown(self) -> bool:
         """Whether an install() may install more than is known."""
         return any(
-            not each.is_certain for each in self.installs if each.kind in ("TARGETS", "IMPORTED_RUNTIME_ARTIFACTS")
+            not install.is_certain
+            for install in self.installs
+            if install.kind in ("TARGETS", "IMPORTED_RUNTIME_ARTIFACTS")
         )
 
     @cached_property
@@ -226,8 +228,8 @@ class CMake:
         found: set[str] = set()
         todo = list(names)
         while todo:
-            each = todo.pop()
-            for command in self._dependencies.get(each, ()):
+            item = todo.pop()
+            for command in self._dependencies.get(item, ()):
                 todo += [word for word in command.arguments[1:] if word in self._dependencies and word not in found]
                 found.update(command.arguments[1:])
         return frozenset(found)
@@ -242,7 +244,7 @@ class CMake:
 
     def include_words(self, target: Target) -> tuple[str, ...]:
         """The include directories of *target* and of its own libraries, and those of the directory that makes it."""
-        names = {target.name, *(each.name for each in self.linked(target.name))}
+        names = {target.name, *(other_target.name for other_target in self.linked(target.name))}
         folder = posixpath.dirname(target.location.path)
         found: list[str] = []
         for command in self.commands:
@@ -256,7 +258,7 @@ class CMake:
     def destinations(self, name: str) -> tuple[str, ...]:
         """The directories that install(TARGETS) puts a target into."""
         target = self.targets.get(name)
-        found = (each.place_of(target) for each in self.installs if target is not None and name in each.things)
+        found = (install.place_of(target) for install in self.installs if target is not None and name in install.things)
         return tuple(place for place in found if place is not None)
 
     def is_shared(self, target: Target) -> bool | None:

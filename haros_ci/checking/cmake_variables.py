@@ -18,14 +18,14 @@ _ALONE = frozenset(
 def may_set_variables(package: ProjectPackage, name: str) -> bool:
     """Whether CMake may set ``<name>_INCLUDE_DIRS`` or ``<name>_LIBRARIES``; upper and lower case are not told apart."""
     finds = [
-        each
-        for each in package.build.commands
-        if each.name in ("find_package", "pkg_check_modules", "pkg_search_module")
+        command
+        for command in package.build.commands
+        if command.name in ("find_package", "pkg_check_modules", "pkg_search_module")
     ]
     named = {
         word.lower()
-        for each in finds
-        for word in (each.arguments[:1] if each.arguments[:1] != ("catkin",) else each.arguments)
+        for find in finds
+        for word in (find.arguments[:1] if find.arguments[:1] != ("catkin",) else find.arguments)
     }
     if (
         "$" in name
@@ -34,12 +34,12 @@ def may_set_variables(package: ProjectPackage, name: str) -> bool:
         or not named <= _ALONE | {word.lower() for word in _components(finds)}
     ):
         return True
-    texts = (package.project.text(path) for path in {each.location.path for each in package.build.commands})
+    texts = (package.project.text(path) for path in {command.location.path for command in package.build.commands})
     return any(re.search(rf"(?i)\b{re.escape(name)}_(?:INCLUDE_DIRS?|LIBRARIES)\s+\S", text) for text in texts)
 
 
 def _components(finds: list[CMakeCommand]) -> Iterator[str]:
     """What is found by catkin, and the prefixes of pkg-config: they set variables of no other name."""
-    for each in finds:
-        yield from each.arguments if each.arguments[:1] == ("catkin",) else ()
-        yield from each.arguments[:1] if each.name != "find_package" else ()
+    for find in finds:
+        yield from find.arguments if find.arguments[:1] == ("catkin",) else ()
+        yield from find.arguments[:1] if find.name != "find_package" else ()

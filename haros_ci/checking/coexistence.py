@@ -48,7 +48,7 @@ def by_types(
             if not hits and any(n not in waiting and _meet_apart(giver, taker, apart) for n, taker in group.items()):
                 found[pair][giver] = None
             new += hits
-        for number, taker, pair in sorted(new, key=lambda each: each[0]):
+        for number, taker, pair in sorted(new, key=lambda item: item[0]):
             found.setdefault(pair, {}).update({giver: None, taker: None})
             del left[pair][number]
     return found

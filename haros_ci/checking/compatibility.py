@@ -131,7 +131,7 @@ def _is_changed(pair: Pair, fix: str, met: Mapping[Location, set[Location]]) -> 
         return pair.giver.in_source and not _is_common(pair.giver.qos)
     usual, other = (pair.giver, pair.taker) if fix == "giver" else (pair.taker, pair.giver)
     calls = met[other.location]
-    is_alone = len(calls) > 1 and all(met[each] == {other.location} for each in calls)
+    is_alone = len(calls) > 1 and all(met[call] == {other.location} for call in calls)
     chosen = other if not usual.in_source or (is_alone and other.in_source) else usual
     return chosen is pair.giver
 
@@ -175,7 +175,7 @@ def _is_chosen(end: End, fitting: list[End]) -> bool:
     return any(
         twin.node is end.node
         and twin is not end
-        and any(each.statement in BRANCHES for each in (*end.conditions, *twin.conditions))
+        and any(condition.statement in BRANCHES for condition in (*end.conditions, *twin.conditions))
         for twin in fitting
     )
 

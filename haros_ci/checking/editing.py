@@ -79,8 +79,12 @@ def add_dependency(package: ProjectPackage, kind: str, name: str) -> Fix | None:
     if package.raw.format < 2:
         kinds = _FORMAT_1.get(kind, (kind,))
     condition = _condition(package, name)
-    there = {each.kind for each in package.raw.dependencies if each.name == name and each.condition is None}
-    parts = [add_element(package, each, name, description, condition) for each in kinds if each not in there]
+    there = {
+        dependency.kind
+        for dependency in package.raw.dependencies
+        if dependency.name == name and dependency.condition is None
+    }
+    parts = [add_element(package, item, name, description, condition) for item in kinds if item not in there]
     edits = tuple(edit for part in parts if part is not None for edit in part.edits)
     return Fix(description, edits) if edits and None not in parts else None
 
@@ -91,7 +95,7 @@ def dependency_tags(package: ProjectPackage, kind: str, name: str) -> str:
     What only one ROS has gets a condition where the manifest has such (REP 149).
     """
     kinds = _FORMAT_1.get(kind, (kind,)) if package.raw.format < 2 else (kind,)
-    return " and ".join(_tag(each, name, _condition(package, name)) for each in kinds)
+    return " and ".join(_tag(item, name, _condition(package, name)) for item in kinds)
 
 
 def _condition(package: ProjectPackage, name: str) -> str:

@@ -84,11 +84,11 @@ def _given(code: Codebase, typed: Typed) -> Iterator[tuple[str, str, Expression,
                     yield field[0], kind, node.value, field[1]
             elif isinstance(node, syntax.Call) and (struct := typed.struct_of(code, node)) is not None:
                 maker = struct.name.rpartition(".")[2]
-                for each in node.arguments:
-                    if isinstance(each, syntax.Keyword) and each.name in struct.fields:
-                        kind = kind_of(code, typed.routine, each.value)
+                for argument in node.arguments:
+                    if isinstance(argument, syntax.Keyword) and argument.name in struct.fields:
+                        kind = kind_of(code, typed.routine, argument.value)
                         if kind:
-                            yield struct.fields[each.name], kind, each.value, f"{maker}({each.name}="
+                            yield struct.fields[argument.name], kind, argument.value, f"{maker}({argument.name}="
 
 
 def _field(target: Expression, typed: Typed) -> tuple[str, str] | None:
@@ -125,7 +125,7 @@ def kind_of(code: Codebase, routine: Routine, value: Expression, steps: int = 3)
 
 def _computed(code: Codebase, routine: Routine, value: syntax.Operation, steps: int) -> str:
     """Of numbers: a sign, a product, a quotient."""
-    kinds = {kind_of(code, routine, each, steps - 1) for each in value.operands} if steps > 0 else {""}
+    kinds = {kind_of(code, routine, operand, steps - 1) for operand in value.operands} if steps > 0 else {""}
     if not kinds <= {"int", "float"} or value.operator not in ("+", "-", "*", "/"):
         return ""
     return "float" if "float" in kinds or value.operator == "/" else "int"
@@ -139,7 +139,7 @@ def _called(code: Codebase, routine: Routine, call: syntax.Call) -> str:
     name = dotted(code, routine, callee)
     if not name and isinstance(callee, syntax.Name):
         name = callee.name
-    is_own = any(each.name == name for each in routine.source.program.functions)
+    is_own = any(function.name == name for function in routine.source.program.functions)
     return "" if is_own else _RETURNED.get(name, "")
 
 
@@ -155,7 +155,7 @@ def _variable(code: Codebase, routine: Routine, name: str, steps: int) -> str:
     body = code.body(routine)
     if routine.function.kind == "module" or name in body.variables or name in body.nested or name in body.imports:
         return ""
-    if any(each.name.lstrip("*") == name for each in routine.function.parameters):
+    if any(parameter.name.lstrip("*") == name for parameter in routine.function.parameters):
         return ""
     if len(body.sets) > _MANY_SETS:
         return ""
@@ -198,7 +198,7 @@ def _fits_list(kind: str, value: Expression, wanted: FieldType, ros: int) -> boo
         items = value.items
         if len(items) > _MANY or wanted.base not in _FLOATS or ros == 1:
             return True
-        return not any(isinstance(each, syntax.Number) and isinstance(each.value, int) for each in items)
+        return not any(isinstance(item, syntax.Number) and isinstance(item.value, int) for item in items)
     return kind in ("list", "str") if ros == 1 else kind == "list"
 
 
@@ -231,7 +231,7 @@ def _location(code: Codebase, routine: Routine, written: str, value: str) -> Loc
     start = routine.function.line
     parts = re.split(r"[.(]", written.rstrip("="))
     head = (
-        "" if written.endswith("=") else r"(?<![\w.])" + "".join(rf"{re.escape(each)}\s*\.\s*" for each in parts[:-1])
+        "" if written.endswith("=") else r"(?<![\w.])" + "".join(rf"{re.escape(part)}\s*\.\s*" for part in parts[:-1])
     )
     wanted = re.compile(rf"{head}\b{re.escape(parts[-1])}\s*=(?!=)\s*")
     text = code.text(routine.path) if routine.function.kind == "module" else code.lines(routine, start)

@@ -88,10 +88,14 @@ def give(system: System) -> tuple[Given, ...]:
         name, colon, key = parameter.name.partition(":")
         if colon and "?" not in parameter.name:
             made = [Given(node, key, parameter) for node in nodes.get(name, ())]
-            found += [each for each in made if together(each.presence, each.node.presence) is not None]
+            found += [
+                other_parameter
+                for other_parameter in made
+                if together(other_parameter.presence, other_parameter.node.presence) is not None
+            ]
     by_node: dict[int, list[Given]] = {}
-    for each in found:
-        by_node.setdefault(id(each.node), []).append(each)
+    for other_parameter in found:
+        by_node.setdefault(id(other_parameter.node), []).append(other_parameter)
     for every in by_node.values():
         every[0].node.given = tuple(every)
     return tuple(found)
@@ -127,13 +131,13 @@ class Names:
     def sections(self) -> frozenset[str]:
         """What stands before the dots in the names of its parameters: ``a`` and ``a.b`` of ``a.b.c``."""
         parts = [name.split(".") for names in (self.declared, self.set) for name in names]
-        return frozenset(".".join(each[:count]) for each in parts for count in range(1, len(each)))
+        return frozenset(".".join(part[:count]) for part in parts for count in range(1, len(part)))
 
     @cached_property
     def texts(self) -> frozenset[str]:
         """The texts, and the items of lists of texts, that its parameters have."""
         values = [end.raw.effective for ends in self.declared.values() for end in ends]
-        values += [each.value for each in self.node.given]
+        values += [parameter.value for parameter in self.node.given]
         items = (item for value in values for item in (value if isinstance(value, list) else (value,)))
         return frozenset(item for item in items if isinstance(item, str))
 
@@ -167,7 +171,9 @@ def is_of_library(key: str) -> bool:
 
 def taken_in(system: System) -> frozenset[tuple[Location, str]]:
     """The places and keys that give something which some node of *system* has, or may have."""
-    return frozenset(each.place for each in system.given if each.node.names.has(each.key) is not False)
+    return frozenset(
+        parameter.place for parameter in system.given if parameter.node.names.has(parameter.key) is not False
+    )
 
 
 def near(key: str, known: Iterable[str], *, dot: str = ".") -> str | None:

@@ -70,7 +70,7 @@ def _has_foreign_part(node: SystemNode, system: System) -> bool:
     key = node.package
     kept = _PARTS.setdefault(system.whole, {})
     if key not in kept and system.workspace is not None:
-        files = [each for each in system.workspace.files if each.package == node.package and each.language == "cpp"]
+        files = [file for file in system.workspace.files if file.package == node.package and file.language == "cpp"]
         texts = [_COMMENT.sub("", system.workspace.text(file.path)[:_MOST]) for file in files]
         held = {(match[2], match[3]) for text in texts for match in _HELD.finditer(text) if _is_foreign(match[1])}
         given = {kind for kind, name in held if any(re.search(_HANDLE.format(re.escape(name)), text) for text in texts)}

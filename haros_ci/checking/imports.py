@@ -134,7 +134,7 @@ def used_files(package: ProjectPackage) -> Iterator[tuple[str, bool]]:
     """The Python files that a user of the package loads, with whether each is a launch file; not its tests."""
     python = [file.path for file in package.files if file.language == "python"]
     launch = {file.path for file in package.files if file.language == "launch" and file.path.endswith(".py")}
-    wanted: set[str] = {each.path for each in package.build.entry_points}
+    wanted: set[str] = {entry_point.path for entry_point in package.build.entry_points}
     folders = [directory for _, directory in package.build.python_roots]
     for thing in package.build.installed:
         if thing.kind == "directory" and not thing.destination.startswith("share"):
@@ -152,7 +152,7 @@ def used_files(package: ProjectPackage) -> Iterator[tuple[str, bool]]:
             continue
         # a program that is installed by its name is no test, whatever it is called; of a whole folder the tests are left out
         if path in wanted or (
-            not _TEST.search(inner) and any(each == "." or path.startswith(f"{each}/") for each in places)
+            not _TEST.search(inner) and any(place == "." or path.startswith(f"{place}/") for place in places)
         ):
             yield path, is_launch
 
@@ -180,10 +180,12 @@ def _unused(package: ProjectPackage, wanted: set[str], python: list[str]) -> fro
         modules.setdefault(_name_of(path), []).append(path)
     every = {file.path for file in project.workspace.files if file.path.endswith(".py")} | {*python}
     imports = {
-        path: {each for word in imported_words(project.text(path)) for each in modules.get(word, ()) if each != path}
+        path: {
+            module for word in imported_words(project.text(path)) for module in modules.get(word, ()) if module != path
+        }
         for path in every
     }
-    imported = {each for found in imports.values() for each in found}
+    imported = {item for found in imports.values() for item in found}
     used = reached_from((every - {*below}) | ({*below} - imported - scripts), imports)
     return reached_from(scripts - used, imports) - used
 
@@ -191,7 +193,7 @@ def _unused(package: ProjectPackage, wanted: set[str], python: list[str]) -> fro
 def _test_code(package: ProjectPackage, wanted: Set[str], python: list[str]) -> frozenset[str]:
     """The files with code for tests that are not installed and that only such files import, whatever their directories are called."""
     project = package.project
-    folders = tuple(f"{each.path}/" for each in package.build.installed if each.kind == "directory")
+    folders = tuple(f"{installed.path}/" for installed in package.build.installed if installed.kind == "directory")
     loose = (path for path in python if path not in wanted and not path.startswith(folders))
     found = {path for path in loose if not _is_in_package(path, package) and _TEST_CODE.search(project.text(path))}
     if not found:

@@ -48,13 +48,17 @@ class Included:
         if beside in self._files:
             return beside
         ending = f"/{posixpath.normpath(name)}"
-        fits = [each for each in self._by_name.get(posixpath.basename(name), ()) if f"/{each}".endswith(ending)]
+        fits = [
+            other_path
+            for other_path in self._by_name.get(posixpath.basename(name), ())
+            if f"/{other_path}".endswith(ending)
+        ]
         return fits[0] if len(fits) == 1 else None
 
     def _in(self, path: str) -> tuple[tuple[str, Location], ...]:
         if path not in self._plain:
             program = self.package.project.programs.get(path)
             known = None if program is None else {name.strip('<>"') for name in program.includes}
-            found = ((each.header, each.location) for each in includes(path, self.package.project.text(path)))
+            found = ((include.header, include.location) for include in includes(path, self.package.project.text(path)))
             self._plain[path] = tuple(pair for pair in found if known is None or pair[0] in known)
         return self._plain[path]

@@ -85,10 +85,10 @@ def reached(package: ProjectPackage, sources: Sources, *, tests: bool = False) -
         for include in includes(path, package.project.text(path)):
             beside = posixpath.normpath(posixpath.join(posixpath.dirname(path), include.header))
             inner = [beside] if include.is_quoted and beside in own else []
-            inner = inner or [each for each, name in sources.ending(include.header) if name == package.name]
+            inner = inner or [item for item, name in sources.ending(include.header) if name == package.name]
             if not inner:
                 yield include
-            for each in inner[:1]:
-                if each not in seen:
-                    seen.add(each)
-                    todo.append(each)
+            for item in inner[:1]:
+                if item not in seen:
+                    seen.add(item)
+                    todo.append(item)

@@ -51,7 +51,7 @@ def is_said_not_installed(package: ProjectPackage, at: Location) -> bool:
         if not line.lstrip().startswith("#"):
             break
         said.append(line)
-    return any(_NOT_INSTALLED.search(each) and not _TASK.search(each) for each in said)
+    return any(_NOT_INSTALLED.search(text) and not _TASK.search(text) for text in said)
 
 
 def _left_out(text: str) -> Iterator[str]:
@@ -115,7 +115,9 @@ def is_made_program_later(package: ProjectPackage, path: str, earlier: Installed
 def install_place(package: ProjectPackage) -> Location:
     """Where another install() goes: the last one that there is, else the end of CMakeLists.txt or data_files of setup.py."""
     last = [
-        each.command.location for each in package.cmake.installs if each.command.location.path == package.cmake_path
+        install.command.location
+        for install in package.cmake.installs
+        if install.command.location.path == package.cmake_path
     ]
     if last:
         return Location(package.cmake_path, last[-1].line)

@@ -32,7 +32,7 @@ class User:
 
 def defined_in(project: Project) -> tuple[Defined, ...]:
     """All interfaces of *project*, with the ROS version of their packages."""
-    return tuple((each, package.ros) for package in project.packages for each in package.build.interfaces)
+    return tuple((interface, package.ros) for package in project.packages for interface in package.build.interfaces)
 
 
 def changes_of(project: Project) -> tuple[InterfaceChange, ...]:

@@ -26,7 +26,7 @@ def interfaces_in_use(project: Project) -> dict[str, Location]:
             owner = owners.get(path)
             package = project.package(owner) if owner is not None else None
             if owner not in aside:
-                aside[owner] = unreached(package, [each.path for each in package.files]) if package else frozenset()
+                aside[owner] = unreached(package, [file.path for file in package.files]) if package else frozenset()
             if path in aside[owner]:
                 continue
         found[name] = Location(path, line if isinstance(line, int) else _line_with(project.text(path), line))
@@ -51,38 +51,45 @@ def _included(project: Project) -> frozenset[str]:
 
 def _places(project: Project) -> Iterator[tuple[str, str, int | str]]:
     """Where interfaces are used by name: the name, the file, and the line or what stands in it."""
-    generated = {each.path for package in project.packages for each in package.build.interfaces if each.is_generated}
-    for each in project.interfaces.values():
-        for section in each.sections if each.path in generated else ():
+    generated = {
+        interface.path
+        for package in project.packages
+        for interface in package.build.interfaces
+        if interface.is_generated
+    }
+    for interface in project.interfaces.values():
+        for section in interface.sections if interface.path in generated else ():
             for field in section:
-                yield field.type.partition("[")[0], each.path, field.line
+                yield field.type.partition("[")[0], interface.path, field.line
     yield from _in_includes(project)
     yield from _in_imports(project)
 
 
 def _in_includes(project: Project) -> Iterator[tuple[str, str, str]]:
-    made = (each for package in project.packages for each in package.build.interfaces)
-    by_header = {header: each.name for each in made for header in _headers(each)}
+    made = (interface for package in project.packages for interface in package.build.interfaces)
+    by_header = {header: interface.name for interface in made for header in _headers(interface)}
     written = {name.partition("include/")[2] for name in project.workspace.names if "include/" in name}
     for path, program in sorted(project.programs.items()):
-        for header in (each.strip('<>"') for each in program.includes):
+        for header in (include.strip('<>"') for include in program.includes):
             if header not in written and (name := by_header.get(header)) is not None:
                 yield name, path, header
 
 
 def _in_imports(project: Project) -> Iterator[tuple[str, str, str]]:
-    modules = {each.name.replace("/", f".{each.kind}."): each.name for each in project.interfaces.values()}
+    modules = {
+        interface.name.replace("/", f".{interface.kind}."): interface.name for interface in project.interfaces.values()
+    }
     for path, program in sorted(project.programs.items()):
         for alias in program.aliases if program.language == "python" else ():
             if (name := modules.get(str(alias.type.name))) is not None:
                 yield name, path, name.rpartition("/")[2]
 
 
-def _headers(each: Interface) -> tuple[str, ...]:
+def _headers(interface: Interface) -> tuple[str, ...]:
     """The headers that are generated of it, by ROS 1 and ROS 2."""
-    package, _, name = each.name.partition("/")
+    package, _, name = interface.name.partition("/")
     snake = re.sub(r"([a-z0-9])([A-Z])", r"\1_\2", re.sub(r"(.)([A-Z][a-z]+)", r"\1_\2", name)).lower()
-    return (f"{package}/{name}.h", f"{package}/{each.kind}/{snake}.hpp", f"{package}/{each.kind}/{snake}.h")
+    return (f"{package}/{name}.h", f"{package}/{interface.kind}/{snake}.hpp", f"{package}/{interface.kind}/{snake}.h")
 
 
 def _line_with(text: str, word: str) -> int:

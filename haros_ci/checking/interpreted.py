@@ -32,6 +32,6 @@ def is_given_to_another(path: str, package: ProjectPackage) -> bool:
     for other, text in texts.items():
         if other.endswith(_CMAKE):
             variables = {match[1] for match in called.finditer(text)}
-            if any(re.search(_GIVEN % rf"\$\{{{each}\}}", text, re.MULTILINE) for each in sorted(variables)):
+            if any(re.search(_GIVEN % rf"\$\{{{variable}\}}", text, re.MULTILINE) for variable in sorted(variables)):
                 return True
     return False

@@ -18,8 +18,10 @@ _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)|(?:^|(?<=\s))#[^\n]*", re.DOTALL)
 def owner(system: System, location: Location) -> Package | None:
     """The innermost package that the file at *location* lies in."""
     path = location.path
-    found = [each for each in system.packages.values() if each.path == "." or path.startswith(each.path + "/")]
-    return max(found, key=lambda each: len(each.path), default=None)
+    found = [
+        package for package in system.packages.values() if package.path == "." or path.startswith(package.path + "/")
+    ]
+    return max(found, key=lambda package: len(package.path), default=None)
 
 
 def said_by(use: PackageUse, system: System) -> PackageUse:

@@ -50,7 +50,9 @@ def left_behind(project: Project) -> Iterator[LeftBehind]:
         if name.rpartition("/")[2] in COMMON or (_word(kind), name) in told:
             continue
         others = before.of(OTHER[kind], name)
-        left = [each for each in after.of(OTHER[kind], name) if (OTHER[kind], name, each[0].node.type) in before.held]
+        left = [
+            placed for placed in after.of(OTHER[kind], name) if (OTHER[kind], name, placed[0].node.type) in before.held
+        ]
         if others and left:
             gone = not after.of(kind, name)
             found = _alone(project, before, after, ends, left) if gone else _retyped(before, after, ends, left)
@@ -78,7 +80,9 @@ def _inside(
             ):
                 continue
             others = was.of(OTHER[kind], name)
-            left = [each for each in now.of(OTHER[kind], name) if (OTHER[kind], name, each[0].node.type) in was.held]
+            left = [
+                placed for placed in now.of(OTHER[kind], name) if (OTHER[kind], name, placed[0].node.type) in was.held
+            ]
             found = _alone(project, was, now, ends, left) if others and left else None
             if found is None or found.now is None:
                 continue
@@ -101,15 +105,19 @@ def _moved_away(before: WholeGraph, after: WholeGraph, told: set[tuple[str, str]
             continue
         types = {end.type for end, _ in partners} - {None}
         for end, system in ends:
-            still = (each for each, place in after.of(kind, name) if place == system)
-            if end.type not in types or not end.in_source or any(each.node.type == end.node.type for each in still):
+            still = (other_end for other_end, place in after.of(kind, name) if place == system)
+            if (
+                end.type not in types
+                or not end.in_source
+                or any(other_end.node.type == end.node.type for other_end in still)
+            ):
                 continue
             now = _now(before, after, end, system)
             if now is None or after.of(OTHER[kind], now.name) or _is_provided_elsewhere(after, now):
                 continue
             if _may_be_there(before, after, OTHER[kind], now.name, types):
                 continue
-            together = any(each == system for _, each in before.of(OTHER[kind], name))
+            together = any(item == system for _, item in before.of(OTHER[kind], name))
             told.add((_word(kind), name))
             yield LeftBehind(
                 name=name,
@@ -133,7 +141,7 @@ def _alone(
     """What becomes of those *left* where all *ends* of the other side have another name or are gone."""
     kind, name = ends[0][0].kind, ends[0][0].name
     types = {end.type for end, _ in ends} - {None}
-    left = [each for each in left if each[0].type in types]
+    left = [placed for placed in left if placed[0].type in types]
     if not left or _may_be_there(before, after, kind, name, types):
         return None
     for end, system in ends:
@@ -143,7 +151,7 @@ def _alone(
         if kind not in _GIVES and (after.of(OTHER[kind], now.name) or _is_provided_elsewhere(after, now)):
             return None  # it listens to something else now
         return _made(before, after, RENAMED, ends, left, (end, now))
-    gone = [each for each in ends if kind in _GIVES and _is_taken_away(project, after, *each)]
+    gone = [end for end in ends if kind in _GIVES and _is_taken_away(project, after, *end)]
     return _made(before, after, REMOVED, ends, left, (gone[0][0], None)) if len(gone) == len(ends) else None
 
 
@@ -161,23 +169,23 @@ def _may_be_there(before: WholeGraph, after: WholeGraph, kind: str, name: str, t
 def _now(before: WholeGraph, after: WholeGraph, end: End, system: str) -> End | None:
     """The end of the head that *end* of the base is: of its program and type, under a name that the program did not have."""
     found = [
-        (each, name)
-        for each, name in after.by_program.get((end.kind, end.node.type), ())
-        if each.type == end.type and (end.kind, each.name, end.node.type) not in before.held
+        (other_end, name)
+        for other_end, name in after.by_program.get((end.kind, end.node.type), ())
+        if other_end.type == end.type and (end.kind, other_end.name, end.node.type) not in before.held
     ]
-    found = [each for each in found if each[1] == system] or (found if system not in after.systems else [])
+    found = [placed for placed in found if placed[1] == system] or (found if system not in after.systems else [])
     if not found:
         return None
     inside = relative(end.original_name, end.node.name)
 
-    def rank(each: tuple[End, str]) -> tuple[bool, bool, float, str]:
-        other = each[0]
+    def rank(placed: tuple[End, str]) -> tuple[bool, bool, float, str]:
+        other = placed[0]
         is_same = relative(other.original_name, other.node.name) == inside
         return not is_same, other.node.name != end.node.name, -likeness(other.name, end.name), other.name
 
     best = min(found, key=rank)[0]
     is_same = relative(best.original_name, best.node.name) == inside
-    return best if is_same or len({each.name for each, _ in found}) == 1 else None
+    return best if is_same or len({other_end.name for other_end, _ in found}) == 1 else None
 
 
 def _is_provided_elsewhere(after: WholeGraph, now: End) -> bool:
@@ -214,7 +222,7 @@ def _retyped(
         return None
     systems = {system for _, system in now}
     left = [(end, system) for end, system in left if end.type in old and system not in systems]
-    same = [each for each, _ in now if each.node.type == ends[0][0].node.type]
+    same = [end for end, _ in now if end.node.type == ends[0][0].node.type]
     if not left or not same or {system for _, system in after.of(OTHER[kind], name)} & systems:
         return None
     return _made(before, after, RETYPED, ends, left, (ends[0][0], same[0]))
@@ -230,13 +238,13 @@ def _made(
 ) -> LeftBehind | None:
     """The finding, unless a node of unknown ends has come to all those *left*."""
     certain = []
-    for each in list(left):
-        system = each[1]
+    for placed in list(left):
+        system = placed[1]
         known = before.programs.get(system, frozenset())
         if any(is_opaque(node) and node.type not in known for node in after.systems[system].nodes):
-            left.remove(each)
+            left.remove(placed)
         elif after.systems[system].is_launched and not _has_opaque(after, system):
-            certain.append(each)
+            certain.append(placed)
     if not left:
         return None
     shared = {system for _, system in ends}

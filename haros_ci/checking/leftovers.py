@@ -52,5 +52,5 @@ def is_readable(package: ProjectPackage) -> bool:
 def _is_gone(use: ProgramUse, package: ProjectPackage) -> bool:
     if use.is_found is False:
         return True
-    targets = [each for each in package.cmake.targets.values() if each.output == use.program]
-    return package.ros == 2 and bool(targets) and not any(may_be_installed(package, each) for each in targets)
+    targets = [target for target in package.cmake.targets.values() if target.output == use.program]
+    return package.ros == 2 and bool(targets) and not any(may_be_installed(package, target) for target in targets)

@@ -64,8 +64,10 @@ def lookups(package: ProjectPackage) -> Iterator[Lookup]:
 def _is_tool(package: ProjectPackage, path: str) -> bool:
     """Whether the file lies beside the import packages that setup.py names, and nothing installs it."""
     tops = {name.partition(".")[0] for name, _ in package.build.python_packages}
-    if not tops or path in {each.path for each in package.build.entry_points}:
+    if not tops or path in {entry_point.path for entry_point in package.build.entry_points}:
         return False
     inner = path if package.path == "." else path[len(package.path) + 1 :]
-    places = (each.path for each in package.build.installed)
-    return tops.isdisjoint(inner.split("/")) and not any(path == each or path.startswith(f"{each}/") for each in places)
+    places = (installed.path for installed in package.build.installed)
+    return tops.isdisjoint(inner.split("/")) and not any(
+        path == place or path.startswith(f"{place}/") for place in places
+    )

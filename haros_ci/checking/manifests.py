@@ -34,15 +34,17 @@ def holds_for_python(condition: str | None, version: str) -> bool | None:
 
 def applying(package: ProjectPackage, parent: Element, *tags: str) -> tuple[Element, ...]:
     """The children of *parent* with *tags* that no condition rules out."""
-    return tuple(each for each in parent.all(*tags) if holds(package, each.attributes.get("condition")) is not False)
+    return tuple(
+        element for element in parent.all(*tags) if holds(package, element.attributes.get("condition")) is not False
+    )
 
 
 def needs(package: ProjectPackage, *kinds: str) -> tuple[Dependency, ...]:
     """The dependencies of these kinds (all without any) that no condition rules out."""
     return tuple(
-        each
-        for each in package.raw.dependencies
-        if (not kinds or each.kind in kinds) and holds(package, each.condition) is not False
+        dependency
+        for dependency in package.raw.dependencies
+        if (not kinds or dependency.kind in kinds) and holds(package, dependency.condition) is not False
     )
 
 
@@ -51,9 +53,9 @@ def exports(package: ProjectPackage, *tags: str) -> tuple[Element, ...]:
     if package.manifest is None:
         return ()
     return tuple(
-        each
+        child
         for export in package.manifest.all("export")
-        for each in (applying(package, export, *tags) if tags else tuple(export.children))
+        for child in (applying(package, export, *tags) if tags else tuple(export.children))
     )
 
 
@@ -125,7 +127,7 @@ def said_misplaced(package: ProjectPackage, names: Iterable[str]) -> str:
                 found.append((child.text.strip(), child, element))
     if not found:
         return ""
-    _, first, outer = min(found, key=lambda each: each[1].line)
+    _, first, outer = min(found, key=lambda item: item[1].line)
     if len({name for name, _, _ in found}) == 1:
         return f" (line {first.line} has it inside <{outer.tag}>, where no tool reads it: move it out)"
     there = listed(sorted({name for name, _, _ in found}))

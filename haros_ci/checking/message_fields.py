@@ -66,8 +66,8 @@ class Typed:
 
 def missing_fields(project: Project) -> Iterator[Missing]:
     """Every field that is asked for and not there, once for each function."""
-    for each in typed_routines(project):
-        yield from _in_routine(project.code, each)
+    for typed in typed_routines(project):
+        yield from _in_routine(project.code, typed)
 
 
 def typed_routines(project: Project) -> Iterator[Typed]:
@@ -77,8 +77,8 @@ def typed_routines(project: Project) -> Iterator[Typed]:
     hidden = _handmade(project)
     structs = {ros: Structs(Definitions((i for i, of in found if of in (ros, None)), ros), hidden) for ros in (1, 2)}
     parameters = _parameters(code, structs)
-    conditions = {p.name: [each.condition or "" for each in p.raw.dependencies] for p in project.packages}
-    both = {name for name, each in conditions.items() if any("ROS_VERSION" in condition for condition in each)}
+    conditions = {p.name: [dependency.condition or "" for dependency in p.raw.dependencies] for p in project.packages}
+    both = {name for name, group in conditions.items() if any("ROS_VERSION" in condition for condition in group)}
     for source in code.sources:
         if source.program.language != "python" or source.path.endswith(".pyi"):
             continue
@@ -102,14 +102,14 @@ def _handmade(project: Project) -> frozenset[str]:
     found = (
         re.search(r"(?:^|/)(\w+)/(?:msg|srv|action)(?:\.py|/__init__\.py)\Z", name) for name in project.workspace.names
     )
-    return frozenset(each[1] for each in found if each is not None)
+    return frozenset(match[1] for match in found if match is not None)
 
 
-def _in_routine(code: Codebase, each: Typed) -> Iterator[Missing]:
-    routine, structs, typed = each.routine, each.structs, each.variables
+def _in_routine(code: Codebase, other_typed: Typed) -> Iterator[Missing]:
+    routine, structs, typed = other_typed.routine, other_typed.structs, other_typed.variables
     seen: set[tuple[str, str]] = set()
     for call in code.body(routine).calls:
-        struct = each.struct_of(code, call.whole)
+        struct = other_typed.struct_of(code, call.whole)
         if struct is None or any(place.kind == "try" for place in call.around):
             continue
         given = [one.name for one in call.args if isinstance(one, syntax.Keyword)]
@@ -151,7 +151,9 @@ def _lacking(node: Expression, typed: dict[str, Struct], structs: Structs) -> tu
 def _locals(code: Codebase, routine: Routine, structs: Structs) -> dict[str, Struct]:
     """Local variables that are assigned nothing but what one constructor makes."""
     body = code.body(routine)
-    values: dict[str, list[Expression | None]] = {each.name.lstrip("*"): [None] for each in routine.function.parameters}
+    values: dict[str, list[Expression | None]] = {
+        parameter.name.lstrip("*"): [None] for parameter in routine.function.parameters
+    }
     for target, operator, value, _ in body.sets:
         for node in nodes(target):
             if isinstance(node, syntax.Name):
@@ -159,9 +161,9 @@ def _locals(code: Codebase, routine: Routine, structs: Structs) -> dict[str, Str
             elif isinstance(node, (syntax.Member, syntax.Subscript)) and node is target:
                 break  # what is set is a part of an object
     for name, variables in body.variables.items():
-        for each in variables:
-            values.setdefault(name, []).append(each.assigned)
-    found = {name: _made(code, structs, [(routine, each) for each in given]) for name, given in values.items()}
+        for variable in variables:
+            values.setdefault(name, []).append(variable.assigned)
+    found = {name: _made(code, structs, [(routine, literal) for literal in given]) for name, given in values.items()}
     return {name: struct for name, struct in found.items() if struct is not None}
 
 
@@ -173,7 +175,9 @@ def _attributes(code: Codebase, routine: Routine, structs: Structs) -> dict[str,
     key = ("message attributes", id(owner[1]), structs.known.ros)
     if key not in code.kept:
         made: dict[str, Struct] = {}
-        every = (target for each in code.routines(routine.path) for target, *_ in code.body(each).sets)
+        every = (
+            target for other_routine in code.routines(routine.path) for target, *_ in code.body(other_routine).sets
+        )
         names = {target.name for target in every if isinstance(target, syntax.Member)}
         for name in sorted(names):
             struct = _made(code, structs, list(attribute_values(code, owner, name)))
@@ -190,7 +194,11 @@ def _is_shared(code: Codebase, path: str, name: str) -> bool:
     last = name.rpartition(".")[2]
     receivers = re.findall(rf"(\w*)\]?\)?\.{re.escape(last)}\s*(?:=(?!=)|,[^\n]*=(?!=))", _NO_CODE.sub("", text))
     functions = code.by_path[path].program.functions
-    return any(each != "self" for each in receivers) or "setattr(" in text or any(f.name == name for f in functions)
+    return (
+        any(receiver != "self" for receiver in receivers)
+        or "setattr(" in text
+        or any(f.name == name for f in functions)
+    )
 
 
 def _made(code: Codebase, structs: Structs, values: Sequence[tuple[Routine, Expression | None]]) -> Struct | None:
@@ -207,7 +215,7 @@ def _imported(code: Codebase, routine: Routine, expression: Expression) -> str:
     while isinstance(head, syntax.Member):
         head = head.object
     program = routine.source.program
-    names = {*(each.name for each in program.classes), *(each.name for each in program.functions)}
+    names = {*(class_.name for class_ in program.classes), *(function.name for function in program.functions)}
     own = isinstance(head, syntax.Name) and head.name in names
     return "" if own else dotted(code, routine, expression)
 
@@ -215,7 +223,9 @@ def _imported(code: Codebase, routine: Routine, expression: Expression) -> str:
 def _is_asked(code: Codebase, routine: Routine, name: str) -> bool:
     """Whether code looks what the object has, or another function may set the variable."""
     for call in code.body(routine).calls:
-        if call.name in ASKING and any(isinstance(each, syntax.Name) and each.name == name for each in call.args):
+        if call.name in ASKING and any(
+            isinstance(argument, syntax.Name) and argument.name == name for argument in call.args
+        ):
             return True
     shared = re.compile(rf"^[ \t]*(?:global|nonlocal)\s[^\n]*\b{re.escape(name)}\b", re.M)
     return shared.search(code.text(routine.path)) is not None
@@ -230,8 +240,8 @@ def _parameters(code: Codebase, structs: dict[int, Structs]) -> dict[int, dict[s
     made = {}
     for key, registered in by_routine.items():
         routine = registered[0].routine
-        names = [_types(code, each) for each in registered]
-        if any(each != names[0] for each in names) or not names[0] or _is_used_besides(code, routine, len(registered)):
+        names = [_types(code, callback) for callback in registered]
+        if any(name != names[0] for name in names) or not names[0] or _is_used_besides(code, routine, len(registered)):
             continue
         ros = registered[0].ros
         typed = {}
@@ -247,11 +257,15 @@ def _parameters(code: Codebase, structs: dict[int, Structs]) -> dict[int, dict[s
 def _types(code: Codebase, callback: Callback) -> tuple[str, ...]:
     """The dotted names of the types that the callback's parameters have, in order; () if they are not known."""
     row = _REGISTERED.get((callback.call.name, callback.ros or 0))
-    if row is None or any(isinstance(each, syntax.Keyword) and each.name == "raw" for each in callback.call.args):
+    if row is None or any(
+        isinstance(argument, syntax.Keyword) and argument.name == "raw" for argument in callback.call.args
+    ):
         return ()
     (position, keyword), roles, parts = row
-    given = [each for each in callback.call.args if not isinstance(each, syntax.DoubleStar)]
-    taken = next((each for each in given if isinstance(each, syntax.Keyword) and each.name == callback.role), None)
+    given = [argument for argument in callback.call.args if not isinstance(argument, syntax.DoubleStar)]
+    taken = next(
+        (literal for literal in given if isinstance(literal, syntax.Keyword) and literal.name == callback.role), None
+    )
     value = taken.value if taken is not None else given[int(callback.role)] if callback.role.isdigit() else None
     written = callback.call.argument(position, keyword)
     if callback.role not in roles or written is None or value is None or isinstance(value, syntax.Call):
@@ -286,10 +300,10 @@ def _location(code: Codebase, routine: Routine, written: str) -> Location:
     is_module = routine.function.kind == "module"
     text = code.text(routine.path) if is_module else code.lines(routine, line)
     places = []
-    for number, each in enumerate(text.split("\n"), line):
-        found = wanted.search(each.partition("#")[0])
+    for number, part in enumerate(text.split("\n"), line):
+        found = wanted.search(part.partition("#")[0])
         if found is not None:
-            places.append((is_module and each[:1].isspace(), number, found.start() + 1, found.end() + 1))
+            places.append((is_module and part[:1].isspace(), number, found.start() + 1, found.end() + 1))
     if places:
         _, number, start, end = min(places)
         return Location(routine.path, number, start, number, end)

@@ -167,7 +167,7 @@ def _may_be_of_a_part(header: str, names: frozenset[str], package: ProjectPackag
         return False
     if project.knowledge.lists_header(header) or project.knowledge.has_interfaces(top):
         return False
-    return any(each.startswith((f"{top}_", f"{top}-")) for each in package.declared)
+    return any(item.startswith((f"{top}_", f"{top}-")) for item in package.declared)
 
 
 def _keepers(header: str, package: ProjectPackage, sources: Sources, is_known: bool) -> set[str]:

@@ -85,17 +85,19 @@ def undefined_names(module: ast.Module, source: str) -> Iterator[tuple[str, int]
     for table in tables:
         tables += table.get_children()
     defined = set(_NAMES)
-    defined |= {each.get_name() for each in top.get_symbols() if _is_made(each)}
+    defined |= {symbol.get_name() for symbol in top.get_symbols() if _is_made(symbol)}
     for table in tables:
-        defined |= {each.get_name() for each in table.get_symbols() if each.is_declared_global() and _is_made(each)}
+        defined |= {
+            symbol.get_name() for symbol in table.get_symbols() if symbol.is_declared_global() and _is_made(symbol)
+        }
     for node in ast.walk(module):  # Python 2 leaves the variables of a list behind
         if isinstance(node, ast.comprehension):
-            defined |= {each.id for each in ast.walk(node.target) if isinstance(each, ast.Name)}
+            defined |= {other_node.id for other_node in ast.walk(node.target) if isinstance(other_node, ast.Name)}
     missing = {
-        each.get_name()
+        symbol.get_name()
         for table in tables
-        for each in table.get_symbols()
-        if each.is_referenced() and not _is_made(each) and (table is top or each.is_global())
+        for symbol in table.get_symbols()
+        if symbol.is_referenced() and not _is_made(symbol) and (table is top or symbol.is_global())
     } - defined
     dead = switched_off(module) if missing else frozenset()
     first: dict[str, tuple[bool, int]] = {}
@@ -115,11 +117,11 @@ def _unbound(module: ast.Module) -> Iterator[ast.Name]:
             yield node
         inner = bound
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)):
-            inner |= {each.arg for each in ast.walk(node.args) if isinstance(each, ast.arg)}
+            inner |= {node.arg for node in ast.walk(node.args) if isinstance(node, ast.arg)}
             parts = [node.body] if isinstance(node, ast.Lambda) else node.body
-            stored = (each for part in parts for each in ast.walk(part) if isinstance(each, ast.Name))
-            inner |= {each.id for each in stored if isinstance(each.ctx, ast.Store)}
-        waiting += ((each, inner) for each in ast.iter_child_nodes(node))
+            stored = (node for part in parts for node in ast.walk(part) if isinstance(node, ast.Name))
+            inner |= {name.id for name in stored if isinstance(name.ctx, ast.Store)}
+        waiting += ((node, inner) for node in ast.iter_child_nodes(node))
 
 
 def switched_off(module: ast.Module) -> frozenset[int]:
@@ -217,7 +219,7 @@ def _format(node: ast.Call) -> Misfit | None:
     ):
         return None
     text = function.value.value
-    if not isinstance(text, str) or _starred(node.args) or any(each.arg is None for each in node.keywords):
+    if not isinstance(text, str) or _starred(node.args) or any(keyword.arg is None for keyword in node.keywords):
         return None
     try:
         fields = [
@@ -227,7 +229,7 @@ def _format(node: ast.Call) -> Misfit | None:
         ]
     except ValueError:
         return None
-    words = [re.split(r"[.\[]", each)[0] for each in fields]
+    words = [re.split(r"[.\[]", field)[0] for field in fields]
     plain = words.count("")
     numbers = [int(word) + 1 for word in words if word.isdigit() and len(word) < 4]
     needed = max([plain, *numbers])
@@ -235,4 +237,4 @@ def _format(node: ast.Call) -> Misfit | None:
 
 
 def _starred(nodes: list[ast.expr]) -> bool:
-    return any(isinstance(each, ast.Starred) for each in nodes)
+    return any(isinstance(node, ast.Starred) for node in nodes)

@@ -60,7 +60,7 @@ def _catches(node: ast.Try) -> bool:
 
 
 def _looks(body: list[ast.stmt]) -> bool:
-    return any(_name(each) in _WHERE for statement in body for each in ast.walk(statement))
+    return any(_name(node) in _WHERE for statement in body for node in ast.walk(statement))
 
 
 def _leaves(last: ast.stmt) -> bool:
@@ -72,12 +72,12 @@ def _leaves(last: ast.stmt) -> bool:
 def _set(tree: ast.Module, tried: frozenset[ast.Try]) -> Iterator[str]:
     """The variables that *tried* statements set, and the functions that have one and return what a branch can ask."""
     for node in tried:
-        for each in ast.walk(node):
-            if isinstance(each, ast.Assign):
-                yield from (target.id for target in each.targets if isinstance(target, ast.Name))
+        for other_node in ast.walk(node):
+            if isinstance(other_node, ast.Assign):
+                yield from (target.id for target in other_node.targets if isinstance(target, ast.Name))
     for function in ast.walk(tree):
-        if isinstance(function, ast.FunctionDef) and any(each in tried for each in ast.walk(function)):
-            returned = [each.value for each in ast.walk(function) if isinstance(each, ast.Return)]
+        if isinstance(function, ast.FunctionDef) and any(node in tried for node in ast.walk(function)):
+            returned = [node.value for node in ast.walk(function) if isinstance(node, ast.Return)]
             if any(value is None or (isinstance(value, ast.Constant) and not value.value) for value in returned):
                 yield function.name
 

@@ -86,7 +86,7 @@ def read_page(text: str) -> Page:
             sections.append(second)
         elif section in ("Bad", "Good"):
             examples.append(_Open(second, section == "Bad"))
-    return Page(title, tuple(sections), tuple(_example(each, title) for each in examples if each.files))
+    return Page(title, tuple(sections), tuple(_example(example, title) for example in examples if example.files))
 
 
 def _parts(text: str) -> Iterator[tuple[str, str, str]]:

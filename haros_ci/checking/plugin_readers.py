@@ -65,12 +65,12 @@ def _loads(project: Project, node: SystemNode, key: str) -> bool:
 def _has_loader(project: Project, name: str, key: str) -> bool:
     """Whether code of the package called *name*, or of those of the workspace that it depends on, has a loader or names the *key*."""
     waiting = [name]
-    for each in waiting:
-        package = project.package(each)
+    for item in waiting:
+        package = project.package(item)
         if package is None:
             continue
         files = [file.path for file in package.files if file.language in _CODE]
-        if (not files and each == name) or any(_is_loading(project.text(path), key) for path in files):
+        if (not files and item == name) or any(_is_loading(project.text(path), key) for path in files):
             return True
         declared = (other for other in sorted(package.declared) if project.package(other) is not None)
         waiting += [other for other in declared if other not in waiting]

@@ -51,13 +51,13 @@ def plugins_in_parameters(
 ) -> Iterator[PluginUse]:
     """Those that launch files themselves set in parameters that are *wanted*, by the parameter and the last part of its name."""
     for system in systems:
-        for each in system.parameters:
-            key = each.name.replace("/", ".").rpartition(".")[2]
-            if each.origin is None and each.location is not None and isinstance(each.value, str):
+        for parameter in system.parameters:
+            key = parameter.name.replace("/", ".").rpartition(".")[2]
+            if parameter.origin is None and parameter.location is not None and isinstance(parameter.value, str):
                 is_sure = _SURE.fullmatch(key) is not None
-                is_named = re.fullmatch(PLUGIN_NAME, each.value) and (is_sure or _PERHAPS.fullmatch(key))
-                if is_named and wanted(system, each, key):
-                    yield PluginUse(each.value, each.location, key, is_sure)
+                is_named = re.fullmatch(PLUGIN_NAME, parameter.value) and (is_sure or _PERHAPS.fullmatch(key))
+                if is_named and wanted(system, parameter, key):
+                    yield PluginUse(parameter.value, parameter.location, key, is_sure)
 
 
 def plugins_in_yaml(path: str, text: str) -> Iterator[PluginUse]:
@@ -72,9 +72,9 @@ def plugins_in_yaml(path: str, text: str) -> Iterator[PluginUse]:
         head, item, inline = _HEAD.match(line), _ITEM.match(line), _INLINE.match(line)
         if head is not None:
             indent = len(head[1])
-            heads = [each for each in heads if each[0] < indent] + [(indent, head[2])]
+            heads = [head for head in heads if head[0] < indent] + [(indent, head[2])]
         elif item is not None:
-            above = [each for each in heads if each[0] <= len(item[1])]
+            above = [head for head in heads if head[0] <= len(item[1])]
             key = above[-1][1] if above else ""
             if _SURE.fullmatch(key.rpartition(".")[2]):
                 yield PluginUse(item[3], place, key, True)
@@ -119,7 +119,7 @@ def unlisted_plugins(text: str) -> Mapping[int, Unlisted]:
         waiting += [value for _, _, value in pairs]
         names, lists = _named(pairs)
         for section, _, value in pairs if lists else ():
-            plugins = [each for key, each in value.value if key.value == "plugin"] if value.id == "mapping" else []
+            plugins = [item for key, item in value.value if key.value == "plugin"] if value.id == "mapping" else []
             if plugins and section not in names:
                 found[plugins[0].start_mark.line + 1] = Unlisted(section, lists[0][0], lists[0][1])
     return found
@@ -132,9 +132,9 @@ def _named(pairs: list[tuple[str, yaml.Node, yaml.Node]]) -> tuple[set[str], lis
     for text, key, value in pairs:
         if _IDS.fullmatch(text) and value.id != "mapping":
             items = value.value if value.id == "sequence" else [value]
-            if not all(isinstance(each.value, str) and _ID.fullmatch(each.value) for each in items):
+            if not all(isinstance(item.value, str) and _ID.fullmatch(item.value) for item in items):
                 return set(), []
-            names |= {each.value for each in items}
+            names |= {item.value for item in items}
             if value.id == "sequence" and items:
                 lists.append((text, key.start_mark.line + 1))
     return names, lists

@@ -143,7 +143,7 @@ def class_names(programs: Iterable[Program | None]) -> set[str]:
     found: set[str] = set()
     for program in programs:
         if program is not None and program.language == "cpp":
-            names = (*(each.name for each in program.classes), *(each.name for each in program.aliases))
+            names = (*(class_.name for class_ in program.classes), *(alias.name for alias in program.aliases))
             found.update(name.rpartition("::")[2] for name in names)
     return found
 
@@ -162,7 +162,7 @@ def own_classes(package: ProjectPackage) -> set[str]:
             continue
         if program.problems or any("class" in body or "struct" in body for _, _, body in program.macros):
             return set()
-        names.update(each.name for each in program.classes)
+        names.update(class_.name for class_ in program.classes)
     return names
 
 

@@ -92,7 +92,7 @@ class ProjectPackage:
     @cached_property
     def declared(self) -> frozenset[str]:
         """The names that its manifest depends on, of whatever kind."""
-        return frozenset(each.name for each in self.raw.dependencies)
+        return frozenset(dependency.name for dependency in self.raw.dependencies)
 
     def inside(self, path: str) -> str:
         """The root-relative path of *path* in the package."""
@@ -104,7 +104,7 @@ class ProjectPackage:
 
     def commands(self, *names: str) -> tuple[CMakeCommand, ...]:
         """The commands of its CMake with one of *names*, in the order in which they run."""
-        found = [each for name in dict.fromkeys(names) for each in self._commands.get(name, ())]
+        found = [command for name in dict.fromkeys(names) for command in self._commands.get(name, ())]
         return tuple(command for _, command in (sorted(found, key=itemgetter(0)) if len(names) > 1 else found))
 
     @cached_property
@@ -232,7 +232,11 @@ class Project:
     @cached_property
     def interfaces(self) -> Mapping[tuple[str, str], Interface]:
         """The msg, srv and action definitions by name (``pkg/T``) and kind (``msg``)."""
-        return {(each.name, each.kind): each for package in self.packages for each in package.build.interfaces}
+        return {
+            (interface.name, interface.kind): interface
+            for package in self.packages
+            for interface in package.build.interfaces
+        }
 
     @cached_property
     def descriptions(self) -> tuple[Description, ...]:

@@ -118,7 +118,7 @@ class Provisions:
 
 
 def _for_users(package: ProjectPackage) -> frozenset[str]:
-    return frozenset(each.name for each in package.raw.dependencies if each.kind not in _OWN_ONLY)
+    return frozenset(dependency.name for dependency in package.raw.dependencies if dependency.kind not in _OWN_ONLY)
 
 
 def _variants(name: str) -> Iterator[str]:
@@ -162,7 +162,7 @@ def first_provider(names: frozenset[str], package: ProjectPackage) -> str:
     Of keys for Python those come first that are of one Python with what the package declares, or else the other packages of the workspace.
     """
     project = package.project
-    usable = [each for each in names if _is_name(each, project)]
+    usable = [name for name in names if _is_name(name, project)]
     families = _families(package)
     return min(
         usable,
@@ -191,7 +191,10 @@ def _families(package: ProjectPackage) -> frozenset[str]:
     """The Python, ``python`` or ``python3``, of the keys that *package* declares; if it has none, those of the whole workspace."""
     own = frozenset(filter(None, map(_family, package.declared)))
     return own or frozenset(
-        filter(None, (_family(each.name) for raw in package.project.workspace.packages for each in raw.dependencies))
+        filter(
+            None,
+            (_family(dependency.name) for raw in package.project.workspace.packages for dependency in raw.dependencies),
+        )
     )
 
 
@@ -210,7 +213,7 @@ def others_of(names: frozenset[str], name: str, package: ProjectPackage) -> list
 
 def last_dependency(package: ProjectPackage) -> Location:
     """Where another dependency goes: behind those that there are."""
-    lines = [each.line for each in package.raw.dependencies if each.line is not None]
+    lines = [dependency.line for dependency in package.raw.dependencies if dependency.line is not None]
     return Location(package.manifest_path, max(lines, default=1))
 
 

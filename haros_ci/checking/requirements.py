@@ -73,7 +73,7 @@ _CALLED = {
 
 def distributions_of(module: str) -> frozenset[str]:
     """The names that pip may have for what brings *module*, as PEP 503 writes them."""
-    return frozenset(normal(each) for each in (module, *_CALLED.get(module.lower(), "").split()))
+    return frozenset(normal(part) for part in (module, *_CALLED.get(module.lower(), "").split()))
 
 
 def normal(name: str) -> str:
@@ -175,9 +175,9 @@ def _depended(path: str, text: str) -> Iterator[tuple[str, int]]:
 def _installed(project: Project) -> frozenset[str]:
     """The files of requirements that pages, scripts and Dockerfiles of the workspace install."""
     return frozenset(
-        each.rpartition("/")[2]
+        item.rpartition("/")[2]
         for path in project.workspace.names
         if is_page(path)
         for command in _PIP_INSTALL.findall(project.text(path)[:_MAX])
-        for each in _REQUIREMENTS_FILE.findall(command)
+        for item in _REQUIREMENTS_FILE.findall(command)
     )

@@ -21,9 +21,9 @@ _TRIALS = ("test", "tests", "testdata", "test_data")
 
 def descriptions(project: Project) -> Iterator[Description]:
     """The robots that are meant to be whole: those of test directories, broken on purpose, only where a launch file names them."""
-    for each in project.descriptions:
-        if each.command or not any(part in _TRIALS for part in each.robot.path.split("/")[:-1]):
-            yield each
+    for description in project.descriptions:
+        if description.command or not any(part in _TRIALS for part in description.robot.path.split("/")[:-1]):
+            yield description
 
 
 def place_of(second: Thing, first: Thing | None = None) -> Location:
@@ -63,27 +63,27 @@ def together(findings: Iterable[tuple[str, Finding]]) -> Iterator[Finding]:
     for kind, finding in findings:
         found.setdefault((kind, finding.at), []).append(finding)
     for same in found.values():
-        if len({each.apart for each in same}) < 2:
+        if len({finding.apart for finding in same}) < 2:
             yield from same
         else:
             yield _merged(same)
 
 
 def _merged(same: list[Finding]) -> Finding:
-    levels = {each.level for each in same}
+    levels = {finding.level for finding in same}
     first = same[0]
-    names = list(dict.fromkeys(name for each in same for name in each.apart))
-    owners = {each.about[0] for each in same if each.about}
+    names = list(dict.fromkeys(name for finding in same for name in finding.apart))
+    owners = {finding.about[0] for finding in same if finding.about}
     owner = next(iter(owners)) if len(owners) == 1 else first.at.path
     others = [name for name in names if name not in first.apart]
     shown = [*others[:_NAMED], f"{len(others) - _NAMED} more"] if len(others) > _NAMED + 1 else others
     end = "" if first.message.endswith(("?", ".")) else ";"
     the = "The" if first.message.endswith(("?", ".")) else "the"
     places = dict.fromkeys(first.related)
-    for each in same:
-        call = next((at for at, _ in reversed(each.flow) if at != first.at), None)
-        if each is not first and call is not None and each.apart != first.apart:
-            places.setdefault((call, f"{', '.join(each.apart)}, too"))
+    for finding in same:
+        call = next((at for at, _ in reversed(finding.flow) if at != first.at), None)
+        if finding is not first and call is not None and finding.apart != first.apart:
+            places.setdefault((call, f"{', '.join(finding.apart)}, too"))
     return replace(
         first,
         message=f"{first.message}{end} {the} same is true of {listed(shown)}, by other calls of this macro",

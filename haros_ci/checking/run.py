@@ -82,13 +82,13 @@ def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, unde
                     for finding in run(system):
                         if finding.at.path in system.refused and not check.of_refused:
                             continue
-                        each = _told(check, finding, system)
-                        if each is None or (each.arguments and not confirm(each)):
+                        checked = _told(check, finding, system)
+                        if checked is None or (checked.arguments and not confirm(checked)):
                             continue
-                        alike = told.setdefault(each.key, {})
-                        before = alike.setdefault(subject(finding.about), each)
-                        if each.rank < before.rank:
-                            alike[subject(finding.about)] = each
+                        alike = told.setdefault(checked.key, {})
+                        before = alike.setdefault(subject(finding.about), checked)
+                        if checked.rank < before.rank:
+                            alike[subject(finding.about)] = checked
             except Exception as err:  # a fault of one check must not lose the others
                 said = f"the check {check.id} failed on {system.name}: {type(err).__name__}: {err}"
                 failures.setdefault(check.id, Notification(Level.ERROR, said, tool=tool))
@@ -96,9 +96,11 @@ def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, unde
                 failures[check.id] = _ended(check, tool, f" on {system.name}")
     chosen = [(best, _other_names(best, alike)) for alike in told.values() for best in [_best(alike.values())]]
     used = {
-        each.system.name: each.system for each, _ in chosen if each.system is not None and _edges(each.finding.about)
+        checked.system.name: checked.system
+        for checked, _ in chosen
+        if checked.system is not None and _edges(checked.finding.about)
     }
-    results = sorted((_result(each, more, tool) for each, more in chosen), key=lambda result: result.sort_key)
+    results = sorted((_result(checked, more, tool) for checked, more in chosen), key=lambda result: result.sort_key)
     graphs = tuple(graph_of(system) for _, system in sorted(used.items()))
     return Checked(tuple(results), graphs, tuple(failures[id] for id in sorted(failures)))
 
@@ -117,8 +119,8 @@ def run_on_project(checks: Sequence[Check], project: Project, tool: str) -> Chec
                 for finding in check.project(project):
                     if unseen and _OF_BUILDS.intersection(check.tags):
                         finding = _of_no_build(finding, unseen)
-                    each = _Told(check, _mendable(finding, project.text), None, ())
-                    results.setdefault((*each.key, subject(finding.about)), _result(each, (), tool))
+                    checked = _Told(check, _mendable(finding, project.text), None, ())
+                    results.setdefault((*checked.key, subject(finding.about)), _result(checked, (), tool))
         except Exception as err:  # a fault of one check must not lose the others
             said = f"the check {check.id} failed: {type(err).__name__}: {err}"
             failures.append(Notification(Level.ERROR, said, tool=tool))
@@ -170,7 +172,7 @@ def _told(check: Check, finding: Finding, system: System) -> _Told | None:
     if system.workspace is not None:
         finding = _mendable(finding, system.workspace.text)
     presence = together(
-        finding.presence, *(each.presence for each in finding.about if isinstance(each, (End, SystemNode)))
+        finding.presence, *(item.presence for item in finding.about if isinstance(item, (End, SystemNode)))
     )
     if presence is None:
         return None
@@ -200,30 +202,32 @@ class _Confirmation:
         if key not in self.said:
             with stage("confirmations"):
                 found = (_told(told.check, finding, system) for finding in run(system))
-                self.said[key] = frozenset(each.key for each in found if each is not None and not each.arguments)
+                self.said[key] = frozenset(
+                    checked.key for checked in found if checked is not None and not checked.arguments
+                )
         return told.key in self.said[key]
 
 
 def subject(about: Iterable[About]) -> tuple[str, ...]:
     """The ROS names that a finding is about, sorted, once each."""
     names = set()
-    for each in about:
-        if isinstance(each, End):
-            names |= {each.name, each.node.name}
+    for end in about:
+        if isinstance(end, End):
+            names |= {end.name, end.node.name}
         else:
-            names.add(str(each))
+            names.add(str(end))
     return tuple(sorted(names))
 
 
 def roles(about: Iterable[About]) -> tuple[str, ...]:
     """What the finding is about, apart from names that a user gives."""
     found = set()
-    for each in about:
-        if isinstance(each, (End, SystemNode)):
-            found.add(each.role)
-        elif isinstance(each, Channel):
-            found.add(each.kind)
-            found.update(end.role for end in each.ends)
+    for channel in about:
+        if isinstance(channel, (End, SystemNode)):
+            found.add(channel.role)
+        elif isinstance(channel, Channel):
+            found.add(channel.kind)
+            found.update(end.role for end in channel.ends)
     return tuple(sorted(found))
 
 
@@ -237,13 +241,13 @@ def command(system: System, arguments: Assigned) -> str:
 
 
 def _best(alike: Iterable[_Told]) -> _Told:
-    return min(alike, key=lambda each: each.rank)
+    return min(alike, key=lambda checked: checked.rank)
 
 
 def _other_names(best: _Told, alike: Iterable[tuple[str, ...]]) -> tuple[str, ...]:
     """The names of which the same is to be said at the same places as of those that *best* is about."""
     own = subject(best.finding.about)
-    others = [each for each in alike if each != own]
+    others = [group for group in alike if group != own]
     return tuple(sorted({name for names in others for name in names} - {*own})) or tuple(sorted(map(", ".join, others)))
 
 
@@ -251,7 +255,7 @@ def _result(told: _Told, others: tuple[str, ...], tool: str) -> Result:
     """*others* are the names of which the same is to be said at the same places."""
     check, finding, system = told.check, told.finding, told.system
     message = finding.message.rstrip(". ")
-    about_system = any(isinstance(each, (End, SystemNode, Channel)) for each in finding.about)
+    about_system = any(isinstance(item, (End, SystemNode, Channel)) for item in finding.about)
     if system is None:
         pass
     elif told.arguments:
@@ -283,7 +287,7 @@ def _places(places: Iterable[tuple[Location, str]], at: Location) -> tuple[Relat
 
 
 def _edges(about: Iterable[About]) -> tuple[tuple[str, str], ...]:
-    return tuple(dict.fromkeys(edge for each in about if isinstance(each, End) for edge in _edge(each)))
+    return tuple(dict.fromkeys(edge for end in about if isinstance(end, End) for edge in _edge(end)))
 
 
 def _edge(end: End) -> Iterator[tuple[str, str]]:

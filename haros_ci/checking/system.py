@@ -110,7 +110,7 @@ class SystemNode:
     def __init__(self, raw: Node, is_default: bool = True) -> None:
         self.raw = raw
         self.is_default = is_default
-        self.ends = tuple(End(self, each) for each in raw.endpoints)
+        self.ends = tuple(End(self, endpoint) for endpoint in raw.endpoints)
         #: The parameters that it is given from outside (ROS 2).
         self.given: tuple[Given, ...] = ()
 

@@ -62,7 +62,7 @@ def only_for_tests(package: ProjectPackage, paths: Iterable[str]) -> frozenset[s
 
 def _words(package: ProjectPackage, paths: Iterable[str]) -> dict[str, re.Pattern[str]]:
     """What names each of *paths* in a text: its stem as a word. Entry points are left out: they are installed by their own name."""
-    entries = {each.path for each in package.build.entry_points}
+    entries = {entry_point.path for entry_point in package.build.entry_points}
     stems = {path: splitext(basename(path))[0] for path in paths if path not in entries}
     return {path: re.compile(rf"(?<![\w-]){re.escape(stem)}(?![\w-])") for path, stem in stems.items() if stem}
 

@@ -127,12 +127,16 @@ def robot_of(project: Project, system: System, node: SystemNode) -> Robot | None
     """The robot that robot_state_publisher *node* gets; None if it is not known."""
     names = {f"{node.name}:robot_description"}
     names |= {end.name for end in node.of("getters", "parameters") if end.name.endswith("robot_description")}
-    given = [each for each in system.parameters if each.name in names]
+    given = [parameter for parameter in system.parameters if parameter.name in names]
     if len(given) != 1:
         return None
     parameter = given[0]
     if isinstance(parameter.value, str) and "<robot" in parameter.value:
-        texts = (each.robot for each in project.descriptions if project.text(each.robot.path) == parameter.value)
+        texts = (
+            description.robot
+            for description in project.descriptions
+            if project.text(description.robot.path) == parameter.value
+        )
         return next(texts, None)
     reasons = " ".join(unknown.reason for unknown in parameter.unknowns)
     commands = {
@@ -161,21 +165,21 @@ def _of_code(project: Project, system: System, node: SystemNode) -> Iterator[Bro
     parameters = _parameters(system, node)
     for path in dict.fromkeys(end.location.path for end in ends):
         program = project.programs.get(path)
-        for each in sent(program) if program is not None and "sendTransform" in project.text(path) else ():
-            is_static = "static" in each.receiver.lower() if len(kinds) == 2 else kinds == {"/tf_static"}
-            child = resolved(each.child, parameters)
+        for other_sent in sent(program) if program is not None and "sendTransform" in project.text(path) else ():
+            is_static = "static" in other_sent.receiver.lower() if len(kinds) == 2 else kinds == {"/tf_static"}
+            child = resolved(other_sent.child, parameters)
             topic = _topic(node, "/tf_static" if is_static else "/tf")
             if child is not None and topic is not None:
-                at = Location(path, each.line, each.column)
+                at = Location(path, other_sent.line, other_sent.column)
                 yield Broadcast(
-                    child, resolved(each.parent, parameters), is_static, node, at, f"{node} sends it", topic
+                    child, resolved(other_sent.parent, parameters), is_static, node, at, f"{node} sends it", topic
                 )
 
 
 def _parameters(system: System, node: SystemNode) -> Mapping[str, str]:
     """The parameters of *node* whose values are known texts."""
     found: dict[str, str] = {}
-    outside = {each.name: each for each in system.parameters}
+    outside = {parameter.name: parameter for parameter in system.parameters}
     for end in node.of("parameters", "getters"):
         key = end.name.rpartition(":")[2].rpartition("/")[2] if node.ros == 1 else end.name.rpartition(":")[2]
         given = outside.get(end.name)

@@ -57,7 +57,9 @@ _BLANK = re.compile(r"[\"'/>= ](?:\$[A-Z][A-Z0-9_]+\$|@[A-Z][A-Z0-9_]+@|\{\{ ?\w
 def provided(package: Package, system: System) -> tuple[frozenset[str], bool]:
     """What *package* names in any way, and what packages of the workspace need that it needs; whether that is all it gets."""
     declared = {dependency.name for dependency in package.dependencies}
-    found, is_whole = brought_by((each.name for each in package.dependencies if each.kind in _RUN), package.ros, system)
+    found, is_whole = brought_by(
+        (dependency.name for dependency in package.dependencies if dependency.kind in _RUN), package.ros, system
+    )
     return found | declared, is_whole
 
 
@@ -84,7 +86,7 @@ def brought_by(names: Iterable[str], ros: int | None, system: System) -> tuple[f
 def used_by_launch_files(system: System) -> Mapping[str, frozenset[str]]:
     """By package of the workspace what its launch files use of other packages."""
     found: dict[str, set[str]] = {}
-    for use in (said_by(each, system) for each in system.facts(PackageUse)):
+    for use in (said_by(fact, system) for fact in system.facts(PackageUse)):
         package = owner(system, use.location)
         if package is not None:
             found.setdefault(package.name, set()).add(use.package)
@@ -121,7 +123,7 @@ def is_to_be_had(name: str, ros: int | None, system: System) -> bool:
 
 def _is_slip_of_one(name: str, system: System) -> bool:
     """Whether unknown-package takes *name* for a package of the workspace: no manifest there has it, and one is called nearly so."""
-    if any(each.name == name for package in system.packages.values() for each in package.dependencies):
+    if any(dependency.name == name for package in system.packages.values() for dependency in package.dependencies):
         return False
     return meant_here(name, system.packages) is not None
 
@@ -146,11 +148,11 @@ def is_aside(use: PackageUse, system: System) -> bool:
     if use.package in _TOOLS or use.package.startswith("rqt"):
         return True
     file = use.location.path.rpartition("/")[2]
-    if any(each.fullmatch(use.location.path) for each, _ in system.whole.chosen_files):
+    if any(pattern.fullmatch(use.location.path) for pattern, _ in system.whole.chosen_files):
         return True
     alike = system.whole.files_by_name.get(file, ())
-    owners = {each.name: each for one in alike if (each := owner(system, Location(one, 1))) is not None}
-    declared = {dependency.name for each in owners.values() for dependency in each.dependencies}
+    owners = {package.name: package for one in alike if (package := owner(system, Location(one, 1))) is not None}
+    declared = {dependency.name for package in owners.values() for dependency in package.dependencies}
     return len(owners) >= _MANY and use.package not in declared
 
 
@@ -169,7 +171,11 @@ def asks_what_is_installed(path: str, system: System) -> bool:
 def dependency_place(package: Package) -> Location:
     """Where another dependency goes: behind those that there are."""
     path = "package.xml" if package.path == "." else f"{package.path}/package.xml"
-    lines = [each.line for each in package.dependencies if each.line is not None and each.kind in _RUN]
+    lines = [
+        dependency.line
+        for dependency in package.dependencies
+        if dependency.line is not None and dependency.kind in _RUN
+    ]
     return Location(path, max(lines, default=1))
 
 

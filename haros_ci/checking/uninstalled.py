@@ -77,20 +77,22 @@ def uninstalled(package: ProjectPackage, programs: Programs) -> Iterator[Uninsta
     if package.ros is None or package.raw.is_metapackage:
         return
     if package.build.commands and package.cmake.is_whole and not package.cmake.installs_unknown:
-        yield from (each for each in _executables(package, programs) if not _is_left_out(package, each))
-    yield from (each for each in _scripts(package, programs) if not _is_left_out(package, each))
+        yield from (
+            executable for executable in _executables(package, programs) if not _is_left_out(package, executable)
+        )
+    yield from (script for script in _scripts(package, programs) if not _is_left_out(package, script))
 
 
-def _is_left_out(package: ProjectPackage, each: Uninstalled) -> bool:
+def _is_left_out(package: ProjectPackage, other_uninstalled: Uninstalled) -> bool:
     """Whether a comment at an install() has the program, or one above the target says so: it is meant.
 
     The latter counts where only launch files that are for developers, too, start the program.
     """
-    is_aside = all(_ASIDE.search(place.path.rpartition("/")[2].lower()) for place, _ in each.related)
-    if each.kind == "executable" and is_aside and is_said_not_installed(package, each.at):
+    is_aside = all(_ASIDE.search(place.path.rpartition("/")[2].lower()) for place, _ in other_uninstalled.related)
+    if other_uninstalled.kind == "executable" and is_aside and is_said_not_installed(package, other_uninstalled.at):
         return True
     words = left_out_on_purpose(package)
-    return bool(words) and not words.isdisjoint((each.name, posixpath.basename(each.name)))
+    return bool(words) and not words.isdisjoint((other_uninstalled.name, posixpath.basename(other_uninstalled.name)))
 
 
 def may_be_installed(package: ProjectPackage, target: Target) -> bool:
@@ -173,7 +175,9 @@ def _scripts(package: ProjectPackage, programs: Programs) -> Iterator[Uninstalle
         return  # setup.py's packages start their nodes by entry points
     if not package.cmake.is_whole or any("${" in word for i in package.cmake.installs for word in i.things):
         return
-    listed = {each.path: each for each in package.build.installed if each.kind in ("file", "program")}
+    listed = {
+        installed.path: installed for installed in package.build.installed if installed.kind in ("file", "program")
+    }
     for path in package.build.scripts:
         shown, name = path.removeprefix(f"{package.path}/"), posixpath.basename(path)
         use, how = programs.started.get((package.name, name)), "is started here"
@@ -187,8 +191,12 @@ def _scripts(package: ProjectPackage, programs: Programs) -> Iterator[Uninstalle
             use = programs.told(package.name, name)
             how = "is run here"
         if use is None and not is_aside and _is_node(package, text):
-            beside = (each for each in listed.values() if posixpath.dirname(each.path) == posixpath.dirname(path))
-            other = next((each for each in beside if each.kind == "program"), None)
+            beside = (
+                installed
+                for installed in listed.values()
+                if posixpath.dirname(installed.path) == posixpath.dirname(path)
+            )
+            other = next((installed for installed in beside if installed.kind == "program"), None)
             use, how = (other.location, "installs the other scripts there") if other is not None else (None, how)
         if use is None or (is_aside and _ASIDE.search(use.path.lower())):
             continue

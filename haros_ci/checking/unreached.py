@@ -27,8 +27,8 @@ def unreached(package: ProjectPackage, paths: Iterable[str]) -> frozenset[str]:
     They lie in a directory called ``old``, ``prototype`` and the like, or outside of the packages that setup.py names, or nothing of the
     workspace names them beside the programs that there are. An import in a comment is none. A script lies aside by its directory alone.
     """
-    wanted = {each.path for each in package.build.entry_points}
-    wanted |= {each.path for each in package.build.installed if each.kind != "directory"}
+    wanted = {entry_point.path for entry_point in package.build.entry_points}
+    wanted |= {installed.path for installed in package.build.installed if installed.kind != "directory"}
     candidates = {path for path in paths if path.endswith(".py") and path not in wanted}
     python = {file.path for file in package.project.workspace.files if file.path.endswith(".py")}
     if not candidates or len(python) > _MOST_FILES:
@@ -76,10 +76,10 @@ def _imported(package: ProjectPackage, path: str, by_name: Mapping[str, list[str
     """The files of *by_name* that the file at *path* imports: from its own directory, or with the name of theirs."""
     words = imported_words(package.project.text(path))
     for word in words & by_name.keys():
-        for each in by_name[word]:
-            folder = dirname(dirname(each) if basename(each) == "__init__.py" else each)
-            if each != path and (folder in (dirname(path), package.path, "") or basename(folder) in words):
-                yield each
+        for item in by_name[word]:
+            folder = dirname(dirname(item) if basename(item) == "__init__.py" else item)
+            if item != path and (folder in (dirname(path), package.path, "") or basename(folder) in words):
+                yield item
 
 
 def _started(package: ProjectPackage) -> Iterator[str]:

@@ -48,13 +48,13 @@ class Using:
             yield None
         todo, seen = [(target, True)], {target.name}
         while todo:
-            each, is_first = todo.pop()
-            if each.name in self.cmake.mentioned or each.kind in ("imported", "alias"):
+            other_target, is_first = todo.pop()
+            if other_target.name in self.cmake.mentioned or other_target.kind in ("imported", "alias"):
                 yield None
-            if self._is_auto(each):
+            if self._is_auto(other_target):
                 yield from self._declared()
-            words = [link.word for link in self.cmake.links.get(each.name, ()) if is_first or link.is_public]
-            if any(library.name == each.name for library in self.package.build.parameter_libraries):
+            words = [link.word for link in self.cmake.links.get(other_target.name, ()) if is_first or link.is_public]
+            if any(library.name == other_target.name for library in self.package.build.parameter_libraries):
                 words.append("generate_parameter_library::it")
             for word in words:
                 own = self.cmake.real(word.removeprefix(f"{self.package.name}::"))
@@ -105,16 +105,16 @@ class Using:
             found: set[str] = set()
             todo = [name]
             while todo:
-                each = todo.pop()
-                if each in found:
+                item = todo.pop()
+                if item in found:
                     continue
-                found.add(each)
-                inner = project.package(each)
+                found.add(item)
+                inner = project.package(item)
                 if inner is not None:
                     todo += [d.name for d in inner.raw.dependencies if d.kind != "test_depend"]
                     continue
-                outer = project.knowledge.depends(each, 2)
-                if outer is None and project.knowledge.is_package(each) is not False:
+                outer = project.knowledge.depends(item, 2)
+                if outer is None and project.knowledge.is_package(item) is not False:
                     self._brought[name] = None
                     break
                 todo += outer or ()

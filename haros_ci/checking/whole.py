@@ -47,7 +47,7 @@ def repositories_named(workspace: Workspace) -> frozenset[str]:
     endings = (*_SHOWING, ".repos", ".rosinstall")
     texts = (workspace.text(path) for path in sorted(workspace.names) if path.lower().endswith(endings))
     parts = (url.rstrip("/.").split("/") for text in texts for url in _URL.findall(text))
-    return frozenset(name.removesuffix(".git") for each in parts for name in (*each[4:5], each[-1]))
+    return frozenset(name.removesuffix(".git") for part in parts for name in (*part[4:5], part[-1]))
 
 
 class Whole:
@@ -111,9 +111,9 @@ class Whole:
                     if passed.name not in use.declared and passed.name not in use.read:
                         found.setdefault((use.path or "", passed.name), set()).add(passed.location)
         places = {
-            key: sorted(each, key=lambda at: (at.path, at.line or 0, at.column or 0)) for key, each in found.items()
+            key: sorted(item, key=lambda at: (at.path, at.line or 0, at.column or 0)) for key, item in found.items()
         }
-        return {key: tuple(each) for key, each in places.items()}
+        return {key: tuple(place) for key, place in places.items()}
 
     @cached_property
     def passed_with_all(self) -> Mapping[tuple[str, str], tuple[tuple[str, Location], ...]]:
@@ -129,10 +129,10 @@ class Whole:
             if len(every) >= _SEVERAL and all(name in names for names in every):
                 found.setdefault((places[0].path, name), []).append((path, places[0]))
         order = {
-            key: sorted(each, key=lambda one: (one[1].line or 0, one[1].column or 0, one[0]))
-            for key, each in found.items()
+            key: sorted(item, key=lambda one: (one[1].line or 0, one[1].column or 0, one[0]))
+            for key, item in found.items()
         }
-        return {key: tuple(each) for key, each in order.items() if len(each) > 1}
+        return {key: tuple(item) for key, item in order.items() if len(item) > 1}
 
     @cached_property
     def chosen_files(self) -> tuple[tuple[re.Pattern[str], frozenset[str]], ...]:

@@ -19,7 +19,7 @@ class WholeGraph:
     """All ends of a revision by kind and name, each with the configurations that have it."""
 
     def __init__(self, systems: Iterable[System]) -> None:
-        self.systems = {each.name: each for each in systems if not each.name.endswith(NO_SYSTEMS)}
+        self.systems = {system.name: system for system in systems if not system.name.endswith(NO_SYSTEMS)}
         self.ends: dict[tuple[str, str], list[tuple[End, str]]] = {}
         self.vague: dict[str, list[End]] = {}
         for system in self.systems.values():
@@ -62,7 +62,7 @@ class WholeGraph:
                     found |= {rule.target_name for rule in node.raw.rules if rule.target_name}
                     found |= {target for _, target in node.raw.remaps}
                     found |= set(node.raw.arguments.replace("=", " ").split())
-            found |= {each.value for each in system.parameters if isinstance(each.value, str)}
+            found |= {parameter.value for parameter in system.parameters if isinstance(parameter.value, str)}
         return frozenset(text.lstrip("/") for text in found)
 
 

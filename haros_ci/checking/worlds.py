@@ -48,5 +48,5 @@ def dependency_tag(tag: str, name: str, package: Package, workspace: Container[s
 
 def _verdicts(package: Package) -> set[tuple[bool | None, ...]]:
     """For each condition of the dependencies of *package* whether it holds under ROS 1, and under ROS 2."""
-    conditions = {each.condition for each in package.dependencies if each.condition is not None}
-    return {tuple(evaluate(each, environment) for environment in _ENVIRONMENTS) for each in conditions}
+    conditions = {dependency.condition for dependency in package.dependencies if dependency.condition is not None}
+    return {tuple(evaluate(condition, environment) for environment in _ENVIRONMENTS) for condition in conditions}

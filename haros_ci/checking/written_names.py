@@ -37,7 +37,7 @@ def is_written(node: SystemNode, names: set[str], system: System) -> bool:
     if node.package not in kept:
         texts = _texts(node.package, system)
         written = {found[3].lstrip("~/") for text in texts for found in _STRING.finditer(text)}
-        formats = tuple(_HOLE.split(each) for each in sorted(written) if "{" in each or "%" in each)
+        formats = tuple(_HOLE.split(item) for item in sorted(written) if "{" in item or "%" in item)
         kept[node.package] = frozenset(written), formats
     strings, formats = kept[node.package]
     return not strings.isdisjoint(names) or any(_fits(parts, name) for parts in formats for name in names)
@@ -46,17 +46,17 @@ def is_written(node: SystemNode, names: set[str], system: System) -> bool:
 def _texts(package: str, system: System) -> Iterator[str]:
     if system.workspace is None:
         return
-    files = [each for each in system.workspace.files if each.language in ("cpp", "python")]
-    own = [each for each in files if each.package == package]
-    python = [system.workspace.text(each.path)[:_MOST] for each in own if each.language == "python"][:_FILES]
+    files = [file for file in system.workspace.files if file.language in ("cpp", "python")]
+    own = [file for file in files if file.package == package]
+    python = [system.workspace.text(file.path)[:_MOST] for file in own if file.language == "python"][:_FILES]
     imported = {match[1] for text in python for match in _IMPORT.finditer(text)} - {package}
-    near = [each for each in files if each.package in imported]
-    others = [system.workspace.text(each.path)[:_MOST] for each in near if each.language == "python"][:_FILES]
+    near = [file for file in files if file.package in imported]
+    others = [system.workspace.text(file.path)[:_MOST] for file in near if file.language == "python"][:_FILES]
     bases = {name for text in (*python, *others) for name in _bases(text)}
     if not bases or bases <= _defined(bases, system):
         return
-    for each in [*own, *near][:_FILES]:
-        yield _COMMENT.sub("", system.workspace.text(each.path)[:_MOST])
+    for file in [*own, *near][:_FILES]:
+        yield _COMMENT.sub("", system.workspace.text(file.path)[:_MOST])
 
 
 def _bases(text: str) -> Iterator[str]:

@@ -65,10 +65,10 @@ class Call:
 
     def argument(self, position: int, keyword: str = "") -> Expression | None:
         """The argument at *position* or with *keyword*; None where it is not given, or may be in an unpacking."""
-        plain = [each for each in self.args if not isinstance(each, syntax.Keyword)]
-        keywords = [each for each in self.args if isinstance(each, syntax.Keyword)]
-        named = next((each.value for each in keywords if each.name == keyword), None)
-        if any(isinstance(each, (syntax.Star, syntax.DoubleStar)) for each in plain[: position + 1]):
+        plain = [argument for argument in self.args if not isinstance(argument, syntax.Keyword)]
+        keywords = [argument for argument in self.args if isinstance(argument, syntax.Keyword)]
+        named = next((other_keyword.value for other_keyword in keywords if other_keyword.name == keyword), None)
+        if any(isinstance(literal, (syntax.Star, syntax.DoubleStar)) for literal in plain[: position + 1]):
             return None
         return named if named is not None else plain[position] if position < len(plain) else None
 
@@ -135,8 +135,8 @@ def body_of(function: Function) -> Body:
     """The facts of *function*; nothing for a declaration."""
     body = Body()
     for init in function.inits:
-        for each in init.arguments:
-            _expression(each, body, ())
+        for argument in init.arguments:
+            _expression(argument, body, ())
         value = init.arguments[0] if len(init.arguments) == 1 else syntax.ListLiteral(init.arguments)
         body.sets.append((syntax.Member(syntax.This(), init.name), "=", value, ()))
     _block(function.body or (), body, ())
@@ -158,8 +158,8 @@ def _statement(statement: Statement, body: Body, around: Around) -> None:
     elif isinstance(statement, syntax.Variable):
         made = Variable(statement.name, statement.type, statement.init, statement.line, statement.column, around)
         body.variables.setdefault(statement.name, []).append(made)
-        for each in made.parts:
-            _expression(each, body, around)
+        for part in made.parts:
+            _expression(part, body, around)
     elif isinstance(statement, syntax.If):
         _expression(statement.test, body, around)
         _block(statement.then, body, _in("then", statement, around, statement.test))
@@ -229,7 +229,7 @@ def _expression(expression: Expression, body: Body, around: Around, is_bare: boo
         elif isinstance(node, syntax.Unknown):
             body.is_partial = True
             continue
-        waiting.extend([each for each in reversed(parts(node)) if not isinstance(each, LEAVES)])
+        waiting.extend([part for part in reversed(parts(node)) if not isinstance(part, LEAVES)])
 
 
 def parts(node: Expression) -> list[Expression]:
@@ -255,7 +255,7 @@ def parts(node: Expression) -> list[Expression]:
     if isinstance(node, syntax.Format):
         return list(node.parts)
     if isinstance(node, syntax.DictLiteral):
-        return [each for pair in node.pairs for each in pair]
+        return [literal for pair in node.pairs for literal in pair]
     if isinstance(node, (syntax.Cast, syntax.Keyword)):
         return [node.value]
     return []

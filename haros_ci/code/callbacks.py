@@ -153,10 +153,18 @@ def given_function(code: Codebase, maker: Routine, value: Expression, depth: int
 def group_of(code: Codebase, maker: Routine, call: Call) -> str | None:
     """The callback group that a call puts what it makes into: "" for the default one, None if it is not known."""
     if maker.is_python:
-        named = (each for each in call.args if isinstance(each, syntax.Keyword) and each.name == "callback_group")
-        given = next((each.value for each in named), None)
+        named = (
+            argument
+            for argument in call.args
+            if isinstance(argument, syntax.Keyword) and argument.name == "callback_group"
+        )
+        given = next((keyword.value for keyword in named), None)
         if given is None:
-            return None if any(isinstance(each, (syntax.DoubleStar, syntax.Star)) for each in call.args) else DEFAULT
+            return (
+                None
+                if any(isinstance(argument, (syntax.DoubleStar, syntax.Star)) for argument in call.args)
+                else DEFAULT
+            )
         return group_name(code, maker, given)
     counts = {"create_wall_timer": 2, "create_timer": 2, "create_service": 3, "create_client": 2}
     if call.name in counts:
@@ -218,8 +226,8 @@ def groups_made(code: Codebase) -> dict[str, str]:
                     if name:
                         found.setdefault(name, set()).add(kind)
                 for name, every in code.body(routine).variables.items():
-                    for each in every:
-                        kind = _group_kind(each.assigned) if each.assigned is not None else ""
+                    for variable in every:
+                        kind = _group_kind(variable.assigned) if variable.assigned is not None else ""
                         if kind:
                             found.setdefault(f"{routine.path}:{routine.function.line}:{name}", set()).add(kind)
         code.kept["groups"] = {name: kinds_.pop() for name, kinds_ in found.items() if len(kinds_) == 1}

@@ -25,7 +25,7 @@ def called(code: Codebase, routine: Routine, call: syntax.Call, steps: int = kin
     if steps <= 0:
         return ()
     every = function_meant(code, routine, call.callee, steps)
-    fitting = [each for each in every if classes.accepts(each.function, call.arguments)]
+    fitting = [other_routine for other_routine in every if classes.accepts(other_routine.function, call.arguments)]
     result = (fitting[0],) if len(fitting) == 1 else ()
     code.kept[key] = result
     code.kept["keep", id(call)] = call  # so that its identity stays its own
@@ -102,17 +102,17 @@ def _cpp_name(code: Codebase, routine: Routine, name: str, steps: int) -> tuple[
 
 def _defined(code: Codebase, routine: Routine, name: str) -> tuple[Routine, ...]:
     """The free functions of a qualified name that have a body, of the same file or else of the same package or headers."""
-    every = [(where, each) for where, each in code.cpp.functions.get(name, ()) if each.body is not None]
+    every = [(where, function) for where, function in code.cpp.functions.get(name, ()) if function.body is not None]
     for fits in (
         lambda path, package: path == routine.path,
         lambda path, package: path in code.cpp.reach(routine.path),
         lambda path, package: package == routine.source.package,
         lambda path, package: True,
     ):
-        found = [each for each in every if fits(each[0].path, each[0].package)]
+        found = [definition for definition in every if fits(definition[0].path, definition[0].package)]
         if found:
-            made = (code.routine(*each) for each in found)
-            return tuple(dict.fromkeys(each for each in made if each is not None))
+            made = (code.routine(*definition) for definition in found)
+            return tuple(dict.fromkeys(other_routine for other_routine in made if other_routine is not None))
     return ()
 
 
@@ -127,9 +127,9 @@ def _python_name(code: Codebase, routine: Routine, name: str) -> tuple[Routine, 
     if kinds.is_local(code, routine, name):
         return ()
     own = [
-        each
-        for where, each in code.python.functions.get(name, ())
-        if where.path == routine.path and not each.owner and each.kind == "function"
+        function
+        for where, function in code.python.functions.get(name, ())
+        if where.path == routine.path and not function.owner and function.kind == "function"
     ]
     if own:
         made = code.routine(routine.source, own[-1])
@@ -144,9 +144,9 @@ def _of_module(code: Codebase, dotted: str) -> tuple[Routine, ...]:
     found = [
         made
         for where in code.python.modules.get(module, ())
-        for each in where.program.functions
-        if each.name == name and each.kind == "function" and not each.owner
-        if (made := code.routine(where, each)) is not None
+        for function in where.program.functions
+        if function.name == name and function.kind == "function" and not function.owner
+        if (made := code.routine(where, function)) is not None
     ]
     return tuple(found) if len(found) == 1 else ()
 

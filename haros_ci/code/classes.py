@@ -45,15 +45,15 @@ def _cpp_class(code: Codebase, name: str, source: Source) -> Owner | None:
 
 def _python_class(code: Codebase, name: str, source: Source) -> Owner | None:
     """A class of the file, or of a module by its dotted name."""
-    own = [each for each in code.python.classes.get(name, ()) if each[0].path == source.path]
+    own = [class_ for class_ in code.python.classes.get(name, ()) if class_[0].path == source.path]
     if own:
         return own[0] if len(own) == 1 else None
     module, _, last = name.rpartition(".")
     found = [
-        (where, each)
+        (where, class_)
         for where in code.python.modules.get(module, ())
-        for each in where.program.classes
-        if each.name == last
+        for class_ in where.program.classes
+        if class_.name == last
     ]
     return found[0] if len(found) == 1 else None
 
@@ -63,7 +63,7 @@ def owner_of(code: Codebase, routine: Routine) -> Owner | None:
     name = routine.owner
     if not name:
         return None
-    own = [each for each in routine.source.program.classes if each.name == name]
+    own = [class_ for class_ in routine.source.program.classes if class_.name == name]
     if len(own) == 1:
         return routine.source, own[0]
     found = class_named(code, name, routine.source)
@@ -126,10 +126,10 @@ def absolute(source: Source, target: str) -> str:
 def field_of(code: Codebase, owner: Owner, name: str) -> tuple[Owner, Field] | None:
     """A data member of a C++ class or of its bases."""
     every = [owner, *(above for above, _ in bases(code, owner) if above is not None)]
-    for each in every:
-        found = [member for member in each[1].fields if member.name == name]
+    for definition in every:
+        found = [member for member in definition[1].fields if member.name == name]
         if found:
-            return each, found[0]
+            return definition, found[0]
     return None
 
 
@@ -138,7 +138,7 @@ def methods(code: Codebase, owner: Owner, name: str) -> tuple[Routine, ...]:
     key = ("method", id(owner[1]), name)
     if key not in code.kept:
         every = [owner, *(above for above, _ in bases(code, owner) if above is not None)]
-        code.kept[key] = next((found for each in every if (found := _own_methods(code, each, name))), ())
+        code.kept[key] = next((found for definition in every if (found := _own_methods(code, definition, name))), ())
     known: tuple[Routine, ...] = code.kept[key]  # type: ignore[assignment]
     return known
 
@@ -147,16 +147,17 @@ def _own_methods(code: Codebase, owner: Owner, name: str) -> tuple[Routine, ...]
     source, definition = owner
     whole = f"{definition.name}{source.separator}{name}"
     index = code.index(source)
-    found = [each for each in index.functions.get(whole, ()) if _belongs(code, owner, each[0])]
+    found = [function for function in index.functions.get(whole, ()) if _belongs(code, owner, function[0])]
     if not any(function.body is not None for _, function in found) and source.separator == "::":
         tail = "::".join(whole.split("::")[-2:])
         found += [
-            each
-            for each in index.by_tail.get(tail, ())
-            if f"::{definition.name}".endswith(f"::{each[1].owner}") and _belongs(code, owner, each[0])
+            other_definition
+            for other_definition in index.by_tail.get(tail, ())
+            if f"::{definition.name}".endswith(f"::{other_definition[1].owner}")
+            and _belongs(code, owner, other_definition[0])
         ]
     made = (code.routine(where, function) for where, function in found if function.body is not None)
-    return tuple(dict.fromkeys(each for each in made if each is not None))
+    return tuple(dict.fromkeys(routine for routine in made if routine is not None))
 
 
 def _belongs(code: Codebase, owner: Owner, source: Source) -> bool:
@@ -168,7 +169,7 @@ def _belongs(code: Codebase, owner: Owner, source: Source) -> bool:
 
 def accepts(function: Function, args: tuple[Expression, ...]) -> bool:
     """Whether a function can be called with so many arguments."""
-    if any(isinstance(each, (syntax.Star, syntax.DoubleStar)) for each in args):
+    if any(isinstance(argument, (syntax.Star, syntax.DoubleStar)) for argument in args):
         return True
     needed = [p for p in function.parameters if p.default is None and not p.name.startswith("*")]
     collects = any(p.name.startswith("*") or "..." in p.type.marks or p.type.name == "..." for p in function.parameters)

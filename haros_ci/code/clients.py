@@ -99,4 +99,4 @@ def own_method(code: Codebase, routine: Routine, call: Call) -> bool:
         return False
     every = [owner, *(above for above, _ in classes.bases(code, owner) if above is not None)]
     index = code.index(routine.source)
-    return any(f"{each[1].name}{each[0].separator}{call.name}" in index.functions for each in every)
+    return any(f"{definition[1].name}{definition[0].separator}{call.name}" in index.functions for definition in every)

@@ -51,7 +51,7 @@ class Routine:
     def is_test(self) -> bool:
         """Whether it stands in a folder or package for tests."""
         folders = self.source.path.split("/")[:-1]
-        return is_test(self.source.path) or any(each.endswith(("_test", "_tests")) for each in folders)
+        return is_test(self.source.path) or any(folder.endswith(("_test", "_tests")) for folder in folders)
 
     @property
     def owner(self) -> str:
@@ -115,7 +115,7 @@ class Codebase:
             if function.body is not None or function.inits:
                 bodies.append((number, function))
                 found = self._bodies[id(function)] = body_of(function)
-                inner.update(each for each, _ in found.inner)
+                inner.update(other_number for other_number, _ in found.inner)
         waiting = [(function, None) for number, function in reversed(bodies) if number not in inner]
         pending: list[tuple[Function, Routine | None]] = list(waiting)
         while pending:
@@ -159,17 +159,19 @@ class Codebase:
             firmware = (
                 source.path for source in self.sources if source.separator == "::" and self._is_firmware(source)
             )
-            self._firmware = frozenset(firmware) if any(ROSSERIAL in each for each in self._included()) else frozenset()
+            self._firmware = (
+                frozenset(firmware) if any(ROSSERIAL in group for group in self._included()) else frozenset()
+            )
         return self._firmware
 
     def _included(self) -> Iterator[tuple[str, ...]]:
         """What each file includes."""
         for source in self.sources:
-            yield tuple(each.strip('<>" ') for each in source.program.includes)
+            yield tuple(include.strip('<>" ') for include in source.program.includes)
 
     def _is_firmware(self, source: Source) -> bool:
         files = (source.path, *self.cpp.reach(source.path))
-        included = {each.strip('<>" ') for path in files for each in self.by_path[path].program.includes}
+        included = {include.strip('<>" ') for path in files for include in self.by_path[path].program.includes}
         return ROSSERIAL in included and ROSCPP not in included
 
     def ros_of(self, source: Source) -> int | None:
@@ -180,7 +182,7 @@ class Codebase:
         found = self.ros.get(source.package or "")
         if found is not None and program.language != "python":
             return found
-        heads = {each.strip('<>"').partition("/")[0] for each in program.includes}
+        heads = {include.strip('<>"').partition("/")[0] for include in program.includes}
         heads |= {alias.type.name.partition(".")[0] for alias in program.aliases if program.language == "python"}
         either = {1: heads & {"ros", "rospy"}, 2: heads & {"rclcpp", "rclpy", "rclcpp_components"}}
         versions = [version for version, names in either.items() if names]
@@ -188,7 +190,9 @@ class Codebase:
 
     def end_line(self, routine: Routine) -> int:
         """A line that the text of a routine surely ends before: the next one's first, or the file's end."""
-        starts = (each.function.line for each in self.routines(routine.path) if each.outer is None)
+        starts = (
+            other_routine.function.line for other_routine in self.routines(routine.path) if other_routine.outer is None
+        )
         later = [line for line in starts if line > routine.method.function.line]
         return min(later) if later else self.text(routine.path).count("\n") + 2
 
@@ -198,12 +202,12 @@ class Codebase:
 
     def classes(self, source: Source) -> tuple[tuple[Source, Class], ...]:
         """The classes of a file."""
-        return tuple((source, each) for each in source.program.classes)
+        return tuple((source, class_) for class_ in source.program.classes)
 
 
 def codebase(sources: Iterable[Source], text: Callable[[str], str], ros: dict[str, int] | None = None) -> Codebase:
     """The code of *sources*, the programs of a workspace sorted by path."""
     every = tuple(sources)
-    cpp = build_index(each for each in every if each.program.language != "python")
-    python = build_index(each for each in every if each.program.language == "python")
-    return Codebase(every, text, cpp, python, dict(ros or {}), {each.path: each for each in every})
+    cpp = build_index(source for source in every if source.program.language != "python")
+    python = build_index(source for source in every if source.program.language == "python")
+    return Codebase(every, text, cpp, python, dict(ros or {}), {source.path: source for source in every})

@@ -40,7 +40,7 @@ def is_dead(code: Codebase, routine: Routine) -> bool:
     word = re.compile(rf"(?<!\w){name}\b\s*(\(?)")
     for path in sorted(code.mentioning(name)):
         functions = code.by_path[path].program.functions
-        if any(each.is_virtual and each.name.rpartition("::")[2] == name for each in functions):
+        if any(function.is_virtual and function.name.rpartition("::")[2] == name for function in functions):
             return False
         text = _COMMENTS.sub(" ", code.text(path))
         for found in word.finditer(text):
@@ -60,7 +60,7 @@ def _is_dead_in_python(code: Codebase, routine: Routine) -> bool:
         return False
     owner = owner_of(code, routine)
     if owner is not None and any(
-        class_named(code, each, owner[0]) is None for each in base_names(code, owner) - _PYTHON_BASES
+        class_named(code, base_name, owner[0]) is None for base_name in base_names(code, owner) - _PYTHON_BASES
     ):
         return False
     lines = text.split("\n")[: max((function.line or 1) - 1, 0)]

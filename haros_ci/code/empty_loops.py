@@ -61,13 +61,17 @@ def _is_empty(code: Codebase, constructor: Routine, routine: Routine, value: Exp
         init.name == name and init.arguments for init in constructor.function.inits
     ):
         return False
-    running = [each for each, _ in reached(code, constructor)]
-    return all(not _may_fill(each.function, name) for each in running if each.owner == constructor.owner)
+    running = [other_routine for other_routine, _ in reached(code, constructor)]
+    return all(
+        not _may_fill(other_routine.function, name)
+        for other_routine in running
+        if other_routine.owner == constructor.owner
+    )
 
 
 def _begins_empty(owner: syntax.Class, name: str) -> bool:
     """Whether the member called *name* is a container that its declaration leaves empty."""
-    fields = [each for each in owner.fields if each.name == name]
+    fields = [field for field in owner.fields if field.name == name]
     return len(fields) == 1 and not fields[0].is_static and fields[0].init is None and _is_container(fields[0].type)
 
 
@@ -77,8 +81,8 @@ def _is_empty_local(code: Codebase, constructor: Routine, routine: Routine, valu
     made = body.variables.get(value.name, ())
     if len(made) != 1 or made[0].init is not None or not _is_container(made[0].type) or made[0].is_static:
         return False
-    fills = [each for each in body.calls if each.receiver == value and each.name not in _LOOKING]
-    if not all(_is_never(code, constructor, routine, each.around, depth - 1) for each in fills):
+    fills = [call for call in body.calls if call.receiver == value and call.name not in _LOOKING]
+    if not all(_is_never(code, constructor, routine, fill.around, depth - 1) for fill in fills):
         return False
     return _mentions(routine.function, value.name) == _looks(routine.function, value.name) + len(fills)
 
@@ -89,17 +93,17 @@ def _may_fill(function: syntax.Function, name: str) -> bool:
 
 
 def _mentions(function: syntax.Function, name: str) -> int:
-    return sum(_member(each) == name for each in everything(function))
+    return sum(_member(record) == name for record in everything(function))
 
 
 def _looks(function: syntax.Function, name: str) -> int:
     """How often a container called *name* is gone over, or one of its methods that put nothing in is called."""
     found = 0
-    for each in everything(function):
-        if isinstance(each, syntax.Each):
-            found += _member(each.iterable) == name
-        elif isinstance(each, syntax.Call) and isinstance(each.callee, syntax.Member):
-            found += each.callee.name in _LOOKING and _member(each.callee.object) == name
+    for record in everything(function):
+        if isinstance(record, syntax.Each):
+            found += _member(record.iterable) == name
+        elif isinstance(record, syntax.Call) and isinstance(record.callee, syntax.Member):
+            found += record.callee.name in _LOOKING and _member(record.callee.object) == name
     return found
 
 

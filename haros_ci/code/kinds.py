@@ -65,7 +65,7 @@ def variable(code: Codebase, routine: Routine, name: str) -> tuple[Routine, Vari
     while around is not None:
         found = code.body(around).variables.get(name)
         if found:
-            told = {_told(each) for each in found} if len(found) > 1 else {()}
+            told = {_told(other_variable) for other_variable in found} if len(found) > 1 else {()}
             return (around, found[0]) if len(told) == 1 else None
         for parameter in around.function.parameters:
             if parameter.name == name:
@@ -76,7 +76,7 @@ def variable(code: Codebase, routine: Routine, name: str) -> tuple[Routine, Vari
 
 def _told(variable: Variable) -> tuple[object, ...]:
     """What a declaration says, but for the lines and columns of calls."""
-    return plain(variable.type), type(variable.init), tuple(plain(placeless(each)) for each in variable.parts)
+    return plain(variable.type), type(variable.init), tuple(plain(placeless(part)) for part in variable.parts)
 
 
 def is_local(code: Codebase, routine: Routine, name: str) -> bool:
@@ -134,7 +134,7 @@ def _name(code: Codebase, routine: Routine, name: str, steps: int) -> Type | Non
         where, local = found
         if local.type.name not in ("", "auto"):
             return _written(code, where, local.type)
-        if local.init is None or any(name in names_in(each) for each in local.parts):  # itself, or one that it hides
+        if local.init is None or any(name in names_in(part) for part in local.parts):  # itself, or one that it hides
             return None
         if isinstance(local.init, Iterated):
             return _element(type_of(code, where, local.init.value, steps - 1))
@@ -208,7 +208,10 @@ def _call(code: Codebase, routine: Routine, call: syntax.Call, steps: int) -> Ty
 def _all_written(
     code: Codebase, routine: Routine, templates: tuple[syntax.Argument, ...]
 ) -> tuple[syntax.Argument, ...]:
-    return tuple(_written(code, routine, each) or each if isinstance(each, syntax.Type) else each for each in templates)
+    return tuple(
+        _written(code, routine, template) or template if isinstance(template, syntax.Type) else template
+        for template in templates
+    )
 
 
 def _returned(code: Codebase, routine: Routine, call: syntax.Call, steps: int) -> Type | None:
@@ -216,7 +219,7 @@ def _returned(code: Codebase, routine: Routine, call: syntax.Call, steps: int) -
     from haros_ci.code.calls import called
 
     found = called(code, routine, call, steps - 1)
-    kinds = {plain(each.function.returns): each for each in found}
+    kinds = {plain(other_routine.function.returns): other_routine for other_routine in found}
     if len(kinds) != 1:
         return None
     (target,) = kinds.values()
@@ -269,7 +272,7 @@ def attribute_values(code: Codebase, owner: classes.Owner, name: str) -> tuple[t
                     member = _own_member(code, routine, target)
                     if member and operator == "=" and not isinstance(value, syntax.Null):
                         found.setdefault(member, []).append((routine, value))
-        code.kept[key] = {each: tuple(values) for each, values in found.items()}
+        code.kept[key] = {item: tuple(values) for item, values in found.items()}
     known: dict[str, tuple[tuple[Routine, Expression], ...]] = code.kept[key]  # type: ignore[assignment]
     return known.get(name, ())
 
@@ -287,11 +290,11 @@ def _methods_of(code: Codebase, source: Source, name: str) -> list[Routine]:
     key = ("routines of", source.separator)
     if key not in code.kept:
         by_owner: dict[str, set[str]] = {}
-        for each in code.sources:
-            if each.separator == source.separator:
-                for function in each.program.functions:
+        for other_source in code.sources:
+            if other_source.separator == source.separator:
+                for function in other_source.program.functions:
                     if function.owner:
-                        by_owner.setdefault(function.owner, set()).add(each.path)
+                        by_owner.setdefault(function.owner, set()).add(other_source.path)
         code.kept[key] = by_owner
     paths: dict[str, set[str]] = code.kept[key]  # type: ignore[assignment]
     found = []

@@ -33,8 +33,8 @@ def outcome_flags(block: Block, does: Callable[[Expression], bool]) -> Mapping[s
     return {
         name: Flag(values[0], tuple(others[name]))
         for name, values in done.items()
-        if all(isinstance(each, _CONSTANTS) for each in (*values, *others.get(name, ())))
-        and all(each == values[0] for each in values)
+        if all(isinstance(value, _CONSTANTS) for value in (*values, *others.get(name, ())))
+        and all(value == values[0] for value in values)
         and others.get(name)
         and values[0] not in others[name]
     }
@@ -55,7 +55,7 @@ def told(test: Expression, flags: Mapping[str, Flag]) -> tuple[bool, bool]:
         return False, False
     if value == known.done:
         return not turned, turned
-    if all(value == each for each in known.others):
+    if all(value == other for other in known.others):
         return turned, not turned
     return False, False
 
@@ -64,7 +64,9 @@ def _sets(
     block: Block, does: Callable[[Expression], bool], is_done: bool, is_outer: bool
 ) -> Iterator[tuple[str, Expression, bool]]:
     """What variables are set to, and whether in a branch in which it is done: a *block* that does it itself, or one inside."""
-    is_done = is_done or (not is_outer and any(does(each.value) for each in block if isinstance(each, syntax.Do)))
+    is_done = is_done or (
+        not is_outer and any(does(statement.value) for statement in block if isinstance(statement, syntax.Do))
+    )
     for statement in block:
         if isinstance(statement, syntax.Variable):
             for value in syntax.started(statement.init):

@@ -51,7 +51,7 @@ def undone_ways(
 
     Ways on which one of the *given* variables is null are left out, and those where a flag says that it was done before.
     """
-    block = tuple(_without_null_tests(each, given) for each in block)
+    block = tuple(_without_null_tests(statement, given) for statement in block)
     ways = _Ways()
     _block(block, False, _Doing(does, outcome_flags(block, does)), ways, end)
     return tuple(dict.fromkeys([*ways.undone, *([end] if False in ways.on else [])]))
@@ -70,7 +70,7 @@ def _without_null_tests(statement: Statement, given: frozenset[str]) -> Statemen
     ):
         test = test.operands[0] if test.operator == "!=" else syntax.Operation("!", (test.operands[0],))
     if isinstance(test, syntax.Name) and test.name in given:
-        return syntax.Nested(tuple(_without_null_tests(each, given) for each in statement.then))
+        return syntax.Nested(tuple(_without_null_tests(other_statement, given) for other_statement in statement.then))
     if (
         isinstance(test, syntax.Operation)
         and test.operator == "!"

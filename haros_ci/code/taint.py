@@ -74,8 +74,8 @@ def _is_numeric(text: Expression, holes: re.Pattern[str]) -> bool:
 
 def _any(every: tuple[Expression, ...], marks: Marks) -> frozenset[tuple[str, ...]]:
     found: frozenset[tuple[str, ...]] = frozenset()
-    for each in every:
-        found |= carried(each, marks)
+    for literal in every:
+        found |= carried(literal, marks)
     return found
 
 
@@ -86,9 +86,9 @@ def marks_in(code: Codebase, routine: Routine, start: Marks) -> dict[str, frozen
     for _ in range(3):
         before = dict(marks)
         for name, every in body.variables.items():
-            for each in every:
-                if each.init is not None:
-                    marks[name] = marks.get(name, frozenset()) | _any(each.parts, marks)
+            for variable in every:
+                if variable.init is not None:
+                    marks[name] = marks.get(name, frozenset()) | _any(variable.parts, marks)
         for target, operator, value, _ in body.sets:
             if isinstance(target, syntax.Name) and operator in ("=", "+="):
                 marks[target.name] = marks.get(target.name, frozenset()) | carried(value, marks)
@@ -110,9 +110,9 @@ def followed(
             continue
         for target in called(code, routine, call.whole):
             given: dict[str, frozenset[tuple[str, ...]]] = {}
-            plain = [each for each in call.args if not isinstance(each, syntax.Keyword)]
-            for parameter, each in zip(target.function.parameters, plain, strict=False):
-                given[parameter.name] = carried(each, marks)
+            plain = [argument for argument in call.args if not isinstance(argument, syntax.Keyword)]
+            for parameter, literal in zip(target.function.parameters, plain, strict=False):
+                given[parameter.name] = carried(literal, marks)
             for argument in call.args:
                 if isinstance(argument, syntax.Keyword):
                     given[argument.name] = carried(argument.value, marks)

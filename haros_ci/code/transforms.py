@@ -38,11 +38,15 @@ def is_lookup(code: Codebase, routine: Routine, call: Call) -> bool:
 def is_caught(around: Around) -> bool:
     """Whether a handler around it may catch what a look-up throws."""
     tried = (place.statement for place in around if isinstance(place.statement, syntax.Try))
-    return any(any(map(_may_catch, each.handlers)) for each in tried)
+    return any(any(map(_may_catch, try_.handlers)) for try_ in tried)
 
 
 def _may_catch(handler: syntax.Handler) -> bool:
     kind = handler.type
-    kinds = [each for each in kind.arguments if isinstance(each, syntax.Type)] if kind.name == "Union" else [kind]
-    names = [each.name for each in kinds]
+    kinds = (
+        [argument for argument in kind.arguments if isinstance(argument, syntax.Type)]
+        if kind.name == "Union"
+        else [kind]
+    )
+    names = [kind.name for kind in kinds]
     return any(name.rpartition("::")[2].rpartition(".")[2] not in OTHERS for name in names)

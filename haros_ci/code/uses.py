@@ -70,8 +70,8 @@ def _visit(node: Part, name: str, role: str, call: syntax.Call | None) -> Iterat
         else:
             yield from _visit(callee, name, "read", None)
         same = last_part(callee) in SAME and call is not None
-        for each in node.arguments:
-            yield from _visit(each, name, "argument", call if same else node)
+        for argument in node.arguments:
+            yield from _visit(argument, name, "argument", call if same else node)
     elif isinstance(node, syntax.Address):
         yield from _visit(node.value, name, "address", call)
     elif isinstance(node, syntax.Return):
@@ -79,14 +79,14 @@ def _visit(node: Part, name: str, role: str, call: syntax.Call | None) -> Iterat
     elif isinstance(node, (syntax.Cast, syntax.Keyword)):
         yield from _visit(node.value, name, role, call)
     elif isinstance(node, syntax.Operation) and node.operator in ("<<", ">>"):
-        for each in node.operands:
-            yield from _visit(each, name, "address", None)
+        for operand in node.operands:
+            yield from _visit(operand, name, "address", None)
     elif isinstance(node, syntax.Variable):
         marks = node.type.marks
         #: a reference to it, or an object that is given it
         how = "address" if "&" in marks or "*" in marks or not isinstance(node.init, syntax.Equals) else "read"
-        for each in syntax.started(node.init):
-            yield from _visit(each, name, how, None)
+        for literal in syntax.started(node.init):
+            yield from _visit(literal, name, how, None)
     else:
         for inner in below(node):
             yield from _visit(inner, name, "read", None)

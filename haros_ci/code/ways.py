@@ -33,8 +33,8 @@ class Reached:
         """The places from the registration to *call*, with what is to be seen there."""
         made = self.callback
         steps = [(made.location, f"{made.routine.title} is the callback of {KINDS[made.kind]}")]
-        for routine, each in self.path:
-            steps.append((place(routine, each), f"{routine.title} calls {each.name}"))
+        for routine, other_call in self.path:
+            steps.append((place(routine, other_call), f"{routine.title} calls {other_call.name}"))
         return (*steps, (place(self.routine, call), words))
 
 
@@ -52,6 +52,6 @@ def in_callbacks(code: Codebase, depth: int = 6) -> tuple[Reached, ...]:
             for callback in callbacks(code)
             for routine, path in reached(code, callback.routine, depth)
         ]
-        code.kept[key] = tuple(sorted(found, key=lambda each: len(each.path)))
+        code.kept[key] = tuple(sorted(found, key=lambda other_reached: len(other_reached.path)))
     known: tuple[Reached, ...] = code.kept[key]  # type: ignore[assignment]
     return known

@@ -19,8 +19,10 @@ from haros_ci.report.measurements import Limit
 def _limits(level: str, thresholds: Iterable[Threshold], names: Mapping[str, str]) -> Iterable[Limit]:
     """*names* leads from metrics to what the workers call them."""
     called = {key: metric for metric, key in names.items()}
-    for each in thresholds:
-        yield Limit(each.rule, level, called.get(each.metric, each.metric), each.limit, each.below)
+    for threshold in thresholds:
+        yield Limit(
+            threshold.rule, level, called.get(threshold.metric, threshold.metric), threshold.limit, threshold.below
+        )
 
 
 LIMITS: tuple[Limit, ...] = (

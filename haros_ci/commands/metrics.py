@@ -46,7 +46,7 @@ def metrics(flags: Mapping[str, Any]) -> int:
 
     made = under_cache(work, settings, flags)
     chosen = tuple(
-        each for each in made.values if measurements.level(each) in levels and (not asked or each.metric in asked)
+        value for value in made.values if measurements.level(value) in levels and (not asked or value.metric in asked)
     )
     tell(made.notifications)
     path = Path(flags["output"]) if flags["output"] else None

@@ -209,7 +209,7 @@ class _Own:
             if not globs or len(names) > MAX_ROW_TEXT:
                 raise self.file.error(value.key_line, f"{quoted(names[:40])} names no package", f"write {form}")
             policies.append(PackagePolicy(names=globs, policy=entry[0], profile=entry[1]))
-        if sum(len(each.names) for each in policies) > MAX_PATH_GLOBS:
+        if sum(len(policy.names) for policy in policies) > MAX_PATH_GLOBS:
             raise UserError(f"{self.file.name}: more than {MAX_PATH_GLOBS} names in 'per-package'", help="use globs")
         return tuple(policies)
 

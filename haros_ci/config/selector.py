@@ -206,7 +206,7 @@ class _Known:
             return True
         tool = self.open_tool(selector)
         word = selector.partition(":")[2] if tool else selector
-        known = [self.identifiers(each) for each in ((tool,) if tool else self.open_tools)]
+        known = [self.identifiers(open_tool) for open_tool in ((tool,) if tool else self.open_tools)]
         if is_glob(word):
             match = compiled(word)
             return any(match(name) for names in known for name in names)

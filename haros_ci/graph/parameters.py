@@ -105,7 +105,7 @@ def _fits(name: str, parts: list[str]) -> bool:
 def _value(parameters: list[Parameter], under: tuple[Condition, ...]) -> Value:
     parameter = parameters[-1]
     if not set(parameter.conditions) <= set(under):
-        kind = Opaque if any(set(each.conditions) <= set(under) for each in parameters) else Perhaps
+        kind = Opaque if any(set(parameter.conditions) <= set(under) for parameter in parameters) else Perhaps
         return kind(f"the parameter {parameter.name} is set under a condition", parameter.location)
     if parameter.unknowns:
         return Opaque(parameter.unknowns[0].reason, parameter.unknowns[0].location or parameter.location)

@@ -31,10 +31,10 @@ def written_rule(
 def ros2_rules(given: Iterable[Rule], written: Iterable[RemapRule], location: Location) -> tuple[RemapRule, ...]:
     """*given* on the command line of a process, at *location*, then those *written* as remappings; none that names nodes."""
     found = [RemapRule(source=rule.source, target=rule.target, location=location, node=rule.node) for rule in given]
-    for each in written:
-        rule = rule_of(f"{each.source}:={each.target}")
+    for remap_rule in written:
+        rule = rule_of(f"{remap_rule.source}:={remap_rule.target}")
         if rule is not None:
-            found.append(replace(each, source=rule.source, node=rule.node))
+            found.append(replace(remap_rule, source=rule.source, node=rule.node))
     return tuple(rule for rule in found if rule.source not in NAMES and rule.source not in SPACES)
 
 

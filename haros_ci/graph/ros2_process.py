@@ -138,7 +138,7 @@ def named(
 
 def schemed(text: str) -> tuple[str, str]:
     """``rostopic://`` or ``rosservice://``, if a rule's source or target begins with that, and the name."""
-    scheme = next((each for each in (TOPIC, SERVICE) if text.startswith(each)), "")
+    scheme = next((item for item in (TOPIC, SERVICE) if text.startswith(item)), "")
     return scheme, text[len(scheme) :]
 
 

@@ -84,7 +84,8 @@ def documents(given: Input) -> dict[str, str]:
     found = issues(results, systems, _matches(given, scenes, results), places, rules)
     environment = _environment(given.project)
     configurations = [
-        each.json(found.queries.get(each.id, ()), environment.get(each.system.made.name, ()), sloc) for each in systems
+        system.json(found.queries.get(system.id, ()), environment.get(system.system.made.name, ()), sloc)
+        for system in systems
     ]
     measured: dict[str, list[Measurement]] = {one.path: [] for one in shown}
     for one in sorted(given.measurements):
@@ -107,7 +108,7 @@ def documents(given: Input) -> dict[str, str]:
         "rules.json": _text(rules.json()),
         "metrics.json": _text(metrics_json()),
         "configurations.json": _text(configurations),
-        **_compliance(found, [places.ids[one.path] for one in shown], [each.id for each in systems]),
+        **_compliance(found, [places.ids[one.path] for one in shown], [system.id for system in systems]),
         **{
             f"metrics/{places.ids[path]}.json": _text(measurement_json(one, places) for one in every)
             for path, every in measured.items()

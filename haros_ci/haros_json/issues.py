@@ -65,7 +65,7 @@ def issues(
         for system, objects in found:
             issue = _issue(result, places, rules)
             issue["location"] = {"configuration": system.id, **issue["location"]}
-            issue["resources"] = [each.of_issue() for each in objects]
+            issue["resources"] = [object_.of_issue() for object_ in objects]
             made.runtime.setdefault(system.id, []).append(issue)
             if objects:
                 queries = made.queries.setdefault(system.id, [])
@@ -74,7 +74,7 @@ def issues(
                         "qid": len(queries),
                         "rule": issue["rule"],
                         "name": words(result.full_id if not result.rule.startswith("user:") else result.rule),
-                        "objects": [each.of_query() for each in objects],
+                        "objects": [object_.of_query() for object_ in objects],
                     }
                 )
         if not found:

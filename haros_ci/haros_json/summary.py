@@ -71,9 +71,9 @@ def summary_json(
     """
     lines = sum(file.lines for _, file in files)
     language = {kind: sum(f.lines for _, f in files if f.language == kind) for kind in ("cpp", "python")}
-    coding = sum("code-standards" in each for each in tags)
-    metrics = sum("metrics" in each for each in tags)
-    other = sum("code-standards" not in each and "metrics" not in each for each in tags)
+    coding = sum("code-standards" in tag for tag in tags)
+    metrics = sum("metrics" in tag for tag in tags)
+    other = sum("code-standards" not in tag and "metrics" not in tag for tag in tags)
     comments = sum(_values(measurements, "comments", of_functions=False))
     complexity = _mean(_values(measurements, "cyclomatic-complexity", of_functions=True))
     lengths = (_values(measurements, metric, of_functions=True) for metric in LENGTHS)

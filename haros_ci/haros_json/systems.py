@@ -151,7 +151,7 @@ class Shown:
         return {
             **self._resource(one),
             "args": words(one.argv),
-            "conditions": self._conditions(each.made for each in one.conditions),
+            "conditions": self._conditions(condition.made for condition in one.conditions),
             **ends,
             **self._explained(one),
         }
@@ -159,7 +159,7 @@ class Shown:
     def _channel(self, one: Resource, *kinds: str) -> dict[str, Any]:
         return {
             **self._resource(one),
-            "conditions": self._conditions(each.made for each in one.conditions),
+            "conditions": self._conditions(condition.made for condition in one.conditions),
             **{kind: [name(link.node.full) for link in _ends(one, kind)] for kind in kinds},
             **self._explained(one),
         }
@@ -205,12 +205,12 @@ class Shown:
     def _variables(self, one: Resource) -> list[str]:
         """The unknowns of a node as hints name them, or of the nodes at a resource, each behind its node's name."""
         if isinstance(one, NodeInstance):
-            return [each.name for each in self.unknowns[id_of(one)]]
+            return [unknown.name for unknown in self.unknowns[id_of(one)]]
         found = []
         for link in one.all_links():
             at = self._indices[id_of(link.node)].get(id_of(link.end))
             known = self.unknowns[id_of(link.node)]
-            found += [f"{link.node.full} {each.name}" for each in known if each.index == at]
+            found += [f"{link.node.full} {variable.name}" for variable in known if variable.index == at]
         return sorted(set(found))
 
 

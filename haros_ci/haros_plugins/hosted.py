@@ -26,16 +26,18 @@ class Hosted:
         scenes = Scenes(architecture, files, project)
         views = Model(job["root"])
         wanted = frozenset(job["files"])
-        packages = [views.view(each) for each in scenes.world.packages.values() if each.name in job["packages"]]
+        packages = [
+            views.view(package) for package in scenes.world.packages.values() if package.name in job["packages"]
+        ]
         self.scopes: dict[str, list[View]] = {
             "file": [file for package in packages for file in package.source_files if file._entity.path in wanted],
             "package": packages,
-            "configuration": [views.view(each) for each in scenes.systems],
+            "configuration": [views.view(system) for system in scenes.systems],
         }
         reportable = {view.id: view for kind in ORDER for view in self.scopes[kind]}
-        every = {f"package:{each.name}": views.view(each) for each in scenes.world.packages.values()}
-        self.rules = {each["id"]: Described(**each) for each in job["rules"]}
-        self.metrics = {each["id"]: Described(**each) for each in job["metrics"]}
+        every = {f"package:{package.name}": views.view(package) for package in scenes.world.packages.values()}
+        self.rules = {item["id"]: Described(**item) for item in job["rules"]}
+        self.metrics = {item["id"]: Described(**item) for item in job["metrics"]}
         self.iface = PluginInterface(job["name"], job["home"], self.rules, self.metrics, {**every, **reportable}, say)
 
     def run(self, module: ModuleType, request: Mapping[str, Any]) -> None:

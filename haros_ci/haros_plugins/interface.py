@@ -137,12 +137,12 @@ class PluginInterface:
             raise AnalysisScopeError("must provide a Configuration scope")
         about = list(resources or ())
         kinds = (CLASSES["Resource"], CLASSES["RosPrimitive"])
-        if any(not isinstance(each, kinds) or each.configuration is not self._scope for each in about):  # type: ignore[attr-defined]
+        if any(not isinstance(item, kinds) or item.configuration is not self._scope for item in about):  # type: ignore[attr-defined]
             raise AnalysisScopeError("must point to resources within the Configuration scope")
         rule = self._known(rule_id, self._rules)
         if rule is not None:
             said = {"kind": "violation", "rule": rule.id, "message": str(msg)[:20_000]}
-            self._say({**said, **self._place(None, None, None, None), "resources": [_resource(each) for each in about]})
+            self._say({**said, **self._place(None, None, None, None), "resources": [_resource(item) for item in about]})
 
     def report_metric(
         self,
@@ -193,7 +193,7 @@ def _resource(view: View) -> dict[str, Any]:
     name = getattr(entity, "full", None) or getattr(getattr(entity, "resource", None), "full", "")
     node = getattr(getattr(entity, "node", None), "full", "")
     return {
-        "names": [each for each in (name, node) if each],
+        "names": [item for item in (name, node) if item],
         "path": getattr(place, "path", None),
         "line": getattr(place, "line", None),
         "column": getattr(place, "column", None),

@@ -78,14 +78,14 @@ def read(name: str, root: Path) -> HarosPlugin:
         version=str(data["version"]),
         digest=digest(spec),
         home=home,
-        languages=tuple(str(each) for each in _list(name, data, "languages")),
+        languages=tuple(str(item) for item in _list(name, data, "languages")),
         rules={
-            id: _rule(id, str(each.get("name") or id), str(each.get("description") or ""), _tags(each))
-            for id, each in _map(name, data, "rules").items()
+            id: _rule(id, str(item.get("name") or id), str(item.get("description") or ""), _tags(item))
+            for id, item in _map(name, data, "rules").items()
             if id not in RULES  # as in HAROS, where a shared rule cannot be overridden
         },
-        metrics={id: _metric(name, id, each) for id, each in _map(name, data, "metrics").items() if id not in METRICS},
-        queries={id: each for id, each in _map(name, data, "rules").items() if each.get("query") and id not in RULES},
+        metrics={id: _metric(name, id, item) for id, item in _map(name, data, "metrics").items() if id not in METRICS},
+        queries={id: item for id, item in _map(name, data, "rules").items() if item.get("query") and id not in RULES},
         hooks=hooks,
     )
 
@@ -120,8 +120,8 @@ def _hooks(name: str, path: Path) -> frozenset[str]:
         elif isinstance(node, ast.ImportFrom):
             found.update(alias.asname or alias.name for alias in node.names)
         elif isinstance(node, (ast.Assign, ast.If, ast.Try)):
-            found.update(each.id for each in ast.walk(node) if isinstance(each, ast.Name))
-            found.update(each.name for each in ast.walk(node) if isinstance(each, ast.FunctionDef))
+            found.update(other_node.id for other_node in ast.walk(node) if isinstance(other_node, ast.Name))
+            found.update(other_node.name for other_node in ast.walk(node) if isinstance(other_node, ast.FunctionDef))
     return frozenset(found)
 
 
@@ -140,7 +140,7 @@ def _map(name: str, data: Mapping[str, Any], key: str) -> dict[str, dict[str, An
     value = data.get(key) or {}
     if not isinstance(value, dict) or not all(isinstance(v, dict) for v in value.values()):
         raise _malformed(name, f"'{key}' of plugin.yaml is no map from ids to maps")
-    return {str(id): each for id, each in value.items()}
+    return {str(id): item for id, item in value.items()}
 
 
 def _list(name: str, data: Mapping[str, Any], key: str) -> list[Any]:

@@ -92,24 +92,24 @@ def run(
         model = directory / "model"
         model.write_bytes(pickle.dumps(scene.model))
         for plugin in plugins:
-            each = Told(plugin)
-            told.append(each)
+            output = Told(plugin)
+            told.append(output)
             scratch = directory / plugin.name
-            talk = _started(each, scene, model, scratch, seconds[plugin.name], stack)
+            talk = _started(output, scene, model, scratch, seconds[plugin.name], stack)
             if talk is None:
                 continue
-            if _asked(each, talk, _job(plugin, scene, model)) and _asked(each, talk, {"phase": "analysis"}):
-                open_ones.append((each, talk, scratch))
+            if _asked(output, talk, _job(plugin, scene, model)) and _asked(output, talk, {"phase": "analysis"}):
+                open_ones.append((output, talk, scratch))
             else:
                 talk.__exit__(None, None, None)
-                _exported(each, scratch, export)
-        given = _merged([violations, *(_by_scope(each.violations, each.plugin) for each in told)])
-        values = _merged([metrics, *(_by_scope(each.metrics, each.plugin) for each in told)])
-        for each, talk, scratch in open_ones:
-            if _processes(each.plugin):
-                _asked(each, talk, {"phase": "processing", "violations": given, "metrics": values})
+                _exported(output, scratch, export)
+        given = _merged([violations, *(_by_scope(output.violations, output.plugin) for output in told)])
+        values = _merged([metrics, *(_by_scope(output.metrics, output.plugin) for output in told)])
+        for output, talk, scratch in open_ones:
+            if _processes(output.plugin):
+                _asked(output, talk, {"phase": "processing", "violations": given, "metrics": values})
             talk.__exit__(None, None, None)
-            _exported(each, scratch, export)
+            _exported(output, scratch, export)
     return tuple(told)
 
 
@@ -178,17 +178,17 @@ def _processes(plugin: HarosPlugin) -> bool:
 def _by_scope(data: Iterable[Data], plugin: HarosPlugin) -> dict[str, list[Data]]:
     """The data of a plug-in as others see them: their ids are then whole."""
     found: dict[str, list[Data]] = {}
-    for each in data:
-        seen = {key: each.get(key) for key in ("line", "function", "class", "message", "value")}
-        id = str(each.get("rule", each.get("metric")))
-        if "rule" in each:
+    for item in data:
+        seen = {key: item.get(key) for key in ("line", "function", "class", "message", "value")}
+        id = str(item.get("rule", item.get("metric")))
+        if "rule" in item:
             rule = plugin.rules.get(id)
             seen["rule"] = f"{plugin.name}:{id}" if rule is not None else id
             seen |= {"name": rule.summary if rule else id, "description": rule.help if rule else ""}
             seen["tags"] = list(rule.tags) if rule else []
         else:
             seen["metric"] = f"{plugin.name}:{id}" if id in plugin.metrics else id
-        found.setdefault(str(each.get("scope")), []).append(seen)
+        found.setdefault(str(item.get("scope")), []).append(seen)
     return found
 
 

@@ -83,7 +83,7 @@ class View:
     def __contains__(self, item: object) -> bool:
         if isinstance(item, View):
             return item in self._items()
-        return any(getattr(each, "id", each) == item for each in self._items())
+        return any(getattr(entry, "id", entry) == item for entry in self._items())
 
     def _items(self) -> list[Any]:
         items = self._entity.items

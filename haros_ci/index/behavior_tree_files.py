@@ -63,12 +63,12 @@ class Trees:
         """The nodes of the tree *name* and of its subtrees, and whether these are all: every one of them is here."""
         reached, waiting = dict.fromkeys((name,)), [name]
         while waiting:
-            for each in self.inner.get(waiting.pop(), ()):
-                if each not in reached:
-                    reached[each] = None
-                    waiting.append(each)
-        is_whole = all(each in self.tags for each in reached)
-        return tuple(tag for each in reached for tag in self.tags.get(each, ())), is_whole
+            for item in self.inner.get(waiting.pop(), ()):
+                if item not in reached:
+                    reached[item] = None
+                    waiting.append(item)
+        is_whole = all(item in self.tags for item in reached)
+        return tuple(tag for item in reached for tag in self.tags.get(item, ())), is_whole
 
     def beside(self, others: Iterable[Trees]) -> Trees:
         """These trees and those that were read before."""
@@ -116,24 +116,30 @@ class TreeFiles:
 
     def registered(self, library: str | None) -> list[tuple[Source, Function]]:
         """What registers the nodes of a library by the name of its file; of all libraries of the workspace for None."""
-        found = [each for each in self.index.functions.get(REGISTER, ()) if each[1].body is not None]
+        found = [function for function in self.index.functions.get(REGISTER, ()) if function[1].body is not None]
         if library is None:
-            return sorted((each for each in found if not _is_test(each[0].path)), key=lambda each: each[0].path)
+            return sorted(
+                (definition for definition in found if not _is_test(definition[0].path)),
+                key=lambda definition: definition[0].path,
+            )
         name = library.rpartition("/")[2].removesuffix(".so").removeprefix("lib")
         targets = [target for build in self.builds.values() for target in build.targets if target.kind == "library"]
-        sources = {path for each in targets if name in (each.output, each.name) for path in each.sources}
-        return [each for each in found if each[0].path in sources]
+        sources = {path for target in targets if name in (target.output, target.name) for path in target.sources}
+        return [definition for definition in found if definition[0].path in sources]
 
 
 def trees_of(root: LaunchElement) -> Trees:
     """What the file with the tag *root* says; *root* may be one tree by itself."""
     tags: dict[str, tuple[Tag, ...]] = {}
     inner: dict[str, tuple[str, ...]] = {}
-    for tree in (root,) if root.tag == TREE else (each for each in root.children if each.tag == TREE):
+    for tree in (root,) if root.tag == TREE else (child for child in root.children if child.tag == TREE):
         name = tree.get("ID") or ""
         below = list(_below(tree))
-        subtrees = tuple(each.get("ID") or "" for each in below if each.tag in SUBTREES)
-        tags[name] = (*tags.get(name, ()), *(_tag(each) for each in below if each.tag not in SUBTREES))
+        subtrees = tuple(launch_element.get("ID") or "" for launch_element in below if launch_element.tag in SUBTREES)
+        tags[name] = (
+            *tags.get(name, ()),
+            *(_tag(launch_element) for launch_element in below if launch_element.tag not in SUBTREES),
+        )
         inner[name] = (*inner.get(name, ()), *subtrees)
     main = root.get("main_tree_to_execute") or (next(iter(tags)) if len(tags) == 1 else "(of several)")
     return Trees(tags, main, inner)
@@ -155,7 +161,7 @@ def _tag(element: LaunchElement) -> Tag:
 
 def makes_trees(source: Source) -> bool:
     """Whether a file includes what makes trees and registers their nodes."""
-    return any(TREES in each for each in source.program.includes)
+    return any(TREES in include for include in source.program.includes)
 
 
 def users(index: Index) -> frozenset[str]:

@@ -69,16 +69,16 @@ def _through_alias(index: Index, source: Source, function: Function) -> None:
 
 def _told_once(fields: tuple[Field, ...]) -> tuple[Field, ...]:
     """*fields* with one of each name: what two branches of an #if define starts as either says."""
-    if len({each.name for each in fields}) == len(fields):
+    if len({field.name for field in fields}) == len(fields):
         return fields
     found: dict[str, Field] = {}
-    for each in fields:
-        known = found.get(each.name)
+    for field in fields:
+        known = found.get(field.name)
         if known is None or known.init is None:
-            found[each.name] = each
-        elif each.init is not None and each.init != known.init:
-            either = syntax.Conditional(syntax.Unknown(EITHER), _start(known.init), _start(each.init))
-            found[each.name] = syntax.replace(known, init=syntax.Equals(either))
+            found[field.name] = field
+        elif field.init is not None and field.init != known.init:
+            either = syntax.Conditional(syntax.Unknown(EITHER), _start(known.init), _start(field.init))
+            found[field.name] = syntax.replace(known, init=syntax.Equals(either))
     return tuple(found.values())
 
 

@@ -156,21 +156,21 @@ class Index:
             if source is None:
                 continue
             reached = {path, *self.reach(path)}
-            is_loading = is_loading or any(self._loads(each) for each in reached)
+            is_loading = is_loading or any(self._loads(item) for item in reached)
             found |= reached
-            new = {self.sources[each].package for each in reached if each in self.sources} - packages
+            new = {self.sources[item].package for item in reached if item in self.sources} - packages
             packages |= new
             for package in new:
-                more = {each for each in self._sources_of(package) if each not in found}
+                more = {source for source in self._sources_of(package) if source not in found}
                 found |= more
                 waiting += sorted(more)
             if not waiting and is_loading:
-                bases = {BEHAVIOR_TREE_NODE} if any(self._ticks(each) for each in found) else set()
+                bases = {BEHAVIOR_TREE_NODE} if any(self._ticks(item) for item in found) else set()
                 bases |= {
-                    each.name.rpartition("::")[2]
+                    class_.name.rpartition("::")[2]
                     for p in found
                     if p in self.sources
-                    for each in self.sources[p].program.classes
+                    for class_ in self.sources[p].program.classes
                 }
                 more = {path for base, paths in plugins if base in bases for path in paths} - found
                 packages |= {self.sources[path].package for path in more if path in self.sources}
@@ -188,11 +188,13 @@ class Index:
 
     def _loads(self, path: str) -> bool:
         source = self.sources.get(path)
-        return source is not None and any("class_loader" in each or TREES in each for each in source.program.includes)
+        return source is not None and any(
+            "class_loader" in include or TREES in include for include in source.program.includes
+        )
 
     def _ticks(self, path: str) -> bool:
         source = self.sources.get(path)
-        return source is not None and any(TREES in each for each in source.program.includes)
+        return source is not None and any(TREES in include for include in source.program.includes)
 
     def reach(self, path: str) -> frozenset[str]:
         """The workspace's files that a C++ file includes, and those that they include."""
@@ -295,11 +297,11 @@ def aliased(index: Index, name: str, source: Source | None = None, depth: int = 
     targets: set[str | None] = set()
     for where, alias in found:
         around = name.rpartition("::")[0]
-        names = [each for each in index.scopes(alias.type.name, around, where) if each != name]
-        target = next((each for each in names if index.classes.get(each)), None)
+        names = [scope for scope in index.scopes(alias.type.name, around, where) if scope != name]
+        target = next((item for item in names if index.classes.get(item)), None)
         if target is None and depth < ALIASES:
-            deeper = (aliased(index, each, where, depth + 1) for each in names if each in index.aliases)
-            target = next((each for each in deeper if each is not None), None)
+            deeper = (aliased(index, item, where, depth + 1) for item in names if item in index.aliases)
+            target = next((item for item in deeper if item is not None), None)
         targets.add(None if alias.type.marks else target)
     return targets.pop() if len(targets) == 1 else None
 
@@ -309,6 +311,6 @@ def pointed_class(index: Index, name: str, scope: str, source: Source) -> str | 
     for suffix in POINTERS:
         bare = name.removesuffix(suffix)
         if bare != name:
-            names = (each for each in index.scopes(bare, scope, source) if index.classes.get(each))
-            return next((each for each in names if index.includes(source, index.classes[each])), None)
+            names = (item for item in index.scopes(bare, scope, source) if index.classes.get(item))
+            return next((item for item in names if index.includes(source, index.classes[item])), None)
     return None

@@ -192,7 +192,7 @@ class Relevance:
     def _templates_of(self, function: Function) -> frozenset[str]:
         """The template parameters of a function and of its class."""
         owners = dict.get(self._index.classes, function.owner, ()) if function.owner else ()
-        return frozenset(function.templates).union(*(each.templates for _, each in owners))
+        return frozenset(function.templates).union(*(owner.templates for _, owner in owners))
 
     def _is_open(self, parameter: Parameter, function: Function, source: Source) -> bool:
         return may_be_called(parameter.type, source, self._function_types) or parameter.type.name in function.templates
@@ -275,7 +275,7 @@ class Relevance:
     def rules(self) -> tuple[Any, ...]:
         """What is relevant by itself, whatever is called: a change of it voids all that was followed."""
         sets = (self._api, self._registering, self.shared, self.holding, self._function_types, self._functors)
-        return tuple(tuple(sorted(each)) for each in (*sets, self._functor_members))
+        return tuple(tuple(sorted(group)) for group in (*sets, self._functor_members))
 
     def _assigned(self, block: Part) -> frozenset[str]:
         known = self._targets.get(id(block))

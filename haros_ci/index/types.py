@@ -203,7 +203,7 @@ def _of_library(index: Index, name: str, spaces: set[str], scope: str) -> str:
     bare = name.removesuffix("Ptr")
     either = {space: {f"{space}::{name}", f"{space}::{bare}"} for space in sorted(spaces)}
     homes = [space for space, names in either.items() if not names.isdisjoint(index.library)]
-    is_inherited = name[:1].islower() and any(each.bases for _, each in index.classes.get(scope, ()))
+    is_inherited = name[:1].islower() and any(class_.bases for _, class_ in index.classes.get(scope, ()))
     return f"{homes[0]}::{name}" if len(homes) == 1 and not is_inherited else name
 
 

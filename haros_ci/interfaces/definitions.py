@@ -48,15 +48,15 @@ class Definitions:
     def __init__(self, found: Iterable[Interface], ros: int) -> None:
         self.ros = ros
         self._own: dict[tuple[str, str], tuple[Interface, ...]] = {}
-        for each in found:
-            same = self._own.get((each.kind, each.name), ())
-            self._own[each.kind, each.name] = (*same, each)
-        self._packages = frozenset(each.name.partition("/")[0] for each in self._own_all())
+        for interface in found:
+            same = self._own.get((interface.kind, interface.name), ())
+            self._own[interface.kind, interface.name] = (*same, interface)
+        self._packages = frozenset(interface.name.partition("/")[0] for interface in self._own_all())
         #: Hashes that are known, by kind and name: a memory for md5 and rihs01.
         self.hashes: dict[tuple[str, str], str | None] = {}
 
     def _own_all(self) -> Iterable[Interface]:
-        return (each for same in self._own.values() for each in same)
+        return (interface for same in self._own.values() for interface in same)
 
     def variants(self, kind: str, name: str) -> tuple[Interface, ...]:
         """All definitions of ``pkg/T`` that it can be: the workspace's, else those of the distributions; empty if not known."""
@@ -71,7 +71,11 @@ class Definitions:
         """The one definition of ``pkg/T``; None if it is not known, or not the same everywhere."""
         found = self.variants(kind, name)
         is_old = self.ros == 1
-        if not found or not all(each.is_whole for each in found) or len({on_wire(each, is_old) for each in found}) > 1:
+        if (
+            not found
+            or not all(interface.is_whole for interface in found)
+            or len({on_wire(interface, is_old) for interface in found}) > 1
+        ):
             return None
         return found[0]
 

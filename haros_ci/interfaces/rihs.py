@@ -62,7 +62,7 @@ def hash_of(name: str, described: Mapping[str, Fields]) -> str | None:
         {
             "type_description": {"type_name": name, "fields": described[name]},
             "referenced_type_descriptions": [
-                {"type_name": each, "fields": described[each]} for each in sorted(referenced)
+                {"type_name": item, "fields": described[item]} for item in sorted(referenced)
             ],
         }
     )
@@ -139,7 +139,7 @@ def _action(name: str, parts: Sequence[Fields], made: dict[str, Fields], waiting
     got = [_field("status", _IDS["int8"]), _field("result", _NESTED, nested=result)]
     _service(get, ([of_goal], got), made, waiting)
     made[message] = [of_goal, _field("feedback", _NESTED, nested=feedback)]
-    waiting += (("msg", each.replace("/msg/", "/")) for each in (_UUID, _TIME))
+    waiting += (("msg", item.replace("/msg/", "/")) for item in (_UUID, _TIME))
 
 
 def _fields(fields: Iterable[InterfaceField], package: str, waiting: list[tuple[str, str]]) -> Fields | None:

@@ -98,7 +98,7 @@ class Structs:
         if found is None or number >= len(found.sections):
             return None
         constants = (
-            f.name for each in self.known.variants(kind, name) for s in each.sections for f in s if f.is_constant
+            f.name for variant in self.known.variants(kind, name) for s in variant.sections for f in s if f.is_constant
         )
         fields = {f.name: _own(f, found, self.known.ros) for f in found.sections[number] if not f.is_constant}
         return Struct(dotted, fields, frozenset(constants))

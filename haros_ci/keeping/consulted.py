@@ -68,7 +68,7 @@ def small(trace: Trace, relevance: Relevance, view: tuple[str, int, frozenset[st
     if not trace.is_whole:
         return None
     effects = [_effect(source, function, names) for source, function, names in trace.effects.values()]
-    known = [each for each in effects if each is not None]
+    known = [effect for effect in effects if effect is not None]
     return Consulted(
         tuple(sorted(trace.paths)),
         _packed(map(number_of, trace.names)),
@@ -108,9 +108,14 @@ def last(name: str) -> str:
 
 def _effect(source: Source, function: Function, changed: frozenset[str]) -> Effect | None:
     """What a function changes, so that it can be compared; None where the function is not one of its file as it stands."""
-    same = [each for each in source.program.functions if each.name == function.name]
+    same = [other_function for other_function in source.program.functions if other_function.name == function.name]
     place = next(
-        (n for n, each in enumerate(same) if (each.line, each.column) == (function.line, function.column)), None
+        (
+            n
+            for n, other_function in enumerate(same)
+            if (other_function.line, other_function.column) == (function.line, function.column)
+        ),
+        None,
     )
     return None if place is None else (source.path, function.name, place, _sum_of(changed))
 
@@ -159,7 +164,9 @@ def _answers_hold(consulted: Consulted, now: Now) -> bool:
         return False
     for path, name, place, number in consulted.effects:
         source = now.sources.get(path)
-        same = [each for each in source.program.functions if each.name == name] if source is not None else []
+        same = (
+            [function for function in source.program.functions if function.name == name] if source is not None else []
+        )
         if source is None or place >= len(same) or _sum_of(relevance.changes(same[place], source)) != number:
             return False
     return True
@@ -210,7 +217,9 @@ def _only_bodies(
     if found is None:
         return False
     earlier, later = _functions(before.program), _functions(now.program)
-    if any(each.owner in aliases for name in found.around for each in later[name]):  # known under another name, too
+    if any(
+        function.owner in aliases for name in found.around for function in later[name]
+    ):  # known under another name, too
         return False
     change.lines[path] = found.lines
     change.bodies |= {body_of(path, name) for name in found.around}
@@ -233,7 +242,7 @@ def _compare(change: Change, path: str, before: Source, now: Source, relevance: 
     earlier, later = _functions(old), _functions(new)
     for name in earlier.keys() | later.keys():
         gone_ones, come_ones = earlier.get(name, []), later.get(name, [])
-        if [_head(each) for each in gone_ones] != [_head(each) for each in come_ones]:
+        if [_head(function) for function in gone_ones] != [_head(function) for function in come_ones]:
             change.names.add(number_of(name))
             change.is_shape = change.is_shape or "operator" in name
         if gone_ones != come_ones and _does_other(before, now, gone_ones, come_ones, relevance):
@@ -272,10 +281,10 @@ def _does_other(
     old: Source, new: Source, gone: list[Function], come: list[Function], relevance: Sequence[Relevance]
 ) -> bool:
     """Whether the functions of one name call or assign to other names than before: who relies on it has it in its trace."""
-    for each in relevance:
-        before = frozenset(called for function in gone for called in each.calls_of(function, old))
-        after = frozenset(called for function in come for called in each.calls_of(function, new))
-        assigned = [frozenset(a for f in group for a in each.assigned_in(f)) for group in (gone, come)]
+    for other_relevance in relevance:
+        before = frozenset(called for function in gone for called in other_relevance.calls_of(function, old))
+        after = frozenset(called for function in come for called in other_relevance.calls_of(function, new))
+        assigned = [frozenset(a for f in group for a in other_relevance.assigned_in(f)) for group in (gone, come)]
         if before != after or assigned[0] != assigned[1]:
             return True
     return False

@@ -54,14 +54,14 @@ def written(files: Mapping[str, str], followed: Iterable[tuple[Any, Followed]]) 
     """A record as JSON: paths and names once, what nodes of one library consulted once."""
     traces: dict[Consulted, int] = {}
     items = []
-    for key, each in followed:
-        if each.consulted is None:
+    for key, other_followed in followed:
+        if other_followed.consulted is None:
             continue
         try:
-            item = [to_json(key), *_written(each)]
+            item = [to_json(key), *_written(other_followed)]
         except Unfit:
             continue
-        items.append([traces.setdefault(each.consulted, len(traces)), *item])
+        items.append([traces.setdefault(other_followed.consulted, len(traces)), *item])
     paths = {path: number for number, path in enumerate(sorted(files))}
     names: dict[str, int] = {}
 
@@ -73,21 +73,21 @@ def written(files: Mapping[str, str], followed: Iterable[tuple[Any, Followed]]) 
 
     def numbers_of(effects: Iterable[Effect]) -> str:
         """Those in files; the code that is made from descriptions of parameters changes with these, which void the record."""
-        in_files = (each for each in effects if each[0] in paths)
+        in_files = (effect for effect in effects if effect[0] in paths)
         return _packed([n for path, name, *rest in in_files for n in (paths[path], _at(names, name), *rest)])
 
     kept_traces = [
         [
-            known(each.paths),
-            b64encode(each.names).decode(),
-            each.has_scanned,
-            known(each.roots),
-            b64encode(each.bodies).decode(),
-            [*each.view[:2], known(each.view[2])],
-            None if each.answers is None else [numbered(group) for group in each.answers],
-            None if each.effects is None else numbers_of(each.effects),
+            known(trace.paths),
+            b64encode(trace.names).decode(),
+            trace.has_scanned,
+            known(trace.roots),
+            b64encode(trace.bodies).decode(),
+            [*trace.view[:2], known(trace.view[2])],
+            None if trace.answers is None else [numbered(group) for group in trace.answers],
+            None if trace.effects is None else numbers_of(trace.effects),
         ]
-        for each in traces
+        for trace in traces
     ]
     return [list(files.items()), list(names), kept_traces, items]
 
@@ -105,19 +105,29 @@ def _unpacked(data: Any) -> tuple[int, ...]:
     return unpack(f"<{len(held) // 4}I", held)
 
 
-def _written(each: Followed) -> list[Any]:
+def _written(followed: Followed) -> list[Any]:
     nodes: dict[int, int] = {}
     table: list[RosNode] = []
-    for node in (*each.nodes, *(made.node for made in each.made if made.node is not None)):
+    for node in (*followed.nodes, *(made.node for made in followed.made if made.node is not None)):
         if id(node) not in nodes:
             nodes[id(node)] = len(table)
             table.append(node)
-    made = [[nodes[id(m.node)] if m.node is not None else -1, to_json(replace(m, node=None))] for m in each.made]
-    asked = [[name, to_json(value)] for name, value in each.asked.items()]
-    gaps = [[said, to_json(where)] for said, where in each.gaps.items()]
-    problems = [[problem.message, to_json(Location(problem.path, problem.line))] for problem in each.problems]
-    twins = [[twin.name, to_json(twin.first), to_json(twin.second)] for twin in each.twins]
-    return [to_json(tuple(table)), len(each.nodes), made, asked, gaps, to_json(each.names), problems, twins, each.steps]
+    made = [[nodes[id(m.node)] if m.node is not None else -1, to_json(replace(m, node=None))] for m in followed.made]
+    asked = [[name, to_json(value)] for name, value in followed.asked.items()]
+    gaps = [[said, to_json(where)] for said, where in followed.gaps.items()]
+    problems = [[problem.message, to_json(Location(problem.path, problem.line))] for problem in followed.problems]
+    twins = [[twin.name, to_json(twin.first), to_json(twin.second)] for twin in followed.twins]
+    return [
+        to_json(tuple(table)),
+        len(followed.nodes),
+        made,
+        asked,
+        gaps,
+        to_json(followed.names),
+        problems,
+        twins,
+        followed.steps,
+    ]
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,10 +164,10 @@ def read(
     """
     try:
         paths = sorted(earlier.files)
-        consulted = [_consulted(each, paths, earlier.names) for each in earlier.traces]
+        consulted = [_consulted(trace, paths, earlier.names) for trace in earlier.traces]
     except (Unfit, ValueError, TypeError, error):
         return []
-    holding = [each if holds(each) else None for each in consulted]
+    holding = [consulted if holds(consulted) else None for consulted in consulted]
     try:
         found = []
         for number, (trace, key, *item) in enumerate(earlier.followed):
@@ -177,13 +187,13 @@ def read(
             if not isinstance(nodes, tuple) or not all(node.__class__ is RosNode for node in nodes):
                 return []
             followed = Followed(
-                made=tuple(_made(each, nodes) for each in made),
-                problems=tuple(_problem(each) for each in problems),
+                made=tuple(_made(entry, nodes) for entry in made),
+                problems=tuple(_problem(problem) for problem in problems),
                 names=_names(from_json(names)),
                 gaps={_text(said): _location(from_json(where)) for said, where in gaps},
                 asked={_text(name): from_json(value) for name, value in asked},
                 nodes=nodes[: _count(count)],
-                twins=tuple(_twin(each) for each in twins),
+                twins=tuple(_twin(twin) for twin in twins),
                 consulted=what,
                 steps=_count(steps),
             )

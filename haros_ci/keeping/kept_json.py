@@ -196,4 +196,4 @@ def _now(line: Any, known: Mapping[int, int]) -> int | None:
     return known[line]
 
 
-assert all(set(CLASSES[kind]) == {each.name for each in fields(kind)} for kind in CLASSES)
+assert all(set(CLASSES[kind]) == {field.name for field in fields(kind)} for kind in CLASSES)

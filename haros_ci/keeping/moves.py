@@ -84,7 +84,7 @@ def _same_body(old: Function, new: Function, lines: Lines) -> bool:
 
 
 def _same_guards(old: Sequence[tuple[int, int, str]], new: Sequence[tuple[int, int, str]], lines: Lines) -> bool:
-    return [each[1:] for each in old] == [each[1:] for each in new] and _paired(
+    return [item[1:] for item in old] == [item[1:] for item in new] and _paired(
         ((one[0], other[0]) for one, other in zip(old, new, strict=True)), lines
     )
 

@@ -50,7 +50,9 @@ class Knowledge:
     def is_known(self, name: str) -> bool:
         """Whether there is anything of this name: a package, a repository that may have one, a key of rosdep."""
         sections = ("packages", "others", "keys")
-        return any(name in self.facts.section(each) for each in sections) or "-" in name  # REP 144: no package has that
+        return (
+            any(name in self.facts.section(section) for section in sections) or "-" in name
+        )  # REP 144: no package has that
 
     def is_in(self, name: str, ros: int | None) -> bool:
         """Whether a distribution of *ros* 1 or 2 (None: of either) has the package, or rosdep the key."""
@@ -59,7 +61,9 @@ class Knowledge:
             return mask is not None or self.is_key(name)
         bits = int(mask, 16)
         distributions = self.facts.about["distributions"]
-        return any(bits >> at & 1 and (each in ROS_1) == (ros == 1) for at, each in enumerate(distributions))
+        return any(
+            bits >> at & 1 and (distribution in ROS_1) == (ros == 1) for at, distribution in enumerate(distributions)
+        )
 
     def is_current(self, name: str, ros: int | None) -> bool:
         """Whether a distribution of *ros* that is not long gone has the package, or rosdep the key: of ROS 1 Melodic or Noetic, of ROS 2 any."""
@@ -68,9 +72,11 @@ class Knowledge:
             return self.is_in(name, ros)
         bits, distributions = int(mask, 16), self.facts.about["distributions"]
         alive = [
-            each for at, each in enumerate(distributions) if bits >> at & 1 and (each not in ROS_1 or each in _CURRENT)
+            distribution
+            for at, distribution in enumerate(distributions)
+            if bits >> at & 1 and (distribution not in ROS_1 or distribution in _CURRENT)
         ]
-        return any(ros is None or (each in ROS_1) == (ros == 1) for each in alive)
+        return any(ros is None or (item in ROS_1) == (ros == 1) for item in alive)
 
     @property
     def is_there(self) -> bool:
@@ -97,13 +103,13 @@ class Knowledge:
         """
         wanted = set("12") if ros is None else {str(ros)}
         is_meta, is_plain = (
-            bool(wanted & set(self.facts.section(each).get(name, ""))) for each in ("metapackages", "plain")
+            bool(wanted & set(self.facts.section(item).get(name, ""))) for item in ("metapackages", "plain")
         )
         return is_meta if is_meta != is_plain else None
 
     def depends(self, name: str, ros: int | None = None) -> frozenset[str] | None:
         """What comes with *name* once it is installed, in any distribution of *ros* 1 or 2 (None: of both)."""
-        found = [self.facts.words(f"requires{each}", name) for each in ((ros,) if ros in (1, 2) else (1, 2))]
+        found = [self.facts.words(f"requires{number}", name) for number in ((ros,) if ros in (1, 2) else (1, 2))]
         found.append(self.facts.words("keys", name))
         rows = [row for row in found if row is not None]
         return frozenset().union(*rows) - {_UNSURE} if rows else None

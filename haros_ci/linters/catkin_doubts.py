@@ -119,14 +119,14 @@ def is_refuted(
 
 def _has_no_module(setup: str, directory: str, workspace: Workspace) -> bool:
     """Whether the directories that setup.py names for its packages have no Python file, and it installs nothing else: a call would fail."""
-    folders = [pair for each in _PACKAGE_DIR.finditer(setup) for pair in _FOLDER.findall(each[1])]
-    named = [name for each in _PACKAGES.finditer(setup) for name in _QUOTED.findall(each[1])]
+    folders = [pair for match in _PACKAGE_DIR.finditer(setup) for pair in _FOLDER.findall(match[1])]
+    named = [name for match in _PACKAGES.finditer(setup) for name in _QUOTED.findall(match[1])]
     if not folders or _OTHERS.search(setup):
         return False
     below: list[str] = []
     for key, folder in folders:
         inner = [name.replace(".", "/") for name in named] if named and not key else [""]
-        below += [f"{normpath(join(directory, folder, each))}/" for each in inner]
+        below += [f"{normpath(join(directory, folder, item))}/" for item in inner]
     return not any(name.endswith(".py") and name.startswith(tuple(below)) for name in workspace.names)
 
 

@@ -38,8 +38,8 @@ def _lines(text: str) -> frozenset[int]:
             continue
         first = next(iter((*node.args.posonlyargs, *node.args.args)), None)
         is_called_so = first is not None and first.arg in CLASS
-        if is_called_so or any(_last(each) in _MAKING for each in node.decorator_list):
-            found.update(range(min(each.lineno for each in node.decorator_list), node.lineno + 1))
+        if is_called_so or any(_last(other_node) in _MAKING for other_node in node.decorator_list):
+            found.update(range(min(other_node.lineno for other_node in node.decorator_list), node.lineno + 1))
     return frozenset(found)
 
 
@@ -71,7 +71,7 @@ def _methods(text: str) -> tuple[tuple[int, int, str, str, str], ...]:
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return ()
     found: list[tuple[int, int, str, str, str]] = []
-    for owner in (each for each in ast.walk(tree) if isinstance(each, ast.ClassDef)):
+    for owner in (node for node in ast.walk(tree) if isinstance(node, ast.ClassDef)):
         for node in owner.body:
             if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)) and not node.decorator_list:
                 first = next(iter((*node.args.posonlyargs, *node.args.args)), None)

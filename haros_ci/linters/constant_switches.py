@@ -22,7 +22,7 @@ def is_switched_by_hand(line: int, text: str) -> bool:
     inside = scopes(text, "cpp")
     here = inside.at(line)
     lines = text.split("\n")
-    own = "\n".join("" if inside.at(number) != here else each for number, each in enumerate(lines, start=1))
+    own = "\n".join("" if inside.at(number) != here else item for number, item in enumerate(lines, start=1))
     plain = _COMMENT.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), own)
     return bool(names) and bool(here) and all(_is_constant(name, plain) for name in names)
 

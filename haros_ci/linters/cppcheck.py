@@ -88,7 +88,7 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
         headers = tuple(sorted(includes.closure(path, direct)))
         seen.update(headers)
         libraries = cppcheck_libraries.together(
-            (asked[each] for each in (path, *headers)),
+            (asked[header] for header in (path, *headers)),
             no_keywords=files[path].package in without or "-DQT_NO_KEYWORDS" in setups[path][1],
         )
         group = json.dumps(["c" if path.endswith(".c") else "c++", *setups[path], libraries, macros])

@@ -122,7 +122,7 @@ def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
         return _is_of_numbers(message, _line(text, line))
     if rule == "memleak":  # who names it so, or says so just above, means it
         near = "\n".join(text.split("\n")[max(line - 7, 0) : line])
-        return _LEAKED.search(message) is not None or any(_LEAKS.search(each[0]) for each in _COMMENT.finditer(near))
+        return _LEAKED.search(message) is not None or any(_LEAKS.search(match[0]) for match in _COMMENT.finditer(near))
     if rule in _OF_PROVOKED:
         return _is_provoked(line, text)
     if rule == "unusedVariable" and is_meant(line, text):

@@ -88,7 +88,7 @@ def together(asked: Iterable[Iterable[str]], *, no_keywords: bool = False) -> tu
 
     NO_KEYWORDS among them says that Qt's plain words have no meaning.
     """
-    every = {library for each in asked for library in each}
+    every = {library for item in asked for library in item}
     if no_keywords or NO_KEYWORDS in every:
         every = every | {NO_KEYWORDS} if "qt" in every else every - {NO_KEYWORDS}
     return tuple(sorted(every))

@@ -112,7 +112,7 @@ def is_meant(line: int, text: str) -> bool:
         return False
     above = lines[line - 2].strip()[:_LONGEST] if line > 1 else ""
     near = [lines[line - 1][:_LONGEST], above if above.startswith(("//", "/*", "*")) else ""]
-    if any(_MEANT.search(remark[0] or remark[1]) for each in near for remark in _REMARK.findall(each)):
+    if any(_MEANT.search(remark[0] or remark[1]) for other_text in near for remark in _REMARK.findall(other_text)):
         return True
     return _is_test_of_declarations(line, lines)
 
@@ -120,9 +120,9 @@ def is_meant(line: int, text: str) -> bool:
 def _is_test_of_declarations(line: int, lines: list[str]) -> bool:
     """Whether the test around *line* holds declarations alone: what it tests is that they compile, and that nothing is thrown."""
     first = max(line - _NEAR, 0)
-    near = "\n".join(each[:_LONGEST] for each in lines[first : line + _NEAR])
+    near = "\n".join(item[:_LONGEST] for item in lines[first : line + _NEAR])
     near = _HIDDEN.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), near)
-    here = sum(len(each) + 1 for each in near.split("\n")[: line - 1 - first])
+    here = sum(len(part) + 1 for part in near.split("\n")[: line - 1 - first])
     shut = near.find("\n", here) if "\n" in near[here:] else len(near)
     test = None
     for test in _TEST.finditer(near, 0, shut):

@@ -38,7 +38,7 @@ def decorators(text: str, name: str) -> list[list[str]]:
 
 def is_decorated(text: str, name: str) -> bool:
     """Whether *text* defines a function called *name* with a decorator that may change its parameters (click, hydra, mock)."""
-    return any(not TRANSPARENT.issuperset(each) for each in decorators(text, name))
+    return any(not TRANSPARENT.issuperset(decorator) for decorator in decorators(text, name))
 
 
 def is_call_of_decorated(result: Result, workspace: Workspace) -> bool:
@@ -57,7 +57,7 @@ def is_call_of_decorated(result: Result, workspace: Workspace) -> bool:
     own = decorators(text, name)
     before = text.split("\n")[at.line - 1][at.column - 1 :]
     if own and before.startswith((name, f"self.{name}", f"cls.{name}")):
-        return any(not TRANSPARENT.issuperset(each) for each in own)
+        return any(not TRANSPARENT.issuperset(group) for group in own)
     sources = (file.path for file in workspace.files if file.language == "python")
     needle = f"def {name}"
     return any(is_decorated(whole, name) for whole in map(workspace.text, sources) if needle in whole)

@@ -104,7 +104,7 @@ def _lines(given: Sequence[Result]) -> list[int]:
         if result.full_id == _KEY:
             last = result.location.end_line or line
             again = keys.get((result.location.path, _key(result)), ())
-            line = min((each for each in again if line <= each <= last), default=line)
+            line = min((number for number in again if line <= number <= last), default=line)
         if result.full_id == _DEFAULT:
             above = [head for head in functions.get(result.location.path, ()) if line - _HEAD <= head <= line]
             line = max(above, default=line)

@@ -55,7 +55,7 @@ def locate(options: LintOptions) -> Program | None:
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
     """What checks: the plug-ins, and the two libraries that flake8 brings."""
     found = [installed.distribution(name) for name in ("pycodestyle", "pyflakes")]
-    libraries = [each.version if each else None for each in found]
+    libraries = [distribution.version if distribution else None for distribution in found]
     own = options.arguments.get(NAME, ()) if options.trust_config else ()
     plugins = installed.providers("flake8.extension")
     return json.dumps(["1", sys.version_info[:2], libraries, plugins, options.trust_config, own])

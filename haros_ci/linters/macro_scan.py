@@ -50,7 +50,7 @@ def registrations(told: Iterable[str]) -> set[str]:
 
 def _names(told: Iterable[str], mark: str, other: str) -> set[str]:
     all_of_them = set(told)
-    found = {each.removeprefix(mark) for each in all_of_them if each.startswith(mark)}
+    found = {item.removeprefix(mark) for item in all_of_them if item.startswith(mark)}
     return {name for name in found if other + name not in all_of_them}
 
 

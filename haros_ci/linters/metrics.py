@@ -88,7 +88,7 @@ CLASS_THRESHOLDS = (
     ),
 )
 #: The rules of both: nothing of it is measured unless one of them is wanted.
-STRUCTURE_RULES = tuple(each.rule for each in (*STRUCTURE_THRESHOLDS, *CLASS_THRESHOLDS))
+STRUCTURE_RULES = tuple(threshold.rule for threshold in (*STRUCTURE_THRESHOLDS, *CLASS_THRESHOLDS))
 
 #: A milder rule and the stricter bands of the same metric that make it redundant.
 WORSE_BANDS: Mapping[str, frozenset[str]] = {

@@ -126,8 +126,14 @@ def _has_fallback(text: str, line: int) -> bool:
         if _MISSING.match(lines[index]):
             return True
         if _TRY.match(lines[index]):
-            after = (each for each in lines[line:] if each.strip() and len(each) - len(each.lstrip()) <= own)
-            if _MISSING.match(next((each for each in after if not each.lstrip().startswith("#")), "")):
+            after = (
+                other_text
+                for other_text in lines[line:]
+                if other_text.strip() and len(other_text) - len(other_text.lstrip()) <= own
+            )
+            if _MISSING.match(
+                next((other_text for other_text in after if not other_text.lstrip().startswith("#")), "")
+            ):
                 return True
     return False
 
@@ -168,7 +174,7 @@ def _is_global_of_main(text: str, line: int, column: int) -> bool:
         return False
     name = re.escape(used[0].partition(".")[0])
     named = re.compile(rf"[ \t]*global[ \t][\w, \t]*\b{name}\b")
-    return any(named.match(each[:_LONGEST]) for each in lines) and _is_of_main(text, line, column)
+    return any(named.match(other_text[:_LONGEST]) for other_text in lines) and _is_of_main(text, line, column)
 
 
 def _is_of_platforms(text: str, line: int, column: int) -> bool:
@@ -178,7 +184,7 @@ def _is_of_platforms(text: str, line: int, column: int) -> bool:
     if name is None:
         return False
     assigned = re.compile(rf"[ \t]+{re.escape(name[0].partition('.')[0])}[ \t]*(?::[^=#]*)?=(?!=)")
-    above = [index for index, each in enumerate(lines[: line - 1]) if assigned.match(each[:_LONGEST])]
+    above = [index for index, other_text in enumerate(lines[: line - 1]) if assigned.match(other_text[:_LONGEST])]
     return len(above) > 1 and all(_PLATFORM.match(_head(lines, index)) for index in above[:_NEAR])
 
 
@@ -192,14 +198,14 @@ def _is_module(text: str, line: int, column: int) -> bool:
     imported = re.compile(
         rf"^[ \t]+(?:import[ \t]+(?:[\w., \t]*\b)?{word}\b|from[ \t]+[\w.]+[ \t]+import[ \t][^\n#]*\b{word}\b)"
     )
-    above = (index for index, each in enumerate(lines[: line - 1]) if imported.match(each[:_LONGEST]))
+    above = (index for index, other_text in enumerate(lines[: line - 1]) if imported.match(other_text[:_LONGEST]))
     return any(_BRANCH.match(_head(lines, index)) for index in above)
 
 
 def _head(lines: list[str], index: int) -> str:
     """The line above *index* that begins the block that it is in."""
     indent = len(lines[index]) - len(lines[index].lstrip())
-    above = (each for each in reversed(lines[:index]) if each.strip() and len(each) - len(each.lstrip()) < indent)
+    above = (line for line in reversed(lines[:index]) if line.strip() and len(line) - len(line.lstrip()) < indent)
     return next(above, "")
 
 
@@ -242,7 +248,10 @@ def _is_tested(text: str, line: int, column: int) -> bool:
     )
     inside = scopes(text, "python")
     here = inside.at(line)
-    return any(test.search(each[:_LONGEST]) and inside.at(number) == here for number, each in enumerate(lines, start=1))
+    return any(
+        test.search(other_text[:_LONGEST]) and inside.at(number) == here
+        for number, other_text in enumerate(lines, start=1)
+    )
 
 
 def _is_of_main(text: str, line: int, column: int) -> bool:
@@ -256,9 +265,9 @@ def _is_of_main(text: str, line: int, column: int) -> bool:
         rf"[ \t]+(?:[^=()#]*[,( \t])?{name}\b[^=()#]*=(?!=)|[ \t]+.*\bas[ \t]+{name}\b|[ \t]+for\b.*\b{name}\b.*\bin\b"
     )
     in_main = False
-    for each in (whole[:_LONGEST] for whole in lines):
-        if each[:1].strip() and not each.startswith(("#", ")", "]", "}")):
-            in_main = _MAIN.match(each) is not None
-        elif in_main and assigned.match(each):
+    for item in (whole[:_LONGEST] for whole in lines):
+        if item[:1].strip() and not item.startswith(("#", ")", "]", "}")):
+            in_main = _MAIN.match(item) is not None
+        elif in_main and assigned.match(item):
             return True
     return False

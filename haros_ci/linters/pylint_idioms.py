@@ -33,8 +33,8 @@ def is_placeholder(text: str, line: int) -> bool:
     inside = scopes(text, "python")
     owner = _class_of(inside.at(line))
     return any(
-        again.match(each[:_LONGEST]) and number != line and _class_of(inside.at(number)) == owner
-        for number, each in enumerate(lines, start=1)
+        again.match(item[:_LONGEST]) and number != line and _class_of(inside.at(number)) == owner
+        for number, item in enumerate(lines, start=1)
     )
 
 
@@ -48,12 +48,12 @@ def is_left_to_subclasses(text: str, line: int, column: int) -> bool:
     none = re.compile(rf"[ \t]+{re.escape(called[1])}[ \t]*(?::[^=\n]{{0,80}})?=[ \t]*None\b")
     bodies: dict[str, list[str]] = {}
     owners = set()  # the class itself, or one of the file that it inherits
-    for number, each in enumerate(lines, start=1):
+    for number, item in enumerate(lines, start=1):
         owner = _class_of(inside.at(number))
-        bodies.setdefault(owner, []).append(each[:_LONGEST].partition("#")[0])
-        if owner and inside.at(number) == owner and none.match(each[:_LONGEST]):
+        bodies.setdefault(owner, []).append(item[:_LONGEST].partition("#")[0])
+        if owner and inside.at(number) == owner and none.match(item[:_LONGEST]):
             owners.add(owner)
-    return any(_ABSTRACT.search(each) for owner in owners for each in bodies[owner])
+    return any(_ABSTRACT.search(body) for owner in owners for body in bodies[owner])
 
 
 def is_choice_of_calls(text: str, line: int) -> bool:
@@ -85,7 +85,8 @@ def is_to_fail(text: str, line: int) -> bool:
                 return True
         elif isinstance(node, ast.Call) and node.lineno <= line <= (node.end_lineno or 0) and _awaits_type_error(node):
             return any(
-                isinstance(each, ast.Lambda) and each.lineno <= line <= (each.end_lineno or 0) for each in node.args
+                isinstance(argument, ast.Lambda) and argument.lineno <= line <= (argument.end_lineno or 0)
+                for argument in node.args
             )
     return False
 
@@ -94,10 +95,10 @@ def _awaits_type_error(node: ast.expr) -> bool:
     """Whether *node* is a call of ``raises`` or ``assertRaises``; another exception that Python has built in is not what a wrong call raises."""
     if not isinstance(node, ast.Call) or _RAISES.fullmatch(ast.unparse(node.func)) is None:
         return False
-    given = [*node.args[:1], *(each.value for each in node.keywords if each.arg == "expected_exception")]
-    kinds = [each for one in given for each in (one.elts if isinstance(one, ast.Tuple) else [one])]
-    named = [getattr(builtins, each.id, None) if isinstance(each, ast.Name) else None for each in kinds]
-    return not named or any(not isinstance(each, type) or issubclass(TypeError, each) for each in named)
+    given = [*node.args[:1], *(keyword.value for keyword in node.keywords if keyword.arg == "expected_exception")]
+    kinds = [elt for one in given for elt in (one.elts if isinstance(one, ast.Tuple) else [one])]
+    named = [getattr(builtins, kind.id, None) if isinstance(kind, ast.Name) else None for kind in kinds]
+    return not named or any(not isinstance(item, type) or issubclass(TypeError, item) for item in named)
 
 
 def is_one_of_several(text: str, line: int) -> bool:
@@ -115,14 +116,14 @@ def _only_calls(node: ast.expr) -> bool:
     """Whether both ends of a conditional expression are calls, or one is and the other does nothing."""
     if not isinstance(node, ast.IfExp):
         return isinstance(node, (ast.Call, ast.Await))
-    ends = [each for each in (node.body, node.orelse) if not isinstance(each, ast.Constant)]
-    return bool(ends) and all(_only_calls(each) for each in ends)
+    ends = [other_node for other_node in (node.body, node.orelse) if not isinstance(other_node, ast.Constant)]
+    return bool(ends) and all(_only_calls(end) for end in ends)
 
 
 def _statement(text: str, line: int) -> ast.stmt | None:
     """The simple statement that begins at *line*, counted from 1; None if it is not one alone, or of too many lines."""
-    lines = [each[: _LONGEST + 1] for each in text.split("\n")[max(line - 1, 0) : line - 1 + _MOST]]
-    if line < 1 or any(len(each) > _LONGEST for each in lines[:1]):
+    lines = [part[: _LONGEST + 1] for part in text.split("\n")[max(line - 1, 0) : line - 1 + _MOST]]
+    if line < 1 or any(len(item) > _LONGEST for item in lines[:1]):
         return None
     for end in range(1, len(lines) + 1):
         try:

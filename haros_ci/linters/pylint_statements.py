@@ -21,9 +21,9 @@ def is_text(text: str, line: int) -> bool:
     """Whether strings alone follow at *line* up to the end of the block: they stand there as comments."""
     for node in nodes(text):
         for body in _blocks(node):
-            rest = [each for each in body if each.lineno >= line]
+            rest = [other_node for other_node in body if other_node.lineno >= line]
             if rest and rest[0].lineno == line and rest[0] is not body[0]:
-                return all(_is_string(each) for each in rest)
+                return all(_is_string(other_node) for other_node in rest)
     return False
 
 
@@ -36,12 +36,17 @@ def is_one_text(text: str, line: int) -> bool:
             given = node.args
         elif isinstance(node, ast.List | ast.Tuple | ast.Set):
             given = node.elts
-        for each in given:
-            if each.lineno != line or not _is_joined(text, each):
+        for other_node in given:
+            if other_node.lineno != line or not _is_joined(text, other_node):
                 continue
-            if not isinstance(node, ast.Call) or len(node.args) > 1 or node.keywords or " " not in ast.unparse(each):
+            if (
+                not isinstance(node, ast.Call)
+                or len(node.args) > 1
+                or node.keywords
+                or " " not in ast.unparse(other_node)
+            ):
                 return False
-            found = each.end_lineno == line
+            found = other_node.end_lineno == line
             if not found:
                 return False
     return found

@@ -78,11 +78,11 @@ def _is_python2(path: str, workspace: Workspace) -> bool:
     name = workspace.package_finder()(path)
     if name is None:
         return _is_loose_python2(path, workspace)
-    package = next((each for each in workspace.packages if each.name == name), None)
+    package = next((package for package in workspace.packages if package.name == name), None)
     if package is None or package.ros == 2:
         return False
-    files = [each.path for each in workspace.files if each.package == name and each.language == "python"]
-    texts = (workspace.text(each) for each in files[:_MOST_FILES])
+    files = [file.path for file in workspace.files if file.package == name and file.language == "python"]
+    texts = (workspace.text(file) for file in files[:_MOST_FILES])
     manifest = workspace.text(f"{package.path}/package.xml" if package.path != "." else "package.xml")
     return is_of_python2(workspace.text(path), texts, manifest)
 
@@ -91,9 +91,9 @@ def _is_python2_around(path: str, workspace: Workspace) -> bool:
     """Whether the file at *path* is for Python 2: its package is, or the workspace of ROS 1, in which nothing asks for Python 3."""
     if _is_python2(path, workspace):
         return True
-    if any(each.ros == 2 for each in workspace.packages):
+    if any(package.ros == 2 for package in workspace.packages):
         return False
-    texts = [workspace.text(each.path) for each in workspace.files if each.language == "python"]
+    texts = [workspace.text(file.path) for file in workspace.files if file.language == "python"]
     return len(texts) <= _MOST_FILES_OF_ALL and is_of_python2(workspace.text(path), texts, "")
 
 
@@ -102,7 +102,7 @@ def _is_starred(result: Result, workspace: Workspace) -> bool:
     said, path = _ALL.search(result.message), result.location.path
     text = workspace.text(path)
     owner = workspace.package_finder()(path)
-    package = next((each for each in workspace.packages if each.name == owner), None)
+    package = next((package for package in workspace.packages if package.name == owner), None)
     if said is None or names_python3(text) or (package is not None and package.ros == 2):
         return False
     name = said[1]
@@ -123,11 +123,11 @@ def _is_starred(result: Result, workspace: Workspace) -> bool:
 def _is_loose_python2(path: str, workspace: Workspace) -> bool:
     """Whether the file at *path*, which is in no package, is for Python 2, or others in and below its directory are, if only in part."""
     text = workspace.text(path)
-    if names_python3(text) or any(each.ros == 2 for each in workspace.packages):
+    if names_python3(text) or any(package.ros == 2 for package in workspace.packages):
         return False
     below = path[: path.rfind("/") + 1]
-    files = [each.path for each in workspace.files if each.language == "python" and each.package is None]
-    texts = [workspace.text(each) for each in files if below and each.startswith(below)][:_MOST_FILES]
+    files = [file.path for file in workspace.files if file.language == "python" and file.package is None]
+    texts = [workspace.text(file) for file in files if below and file.startswith(below)][:_MOST_FILES]
     return is_of_python2(text, texts, "") or (
         not any(map(names_python3, texts)) and any(map(imports_future, (text, *texts)))
     )
@@ -152,8 +152,8 @@ def _is_of_library(result: Result, line: int, workspace: Workspace) -> bool:
         return False
     module = imported[1] or imported[2] or imported[3]
     ends = (f"/{module}.py", f"/{module}/__init__.py")
-    return not any(f"/{each}".endswith(ends) for each in workspace.names) and module not in {
-        each.name for each in workspace.packages
+    return not any(f"/{name}".endswith(ends) for name in workspace.names) and module not in {
+        package.name for package in workspace.packages
     }
 
 
@@ -169,17 +169,19 @@ def _is_helper(line: int, text: str, workspace: Workspace) -> bool:
     owner, name, is_of_class = method
     use = re.compile(rf"(\w+|[)\]}}'\"])[ \t]*\.[ \t]*{re.escape(name)}\b")
     every = (workspace.text(file.path) for file in workspace.files if file.language in ("python", "launch"))
-    texts = tuple(each for each in every if name in each)
+    texts = tuple(item for item in every if name in item)
     given = re.compile(
         rf"\.[ \t]*{re.escape(name)}\b(?!\s*\(\s*(?:{'|'.join(CLASS)}|type\([^()\n]{{0,80}}\)|[A-Z]\w*)\s*[,)])"
     )
-    if is_of_class and any(given.search(each) for each in texts):
+    if is_of_class and any(given.search(other_text) for other_text in texts):
         return False
-    receivers = {found[1] for each in texts for found in use.finditer(each)}
+    receivers = {found[1] for other_text in texts for found in use.finditer(other_text)}
     if not receivers:  # the body of the class itself uses it
         return not is_of_class and re.search(rf"(?m)^[ \t]+@[ \t]*{re.escape(name)}\b", text) is not None
     classes = CLASS if is_of_class else ()
-    return owner in receivers and all(each == owner or each[0].isupper() or each in classes for each in receivers)
+    return owner in receivers and all(
+        receiver == owner or receiver[0].isupper() or receiver in classes for receiver in receivers
+    )
 
 
 def _is_shadowed(result: Result, line: int, workspace: Workspace) -> bool:
@@ -205,4 +207,4 @@ def _is_shadowed(result: Result, line: int, workspace: Workspace) -> bool:
     beside = path[: path.rfind("/") + 1]
     if not module or f"{beside}{module}.py" not in workspace.names:
         return False
-    return any(f"/{module}/" in f"/{each}" for each in workspace.names)
+    return any(f"/{module}/" in f"/{name}" for name in workspace.names)

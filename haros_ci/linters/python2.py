@@ -82,7 +82,9 @@ def is_of_python2(text: str, others: Iterable[str], manifest: str) -> bool:
     if _KEY.search(plain) is not None and "python3" not in plain and "ROS_PYTHON_VERSION" not in plain:
         return True
     every = tuple(others)
-    return not any(map(names_python3, every)) and any(_STATEMENTS.search(_TEXTS.sub("", each)) for each in every)
+    return not any(map(names_python3, every)) and any(
+        _STATEMENTS.search(_TEXTS.sub("", other_text)) for other_text in every
+    )
 
 
 def imports_future(text: str) -> bool:

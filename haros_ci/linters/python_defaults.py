@@ -109,7 +109,7 @@ def _is_more_than_read(
         return _keeps(parent, node, of_module, seen)
     if isinstance(parent, ast.BoolOp | ast.IfExp | ast.NamedExpr | ast.Starred):
         return isinstance(parent, ast.NamedExpr) or _is_more_than_read(parent, parents, of_module, seen)
-    if isinstance(parent, ast.Assign) and all(isinstance(each, ast.Tuple | ast.List) for each in parent.targets):
+    if isinstance(parent, ast.Assign) and all(isinstance(target, ast.Tuple | ast.List) for target in parent.targets):
         return False  # taken apart
     if isinstance(parent, ast.Assign | ast.AnnAssign | ast.Return | ast.Yield | ast.YieldFrom | ast.Await | ast.Lambda):
         return True

@@ -96,8 +96,8 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         if bound is not None:
             old.add(suspect)
             broken.setdefault(suspect, bound)
-    for each in sorted(old):
-        yield GaveUp(each, "it is Python 2", broken[each])
+    for item in sorted(old):
+        yield GaveUp(item, "it is Python 2", broken[item])
     doubting = Doubting()
     for said in answers:
         path, rule = paths.get(said["filename"]), said["code"] or SYNTAX
@@ -132,7 +132,7 @@ def _loads_submodules(message: str, text: str) -> bool:
     packages = set(re.findall(rf"^[ \t]*from[ \t]+(\w+)[ \t]+import[ \t][^\n#]*\b{name[1]}\b", text, re.MULTILINE))
     imported = dict(re.findall(r"^[ \t]*import[ \t]+(\w+)(?:[ \t]+as[ \t]+(\w+))?[ \t]*(?:#.*)?$", text, re.MULTILINE))
     by_package = {imported.get(package) or package for package in packages}
-    return len(packages) > 1 and any(re.search(rf"(?<![\w.]){each}\.{name[1]}\b", text) for each in by_package)
+    return len(packages) > 1 and any(re.search(rf"(?<![\w.]){item}\.{name[1]}\b", text) for item in by_package)
 
 
 def _is_refuted(rule: str, line: int, column: int, text: str) -> bool:

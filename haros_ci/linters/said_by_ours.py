@@ -132,7 +132,7 @@ def _is_same(theirs: Result, ours: Result) -> bool:
     if theirs.rule in _OF_TARGET:  # what depends on the target is installed
         return quoted[-1:] != [] and quoted[-1] in words
     if theirs.rule in _OF_SCRIPT:
-        paths = {*words, ours.location.path, *(each.location.path for each in ours.related)}
+        paths = {*words, ours.location.path, *(related.location.path for related in ours.related)}
         return any(f"/{path}".endswith(f"/{name}") for name in quoted for path in paths)
     names = {part for name in quoted for part in (name, name.partition("/")[0])}
     return not names.isdisjoint(words)

@@ -67,10 +67,10 @@ class Values:
                 yield answer
                 continue
             functions, whole = answer
-            for each in functions:
-                place = Location(path, each["line"], each["column"])
+            for function in functions:
+                place = Location(path, function["line"], function["column"])
                 for metric, key in FUNCTION_METRICS.items():
-                    yield _value(metric, place, each[key], each["name"])
+                    yield _value(metric, place, function[key], function["name"])
             for metric, key in FILE_METRICS.items():
                 yield _value(metric, Location(path), whole[key])
 

@@ -35,7 +35,7 @@ class Measured:
 
     @property
     def weighted_methods(self) -> int:
-        return sum(each.complexity for _, each in self.functions)
+        return sum(function.complexity for _, function in self.functions)
 
 
 @dataclass(slots=True)
@@ -63,9 +63,9 @@ class _Measuring:
     def all(self) -> Classes:
         for source in self.code.sources:
             self.every += self._of_file(source)
-        for each in self.every:
-            each.bases = tuple(self._bases(each))
-            for base in {id(base): base for base in each.bases if base is not None}.values():
+        for measured in self.every:
+            measured.bases = tuple(self._bases(measured))
+            for base in {id(base): base for base in measured.bases if base is not None}.values():
                 base.children += 1
         of_function = {}
         for source, function in self._functions():
@@ -73,20 +73,20 @@ class _Measuring:
             if owner is not None:
                 owner.functions.append((source, function))
                 of_function[source.path, function.line, function.column] = owner
-        for each in self.every:
-            self._set_depth(each)
-            self._couple(each)
+        for measured in self.every:
+            self._set_depth(measured)
+            self._couple(measured)
         return Classes(self.every, of_function)
 
     def _of_file(self, source: Source) -> Iterator[Measured]:
         """Classes are paired by name, and those of one name in a file by line."""
         facts = self.facts.get(source.path)
-        places = {(each.name, each.line): each for each in source.program.classes}
-        for each in facts.classes if facts is not None else ():
-            definition = places.get((each.name, each.line))
+        places = {(class_.name, class_.line): class_ for class_ in source.program.classes}
+        for class_ in facts.classes if facts is not None else ():
+            definition = places.get((class_.name, class_.line))
             if definition is not None:
-                found = Measured(source, each, (source, definition))
-                self.by_place[source.path, each.name, each.line] = found
+                found = Measured(source, class_, (source, definition))
+                self.by_place[source.path, class_.name, class_.line] = found
                 yield found
 
     def _functions(self) -> Iterator[tuple[Source, FunctionFacts]]:
@@ -96,24 +96,24 @@ class _Measuring:
                 if function.class_name:
                     yield source, function
 
-    def _bases(self, each: Measured) -> Iterator[Measured | None]:
+    def _bases(self, measured: Measured) -> Iterator[Measured | None]:
         """The direct bases, None for one outside of the workspace."""
-        source, definition = each.owner
+        source, definition = measured.owner
         scope = definition.name.rpartition(source.separator)[0]
         for base in definition.bases:
             if source.separator == "." and base.name == "object":
                 continue
             found = self.named(source, scope, base.name)
-            yield None if found is each else found
+            yield None if found is measured else found
 
     def _owner(self, source: Source, function: FunctionFacts) -> Measured | None:
         """The class of a method: in this file, else the one that its name means here."""
         name = function.class_name
-        own = [each for each in source.program.classes if each.name == name]
+        own = [class_ for class_ in source.program.classes if class_.name == name]
         if len(own) == 1:
             return self._at((source, own[0]))
         if own:  # specialisations: the last one that begins before
-            before = [each for each in own if each.line <= function.line]
+            before = [class_ for class_ in own if class_.line <= function.line]
             return self._at((source, before[-1])) if before else None
         if source.separator == ".":
             return None
@@ -145,9 +145,9 @@ class _Measuring:
                 self.meant[key] = self._class(self._type(source, scope, name).name, source)
         return self.meant[key]
 
-    def _set_depth(self, each: Measured) -> None:
+    def _set_depth(self, measured: Measured) -> None:
         """Classes on the longest way to a root, itself included; a base outside of the workspace is one."""
-        way, on_it = ([each], {id(each)}) if not each.depth else ([], set())
+        way, on_it = ([measured], {id(measured)}) if not measured.depth else ([], set())
         while way:
             here = way[-1]
             above = next((b for b in here.bases if b is not None and not b.depth and id(b) not in on_it), None)
@@ -158,13 +158,16 @@ class _Measuring:
             here.depth = 1 + max((1 if b is None else b.depth for b in here.bases), default=0)
             on_it.discard(id(way.pop()))
 
-    def _couple(self, each: Measured) -> None:
+    def _couple(self, measured: Measured) -> None:
         """Add the classes that its definition and its methods name."""
-        places = [(each.source, each.facts.mentions), *((source, f.mentions) for source, f in each.functions)]
+        places = [
+            (measured.source, measured.facts.mentions),
+            *((source, f.mentions) for source, f in measured.functions),
+        ]
         for source, names in places:
             for name in names:
-                found = self._mentioned(source, each.facts.name, name)
-                each.coupled.update(id(other) for other in found if other is not each)
+                found = self._mentioned(source, measured.facts.name, name)
+                measured.coupled.update(id(other) for other in found if other is not measured)
 
     def _mentioned(self, source: Source, scope: str, name: str) -> tuple[Measured, ...]:
         """The classes that a name stands for, or what it is qualified by: ``A::B::make`` may be of ``A::B`` or of ``A``.
@@ -196,7 +199,7 @@ def _parts(arguments: Iterable[syntax.Argument]) -> Iterator[str]:
     """The names of the types among template arguments, and in theirs."""
     waiting = list(arguments)
     while waiting:
-        each = waiting.pop()
-        if isinstance(each, syntax.Type):
-            yield each.name
-            waiting.extend(each.arguments)
+        type_ = waiting.pop()
+        if isinstance(type_, syntax.Type):
+            yield type_.name
+            waiting.extend(type_.arguments)

@@ -151,7 +151,7 @@ def _class(file: _File, node: Node, scope: _Scope, depth: int, alias: str = "") 
 
 
 def _typedef(file: _File, node: Node, scope: _Scope, depth: int) -> None:
-    alias = next((file.unit.cut(each) for each in reversed(node.children) if each.kind_id in _TYPEDEF_NAME), "")
+    alias = next((file.unit.cut(child) for child in reversed(node.children) if child.kind_id in _TYPEDEF_NAME), "")
     for child in node.children:
         if child.kind_id in _CLASS:
             _class(file, child, scope, depth, alias)
@@ -227,7 +227,7 @@ def _function(file: _File, node: Node, scope: _Scope, depth: int) -> None:
     )
     if counts.is_too_deep:
         file.problem(node, TOO_DEEP)
-    if node.has_error and any(_is_lost(each) for each in errors(node, _ERRORS)):
+    if node.has_error and any(_is_lost(error) for error in errors(node, _ERRORS)):
         file.problem(node, _UNREAD)
     _visit(file, body.local, _Scope(name, name), depth)
 

@@ -75,7 +75,7 @@ class Body:
         return paths
 
     def _block(self, node: Node, nesting: int, depth: int) -> int:
-        return self._sequence((each for each in node.children if each.kind_id not in _UNREAD), nesting, depth)
+        return self._sequence((child for child in node.children if child.kind_id not in _UNREAD), nesting, depth)
 
     def _field(self, node: Node, name: int, nesting: int, depth: int) -> int:
         """The paths of the statement in a field of *node*; 1 where it is missing."""
@@ -91,7 +91,9 @@ class Body:
             condition, otherwise = node.child_by_field_id(_CONDITION), node.child_by_field_id(_ALTERNATIVE)
             paths += 0 if condition is None else self._expression(condition, nesting, depth)
             paths += self._field(node, _CONSEQUENCE, nesting + 1, depth)
-            inner = next((each for each in reversed(otherwise.children) if each.is_named), None) if otherwise else None
+            inner = (
+                next((child for child in reversed(otherwise.children) if child.is_named), None) if otherwise else None
+            )
             if inner is None:
                 return min(paths + 1, MOST_PATHS)
             if inner.kind_id not in _IF:
@@ -130,7 +132,7 @@ class Body:
                     ranges[-1] = statements
             elif child.is_named and ranges:
                 ranges[-1].append(child)
-        paths += sum(self._sequence(each, nesting + 1, depth) for each in ranges)
+        paths += sum(self._sequence(span, nesting + 1, depth) for span in ranges)
         return min(max(paths + (not has_default), 1), MOST_PATHS)
 
     def _try(self, node: Node, nesting: int, depth: int) -> int:
@@ -149,7 +151,7 @@ class Body:
 
     def _last(self, node: Node, nesting: int, depth: int) -> int:
         """The statement behind a label or an attribute."""
-        inner = [each for each in node.children if each.is_named]
+        inner = [child for child in node.children if child.is_named]
         return self._statement(inner[-1], nesting, depth) if inner else 1
 
     def _behind_macro(self, node: Node, nesting: int, depth: int) -> int:
@@ -206,8 +208,8 @@ class Body:
 
 def _after_colon(case: Node) -> list[Node]:
     children = case.children
-    start = next((i for i, each in enumerate(children) if each.kind_id in _COLON), len(children))
-    return [each for each in children[start + 1 :] if each.is_named]
+    start = next((i for i, child in enumerate(children) if child.kind_id in _COLON), len(children))
+    return [child for child in children[start + 1 :] if child.is_named]
 
 
 _STATEMENTS = table(

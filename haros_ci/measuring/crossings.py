@@ -40,8 +40,8 @@ def _of_functions(found: Structure, workspace: Workspace) -> Iterator[Result]:
 
 
 def _of_classes(found: Structure, workspace: Workspace) -> Iterator[Result]:
-    for each in found.classes.every:
-        facts, path = each.facts, each.source.path
+    for measured in found.classes.every:
+        facts, path = measured.facts, measured.source.path
         if workspace.reports_on(path):
             place = Location(path, facts.line, facts.column)
-            yield from crossed(place, f"Class '{facts.name}'", facts.name, class_values(each), CLASS_THRESHOLDS)
+            yield from crossed(place, f"Class '{facts.name}'", facts.name, class_values(measured), CLASS_THRESHOLDS)

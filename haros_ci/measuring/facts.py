@@ -86,9 +86,9 @@ def times(one: int, other: int) -> int:
 def to_json(facts: FileFacts) -> object:
     """Lists of numbers and texts, for the cache."""
     return [
-        [list(astuple(each)) for each in facts.functions],
-        [list(astuple(each)) for each in facts.classes],
-        [list(each) for each in facts.problems],
+        [list(astuple(function)) for function in facts.functions],
+        [list(astuple(class_)) for class_ in facts.classes],
+        [list(problem) for problem in facts.problems],
     ]
 
 
@@ -97,8 +97,8 @@ def from_json(data: Any) -> FileFacts | None:
     try:
         functions, classes, problems = data
         found = FileFacts(
-            tuple(_function(*each) for each in functions),
-            tuple(_class(*each) for each in classes),
+            tuple(_function(*function) for function in functions),
+            tuple(_class(*class_) for class_ in classes),
             tuple((line, message) for line, message in problems),
         )
     except (TypeError, ValueError):
@@ -106,13 +106,13 @@ def from_json(data: Any) -> FileFacts | None:
     return found if _is_sound(found) else None
 
 
-def _function(*each: Any) -> FunctionFacts:
-    *values, mentions = each
+def _function(*item: Any) -> FunctionFacts:
+    *values, mentions = item
     return FunctionFacts(*(*values, tuple(mentions)))
 
 
-def _class(*each: Any) -> ClassFacts:
-    *values, mentions = each
+def _class(*item: Any) -> ClassFacts:
+    *values, mentions = item
     return ClassFacts(*(*values, tuple(mentions)))
 
 

@@ -74,7 +74,7 @@ def measure(workspace: Workspace, settings: Settings, store: Store, progress: Pr
     single = [*_of_runs(runs, packages, found), *_of_structure(found, workspace, packages)]
     single += of_files(single)
     partly = {packages[file.path] for file in workspace.files if not workspace.reports_on(file.path)}
-    whole = (each for each in single if each.package not in partly)
+    whole = (measurement for measurement in single if measurement.package not in partly)
     notes = (*(_named(note) for run in runs for note in run.notifications), *problems(found, workspace))
     return Measures(
         tuple(sorted([*single, *of_packages(whole)])),
@@ -98,7 +98,7 @@ def structure(workspace: Workspace, store: Store, processes: int) -> Structure:
     for file, data in zip(new, shared(jobs, [file.path for file in new], processes), strict=True):
         store.put(*_place(file), data)
         kept[file.path] = from_json(data)
-    facts = {path: each for path, each in kept.items() if each is not None}
+    facts = {path: file_facts for path, file_facts in kept.items() if file_facts is not None}
     code = codebase(programs(workspace, builds(workspace), store, [], processes), workspace.text)
     return Structure(facts, measure_classes(code, facts))
 
@@ -126,11 +126,18 @@ def function_values(function: FunctionFacts) -> dict[str, int]:
     }
 
 
-def class_values(each: Measured) -> dict[str, int]:
+def class_values(other_measured: Measured) -> dict[str, int]:
     """A class's metrics by name; one without methods has no weight and nothing available."""
-    found = {"coupling": len(each.coupled), "depth-in-tree": each.depth, "number-of-children": each.children}
-    if each.facts.methods:
-        found |= {"weighted-methods": each.weighted_methods, "methods-available": each.facts.available}
+    found = {
+        "coupling": len(other_measured.coupled),
+        "depth-in-tree": other_measured.depth,
+        "number-of-children": other_measured.children,
+    }
+    if other_measured.facts.methods:
+        found |= {
+            "weighted-methods": other_measured.weighted_methods,
+            "methods-available": other_measured.facts.available,
+        }
     return found
 
 
@@ -142,10 +149,12 @@ def _of_structure(found: Structure, workspace: Workspace, packages: Mapping[str,
             title = found.title(path, function)
             for metric, value in function_values(function).items():
                 yield Measurement(packages[path], path, function.line, *title, metric, value)
-    for each in found.classes.every:
-        path = each.source.path
-        for metric, value in class_values(each).items() if workspace.reports_on(path) else ():
-            yield Measurement(packages[path], path, each.facts.line, each.facts.name, "", metric, value)
+    for other_measured in found.classes.every:
+        path = other_measured.source.path
+        for metric, value in class_values(other_measured).items() if workspace.reports_on(path) else ():
+            yield Measurement(
+                packages[path], path, other_measured.facts.line, other_measured.facts.name, "", metric, value
+            )
 
 
 def _of_runs(runs: Iterable[Run], packages: Mapping[str, str], found: Structure) -> Iterator[Measurement]:
@@ -158,7 +167,11 @@ def _of_runs(runs: Iterable[Run], packages: Mapping[str, str], found: Structure)
         for result in run.results:
             path, line, scope = result.location.path, result.location.line or 0, result.scope
             here = at.get((path, line), ())
-            same = here if len(here) == 1 else [each for each in here if _last(each.name) == _last(scope)]
+            same = (
+                here
+                if len(here) == 1
+                else [function_facts for function_facts in here if _last(function_facts.name) == _last(scope)]
+            )
             title = found.title(path, same[0]) if scope and same else ("", scope)
             if result.value is not None:
                 yield Measurement(packages.get(path, ""), path, line, *title, result.rule, result.value)

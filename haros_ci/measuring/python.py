@@ -51,9 +51,9 @@ def _visit(file: _File, statements: Iterable[ast.stmt]) -> None:
         if isinstance(node, ast.ClassDef):
             inner = list(_definitions(node.body))
             file.classes.append(_class(file, node, name, inner))
-            waiting += [(each, name, name) for each in inner]
+            waiting += [(item, name, name) for item in inner]
         else:
-            waiting += [(each, name, "") for each in _function(file, node, name, owner)]
+            waiting += [(item, name, "") for item in _function(file, node, name, owner)]
 
 
 def _definitions(statements: Iterable[ast.stmt]) -> Iterator[ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef]:
@@ -96,8 +96,8 @@ def _function(
 
 def _class(file: _File, node: ast.ClassDef, name: str, inner: Iterable[ast.stmt]) -> ClassFacts:
     """Methods of one name are one: a property with its setter, the overloads of a stub."""
-    names = {each.name for each in inner if isinstance(each, _FUNCTIONS)}
-    public = {each for each in names if not each.startswith("_")}
+    names = {other_node.name for other_node in inner if isinstance(other_node, _FUNCTIONS)}
+    public = {item for item in names if not item.startswith("_")}
     line, column = _place(file.source, node)
     return ClassFacts(name, line, column, len(names), len(public), _mentions(node))
 

@@ -63,7 +63,7 @@ class Body:
         return paths + self._sequence(node.orelse, nesting + 1, depth)
 
     def _with(self, node: Any, nesting: int, depth: int) -> int:
-        paths = sum(self._expression(each) for item in node.items for each in ast.iter_child_nodes(item))
+        paths = sum(self._expression(other_node) for item in node.items for other_node in ast.iter_child_nodes(item))
         return paths + self._sequence(node.body, nesting, depth)
 
     def _try(self, node: Any, nesting: int, depth: int) -> int:
@@ -93,9 +93,13 @@ class Body:
         self.local.append(node)
         arguments = getattr(node, "args", None)
         given = (*node.decorator_list, *getattr(node, "bases", ()))
-        given += (*arguments.defaults, *(each for each in arguments.kw_defaults if each)) if arguments else ()
-        for each in given:
-            self._expression(each)
+        given += (
+            (*arguments.defaults, *(kw_default for kw_default in arguments.kw_defaults if kw_default))
+            if arguments
+            else ()
+        )
+        for item in given:
+            self._expression(item)
         return 1
 
     def _expression(self, root: ast.AST) -> int:
@@ -117,7 +121,7 @@ class Body:
                 paths += 1
             elif isinstance(node, ast.Lambda):
                 self.counts.apart += max(1, self._expression(node.body)) - 1
-                waiting.extend((*node.args.defaults, *(each for each in node.args.kw_defaults if each)))
+                waiting.extend((*node.args.defaults, *(node for node in node.args.kw_defaults if node)))
                 continue
             elif isinstance(node, ast.Call):
                 self.counts.called(_called(node.func))

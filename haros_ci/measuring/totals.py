@@ -51,9 +51,9 @@ METRICS = frozenset(OF_PACKAGE) | {"comment-ratio"}
 def of_files(values: Iterable[Measurement]) -> Iterator[Measurement]:
     """The values of files that follow from those of their functions and classes."""
     together: dict[tuple[str, str, str], list[float]] = defaultdict(list)
-    for each in values:
-        if (each.function or each.class_name) and each.metric in OF_FILE:
-            together[each.package, each.path, each.metric].append(each.value)
+    for value in values:
+        if (value.function or value.class_name) and value.metric in OF_FILE:
+            together[value.package, value.path, value.metric].append(value.value)
     for (package, path, metric), found in together.items():
         yield Measurement(package, path, 0, "", "", metric, OF_FILE[metric](found))
 
@@ -61,9 +61,9 @@ def of_files(values: Iterable[Measurement]) -> Iterator[Measurement]:
 def of_packages(values: Iterable[Measurement]) -> Iterator[Measurement]:
     """The values of packages from those of their files."""
     together: dict[tuple[str, str], list[float]] = defaultdict(list)
-    for each in values:
-        if each.package and each.path and not each.function and not each.class_name:
-            together[each.package, each.metric].append(each.value)
+    for value in values:
+        if value.package and value.path and not value.function and not value.class_name:
+            together[value.package, value.metric].append(value.value)
     for (package, metric), found in sorted(together.items()):
         combine = OF_PACKAGE.get(metric)
         if combine is not None:

@@ -58,9 +58,9 @@ def sound(finding: object, paths: set[str] | None) -> Finding:
         raise TypeError("a finding's message is a text")
     if not (finding.level is None or isinstance(finding.level, Level)):
         raise TypeError("a finding's level is a Level")
-    for each in _tuple(finding.about, "about"):
-        if not isinstance(each, (str, End, SystemNode, Channel)):
-            raise TypeError(f"a finding is about ends, nodes, channels and names, not {type(each).__name__}")
+    for item in _tuple(finding.about, "about"):
+        if not isinstance(item, (str, End, SystemNode, Channel)):
+            raise TypeError(f"a finding is about ends, nodes, channels and names, not {type(item).__name__}")
     _place(finding.at, paths)
     for place, text in (*_tuple(finding.related, "related"), *_tuple(finding.flow, "flow")):
         _place(place, paths)

@@ -61,8 +61,8 @@ def _looked_at(module: ModuleType, spec: ModuleSpec) -> Plugin:
         _refuse(name, f"it offers none of {', '.join(OFFERS)}", "see docs/plugins.md")
     _demand_api(name, getattr(module, "REQUIRES_API", API_VERSION))
     made = digest(spec)
-    checks = tuple(_check(name, each) for each in _listed(name, "CHECKS", offered))
-    linters = tuple(_linter(name, each) for each in _listed(name, "LINTERS", offered))
+    checks = tuple(_check(name, item) for item in _listed(name, "CHECKS", offered))
+    linters = tuple(_linter(name, item) for item in _listed(name, "LINTERS", offered))
     version = getattr(module, "__version__", "")
     return Plugin(
         name=name,
@@ -122,7 +122,7 @@ def _page(check: Check, module: ModuleType) -> str:
     if text is None:
         look: Any = check.run or check.project
         homes = (sys.modules.get(getattr(look, "__module__", "")), module)
-        places = [Path(home).parent / file for home in (getattr(each, "__file__", None) for each in homes) if home]
+        places = [Path(home).parent / file for home in (getattr(home, "__file__", None) for home in homes) if home]
         text = next((place.read_text(encoding="utf-8") for place in places if place.is_file()), None)
     if not isinstance(text, str):
         _refuse(name, f"check {check.id} has no page", f"put {file} beside its module, or its text into PAGES")
@@ -136,8 +136,8 @@ def _linter(name: str, value: Any) -> Linter:
     tool = getattr(value, "NAME", None)
     if not isinstance(tool, str) or not _TOOL.fullmatch(tool):
         _refuse(name, f"the NAME of a linter is {tool!r}", "give the adapter a NAME in lower case")
-    lacks = [each for each in _ATTRIBUTES if not hasattr(value, each)]
-    lacks += [each for each in _METHODS if not callable(getattr(value, each, None))]
+    lacks = [attribute for attribute in _ATTRIBUTES if not hasattr(value, attribute)]
+    lacks += [method for method in _METHODS if not callable(getattr(value, method, None))]
     if lacks:
         _refuse(name, f"linter {tool}: it has no {', '.join(lacks)}", "see haros_ci.api.linters.Linter")
     return value  # type: ignore[no-any-return]
@@ -196,7 +196,7 @@ def without_clashes(
 
 
 def _once(name: str, kind: str, names: list[str]) -> None:
-    twice = sorted({each for each in names if names.count(each) > 1})
+    twice = sorted({item for item in names if names.count(item) > 1})
     if twice:
         _refuse(name, f"the {kind} {twice[0]!r} is there twice", "give one of them another name")
 

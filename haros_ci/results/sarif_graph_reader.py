@@ -55,9 +55,9 @@ def _graph(entry: dict[str, object], placed: Placed) -> ReadGraph:
             place = placed(mapping(node, "location")) if "location" in node else None
             vertices[id] = Vertex(id, name, id.partition(":")[0], place)
     edges: dict[str, Edge] = {}
-    for each in map(mapping, items(entry, "edges")):
-        ends = string(each, "sourceNodeId"), string(each, "targetNodeId")
-        if string(each, "id") and ends[0] in vertices and ends[1] in vertices:
-            edges.setdefault(string(each, "id"), ends)
+    for item in map(mapping, items(entry, "edges")):
+        ends = string(item, "sourceNodeId"), string(item, "targetNodeId")
+        if string(item, "id") and ends[0] in vertices and ends[1] in vertices:
+            edges.setdefault(string(item, "id"), ends)
     name = string(mapping(entry, "description"), "text")
     return ReadGraph(Graph(name, tuple(vertices.values()), tuple(dict.fromkeys(edges.values()))), edges)

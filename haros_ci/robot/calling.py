@@ -85,8 +85,8 @@ class Calling(Evaluating):
     def _blocks(self, node: Node, blocks: list[Node], left: list[str], macro: Macro, inner: Scope) -> list[str]:
         """Give the elements in a call to the block parameters, in order; the parameters that are left."""
         certain = [block for block in blocks if block.certain]
-        for key in [each for each in left if each.startswith("*")]:
-            left = [each for each in left if each != key]
+        for key in [item for item in left if item.startswith("*")]:
+            left = [item for item in left if item != key]
             if len(certain) != len(blocks):
                 inner.put(key, UNKNOWN, lazy=False, location=node.location)
                 continue
@@ -117,7 +117,7 @@ class Calling(Evaluating):
 
 def _similar(name: str, known: Iterable[str], cutoff: float = 0.7) -> tuple[str, ...]:
     """The names that *name* may be meant for."""
-    near = [each for each in islice(known, MAX_KNOWN) if len(each) <= MAX_NAME]
+    near = [item for item in islice(known, MAX_KNOWN) if len(item) <= MAX_NAME]
     return tuple(get_close_matches(name, near, 3, cutoff)) if len(name) <= MAX_NAME else ()
 
 

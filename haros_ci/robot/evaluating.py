@@ -90,7 +90,7 @@ class Evaluating:
             return self.text(text, scope)
         except Undefined as err:
             if not self.world.is_open:
-                place = next((each for each in err.places if each is not None), None)
+                place = next((place for place in err.places if place is not None), None)
                 self.fault(err.kind, err.name, node if place is None else replace(node, location=place))
         except Invalid as err:
             self.fault("expression", str(err), node)
@@ -114,7 +114,7 @@ class Evaluating:
                 found.append(content)
         if len(found) == 1:
             return found[0]
-        if is_open(found) or any(isinstance(each, (Scope, Function, Module)) for each in found):
+        if is_open(found) or any(isinstance(item, (Scope, Function, Module)) for item in found):
             return UNKNOWN
         joined = "".join(map(str, found))
         if len(joined) > MAX_TEXT:
@@ -164,8 +164,8 @@ class Evaluating:
         tree = parsed(text)
         if tree is None:
             return UNKNOWN
-        names = {each.id for each in ast.walk(tree) if isinstance(each, ast.Name)}
-        if any(isinstance(each, ast.Call) for each in ast.walk(tree)):
+        names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+        if any(isinstance(node, ast.Call) for node in ast.walk(tree)):
             return UNKNOWN
         scope = Scope(self.world)
         for name in names & self.arguments.keys():

@@ -87,7 +87,9 @@ class Expansion(Calling):
 
     def _told(self) -> tuple[Fault, ...]:
         ever = self.world.ever | set(self.defined)
-        return tuple(replace(each, defined_later=True) if each.name in ever else each for each in self.faults.values())
+        return tuple(
+            replace(fault, defined_later=True) if fault.name in ever else fault for fault in self.faults.values()
+        )
 
     def content(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
         """Evaluate the attributes and the text of *node*, and what is in it, *into* an element that comes out."""

@@ -68,8 +68,8 @@ def is_open(value: object, depth: int = 0) -> bool:
     if depth > 6:
         return True
     if isinstance(value, dict):
-        return not isinstance(value, Module) and any(is_open(each, depth + 1) for each in value.values())
-    return isinstance(value, (list, tuple)) and any(is_open(each, depth + 1) for each in value)
+        return not isinstance(value, Module) and any(is_open(item, depth + 1) for item in value.values())
+    return isinstance(value, (list, tuple)) and any(is_open(item, depth + 1) for item in value)
 
 
 def _power(base: Any, exponent: Any) -> Any:

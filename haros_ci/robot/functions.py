@@ -40,7 +40,7 @@ def tokenize(text: str, sep: str = ",; ", skip_empty: bool = True) -> list[str]:
 def _sum(values: Iterable[Any], start: Any = 0) -> Any:
     """The sum of numbers; that of others is no use to a description."""
     found = items(values)
-    if not all(isinstance(each, (int, float)) for each in (start, *found)):
+    if not all(isinstance(item, (int, float)) for item in (start, *found)):
         raise NotFollowed
     return sum(found, start)
 
@@ -51,7 +51,7 @@ _TYPES = {"bool": bool, "dict": dict, "float": float, "int": int, "list": list, 
 def _is_a(value: Any, kinds: Any) -> bool:
     """``isinstance``, whose types are the functions of that name here."""
     wanted = kinds if isinstance(kinds, tuple) else (kinds,)
-    return isinstance(value, tuple(_TYPES[each.name] for each in wanted))
+    return isinstance(value, tuple(_TYPES[item.name] for item in wanted))
 
 
 #: What expressions can call by its bare name in Python; those without a value here are known, their result is not.

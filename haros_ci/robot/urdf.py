@@ -32,7 +32,7 @@ def read_robot(
     for node in root.all("link"):
         link = Link(name=node.given("name"), location=node.location, way=node.way, certain=node.certain)
         links.append(link)
-        meshes += [_mesh(each, link, sources, path) for each in node.walk() if each.tag == "mesh"]
+        meshes += [_mesh(other_node, link, sources, path) for other_node in node.walk() if other_node.tag == "mesh"]
     return Robot(
         path=path,
         arguments=tuple(sorted((k, v if isinstance(v, str) else None) for k, v in (arguments or {}).items())),

@@ -65,8 +65,8 @@ class _Reader:
         merged = YamlDict()
         for key, child in node.value:
             if key.tag == MERGE:
-                for each in child.value if isinstance(child, yaml.SequenceNode) else (child,):
-                    values = self.value(each, depth + 1)
+                for item in child.value if isinstance(child, yaml.SequenceNode) else (child,):
+                    values = self.value(item, depth + 1)
                     if isinstance(values, YamlDict):
                         merged = YamlDict({**values, **merged})
                 continue

@@ -85,7 +85,7 @@ class _Reader:
 
     def profile(self, enclave: str, placed: Placed) -> NodeProfile:
         element, path = placed
-        space, name = (element.attributes.get(each, "").strip() for each in ("ns", "node"))
+        space, name = (element.attributes.get(item, "").strip() for item in ("ns", "node"))
         outer, self.is_whole = self.is_whole, True
         base = space if space.endswith("/") else f"{space}/"
         rules: list[Permission] = []
@@ -138,14 +138,14 @@ class _Reader:
         found: list[Placed] = [(root, target)] if root.tag == first else []
         for tag in rest:
             self.included_elements += sum(len(parent.children) for parent, _ in found) // 64
-            found = [each for parent in found for each in self.children(parent, tag, depth=depth + 1)]
+            found = [child for parent in found for child in self.children(parent, tag, depth=depth + 1)]
         for parent in found:
-            for each in self.children(parent, *tags, depth=depth + 1):
+            for child in self.children(parent, *tags, depth=depth + 1):
                 self.included_elements += 1
                 if self.included_elements > MAX_INCLUDED:
                     self.is_whole = False
                     return
-                yield each
+                yield child
 
 
 def expanded(name: str, base: str, node: str) -> str:

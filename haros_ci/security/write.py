@@ -79,7 +79,7 @@ def _profile(name: str, nodes: list[Node], gaps: list[str]) -> Iterator[str]:
     yield f"        <profile ns={quoteattr(space or '/')} node={quoteattr(own)}>"
     for rows, (word, verbs) in LISTS.items():
         for verb in verbs:
-            entries = sorted(_relative(each, name, space) for each in names[ENDS[verb]])
+            entries = sorted(_relative(item, name, space) for item in names[ENDS[verb]])
             if entries:
                 yield f'          <{rows} {verb}="ALLOW">'
                 yield from (f"            <{word}>{escape(entry)}</{word}>" for entry in entries)

@@ -79,7 +79,7 @@ class Arguments:
         origin = text.origin
         if origin is None or origin.arguments.isdisjoint(assumed):
             return text
-        given = sorted((name, each.raw) for name, each in assumed.items() if name in origin.arguments)
+        given = sorted((name, value.raw) for name, value in assumed.items() if name in origin.arguments)
         key = (id(origin), tuple(given))
         if key not in self.again:
             self.again[key] = (origin, text)  # against one that depends on itself
@@ -166,7 +166,7 @@ class Question:
                 if name in kept and self.ask({**now, **kept, name: _ANY}) is True:
                     now[name] = _ANY
                     del kept[name]
-        presence = together(*((each,) for name in kept for each in self._choices(name, now, name in given)))
+        presence = together(*((item,) for name in kept for item in self._choices(name, now, name in given)))
         return presence or (), kept
 
     def _choices(self, name: str, now: Mapping[str, Text], is_given: bool) -> tuple[Choice, ...]:
@@ -257,7 +257,7 @@ def compared_with(expression: str) -> frozenset[str] | None:
         if not isinstance(node, ast.Compare):
             continue
         sides = [node.left, *node.comparators]
-        if not all(isinstance(each, (ast.Eq, ast.NotEq, ast.In, ast.NotIn)) for each in node.ops):
+        if not all(isinstance(op, (ast.Eq, ast.NotEq, ast.In, ast.NotIn)) for op in node.ops):
             continue
         told += sum(1 for side in sides if _text(side) == OTHER)
         if any(_text(side) == OTHER for side in sides):

@@ -172,7 +172,7 @@ def _eval(expression: str, sources: Sources) -> Substituted:
         )
         made = literal(evaluate(expression, scopes))
         found = _OPTIONAL.finditer(expression) if "optenv" in expression else ()
-        unset = [(each["name"], each["default"]) for each in found if each["name"] not in sources.environment]
+        unset = [(match["name"], match["default"]) for match in found if match["name"] not in sources.environment]
         vacant = [name for name, default in unset if default is None]
         if vacant and _FILE.search(made.raw):
             return Substituted(unknown(_not_given(vacant[0])))

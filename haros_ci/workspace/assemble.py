@@ -133,7 +133,7 @@ def assemble(
         reader=TextReader(root, listed, max_file_size, elsewhere),
         targets=None
         if targets is None
-        else targets & {*(file.path for file in files), *(each.path for each in unread)},
+        else targets & {*(file.path for file in files), *(problem.path for problem in unread)},
         problems=_sorted(found),
         faults=_sorted(fault for _, fault in packages.values() if fault is not None),
         links=tuple(sorted(links.items())),

@@ -22,8 +22,8 @@ def is_choice(command: Command) -> bool:
     everything = set().union(*found)
     if len(found) < 2 or everything & _TOOLS:
         return False
-    times = {name: sum(name in each for each in found) for name in everything}
-    return sum(any(times[name] == 1 for name in each) for each in found) > 1
+    times = {name: sum(name in group for group in found) for name in everything}
+    return sum(any(times[name] == 1 for name in group) for group in found) > 1
 
 
 def may_be_given(name: str) -> bool:
@@ -36,4 +36,4 @@ def may_be_given(name: str) -> bool:
 
 def _found(body: list[Command]) -> set[str]:
     """The packages that the commands of *body*, not those of blocks within, look for."""
-    return {each.arguments[0].text for each in body if each.name == "find_package" and each.arguments}
+    return {command.arguments[0].text for command in body if command.name == "find_package" and command.arguments}

@@ -118,7 +118,7 @@ def _constant(state: State, word: Word) -> bool | None:
 def _of_list(value: str) -> bool | None:
     """A list holds if one element is sure to be there and is no constant for false."""
     elements = split_list(value)
-    return True if any(is_certain(each) and truth(each) is not False for each in elements) else None
+    return True if any(is_certain(element) and truth(element) is not False for element in elements) else None
 
 
 def _operand(state: State, word: Word) -> str:

@@ -47,7 +47,7 @@ def _zipped(state: State, names: list[str], variables: list[str]) -> tuple[list[
     if len(names) != len(lists):
         return names, []
     longest = min(max(map(len, lists), default=0), MAX_TURNS)
-    return names, [tuple(each[turn] if turn < len(each) else "" for each in lists) for turn in range(longest)]
+    return names, [tuple(items[turn] if turn < len(items) else "" for items in lists) for turn in range(longest)]
 
 
 def _range(words: list[str]) -> range:

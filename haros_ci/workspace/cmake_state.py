@@ -168,10 +168,10 @@ class State:
         """The value that *scope*, one of the open ones or the cache, has for a variable or inherits."""
         if scope is self.cache:
             return scope.get(name)
-        depth = next((number for number, each in enumerate(self.scopes) if each is scope), -1)
-        for each in reversed(self.scopes[: depth + 1]):
-            if name in each:
-                return each[name]
+        depth = next((number for number, item in enumerate(self.scopes) if item is scope), -1)
+        for item in reversed(self.scopes[: depth + 1]):
+            if name in item:
+                return item[name]
         return scope.get(name, self.cache.get(name))
 
     def is_foreign(self, name: str) -> bool:

@@ -54,8 +54,8 @@ class _Reader:
         return token
 
     def take(self, *wanted: str) -> None:
-        for each in wanted:
-            if self.next() != each:
+        for item in wanted:
+            if self.next() != item:
                 raise _Other
 
     @property
@@ -72,7 +72,7 @@ def read_idl(text: str, name: str, kind: str) -> tuple[tuple[InterfaceField, ...
         wanted = [f"{name}{part}" for part in _PARTS[kind]]
         if set(reader.structs) != set(wanted) or not reader.constants.keys() <= set(wanted):
             return None
-        return tuple((*reader.constants.get(each, ()), *reader.structs[each]) for each in wanted)
+        return tuple((*reader.constants.get(item, ()), *reader.structs[item]) for item in wanted)
     except (_Other, ValueError):
         return None
 

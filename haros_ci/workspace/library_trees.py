@@ -59,13 +59,13 @@ def library_trees(names: Iterable[str], packages: Mapping[str, str]) -> frozense
             root = name[: -len(files[0]) - 1]
             if not root or not name.endswith(f"/{files[0]}") or called not in ("", root.rpartition("/")[2]):
                 continue
-            if all(f"{root}/{each}" in known for each in files) and not is_of_project(
+            if all(f"{root}/{file}" in known for file in files) and not is_of_project(
                 library, _package(root, packages)
             ):
                 found.add(root)
         if base.startswith("stm32") and _DRIVER.fullmatch(name) is not None:
             root = name.rpartition("/")[0].rpartition("/")[0]
-            if any(f"{root}/{each}/{base[:-2]}.c" in known for each in ("src", "Src")):
+            if any(f"{root}/{item}/{base[:-2]}.c" in known for item in ("src", "Src")):
                 found.add(root)
     return frozenset(found)
 

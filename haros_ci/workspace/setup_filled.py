@@ -32,6 +32,6 @@ def filled(module: ast.Module) -> frozenset[str]:
             found.add(dotted(node.target))
         elif isinstance(node, ast.Expr) and isinstance(node.value, ast.Call) and isinstance(node.value.func, ast.Name):
             given = node.value.args if node.value.func.id not in _HARMLESS else []
-            found.update(each.id for each in given if isinstance(each, ast.Name))
+            found.update(node.id for node in given if isinstance(node, ast.Name))
         todo += [(child, is_inside) for child in ast.iter_child_nodes(node)]
     return frozenset(found - {""})

@@ -256,7 +256,7 @@ class _Reader:
         self.looked += 1
         if isinstance(node, (ast.List, ast.Tuple)):
             items = [[item] if not isinstance(item, ast.Starred) else self.starred(item, depth) for item in node.elts]
-            return [item for each in items for item in each]
+            return [item for entry in items for item in entry]
         parts = summands(node) if isinstance(node, ast.BinOp) else self.nodes.get(dotted(node), [])
         if parts in ([], [node]) or depth > MAX_NESTED or self.looked > MAX_ITEMS:
             if self.package.ros != 1:

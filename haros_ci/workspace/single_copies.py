@@ -83,15 +83,22 @@ class SingleCopies(Judged):
             return False
         if _OF_ROS.search(text) or not owner.isdisjoint(self._people):
             return False
-        own = [each for each in self._code if not owner.isdisjoint(self._heads[each.path])]
+        own = [other_file for other_file in self._code if not owner.isdisjoint(self._heads[other_file.path])]
         directory = posixpath.dirname(file.path)
-        if len(own) > MOST or any(posixpath.dirname(each.path) != directory for each in own):
+        if len(own) > MOST or any(posixpath.dirname(other_file.path) != directory for other_file in own):
             return False
-        group = {each.path for each in own}
-        if any(not _owner(self._head(each)) & owner or _first_licence(self._head(each)) != licences for each in own):
+        group = {other_file.path for other_file in own}
+        if any(
+            not _owner(self._head(other_file)) & owner or _first_licence(self._head(other_file)) != licences
+            for other_file in own
+        ):
             return False
-        others = [each for each in self._code if each.package == file.package and each.path not in group]
-        if len(others) < OTHERS or any(_licences(self._head(each)) & licences for each in others):
+        others = [
+            other_file
+            for other_file in self._code
+            if other_file.package == file.package and other_file.path not in group
+        ]
+        if len(others) < OTHERS or any(_licences(self._head(other)) & licences for other in others):
             return False
         return not self._of_package(file.package) & licences and not self._uses_others(text, others)
 
@@ -103,11 +110,11 @@ class SingleCopies(Judged):
     @cached_property
     def _code(self) -> list[SourceFile]:
         """The code that is the project's own, as far as is known."""
-        return [each for each in self._workspace.files if each.language in ("cpp", "python") and not each.third_party]
+        return [file for file in self._workspace.files if file.language in ("cpp", "python") and not file.third_party]
 
     @cached_property
     def _heads(self) -> dict[str, frozenset[str]]:
-        return {each.path: _words(self._head(each)) for each in self._code}
+        return {file.path: _words(self._head(file)) for file in self._code}
 
     @cached_property
     def _people(self) -> frozenset[str]:
@@ -128,9 +135,9 @@ class SingleCopies(Judged):
     def _uses_others(self, text: str, others: Iterable[SourceFile]) -> bool:
         """Whether *text* includes or imports one of *others*, or something of a package of the workspace."""
         known = {package.name for package in self._workspace.packages}
-        for each in others:
-            known.add(posixpath.basename(each.path))
-            known.add(posixpath.splitext(posixpath.basename(each.path))[0])
+        for other in others:
+            known.add(posixpath.basename(other.path))
+            known.add(posixpath.splitext(posixpath.basename(other.path))[0])
         known -= {"__init__", "__main__", "setup"}
         for included, module, name, modules in _PARTS.findall(text):
             used = {included.partition("/")[0], posixpath.basename(included)}
