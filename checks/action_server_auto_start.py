@@ -27,12 +27,12 @@ def check(project: Project) -> Iterator[Finding]:
         if any(isinstance(argument, (syntax.Star, syntax.DoubleStar)) for argument in call.args):
             continue
         if started is None:
-            said = "auto_start defaults to True; pass auto_start=False, and call start() at the end of the set-up"
+            message = "auto_start defaults to True; pass auto_start=False, and call start() at the end of the set-up"
         elif isinstance(started, syntax.Boolean) and started.value:
-            said = "pass auto_start=False, and call start() at the end of the set-up"
+            message = "pass auto_start=False, and call start() at the end of the set-up"
         else:
             continue
-        yield Finding(at=call_place(routine, call), message=WHY + said, about=(routine.title, call.name))
+        yield Finding(at=call_place(routine, call), message=WHY + message, about=(routine.title, call.name))
     paths = code.mentioning("ActionServer")
     for source in code.sources:
         if source.separator == "::" and source.path in paths:

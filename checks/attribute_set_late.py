@@ -211,8 +211,8 @@ def _finding(project: Project, late: _Late) -> Finding:
     text = project.text(maker.path).split("\n")
     places = []
     for name in late.names:
-        wanted = re.compile(rf"\bself\.{re.escape(name)}\b[^=\n]*=(?!=)")
-        found = next((n for n in range(line, len(text)) if wanted.search(text[n])), None)
+        pattern = re.compile(rf"\bself\.{re.escape(name)}\b[^=\n]*=(?!=)")
+        found = next((n for n in range(line, len(text)) if pattern.search(text[n])), None)
         places += [(Location(maker.path, found + 1), f"self.{name} is set here")] if found is not None else []
     ros = project.code.ros_of(maker.source)
     when = f", and {late.waits}() lies between" if late.waits else ""

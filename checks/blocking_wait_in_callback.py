@@ -43,13 +43,13 @@ def check(project: Project) -> Iterator[Finding]:
             continue
         for call in code.body(reached.routine).calls:
             if id(call) not in seen and (
-                said := _python(code, reached, call) if reached.routine.is_python else _cpp(code, reached, call)
+                message := _python(code, reached, call) if reached.routine.is_python else _cpp(code, reached, call)
             ):
                 seen.add(id(call))
                 title = reached.callback.routine.title
                 yield Finding(
                     at=call_place(reached.routine, call),
-                    message=f"{title} is the callback of a {_kind(reached)}, and {said}",
+                    message=f"{title} is the callback of a {_kind(reached)}, and {message}",
                     about=(title, reached.routine.title, call.name),
                     flow=reached.flow(call, "it waits here"),
                 )

@@ -44,14 +44,14 @@ def _name_spaces(package: ProjectPackage, path: str, name: str) -> Iterator[Find
         if found is None:
             continue
         line = code.count("\n", 0, found.start()) + 1
-        said = f"includes {header}" if includes else f"uses {package.name}::{name}Config"
+        message = f"includes {header}" if includes else f"uses {package.name}::{name}Config"
         yield Finding(
             at=Location(path, text.count("\n", 0, given.start()) + 1),
             message=f"{posixpath.basename(path)} generates {name}Config for the package {other}, but it belongs to {package.name}: the header is "
-            f"{right}, with the class in the name space {other}, and {file.path} {said}, so that it does not build; write "
+            f"{right}, with the class in the name space {other}, and {file.path} {message}, so that it does not build; write "
             f'"{package.name}" as the package, and in the code {right} and {package.name}::{name}Config',
             about=(package.name, path),
-            related=((Location(file.path, line), said),),
+            related=((Location(file.path, line), message),),
             level=Level.ERROR,
         )
         return

@@ -18,14 +18,14 @@ def check(project: Project) -> Iterator[Finding]:
         by_child: dict[tuple[str, str], list[Broadcast]] = {}
         for broadcast in broadcasts(project, system):
             by_child.setdefault((broadcast.topic, broadcast.child), []).append(broadcast)
-        told: dict[tuple[int, int], list[tuple[Broadcast, Broadcast]]] = {}
+        by_nodes: dict[tuple[int, int], list[tuple[Broadcast, Broadcast]]] = {}
         for several in by_child.values():
             for one, other in combinations(several, 2):
                 is_same = one.node is other.node or (one.node.known and one.node.name == other.node.name)
                 if not is_same and is_conflict(one, other):  # duplicate-node-name tells of two of one name
-                    told.setdefault((id(one.node), id(other.node)), []).append((one, other))
+                    by_nodes.setdefault((id(one.node), id(other.node)), []).append((one, other))
                     break
-        for pairs in told.values():
+        for pairs in by_nodes.values():
             yield conflict(pairs, system)
         yield from circles(by_child, system)
 

@@ -26,11 +26,11 @@ def check(system: System) -> Iterator[Finding]:
                 level=Level.NOTE if use.text.strip(" '\"").lower() in _SWITCHES else None,
             )
         for comparison in use.comparisons:
-            said = _misspelt(comparison, use.ros)
-            if said:
+            misspelling = _misspelt(comparison, use.ros)
+            if misspelling:
                 yield Finding(
                     at=use.location,
-                    message=f"{comparison.left} {comparison.sign} {comparison.right!r} {said}",
+                    message=f"{comparison.left} {comparison.sign} {comparison.right!r} {misspelling}",
                     about=(use.text, comparison.left),
                     apart=(use.text, comparison.left),
                     flow=included_by(use),

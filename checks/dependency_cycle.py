@@ -20,7 +20,7 @@ SHOWN = 20
 
 
 def check(project: Project) -> Iterator[Finding]:
-    told: set[tuple[str, ...]] = set()
+    reported: set[tuple[str, ...]] = set()
     for tool, ros in (("colcon", 2), ("catkin", 1)):
         packages = {package.name: package for package in project.packages if package.ros in (ros, None)}
         edges = {name: _edges(packages, package) for name, package in packages.items()}
@@ -28,8 +28,8 @@ def check(project: Project) -> Iterator[Finding]:
             if tool == "colcon" and not any(packages[name].ros == 2 for name in group):
                 continue
             cycle = _shortest(group, edges, tool)
-            if cycle and cycle not in told:
-                told.add(cycle)
+            if cycle and cycle not in reported:
+                reported.add(cycle)
                 yield _finding(packages, cycle, edges, tool)
 
 

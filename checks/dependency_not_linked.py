@@ -33,7 +33,7 @@ def _ament(package: ProjectPackage) -> Iterator[Finding]:
     found |= package.declared if package.commands("ament_auto_find_build_dependencies", "autoware_package") else set()
     using = Using(package)
     for target in _targets(package):
-        wanted: dict[str, tuple[str, Location]] = {}
+        needed: dict[str, tuple[str, Location]] = {}
         for header, place in package.included.of(target).items():
             name = header.partition("/")[0]
             if (
@@ -42,11 +42,11 @@ def _ament(package: ProjectPackage) -> Iterator[Finding]:
                 and name in package.declared
                 and _is_its_own(package, name, header)
             ):
-                wanted.setdefault(name, (header, place))
-        if not wanted:
+                needed.setdefault(name, (header, place))
+        if not needed:
             continue
         used = using.of(target)
-        for name, (header, place) in wanted.items() if used is not None else ():
+        for name, (header, place) in needed.items() if used is not None else ():
             if used is not None and name not in used:
                 yield Finding(
                     at=target.location,

@@ -29,9 +29,9 @@ def check(system: System) -> Iterator[Finding]:
     for path, uses in files.items():
         text = system.workspace.text(path) if system.workspace is not None else ""
         left = [u for u in uses if not depends_on_distribution(text, u.location) and not is_tried(text, u.location)]
-        told = told_of(path, system) if left else ""
-        if left and told not in ("file", "branch"):
-            yield _finding(system, left, Level.NOTE if told == "old" else None)
+        place = told_of(path, system) if left else ""
+        if left and place not in ("file", "branch"):
+            yield _finding(system, left, Level.NOTE if place == "old" else None)
 
 
 def _finding(system: System, uses: list[ConstructUse], level: Level | None) -> Finding:

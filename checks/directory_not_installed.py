@@ -81,8 +81,8 @@ def check(project: Project) -> Iterator[Finding]:
         meant = left_out_on_purpose(package)
         things = {thing: need for thing, need in things.items() if need.wrong or thing not in meant}
         if package.ros == 1 and not installs_nothing(package):  # target-not-installed tells of it with the library
-            told = {plugin.location.path for plugins in lost_plugins(package).values() for plugin in plugins}
-            things = {thing: need for thing, need in things.items() if not _is_told(package, thing, need, told)}
+            reported = {plugin.location.path for plugins in lost_plugins(package).values() for plugin in plugins}
+            things = {thing: need for thing, need in things.items() if not _is_told(package, thing, need, reported)}
         if not things:
             continue
         if not installs_nothing(package):
@@ -101,7 +101,7 @@ def check(project: Project) -> Iterator[Finding]:
 def _wanted(project: Project, needs: Mapping[tuple[str, str], _Need]) -> set[tuple[str, str]]:
     """Those of *needs* that something needs which is installed, or ought to be: a launch directory, or what is needed in turn."""
     owners = {file.path: file.package for file in project.workspace.files}
-    wanted = {key for key, need in needs.items() if not need.places}
+    needed = {key for key, need in needs.items() if not need.places}
     keys: dict[str, tuple[str, str] | None] = {}
     for need in needs.values():
         for place, _ in need.places:
@@ -113,17 +113,17 @@ def _wanted(project: Project, needs: Mapping[tuple[str, str], _Need]) -> set[tup
                 is_kept = bool(landings(package, place.path)) or _is_made(package, inner)
                 keys[place.path] = None if is_kept else (package.name, inner.partition("/")[0])
     before = -1
-    while len(wanted) != before:
-        before = len(wanted)
+    while len(needed) != before:
+        before = len(needed)
         for key, need in needs.items():
-            if any(keys[place.path] is None or keys[place.path] in wanted for place, _ in need.places):
-                wanted.add(key)
-    return wanted
+            if any(keys[place.path] is None or keys[place.path] in needed for place, _ in need.places):
+                needed.add(key)
+    return needed
 
 
-def _is_told(package: ProjectPackage, thing: str, need: _Need, told: set[str]) -> bool:
+def _is_told(package: ProjectPackage, thing: str, need: _Need, reported: set[str]) -> bool:
     """Whether *thing* describes plug-ins whose library is not installed, either, and the manifest alone needs it."""
-    return package.inside(thing) in told and all(place.path == package.manifest_path for place, _ in need.places)
+    return package.inside(thing) in reported and all(place.path == package.manifest_path for place, _ in need.places)
 
 
 def _named(project: Project) -> Iterator[tuple[Location, str, str]]:

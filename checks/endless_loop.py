@@ -125,15 +125,15 @@ def _text(code: Codebase, routine: Routine, statement: syntax.Loop) -> str | Non
 
 def _finding(code: Codebase, routine: Routine, statement: syntax.Loop) -> Finding:
     ros = code.ros_of(routine.source)
-    asked = "not rospy.is_shutdown()" if routine.is_python else "ros::ok()" if ros == 1 else "rclcpp::ok()"
+    condition = "not rospy.is_shutdown()" if routine.is_python else "ros::ok()" if ros == 1 else "rclcpp::ok()"
     test, why = statement.test, ""
     if isinstance(test, syntax.Name) and _is_uncalled(test):
         why = f"names {test.name} and does not call it, so that the loop"
-    said = f": its condition {why} always holds" if why else ""
+    reason = f": its condition {why} always holds" if why else ""
     return Finding(
         at=Location(routine.path, statement.line, statement.column),
-        message=f"the loop in {routine.title} has no exit{said}: it continues after a shutdown, and the process hangs or "
-        f"is killed; test {asked} in its condition",
+        message=f"the loop in {routine.title} has no exit{reason}: it continues after a shutdown, and the process hangs or "
+        f"is killed; test {condition} in its condition",
         about=(routine.title, "endless loop"),
     )
 

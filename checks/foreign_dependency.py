@@ -55,8 +55,8 @@ def _is_for_both(package: ProjectPackage) -> bool:
 
 def _without_condition(package: ProjectPackage) -> Iterator[Finding]:
     """In a manifest with dependencies for either ROS: those on what one ROS alone has, for both."""
-    told = " ".join(need.condition or "" for need in package.raw.dependencies)
-    if {match[1] for match in _VERSION.finditer(told)} != {"1", "2"}:
+    conditions = " ".join(need.condition or "" for need in package.raw.dependencies)
+    if {match[1] for match in _VERSION.finditer(conditions)} != {"1", "2"}:
         return
     for need in package.raw.dependencies:
         ros = next((ros for ros in (1, 2) if need.name in COUNTERPARTS[ros]), None)

@@ -66,10 +66,10 @@ _seen: dict[tuple[str, str], tuple[_Use, ...]] = {}
 
 
 def check(system: System) -> Iterator[Finding]:
-    told: set[Location] = set()
+    reported: set[Location] = set()
     for found in (*_parameters(system), *_broadcasters(system), *_code(system)):
-        if found.at not in told:
-            told.add(found.at)
+        if found.at not in reported:
+            reported.add(found.at)
             yield found
 
 

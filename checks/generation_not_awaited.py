@@ -39,7 +39,7 @@ def _catkin(package: ProjectPackage) -> Iterator[Finding]:
     for config in package.build.configs:
         kinds[f"{name}/{config.name}Config.h"] = "configs"
     others = _generated_elsewhere(package)
-    said: set[str] = set()
+    reported: set[str] = set()
     for target in _targets(package):
         awaited = package.cmake.awaited(target.name)
         if any("${" in word and not word.endswith("_EXPORTED_TARGETS}") for word in awaited):
@@ -49,15 +49,15 @@ def _catkin(package: ProjectPackage) -> Iterator[Finding]:
         for kind, ends in (("messages", _MESSAGES), ("configs", _CONFIGS)):
             if not any(word.startswith(f"{name}_") and word.endswith(ends) for word in awaited):
                 uses |= {header: place for header, place in included.items() if kinds.get(header) == kind}
-        if uses and not any(other.name in said for other in package.cmake.linked(target.name)):
-            said.add(target.name)
+        if uses and not any(other.name in reported for other in package.cmake.linked(target.name)):
+            reported.add(target.name)
             yield _finding(package, target, uses, _dependency(package, target))
         elif "${catkin_EXPORTED_TARGETS}" not in awaited:
             theirs = {header: place for header, place in included.items() if header in others}
             waits = {word.strip("${}") for word in awaited}
             missing = {h: p for h, p in theirs.items() if not any(word.startswith(f"{others[h]}_") for word in waits)}
-            if missing and not any(other.name in said for other in package.cmake.linked(target.name)):
-                said.add(target.name)
+            if missing and not any(other.name in reported for other in package.cmake.linked(target.name)):
+                reported.add(target.name)
                 yield _elsewhere(package, target, others, missing)
 
 
@@ -107,13 +107,13 @@ def _dependency(package: ProjectPackage, target: Target) -> Fix | None:
     if made is None or not package.commands("generate_messages", "generate_dynamic_reconfigure_options"):
         return None
     end = "\r\n" if "\r\n" in text else "\n"
-    wanted = f"{made[1]}add_dependencies({target.name} ${{${{PROJECT_NAME}}_EXPORTED_TARGETS}})"
+    command = f"{made[1]}add_dependencies({target.name} ${{${{PROJECT_NAME}}_EXPORTED_TARGETS}})"
     point = (number, len(line) + 1)
     makers = package.commands("generate_messages", "generate_dynamic_reconfigure_options")
     if any(m.location.path != target.location.path or (m.location.line or 0) > number for m in makers):
         return None
     return Fix(
-        f"make {target.name} after the generated headers", (Edit(target.location.path, point, point, end + wanted),)
+        f"make {target.name} after the generated headers", (Edit(target.location.path, point, point, end + command),)
     )
 
 

@@ -52,12 +52,12 @@ def _ends(project: Project) -> Iterator[Finding]:
         who = end.node.name + (f" and {len(nodes)} more" if nodes else "")
         name = lost.name
         if lost.is_new_name:
-            said = (
+            message = (
                 f"{who} {does} {end.name} now, because {name} was {change_said(lost.change, name)}, but only {name} "
                 f"exists: {result}"
             )
         else:
-            said = f"{who} still {does} {name}, {_gone(lost.change, name)}: {result}"
+            message = f"{who} still {does} {name}, {_gone(lost.change, name)}: {result}"
         others = {
             other_end.location: (other_end.location, str(other_end))
             for _, other_end in group
@@ -65,7 +65,7 @@ def _ends(project: Project) -> Iterator[Finding]:
         }
         yield Finding(
             at=end.location,
-            message=f"{said}; use the same name in both places, or remap one",
+            message=f"{message}; use the same name in both places, or remap one",
             about=(name, end.node.name, *nodes[:SHOWN]),
             related=(*_cause(lost.change), *list(others.values())[:SHOWN]),
             level=Level.ERROR if lost.change.action == RENAMED and not lost.is_new_name else None,
@@ -116,14 +116,14 @@ def _remaps(old: System, new: System, causes: Causes) -> Iterator[Finding]:
 
 def _values(project: Project, causes: Causes) -> Iterator[Finding]:
     """Values for a parameter that the nodes which get them had, and have no more; one finding for each line."""
-    told: dict[tuple[Location, str], tuple[Change, str, dict[str, None]]] = {}
+    by_place: dict[tuple[Location, str], tuple[Change, str, dict[str, None]]] = {}
     for _, new in both(project):
         if causes.touches(new):
             for at, key, node, name in (*_given(new), *_set(new)):
                 change = causes.named("parameter", name, new)
                 if change is not None:
-                    told.setdefault((at, key), (change, name, {}))[2][node or (change.nodes or ("",))[0]] = None
-    for (at, key), (change, name, nodes) in told.items():
+                    by_place.setdefault((at, key), (change, name, {}))[2][node or (change.nodes or ("",))[0]] = None
+    for (at, key), (change, name, nodes) in by_place.items():
         names = sorted(nodes)
         owner = f" of {names[0]}" + (f" and {len(names) - 1} more" if len(names) > 1 else "")
         yield Finding(

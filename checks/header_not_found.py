@@ -77,10 +77,10 @@ def check(project: Project) -> Iterator[Finding]:
     headers = Headers(project)
     owners: dict[str, list[str] | None] = {}
     for package in project.packages:
-        told: set[str] = set()
+        reported: set[str] = set()
         for name, place in _included(package):
             owner = project.package(name.partition("/")[0])
-            if name in told or owner is None or headers.are_there(name):
+            if name in reported or owner is None or headers.are_there(name):
                 continue
             if _is_of_an_interface(owner, name):
                 continue  # undefined-interface
@@ -88,7 +88,7 @@ def check(project: Project) -> Iterator[Finding]:
                 owners[owner.name] = headers.below(owner) if _is_known(owner) else None
             known = owners[owner.name]
             if known and not _may_be_made(headers, owner, package, name):
-                told.add(name)
+                reported.add(name)
                 yield _finding(package, owner, name, place, known)
 
 

@@ -80,14 +80,14 @@ def check(project: Project) -> Iterator[Finding]:
         kind = _made_here(code, routine, name) if name else None
         if name is None or kind is None or kind not in HEADED:
             continue
-        said = _missing(code, routine, name, kind) if (id(routine), name) not in seen else None
-        if said and not is_dead(code, routine):
+        message = _missing(code, routine, name, kind) if (id(routine), name) not in seen else None
+        if message and not is_dead(code, routine):
             seen.add((id(routine), name))
             yield Finding(
                 at=call_place(routine, call),
-                message=f"{name}, a {kind}, is published with {said}",
+                message=f"{name}, a {kind}, is published with {message}",
                 about=(routine.title, name, kind),
-                level=Level.NOTE if "without frame_id" in said or closed.has(routine.path, kind) else Level.WARNING,
+                level=Level.NOTE if "without frame_id" in message or closed.has(routine.path, kind) else Level.WARNING,
             )
 
 

@@ -31,13 +31,13 @@ def check(project: Project) -> Iterator[Finding]:
         beside = _beside(project, meta, lists)
         listed = {need.name for need in needs(meta)}
         known = [package for package in beside if package.name in listed]
-        wanted = [package for package in beside if not _left_out(package, known)]
-        if len(known) >= LEAST and len(known) >= SHARE * len(wanted):
+        eligible = [package for package in beside if not _left_out(package, known)]
+        if len(known) >= LEAST and len(known) >= SHARE * len(eligible):
             brought = _brought(project, listed)
             text = project.text(meta.manifest_path)
             missing = [
                 package
-                for package in wanted
+                for package in eligible
                 if package.name not in brought | everywhere and not re.search(rf"\b{re.escape(package.name)}\b", text)
             ]
             if missing:

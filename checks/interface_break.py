@@ -107,12 +107,12 @@ def _still_there(project: Project, users: InterfaceUsers, changes: list[Interfac
             (user.location, f"{user.how}") for user in users.of(first.kind, first.name) if user.how.endswith(" it")
         )
     short = first.name.rpartition("/")[2]
-    gone = [change.field for change in changes if change.what in ("constant-removed", "constant-renamed")]
-    if not gone:
+    removed = [change.field for change in changes if change.what in ("constant-removed", "constant-renamed")]
+    if not removed:
         return
     named = re.compile(rf"\b{re.escape(short)}(?:_Request|_Response|_Goal|_Result|_Feedback|::Request|::Response|::Goal"
                        rf"|::Result|::Feedback|Request|Response|\.Request|\.Response|\.Goal|\.Result|\.Feedback)?"
-                       rf"(?:::|\.)({'|'.join(map(re.escape, gone))})\b")  # fmt: skip
+                       rf"(?:::|\.)({'|'.join(map(re.escape, removed))})\b")  # fmt: skip
     for path in sorted({user.location.path for user in users.of(first.kind, first.name)}):
         for number, line in enumerate(project.text(path).split("\n"), 1):
             found = named.search(line)

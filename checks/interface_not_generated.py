@@ -232,9 +232,9 @@ def _is_made(word: str, package: ProjectPackage) -> bool:
 
 def _alike(place: str, package: ProjectPackage) -> str | None:
     """A definition of this name in other letters or in another directory."""
-    wanted = posixpath.basename(place).lower()
+    name = posixpath.basename(place).lower()
     found = (
-        interface.path for interface in package.build.interfaces if posixpath.basename(interface.path).lower() == wanted
+        interface.path for interface in package.build.interfaces if posixpath.basename(interface.path).lower() == name
     )
     return next(found, None)
 

@@ -67,8 +67,8 @@ def _required(package: ProjectPackage, root: Element) -> Iterator[Finding]:
     for tag in ("name", "version", "description"):
         if count[tag] != 1:
             second = [*root.all(tag)][1:2]
-            said = "twice" if count[tag] == 2 else f"{count[tag]} times" if count[tag] else "not at all"
-            what = f"<{tag}> occurs {said}, but must occur exactly once"
+            times = "twice" if count[tag] == 2 else f"{count[tag]} times" if count[tag] else "not at all"
+            what = f"<{tag}> occurs {times}, but must occur exactly once"
             yield _finding(package, second[0] if second else None, what, tag)
     for tag in ("maintainer", "license"):
         if not count[tag]:
@@ -99,11 +99,11 @@ def _required(package: ProjectPackage, root: Element) -> Iterator[Finding]:
 def _tags(package: ProjectPackage, root: Element) -> Iterator[Finding]:
     """Tags and attributes that the format does not have; each tag once."""
     known = known_tags(package.raw.format)
-    told: set[str] = set()
+    reported: set[str] = set()
     for child in root.children:
         if child.tag not in known:
-            if child.tag not in told:
-                told.add(child.tag)
+            if child.tag not in reported:
+                reported.add(child.tag)
                 yield _unknown(package, root, child, known)
             continue
         if child.tag not in ("description", "export") and child.children:
@@ -185,13 +185,13 @@ def _dependencies(package: ProjectPackage, root: Element) -> Iterator[Finding]:
         other = wider.get(_key(child))
         if other is None or word(child) == package.name:
             continue
-        spare = child if package.raw.format > 1 else other
-        fix = drop_element(package, spare, f"drop the {spare.tag} on {word(child)}")
+        superfluous = child if package.raw.format > 1 else other
+        fix = drop_element(package, superfluous, f"drop the {superfluous.tag} on {word(child)}")
         yield _finding(
             package,
-            spare,
-            f"<{spare.tag}> on {word(child)} repeats <{(other if spare is child else child).tag}>; remove it",
-            f"{spare.tag} {word(child)}",
+            superfluous,
+            f"<{superfluous.tag}> on {word(child)} repeats <{(other if superfluous is child else child).tag}>; remove it",
+            f"{superfluous.tag} {word(child)}",
             () if fix is None else (fix,),
         )
 

@@ -16,11 +16,11 @@ _BRACES = re.compile(r"\{(?:node|ns|namespace)\}")
 
 
 def check(system: System) -> Iterator[Finding]:
-    told: set[tuple[Location, str]] = set()
+    reported: set[tuple[Location, str]] = set()
     for node in system.nodes:
         for place, what, name, why in _wrong(node):
-            if (place, name) not in told:
-                told.add((place, name))
+            if (place, name) not in reported:
+                reported.add((place, name))
                 yield Finding(
                     at=place,
                     message=f"{what} {name!r} is not a valid name in ROS {node.ros}: {why}",

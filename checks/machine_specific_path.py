@@ -90,7 +90,7 @@ def _places(derived: dict[PathUse, PathUse], use: PathUse) -> list[Location]:
 
 
 def check(system: System) -> Iterator[Finding]:
-    said: set[str] = set()
+    reported: set[str] = set()
     uses = tuple(system.facts(PathUse))
     if not uses:
         return
@@ -99,9 +99,9 @@ def check(system: System) -> Iterator[Finding]:
     derived = _derived(system, uses, origins)
     containers = _of_containers(system)
     for use in uses:
-        if use.text in said or use in derived:
+        if use.text in reported or use in derived:
             continue
-        said.add(use.text)
+        reported.add(use.text)
         of = f" of {use.name!r}" if use.name else ""
         find = "$(find-pkg-share ...)" if use.ros == 2 else "$(find ...)"
         is_secret = _SECRET.search(use.text) is not None

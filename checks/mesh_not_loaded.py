@@ -36,23 +36,23 @@ def _found(project: Project) -> Iterator[tuple[str, Finding]]:
             again.setdefault((mesh.location.path, mesh.filename), []).append(mesh)
         is_plain = not description.command
         for mesh, *others in _by_directory(again.values(), project, is_plain):
-            said = fault(mesh, project, meshes) if mesh.filename else ""
+            problem = fault(mesh, project, meshes) if mesh.filename else ""
             more = len({other.filename for other in others} - {mesh.filename})
             is_literal = is_plain and _is_literal(mesh, project)
-            if said and is_literal:
-                said = _not_substituted(mesh.filename or "", more)
-            elif said and more:
-                said += f"; {more} more {'meshes are' if more > 1 else 'mesh is'} looked for in the same directory, which does not exist"
-            if said and mesh.path is not None and not mesh.is_missing:
+            if problem and is_literal:
+                problem = _not_substituted(mesh.filename or "", more)
+            elif problem and more:
+                problem += f"; {more} more {'meshes are' if more > 1 else 'mesh is'} looked for in the same directory, which does not exist"
+            if problem and mesh.path is not None and not mesh.is_missing:
                 if mesh.path in disguised:  # several robots may have the one file
                     continue
                 disguised.add(mesh.path)
-            if said:
+            if problem:
                 yield (
                     "" if mesh.is_missing else mesh.filename or "",
                     Finding(
                         at=mesh.location,
-                        message=said,
+                        message=problem,
                         about=(description.package or description.robot.path, mesh.filename or ""),
                         related=tuple(
                             (other.location, _also(other, mesh, is_literal))

@@ -96,13 +96,13 @@ def _found(project: Project) -> Iterator[Finding]:
 def _of_function(code: Codebase, routine: Routine, call: Call) -> Iterator[Finding]:
     name = dotted(code, routine, call.callee)
     head, last = name.partition(".")[0], name.rpartition(".")[2]
-    wanted = _FUNCTIONS.get(code.ros_of(routine.source) or 0, {}).get(f"{head}.{last}")
-    if wanted is not None and _MODULE.fullmatch(name.removesuffix(last)) is not None:
-        yield from _lacking(routine, call, last, wanted)
+    required = _FUNCTIONS.get(code.ros_of(routine.source) or 0, {}).get(f"{head}.{last}")
+    if required is not None and _MODULE.fullmatch(name.removesuffix(last)) is not None:
+        yield from _lacking(routine, call, last, required)
 
 
 def _of_method(code: Codebase, routine: Routine, call: Call) -> Iterator[Finding]:
-    receiver, wanted = call.receiver, _METHODS[call.name]
+    receiver, required = call.receiver, _METHODS[call.name]
     if receiver is None or own_method(code, routine, call):
         return
     if isinstance(receiver, syntax.This):
@@ -110,10 +110,10 @@ def _of_method(code: Codebase, routine: Routine, call: Call) -> Iterator[Finding
         is_node = owner is not None and bool(_NODES & base_names(code, owner))
     else:
         is_node = type_name(code, routine, receiver) in _NODES
-    first = call.argument(0, wanted[0])
+    first = call.argument(0, required[0])
     is_typed = first is not None and _TYPE.fullmatch(dotted(code, routine, first)) is not None
     if is_node or (is_typed and not _is_defined(code, call.name)):
-        yield from _lacking(routine, call, call.name, wanted)
+        yield from _lacking(routine, call, call.name, required)
 
 
 def _topic(given: syntax.Expression) -> str:
@@ -133,14 +133,14 @@ def _is_defined(code: Codebase, name: str, separator: str = ".") -> bool:
     return bool(code.kept[key])
 
 
-def _lacking(routine: Routine, call: Call, name: str, wanted: tuple[str, ...]) -> Iterator[Finding]:
+def _lacking(routine: Routine, call: Call, name: str, required: tuple[str, ...]) -> Iterator[Finding]:
     if any(isinstance(argument, (syntax.Star, syntax.DoubleStar)) for argument in call.args):
         return
     keywords = {argument.name for argument in call.args if isinstance(argument, syntax.Keyword)}
     plain = sum(not isinstance(argument, syntax.Keyword) for argument in call.args)
     if keywords & {*_OLD} or (name in _BY_KEYWORD and plain):
         return
-    lacking = [item for at, item in enumerate(wanted) if at >= plain and item not in keywords]
+    lacking = [item for at, item in enumerate(required) if at >= plain and item not in keywords]
     if not lacking:
         return
     since = {

@@ -33,13 +33,13 @@ def check(project: Project) -> Iterator[Finding]:
         commands = package.build.commands
         if any(_MAKERS.match(c.name) or (c.name == "file" and "DOWNLOAD" in c.arguments[:1]) for c in commands):
             continue
-        said: set[str] = set()
+        reported: set[str] = set()
         for command in commands:
             for word in _things(command):
                 path = command.place(word)
-                if path is None or path in said or project.exists(path) or may_appear(package, path, _QUIET):
+                if path is None or path in reported or project.exists(path) or may_appear(package, path, _QUIET):
                     continue
-                said.add(path)
+                reported.add(path)
                 if is_told_of(package, path):
                     continue
                 yield _finding(project, package, command, word, path, exported)

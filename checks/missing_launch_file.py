@@ -28,11 +28,11 @@ _WHAT = {
 
 def check(system: System) -> Iterator[Finding]:
     # What a ROS 2 node is given is told by parameter-file-missing, also of the argument that leads there.
-    said = {use.text for use in system.facts(ParameterFileUse) if use.is_found is False and use.ros == 2}
+    reported = {use.text for use in system.facts(ParameterFileUse) if use.is_found is False and use.ros == 2}
     lost: dict[tuple[object, ...], list[tuple[FileUse, str]]] = {}
     folders = _folders(system)
     for use in system.facts(FileUse):
-        if use.is_found is not False or use.text in said:
+        if use.is_found is not False or use.text in reported:
             continue
         if use.kind == "parameters" and use.ros == 2:
             continue
@@ -40,7 +40,7 @@ def check(system: System) -> Iterator[Finding]:
             not _READ.search(use.inner) or _WRITES.search(f"{use.name} {use.inner}")
         ):
             continue
-        said.add(use.text)
+        reported.add(use.text)
         made = _made(system, use)
         # files in one directory that is not there are one slip of a launch file
         folder = "" if made else _lost_folder(use, folders)

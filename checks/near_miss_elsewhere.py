@@ -71,8 +71,8 @@ def _is_meant(graph: WholeGraph, given: Ends, taken: Ends, is_alone: bool) -> bo
     if giver.node.type == taker.node.type or not (giver.in_source and taker.in_source):
         return False
     one, other = giver.name.split("/"), taker.name.split("/")
-    apart = [pair for pair in zip(one, other) if pair[0] != pair[1]]
-    if len(one) == len(other) and len(apart) == 1 and is_slip(*apart[0]):
+    differing = [pair for pair in zip(one, other) if pair[0] != pair[1]]
+    if len(one) == len(other) and len(differing) == 1 and is_slip(*differing[0]):
         return True
     systems = {name for _, name in (*given, *taken)}
     is_open = any(is_opaque(node) for name in systems for node in graph.systems[name].nodes)

@@ -110,8 +110,8 @@ def _is_misspelt(one: str, other: str) -> bool:
     segments, others = one.split("/"), other.split("/")
     if len(segments) != len(others):
         return False
-    apart = [pair for pair in zip(segments, others) if pair[0] != pair[1]]
-    return len(apart) == 1 and is_slip(*apart[0])
+    differing = [pair for pair in zip(segments, others) if pair[0] != pair[1]]
+    return len(differing) == 1 and is_slip(*differing[0])
 
 
 def _fit(giver: End, taker: End) -> bool:

@@ -16,7 +16,7 @@ _TRUE = frozenset(("ON", "TRUE", "YES", "Y", "1"))
 def check(project: Project) -> Iterator[Finding]:
     for package in project.packages:
         first: dict[str, CMakeCommand] = {}
-        gone: set[str] = set()
+        removed: set[str] = set()
         for command in package.commands("option"):
             words = command.arguments
             if len(words) < 2 or "$" in words[0]:
@@ -27,9 +27,9 @@ def check(project: Project) -> Iterator[Finding]:
                     first[words[0]] = command
                 continue
             old, new = _default(before), _default(command)
-            if words[0] in gone or old is None or new is None or old == new or command.location == before.location:
+            if words[0] in removed or old is None or new is None or old == new or command.location == before.location:
                 continue
-            gone.add(words[0])
+            removed.add(words[0])
             if _UNSET.search(project.text(command.location.path)):
                 continue
             value = "ON" if new else "OFF"

@@ -43,10 +43,10 @@ def check(project: Project) -> Iterator[Finding]:
     for package in project.packages:
         if not package.cmake.is_whole or package.ros is None or _may_find_more(package):
             continue
-        told: set[str] = set()
+        reported: set[str] = set()
         for name, finding in _ament(package) if package.ros == 2 else _catkin(package):
-            if name not in told:
-                told.add(name)
+            if name not in reported:
+                reported.add(name)
                 yield finding
 
 
@@ -134,32 +134,34 @@ def _is_of_the_system(package: ProjectPackage, name: str) -> bool:
 def _unfound(package: ProjectPackage, use: CMakeCommand, name: str, found: dict[str, CMakeCommand]) -> Finding:
     later = next((command for command in package.commands("find_package") if command.arguments[:1] == (name,)), None)
     if later is not None:
-        said = (
+        message = (
             f"ament_target_dependencies({use.arguments[0]}) uses {name} before find_package({name}) in line "
             f"{later.location.line}"
         )
-        return _made(package, use.location, name, f"{said}: CMake stops; move find_package({name} REQUIRED) before it")
-    said = f"ament_target_dependencies({use.arguments[0]}) uses {name} without find_package({name})"
-    return _made(package, use.location, name, f"{said}: CMake stops; {_remedy(package, name)}", found)
+        return _made(
+            package, use.location, name, f"{message}: CMake stops; move find_package({name} REQUIRED) before it"
+        )
+    message = f"ament_target_dependencies({use.arguments[0]}) uses {name} without find_package({name})"
+    return _made(package, use.location, name, f"{message}: CMake stops; {_remedy(package, name)}", found)
 
 
 def _linked(package: ProjectPackage, use: CMakeCommand, name: str, found: dict[str, CMakeCommand]) -> Finding:
     word = next(word for word in use.arguments if word.startswith(f"{name}::"))
-    said = (
+    message = (
         f"target {use.arguments[0]} is linked with {word} without find_package({name}): CMake stops, because the "
         f"target {word} does not exist"
     )
-    return _made(package, use.location, name, f"{said}; {_remedy(package, name)}", found)
+    return _made(package, use.location, name, f"{message}; {_remedy(package, name)}", found)
 
 
 def _included(
     package: ProjectPackage, name: str, header: str, place: Location, found: dict[str, CMakeCommand]
 ) -> Finding:
-    said = (
+    message = (
         f"{package.name} includes {header}, but its CMakeLists.txt has no find_package({name}): the compiler does "
         "not find the header"
     )
-    return _made(package, place, name, f"{said}; {_remedy(package, name)}, and link the target with it")
+    return _made(package, place, name, f"{message}; {_remedy(package, name)}, and link the target with it")
 
 
 def _remedy(package: ProjectPackage, name: str) -> str:
@@ -234,20 +236,22 @@ def _catkin(package: ProjectPackage) -> Iterator[tuple[str, Finding]]:
             found.update(command.arguments)
         providers = _MACROS.get(command.name, ())
         if providers and not command.is_conditional and _is_undefined(package, found, providers):
-            said = f"{command.name}() is called without a find_package() of {providers[0]} before: CMake stops at an unknown command"
+            message = f"{command.name}() is called without a find_package() of {providers[0]} before: CMake stops at an unknown command"
             remedy = f"add {providers[0]} to the COMPONENTS of find_package(catkin)"
-            yield providers[0], _made(package, command.location, providers[0], f"{said}; {remedy}")
+            yield providers[0], _made(package, command.location, providers[0], f"{message}; {remedy}")
         if command.name == "generate_messages" and not command.is_conditional:
             for name in command.after("DEPENDENCIES", "LANGS"):
                 if "$" not in name and _is_lacking(package, found, name):
-                    said = f"generate_messages() depends on {name} without a find_package() of it before: CMake stops"
+                    message = (
+                        f"generate_messages() depends on {name} without a find_package() of it before: CMake stops"
+                    )
                     yield (
                         name,
                         _made(
                             package,
                             command.location,
                             name,
-                            f"{said}; add {name} to the COMPONENTS of find_package(catkin)",
+                            f"{message}; add {name} to the COMPONENTS of find_package(catkin)",
                         ),
                     )
 

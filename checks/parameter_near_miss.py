@@ -23,7 +23,7 @@ def check(system: System) -> Iterator[Finding]:
     given = [parameter for parameter in system.parameters if "?" not in parameter.name and ":" not in parameter.name]
     named = {part for end in reads for part in _around(end.name)}
     read = {end.name for end in reads}
-    said = {part for parameter in given for part in _around(parameter.name)}
+    used = {part for parameter in given for part in _around(parameter.name)}
     names = {parameter.name for parameter in given}
     unread = [
         parameter
@@ -37,7 +37,7 @@ def check(system: System) -> Iterator[Finding]:
     for parameter in unread:
         by_last.setdefault(parameter.name.rpartition("/")[0], []).append(parameter)
     moved: dict[tuple[SystemNode, str], list[tuple[End, Parameter, Location]]] = {}
-    for end in _missing(reads, said, names):
+    for end in _missing(reads, used, names):
         if _is_of_stripped_namespace(end, system):
             continue
         for parameter in _meant(end, by_last, unread):
@@ -50,12 +50,12 @@ def check(system: System) -> Iterator[Finding]:
         yield _finding(*group[0], tuple(group[1:]))
 
 
-def _missing(reads: list[End], said: set[str], names: set[str]) -> Iterator[End]:
+def _missing(reads: list[End], used: set[str], names: set[str]) -> Iterator[End]:
     """What is read and not given, neither itself nor a part of it nor what it is a part of."""
     written = {end.name for end in reads if end.kind == "setters"}
     for end in reads:
         above = set(_around(end.name))
-        if end.kind == "getters" and end.known and end.name not in said and not above & names and not above & written:
+        if end.kind == "getters" and end.known and end.name not in used and not above & names and not above & written:
             yield end
 
 

@@ -77,12 +77,12 @@ def _lacking(node: SystemNode) -> list[tuple[str, End]]:
 def _alike(system: System, node: SystemNode, missing: list[tuple[str, End]]) -> list[SystemNode]:
     """The nodes of other launch files, of the same class and with the same files of parameters, that lack the same: one file is to be mended."""
     found: dict[tuple[object, ...], SystemNode] = {}
-    files, wanted = _files(node), [(key, end.location) for key, end in missing]
+    files, missing_here = _files(node), [(key, end.location) for key, end in missing]
     for other_system in system.whole.systems if files else ():
         for other in other_system.nodes:
             if _at(other) == _at(node) or _at(other) in found or other.location.path in other_system.refused:
                 continue
-            if _files(other) == files and [(key, end.location) for key, end in _lacking(other)] == wanted:
+            if _files(other) == files and [(key, end.location) for key, end in _lacking(other)] == missing_here:
                 found[_at(other)] = other
     return [found[place] for place in sorted(found)]
 

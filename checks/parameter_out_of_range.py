@@ -22,12 +22,12 @@ def check(system: System) -> Iterator[Finding]:
 
 
 def _judged(end: End, key: str, value: object, given: Given | None) -> Iterator[Finding]:
-    said = _outside(end, value)
-    if said:
+    problem = _outside(end, value)
+    if problem:
         yield Finding(
             at=given.at if given else end.location,
             message=(
-                f"{end.node} {('is given' if given else 'declares by default')} {value} for the parameter {key}, {said}: "
+                f"{end.node} {('is given' if given else 'declares by default')} {value} for the parameter {key}, {problem}: "
                 "the node throws at the declaration; use a value within the range"
             ),
             about=(end.node, key),

@@ -27,15 +27,15 @@ def _of_file(system: System, unserved: list[ParameterFileUse], uses: tuple[Param
         return
     live = {_key(pattern) for use in uses for pattern in use.patterns if _matches(use, pattern) is not False}
     is_own = len({use.program for use in uses}) == 1
-    told: set[tuple[str, Location]] = set()
+    reported: set[tuple[str, Location]] = set()
     for use in unserved:
         dead = [pattern for pattern in use.patterns if _key(pattern) not in live]
         for node_pattern in dead:
             is_meant = (is_own and len(dead) == 1) or any(
                 _is_like(node_pattern.pattern, name) for name in _names(system, use)
             )
-            if is_meant and _key(node_pattern) not in told:
-                told.add(_key(node_pattern))
+            if is_meant and _key(node_pattern) not in reported:
+                reported.add(_key(node_pattern))
                 called = f"{use.node}, which" if use.node else f"the node of {'/'.join(use.program)}, which"
                 yield Finding(
                     at=node_pattern.location,

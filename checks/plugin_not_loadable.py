@@ -225,10 +225,10 @@ def _exported(
     """Each description: exported to the package that the loaders of its base classes name."""
     for path, packages in found.exports.items():
         for plugin in found.described:
-            wanted = loading.get(plugin.base, {})
-            if plugin.location.path != path or plugin.type in wrong or not wanted or set(packages) & set(wanted):
+            requested = loading.get(plugin.base, {})
+            if plugin.location.path != path or plugin.type in wrong or not requested or set(packages) & set(requested):
                 continue
-            name, where = sorted(wanted.items())[0]
+            name, where = sorted(requested.items())[0]
             package, at = list(packages.items())[0]
             yield Finding(
                 at=at,

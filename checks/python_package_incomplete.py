@@ -167,11 +167,11 @@ def _directories(package: ProjectPackage, launched: set[tuple[str, str]]) -> Ite
     ]
     if not nodes:
         return
-    wanted = f"$base/lib/{package.name}"
+    expected = f"$base/lib/{package.name}"
     path = package.inside("setup.cfg")
     given = {section: (value, line) for section, value, line in package.build.script_directories}
     for section, (value, line) in given.items():
-        if value.strip("\"'") != wanted and value.startswith("$base/lib/") and "{" not in value:
+        if value.strip("\"'") != expected and value.startswith("$base/lib/") and "{" not in value:
             if section == "develop" and given.get("install", (value, 0))[0] == value:
                 continue  # told once, of install
             fixes = []
@@ -179,7 +179,7 @@ def _directories(package: ProjectPackage, launched: set[tuple[str, str]]) -> Ite
                 if other == value:
                     text = package.project.text(path).splitlines()[number - 1]
                     at = text.rindex(value)
-                    fixes.append(Edit(path, (number, at + 1), (number, at + 1 + len(value)), wanted))
+                    fixes.append(Edit(path, (number, at + 1), (number, at + 1 + len(value)), expected))
             yield Finding(
                 at=Location(path, line),
                 message=(

@@ -12,11 +12,11 @@ def check(system: System) -> Iterator[Finding]:
     for end in system.ends:
         if end.qos is None or end.implicit or not end.in_source:
             continue
-        said = [*_contradictions(end, end.qos), *_not_kept(end, end.qos, system)]
-        if said:
+        problems = [*_contradictions(end, end.qos), *_not_kept(end, end.qos, system)]
+        if problems:
             yield Finding(
                 at=end.location,
-                message=f"the quality of service of {end.name} ({qos_in_words(end.qos)}) contradicts itself: {'; '.join(said)}",
+                message=f"the quality of service of {end.name} ({qos_in_words(end.qos)}) contradicts itself: {'; '.join(problems)}",
                 about=(end,),
             )
 

@@ -13,9 +13,9 @@ def check(system: System) -> Iterator[Finding]:
         is_end = end.kind in ("publishers", "subscribers") and end.node.ros == 1
         if not is_end or not end.in_source or end.implicit or any(u.field == "queue_size" for u in end.raw.unknowns):
             continue
-        said = _said(end)
-        if said is not None:
-            yield Finding(at=end.location, message=said[0], about=(end,), level=said[1])
+        problem = _said(end)
+        if problem is not None:
+            yield Finding(at=end.location, message=problem[0], about=(end,), level=problem[1])
 
 
 def _said(end: End) -> tuple[str, Level] | None:

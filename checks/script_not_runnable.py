@@ -103,8 +103,8 @@ def _is_copied(project: Project) -> bool:
     }
     if bits is None or len(paths) < _FEW or not paths.isdisjoint(bits):
         return False
-    told = (path for path in project.workspace.names if _TELLING.search(path))
-    return not any(_LINKING.search(project.text(path)) for path in told)
+    texts = (path for path in project.workspace.names if _TELLING.search(path))
+    return not any(_LINKING.search(project.text(path)) for path in texts)
 
 
 def _is_sourced(path: str, package: ProjectPackage) -> bool:

@@ -63,7 +63,7 @@ def _governed(project: Project, policy: Policy, found: list[tuple[System, System
 
 def _forbidden(policy: Policy, name: str, nodes: list[SystemNode], rules: Callable[[str], Rules]) -> Iterator[Finding]:
     """What is not allowed in any enclave that the node may be in."""
-    told: set[tuple[str, str]] = set()
+    reported: set[tuple[str, str]] = set()
     profiles = policy.of(name)
     for node in nodes:
         enclave = enclave_of(node.raw)
@@ -72,19 +72,19 @@ def _forbidden(policy: Policy, name: str, nodes: list[SystemNode], rules: Callab
         if not here or not all(policy.is_told(enclave) and rules(enclave).is_whole for enclave in enclaves):
             continue
         for end in node.ends:
-            if end.implicit or not end.known or end.kind not in DOES or (end.kind, end.name) in told:
+            if end.implicit or not end.known or end.kind not in DOES or (end.kind, end.name) in reported:
                 continue
             verdicts = {rules(enclave).verdict(end.kind, end.name) for enclave in enclaves}
             if "allowed" not in verdicts:
-                told.add((end.kind, end.name))
+                reported.add((end.kind, end.name))
                 yield _refusal(policy, here[0], end, verdicts)
 
 
 def _refusal(policy: Policy, profile: NodeProfile, end: End, verdicts: set[str]) -> Finding:
-    says = "denies this" if verdicts == {"denied"} else "does not allow it"
+    effect = "denies this" if verdicts == {"denied"} else "does not allow it"
     return Finding(
         at=profile.location,
-        message=f"{profile.node} {DOES[end.kind]} {end.name}, but the policy of its enclave {profile.enclave} {says}: "
+        message=f"{profile.node} {DOES[end.kind]} {end.name}, but the policy of its enclave {profile.enclave} {effect}: "
         f"with security enforced the node stops at this call; add {end.name} to its profile",
         about=(policy.path, profile.enclave, profile.node, end.kind, end.name),
         related=((end.location, str(end)),),

@@ -112,7 +112,7 @@ def _finding(package: ProjectPackage, use: _Use) -> Iterator[Finding]:
     if sources:
         return
     if is_there:
-        said = (
+        message = (
             f"but {package.name} does not install it: the file is missing after the installation, and opening it "
             f"fails; install it to share/{package.name}"
         )
@@ -120,12 +120,12 @@ def _finding(package: ProjectPackage, use: _Use) -> Iterator[Finding]:
         prefix = "" if package.path == "." else f"{package.path}/"
         own = sorted(name[len(prefix) :] for name in project.workspace.names if name.startswith(prefix))[:2000]
         near = similar_files(use.inner, own, package.name)
-        said = f"but {package.name} does not have this file: opening it fails" + (
+        message = f"but {package.name} does not have this file: opening it fails" + (
             f"; did you mean {near[0]!r}?" if near else ""
         )
     yield Finding(
         at=use.at,
-        message=f"the program uses {use.inner} of {package.name}, {said}",
+        message=f"the program uses {use.inner} of {package.name}, {message}",
         about=(f"{package.name}/{use.inner}",),
         apart=(use.inner,),
     )

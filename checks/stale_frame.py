@@ -46,10 +46,10 @@ def check(project: Project) -> Iterator[Finding]:
     renamed = dict(_renamed(project, project.base, changed)) if changed else {}
     if not renamed:
         return
-    told: set[Location] = set()
+    reported: set[Location] = set()
     for place, name, what, level in _users(project, renamed):
-        if _line(place) not in told and _was_there(project, project.base, place):
-            told.add(_line(place))
+        if _line(place) not in reported and _was_there(project, project.base, place):
+            reported.add(_line(place))
             new = renamed[name]
             yield Finding(
                 at=place,
@@ -78,14 +78,14 @@ def _renamed(project: Project, base: Project, changed: frozenset[str]) -> Iterat
     old, new = ({frame.name for frame in frames} for frames in (before, after))
     written = None
     for source in dict.fromkeys(frame.source for frame in before):
-        gone = {frame.name: frame for frame in before if frame.source == source and frame.name not in new}
+        removed = {frame.name: frame for frame in before if frame.source == source and frame.name not in new}
         come = {frame.name: frame for frame in after if frame.source == source and frame.name not in old}
-        for name in gone:
+        for name in removed:
             if name in COMMON or not come:
                 continue
-            likeness, best = max((SequenceMatcher(None, name, other).ratio(), other) for other in come)
-            is_only = len(gone) == len(come) == 1
-            if not is_only and likeness < ALIKE:
+            similarity, best = max((SequenceMatcher(None, name, other).ratio(), other) for other in come)
+            is_only = len(removed) == len(come) == 1
+            if not is_only and similarity < ALIKE:
                 continue
             written = _written(project) if written is None else written
             if not any(text == name or text.endswith(f"}}{name}") for text in written):

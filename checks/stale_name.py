@@ -37,7 +37,7 @@ def _finding(left: LeftBehind, ends: list[End]) -> Finding:
     at = _at(left, end)
     place = _at(left, left.now) if left.now is not None else None
     if left.now is None:
-        said = (
+        hint = (
             f"which this change removes from {left.before.node} ({left.before.node.type}): no other node here "
             f"{missing} it"
         )
@@ -45,13 +45,13 @@ def _finding(left: LeftBehind, ends: list[End]) -> Finding:
     elif left.action == "moved away":
         return _moved_away(left, end)
     elif left.action == "retyped":
-        said = (
+        hint = (
             f"as {end.type}, but {left.now.node} ({place}) uses {left.now.type} since this change: the two do not "
             "connect"
         )
         result, remedy = "no data passes", f"use {left.now.type} here, too"
     else:
-        said = (
+        hint = (
             f"but this change renames the {left.before.word} of {left.now.node} to {left.now.name} ({place}): no "
             f"other node here {missing} {left.name}"
         )
@@ -64,7 +64,7 @@ def _finding(left: LeftBehind, ends: list[End]) -> Finding:
     shown = {end.location: (end.location, str(end)) for end in ends if end.location != at}
     return Finding(
         at=at,
-        message=f"{who} still {does} {left.name}, {said}, so {result}; {remedy}",
+        message=f"{who} still {does} {left.name}, {hint}, so {result}; {remedy}",
         about=(left.name, end.kind, *sorted({end.node.type for end in ends})[:SHOWN]),
         related=(*related, *list(shown.values())[:SHOWN]),
         level=Level.ERROR if left.action != "removed" and (left.together or left.certain) else Level.WARNING,

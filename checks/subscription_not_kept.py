@@ -66,10 +66,10 @@ def check(project: Project) -> Iterator[Finding]:
                 )
 
 
-def _finding(routine: Routine, call: Call, what: str, said: str) -> Finding:
+def _finding(routine: Routine, call: Call, what: str, message: str) -> Finding:
     return Finding(
         at=call_place(routine, call),
-        message=f"{said}; store it in a member of the class",
+        message=f"{message}; store it in a member of the class",
         about=(routine.title, call.name, _topic(call)),
     )
 

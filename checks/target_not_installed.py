@@ -165,14 +165,14 @@ def _elsewhere(package: ProjectPackage, programs: Programs) -> Iterator[Finding]
 
 def _libraries(package: ProjectPackage) -> Iterator[Finding]:
     """Libraries that something needs when it runs, or that are exported."""
-    cmake, said = package.cmake, set[str]()
+    cmake, reported = package.cmake, set[str]()
     lost = lost_plugins(package) if package.ros == 1 else {}
     for target, why, where in _needed(package):
-        if target.name in said or may_be_installed(package, target) or target.is_conditional:
+        if target.name in reported or may_be_installed(package, target) or target.is_conditional:
             continue
         if cmake.is_shared(target) is not True:
             continue
-        said.add(target.name)
+        reported.add(target.name)
         is_empty = _has_no_code(target)
         hint = (
             "; it has only headers, and the linker may leave it out: make it an INTERFACE library" if is_empty else ""
@@ -193,9 +193,9 @@ def _libraries(package: ProjectPackage) -> Iterator[Finding]:
     if package.ros == 2:
         for plugin in package.build.plugins:
             places = cmake.destinations(plugin.library) if plugin.base == "rclcpp_components::NodeFactory" else ()
-            if not places or any("$" in p or p in ("lib", "") for p in places) or plugin.library in said:
+            if not places or any("$" in p or p in ("lib", "") for p in places) or plugin.library in reported:
                 continue
-            said.add(plugin.library)
+            reported.add(plugin.library)
             yield _finding(
                 package,
                 plugin.library,
@@ -267,10 +267,10 @@ def _left_of_many(package: ProjectPackage) -> Iterator[tuple[Target, str, tuple[
 
 def _wrong_place(package: ProjectPackage, places: list[str], is_started: bool) -> str | None:
     """The first of *places* if ``ros2 run`` or ``rosrun`` does not find an executable there; None if it does, or nobody can tell."""
-    wanted = f"lib/{package.name}"
+    expected = f"lib/{package.name}"
     if not places or any("$" in place or place.startswith("/") for place in places):
         return None
-    found = {wanted} if package.ros == 2 else {wanted, f"share/{package.name}"}
+    found = {expected} if package.ros == 2 else {expected, f"share/{package.name}"}
     if any(place in found or (package.ros == 1 and place.startswith(f"share/{package.name}/")) for place in places):
         return None
     if not is_started and any(place.split("/")[0] in ("bin", "sbin", "libexec", "opt") for place in places):

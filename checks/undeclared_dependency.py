@@ -70,9 +70,9 @@ def check(project: Project) -> Iterator[Finding]:
         for need in needs:
             if provided is not None and provisions.lacks(provided, need.providers):
                 _put(missing, need)
-        said = {providers: uses for providers, uses in missing.items() if not _is_said(package, providers)}
-        brought = _brought(package, said, provisions)
-        for providers, uses in said.items():
+        undeclared = {providers: uses for providers, uses in missing.items() if not _is_said(package, providers)}
+        brought = _brought(package, undeclared, provisions)
+        for providers, uses in undeclared.items():
             if providers in brought:
                 continue
             name = first_provider(providers, package)
@@ -80,7 +80,7 @@ def check(project: Project) -> Iterator[Finding]:
                 yield _circular(package, name, uses)
             else:
                 proposed[package.name] = proposed.get(package.name, frozenset()) | {name}
-                others = [said[group] for group, by in brought.items() if by == providers]
+                others = [undeclared[group] for group, by in brought.items() if by == providers]
                 yield _finding(package, providers, uses, others, provisions)
         if provided is not None and not provided.is_open and not _has_environment(package, provisions):
             yield from _environment(package)
@@ -156,14 +156,14 @@ def _finding(
     is_certain = not others and is_of_ros(name, package.project) and not is_idle
     fix = add_dependency(package, kind, name) if is_certain else None
     tags = listed([dependency_tags(package, kind, key) for key in keys])
-    said = listed(keys)
+    packages = listed(keys)
     alternative = f" (or {', '.join(others)})" if others else ""
     if brought:
         alternative += f", which brings {listed([item[0].what.removeprefix('#include ') for item in brought])}, too"
     return Finding(
         at=last_dependency(package),
-        message=f"{package.name} needs {said} to build ({uses[0].what}), but package.xml does not declare {'it' if len(keys) == 1 else 'them'}: the build "
-        f"fails on a machine without {said}; {_REMOVE if is_idle else ''}add {tags}{alternative}{said_misplaced(package, providers)}",
+        message=f"{package.name} needs {packages} to build ({uses[0].what}), but package.xml does not declare {'it' if len(keys) == 1 else 'them'}: the build "
+        f"fails on a machine without {packages}; {_REMOVE if is_idle else ''}add {tags}{alternative}{said_misplaced(package, providers)}",
         about=(package.name, name),
         related=tuple(
             (use.location, f"needs {name}: {use.what}") for item in (uses, *brought) for use in item[:_SHOWN]

@@ -25,11 +25,11 @@ _DEFAULT = re.compile(r"'[^']*'|\"[^\"]*\"|\$\{[^}]*\}|\$\([^)]*\)")
 
 
 def check(project: Project) -> Iterator[Finding]:
-    told: set[Location] = set()
+    reported: set[Location] = set()
     for finding in together(_told_apart(_expanded(project))):
-        told.add(finding.at)
+        reported.add(finding.at)
         yield finding
-    yield from (finding for finding in _uncalled(project) if finding.at not in told)
+    yield from (finding for finding in _uncalled(project) if finding.at not in reported)
 
 
 def _told_apart(findings: Iterator[Finding]) -> Iterator[tuple[str, Finding]]:
@@ -84,8 +84,8 @@ def _expanded(project: Project) -> Iterator[Finding]:
         if faults and not description.command and not _is_for_xacro(description.robot.path, project):
             continue
         for number, fault in enumerate(faults):
-            said = "" if description.ros == 1 and fault.defined_later else message(fault, description)
-            if said and not any(is_same(fault, other_fault, description) for other_fault in faults[:number]):
+            text = "" if description.ros == 1 and fault.defined_later else message(fault, description)
+            if text and not any(is_same(fault, other_fault, description) for other_fault in faults[:number]):
                 is_given = fault.kind == "argument" and description.location is not None
                 others = [
                     other_fault.location
@@ -95,7 +95,7 @@ def _expanded(project: Project) -> Iterator[Finding]:
                 again = tuple((place, "here, too") for place in others if place != fault.location)
                 yield Finding(
                     at=description.location if is_given and description.location else fault.location,
-                    message=said,
+                    message=text,
                     about=(description.package or description.robot.path, fault.kind, fault.name),
                     related=((fault.location, f"reads $(arg {fault.name})"),) if is_given else again,
                     flow=() if is_given else flow(fault, description),

@@ -142,9 +142,11 @@ def _under_old_names(
         if at is None:
             continue
         shown = written.strip('"<>')
-        said = "included, so that this file does not build" if "/" in shown else "imported, so that the import fails"
+        use_text = (
+            "included, so that this file does not build" if "/" in shown else "imported, so that the import fails"
+        )
         why = f"there is no package {name}" if other is None else f"{own} neither declares nor finds {name}"
-        message = f"{shown} is {said}: {why}, and {own} itself defines this interface; write {own} for {name}"
+        message = f"{shown} is {use_text}: {why}, and {own} itself defines this interface; write {own} for {name}"
         yield name, Finding(at=at, message=message, about=(shown,), apart=(path, shown))
 
 
@@ -199,18 +201,18 @@ def _unless_handmade(
         stem = file.partition(".")[0]
         if any(stem in argument for command in of.package.build.commands for argument in command.arguments):
             return None
-        said = f"{name} is included, but {of.package.name} defines no such interface"
+        message = f"{name} is included, but {of.package.name} defines no such interface"
         is_sure = path in built
         effect = "this file does not build"
     else:
         module = name.rpartition(".")[0].replace(".", "/")
         if any(name.endswith((f"{module}.py", f"{module}/__init__.py")) for name in project.workspace.names):
             return None
-        said = f"{name} is imported, but {of.package.name} defines no such interface"
+        message = f"{name} is imported, but {of.package.name} defines no such interface"
         effect, is_sure = "the import fails", True
     return Finding(
         at=at,
-        message=f"{said}: {effect}{of.like(reference.kind, reference.stem)}",
+        message=f"{message}: {effect}{of.like(reference.kind, reference.stem)}",
         about=(name,),
         level=None if is_sure else Level.WARNING,
         apart=(path, name),

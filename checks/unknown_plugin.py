@@ -56,20 +56,20 @@ def check(project: Project) -> Iterator[Finding]:
     known = _Known.of(project)
     vague = {package.name for package in project.packages if _is_vague(package.build)}
     by_plain = {_plain(name): name for name in known.names}
-    told: set[tuple[Location, str]] = set()
+    reported: set[tuple[Location, str]] = set()
     left: dict[str, Mapping[int, Unlisted]] = {}
     for use in _uses(project):
-        if use.name in known.names or (use.location, use.name) in told:
+        if use.name in known.names or (use.location, use.name) in reported:
             continue
         released = _released(use, known)
         if released:
-            told.add((use.location, use.name))
+            reported.add((use.location, use.name))
             yield _of_elsewhere(use, released)
             continue
         meant = _meant(use, known, by_plain)
         if meant is None or known.owners.get(_plain(meant or use.name).rpartition("::")[0], set()) & vague:
             continue
-        told.add((use.location, use.name))
+        reported.add((use.location, use.name))
         path = use.location.path
         if path not in left:
             left[path] = unlisted_plugins(project.text(path)) if path.endswith((".yaml", ".yml")) else {}

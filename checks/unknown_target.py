@@ -60,13 +60,13 @@ def check(project: Project) -> Iterator[Finding]:
     for package in project.packages:
         if not package.cmake.is_whole:
             continue
-        said: set[str] = set()
+        reported: set[str] = set()
         is_open = may_have_more(package)
         for command in _in_force(package):
             exported: list[str] = []
             for name, what in _unknown(package, command, is_open):
-                if name not in said:
-                    said.add(name)
+                if name not in reported:
+                    reported.add(name)
                     if what == _NOT_FOUND:
                         exported.append(name)
                     else:
@@ -226,7 +226,7 @@ def _finding(package: ProjectPackage, command: CMakeCommand, wrong: tuple[str, .
     """Of the names of one command that are *wrong*, of which several are exported libraries."""
     name = wrong[0]
     is_only_exported = name in package.cmake.targets or command.name == "ament_export_dependencies"
-    said = (
+    message = (
         f"{package.name} exports {name}"
         if is_only_exported
         else f"{command.name}(): {listed(wrong)} {'is not a target' if len(wrong) == 1 else 'are not targets'} of {package.name}"
@@ -241,7 +241,7 @@ def _finding(package: ProjectPackage, command: CMakeCommand, wrong: tuple[str, .
     hint = _hint(package, command, name) if len(wrong) == 1 else _hint_of_several(package, command, wrong)
     return Finding(
         at=command.location,
-        message=f"{said}: {what}{hint}",
+        message=f"{message}: {what}{hint}",
         about=(package.name, *wrong),
         apart=wrong,
         level=level,

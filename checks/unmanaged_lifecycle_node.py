@@ -25,9 +25,9 @@ def check(system: System) -> Iterator[Finding]:
         there = {node.name: node for node in system.nodes if together(node.presence, manager.presence) is not None}
         if not system.closed and not any(item in there for item in full.values()):
             continue
-        for name, wanted in full.items():
-            if wanted not in there:
-                yield _lost(manager, parameter, name, wanted, sorted(there))
+        for name, expected in full.items():
+            if expected not in there:
+                yield _lost(manager, parameter, name, expected, sorted(there))
     if system.closed:
         yield from _unmanaged(system, managed)
 
@@ -45,18 +45,18 @@ def _managers(system: System) -> Iterator[tuple[SystemNode, Parameter, list[str]
                     yield node, parameter, names
 
 
-def _lost(manager: SystemNode, parameter: Parameter, name: str, wanted: str, there: list[str]) -> Finding:
-    similar = get_close_matches(wanted, there, 1, 0.8)
+def _lost(manager: SystemNode, parameter: Parameter, name: str, expected: str, there: list[str]) -> Finding:
+    similar = get_close_matches(expected, there, 1, 0.8)
     hint = f"; did you mean {similar[0]!r}?" if similar else ""
     return Finding(
         at=parameter.origin or parameter.location or manager.location,
         message=(
-            f"{manager} manages {name!r}, but the launch file does not start {wanted}: the manager waits for it and "
+            f"{manager} manages {name!r}, but the launch file does not start {expected}: the manager waits for it and "
             f"activates none of its other nodes{hint}"
         ),
-        about=(manager, wanted),
+        about=(manager, expected),
         related=((manager.location, f"{manager} is started here"),),
-        apart=(wanted,),
+        apart=(expected,),
     )
 
 

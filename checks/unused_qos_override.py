@@ -26,11 +26,11 @@ def check(system: System) -> Iterator[Finding]:
         if used:
             yield from _value(used[0])
             continue
-        said = [
+        findings = [
             _unused(parameter.node, parameter.key) if parameter.node.names.is_whole else None for parameter in given
         ]
-        if all(said) and not _is_used_elsewhere(system, given[0]):
-            first, (text, end) = given[0], said[0] or ("", None)
+        if all(findings) and not _is_used_elsewhere(system, given[0]):
+            first, (text, end) = given[0], findings[0] or ("", None)
             yield Finding(
                 at=first.at,
                 message=f"the QoS override {first.key} of {first.node} has no effect: {text}",

@@ -18,14 +18,14 @@ def check(project: Project) -> Iterator[Finding]:
         for fault in misfits(found[0], found[2]) if found is not None else ():
             places = f"{fault.places} value{'s' if fault.places != 1 else ''}"
             if fault.is_open:
-                said = "only the first stands right of the %, the others are arguments of the call: the line raises TypeError; put all of them into parentheses"
+                message = "only the first stands right of the %, the others are arguments of the call: the line raises TypeError; put all of them into parentheses"
             else:
-                said = (
+                message = (
                     f"is given {fault.given}: the line raises an exception; give as many values as it has placeholders"
                 )
             yield Finding(
                 at=Location(file.path, fault.line),
-                message=f"the format has room for {places}, and {said}",
+                message=f"the format has room for {places}, and {message}",
                 about=(file.path, f"{fault.places}"),
                 apart=(file.path, f"{fault.line}"),
             )

@@ -65,7 +65,7 @@ def hosted(
     files = tuple(file.path for file in workspace.files if file.package and workspace.reports_on(file.path))
     packages = {file.package: None for file in workspace.files if file.package and workspace.reports_on(file.path)}
     timeouts = {name: linter.timeout for name, linter in settings.linters if linter.timeout is not None}
-    told = run(
+    outputs = run(
         plugins,
         Scene(
             workspace.root, (found, workspace.files, settings.project), tuple(name for name in packages if name), files
@@ -76,8 +76,8 @@ def hosted(
         Path(settings.plugin_export) if settings.plugin_export else None,
     )
     places = _places(scenes, workspace)
-    runs = (_run(output, places, files) for output in told)
-    return tuple(_asked(output, run, found, workspace, settings) for output, run in zip(told, runs, strict=True))
+    runs = (_run(output, places, files) for output in outputs)
+    return tuple(_asked(output, run, found, workspace, settings) for output, run in zip(outputs, runs, strict=True))
 
 
 def _places(scenes: Scenes, workspace: Workspace) -> Places:
@@ -89,16 +89,16 @@ def _places(scenes: Scenes, workspace: Workspace) -> Places:
     )
 
 
-def _run(told: Told, places: Places, files: tuple[str, ...]) -> Run:
+def _run(output: Told, places: Places, files: tuple[str, ...]) -> Run:
     """What a plug-in has said as a run. A failed one keeps its results, and has analysed nothing for certain."""
-    plugin = told.plugin
+    plugin = output.plugin
     notes = [
         Notification(Level.ERROR if level == "error" else Level.WARNING, text, plugin.name)
-        for level, text in told.logged
+        for level, text in output.logged
     ]
-    notes += [Notification(Level.ERROR, f"the plug-in {text}", plugin.name) for text in told.failures]
+    notes += [Notification(Level.ERROR, f"the plug-in {text}", plugin.name) for text in output.failures]
     results, lost = [], 0
-    for data in told.violations:
+    for data in output.violations:
         result = _result(plugin, data, places)
         if result is None:
             lost += 1
@@ -111,9 +111,9 @@ def _run(told: Told, places: Places, files: tuple[str, ...]) -> Run:
         Tool(plugin.name, plugin.version, PROJECT_URL, f"{plugin.name} {plugin.version} (a plug-in of HAROS)"),
         results=tuple(sorted(dict.fromkeys(results), key=lambda result: result.sort_key)),
         notifications=tuple(dict.fromkeys(notes)),
-        analysed=frozenset() if told.failures else frozenset(files),
-        successful=not told.failures,
-        architecture=not told.failures,
+        analysed=frozenset() if output.failures else frozenset(files),
+        successful=not output.failures,
+        architecture=not output.failures,
     )
 
 
@@ -153,23 +153,25 @@ def _location(resource: Mapping[str, Any], places: Places) -> Location | None:
     return Location(path, *numbers) if isinstance(path, str) and path in places.paths else None
 
 
-def _asked(told: Told, run: Run, found: Any, workspace: Workspace, settings: Settings) -> Run:
+def _asked(output: Told, run: Run, found: Any, workspace: Workspace, settings: Settings) -> Run:
     """*run* with the matches of those rules of the plug-in that are queries, as HAROS asks them."""
-    if not told.plugin.queries:
+    if not output.plugin.queries:
         return run
     from haros_ci.query import queries
 
-    declared = {"rules": dict(told.plugin.queries)}
-    asked = queries.run(found, declared, f"plugin.yaml of {told.plugin.name}", workspace.files)
-    results = (replace(result, tool=run.tool.name, rule=result.rule.removeprefix("user:")) for result in asked.results)
+    declared = {"rules": dict(output.plugin.queries)}
+    answers = queries.run(found, declared, f"plugin.yaml of {output.plugin.name}", workspace.files)
+    results = (
+        replace(result, tool=run.tool.name, rule=result.rule.removeprefix("user:")) for result in answers.results
+    )
     return replace(
         run,
         results=tuple(sorted((*run.results, *results), key=lambda result: result.sort_key)),
         notifications=(
             *run.notifications,
-            *(replace(note, tool=run.tool.name, path=None) for note in asked.notifications),
+            *(replace(note, tool=run.tool.name, path=None) for note in answers.notifications),
         ),
-        successful=run.successful and not asked.failed,
+        successful=run.successful and not answers.failed,
     )
 
 

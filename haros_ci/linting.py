@@ -159,8 +159,8 @@ def unheard(settings: Settings, known: Registry) -> frozenset[str]:
     if settings.profile == "architecture" and not has_others:
         return frozenset(known.adapters)
     selection = Selection(settings, with_queries(settings, known), unlisted=known.unlisted)
-    asked = named(settings, known) | {name for name, chosen in settings.linters if chosen.enabled}
-    run = (linter.NAME for linter in known.linters if linter.WHEN is not When.ASKED or linter.NAME in asked)
+    requested = named(settings, known) | {name for name, chosen in settings.linters if chosen.enabled}
+    run = (linter.NAME for linter in known.linters if linter.WHEN is not When.ASKED or linter.NAME in requested)
     return frozenset(name for name in run if is_silent(name, settings, selection, known))
 
 
@@ -170,8 +170,8 @@ def is_silent(name: str, settings: Settings, selection: Selection, known: Regist
     rules = selection.rules(tool)
     ignored = {word for policy in settings.policies for word in policy.ignore}
     ignored |= {word for policy in settings.policies for word, level in policy.levels if level is None}
-    asked = any(linter == name and chosen.enabled for linter, chosen in settings.linters)
-    unsure = asked or tool in known.open_ended  # a rule of no table may be in a profile, by the look of its name
+    is_requested = any(linter == name and chosen.enabled for linter, chosen in settings.linters)
+    unsure = is_requested or tool in known.open_ended  # a rule of no table may be in a profile, by the look of its name
     if not rules or (unsure and ignored.isdisjoint((tool, f"{tool}:", f"{tool}:*", "*"))):
         return False
     if any(selection.may_want(tool, rule) for rule in rules):
@@ -195,15 +195,15 @@ def with_queries(settings: Settings, known: Registry) -> Callable[[str], Mapping
     return lambda tool: own_ones if tool == own.TOOL else known.rules_of(tool)
 
 
-def confinement(runs: tuple[Run, ...], settings: Settings, told: Testimony | None) -> frozenset[str]:
+def confinement(runs: tuple[Run, ...], settings: Settings, testimony: Testimony | None) -> frozenset[str]:
     """How linters are confined here or on the machines that have *told*, whether or not their answers were known already.
 
     Empty if no linter has a part in *runs*.
     """
     if all(run.imported or run.tool.name == own.TOOL for run in runs):
         return frozenset()
-    if told is not None:
-        return told.confined
+    if testimony is not None:
+        return testimony.confined
     from haros_ci.linters.sandbox import state
 
     return frozenset({state(settings.trust_config)})

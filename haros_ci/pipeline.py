@@ -72,7 +72,7 @@ Told = Callable[[Workspace, Base | None], tuple[Testimony, Testimony | None]]
 
 
 def analyse(
-    settings: Settings, store: Store, *, progress: Progress | None = None, told: Told | None = None
+    settings: Settings, store: Store, *, progress: Progress | None = None, recorded: Told | None = None
 ) -> tuple[Report, Workspace]:
     """The whole run: what *settings* ask for, with what is known already taken from *store*; and what was analysed.
 
@@ -87,7 +87,7 @@ def analyse(
         past = base if isinstance(base, Base) else None
         changed = changed_settings(workspace, past.workspace if past and past.settings else None)
         workspace = settled(workspace, settings, base)
-        head, old = (None, None) if told is None else told(workspace, past)
+        head, old = (None, None) if recorded is None else recorded(workspace, past)
         left = left_out(workspace, settings, base)
         runs = examine(workspace, selection, architectures, progress, past, head, left)
         runs = tuple(described(run, selection) for run in (*runs, *imported(settings, workspace, selection)))
@@ -101,7 +101,7 @@ def analyse(
                 selection.over(it.package_finder()),
                 architectures,
                 progress,
-                told=old,
+                testimony=old,
             ),
         )
         silence = silenced(workspace, base, compared.runs) if isinstance(base, Base) else Silenced()
@@ -163,8 +163,8 @@ def narrowed(workspace: Workspace, settings: Settings, selection: Selection) -> 
     for file in workspace.files:
         home = place.get(file.package or "", ".")
         inside = file.path if home == "." else file.path.removeprefix(f"{home}/")
-        wanted = not settings.packages or file.package in settings.packages
-        if wanted and workspace.reports_on(file.path) and not selection.ignores_file(file.package, inside):
+        is_selected = not settings.packages or file.package in settings.packages
+        if is_selected and workspace.reports_on(file.path) and not selection.ignores_file(file.package, inside):
             targets.append(file.path)
     package_of = workspace.package_finder()
     for problem in workspace.hiding.unread:
@@ -180,7 +180,7 @@ def examine(
     architectures: Architectures,
     progress: Progress | None,
     base: Base | None = None,
-    told: Testimony | None = None,
+    testimony: Testimony | None = None,
     left: LeftOut | None = None,
 ) -> tuple[Run, ...]:
     """What the tools say of one revision: selected, suppressed and fingerprinted; not yet compared with a baseline.
@@ -191,14 +191,19 @@ def examine(
     left = left or LeftOut(workspace)
     known, store = architectures.registry, architectures.store
     options = lint_options(architectures.settings, known)
-    raw = lint(workspace, known.linters, options, store, selection.wants, progress, told.lint if told else None)
+    raw = lint(
+        workspace, known.linters, options, store, selection.wants, progress, testimony.lint if testimony else None
+    )
     own_one = own_run(workspace, known)
-    if told is None:
+    if testimony is None:
         own_one = inspected_or_kept(own_one, workspace, selection, architectures, progress, base)
     elif is_inspected(workspace, selection, architectures.settings, known):
-        own_one = replace(told.whole(ARCHITECTURE), tool=own_one.tool, analysed=own_one.analysed)
+        own_one = replace(testimony.whole(ARCHITECTURE), tool=own_one.tool, analysed=own_one.analysed)
     if has_structure(workspace, selection):
-        raw = (*raw, structured(workspace, architectures, progress) if told is None else told.whole(STRUCTURE))
+        raw = (
+            *raw,
+            structured(workspace, architectures, progress) if testimony is None else testimony.whole(STRUCTURE),
+        )
     runs = (own_one, *with_metrics(raw))
     every = drop_unfounded(results_of(runs), workspace.text)
     results = without_hints(selected(every, selection, workspace, left), every, workspace, selection)

@@ -32,16 +32,16 @@ def told(err: Exception) -> tuple[int, str, str]:
         where = f"{terminal(os.fsdecode(err.filename))}: " if isinstance(err.filename, (str, bytes)) else ""
         advice = TEMPORARY if "temporary director" in why else remedy(err.errno) or DEBUG
         return TROUBLE, f"error: {where}{why}", f"help: {advice}"
-    said = terminal(str(err))[:500]
+    text = terminal(str(err))[:500]
     if isinstance(err, ImportError):
         return (
             TROUBLE,
-            f"error: a part of haros-ci cannot be loaded: {said}",
+            f"error: a part of haros-ci cannot be loaded: {text}",
             "help: install it anew, or allow more memory",
         )
-    if isinstance(err, RuntimeError) and "start new thread" in said:
-        return TROUBLE, f"error: no thread can be started: {said}", f"help: {remedy(errno.EAGAIN)}"
-    message = f"internal error: {type(err).__name__}: {said}"
+    if isinstance(err, RuntimeError) and "start new thread" in text:
+        return TROUBLE, f"error: no thread can be started: {text}", f"help: {remedy(errno.EAGAIN)}"
+    message = f"internal error: {type(err).__name__}: {text}"
     return TROUBLE, message, "help: this is a fault of haros-ci; set HAROS_CI_DEBUG=1 for the trace and report it"
 
 

@@ -87,8 +87,8 @@ def said(check: Check, example: Example, directory: Path, plugins: tuple[str, ..
     workspace, made, all_systems = read(example.files, directory / "head", example.executables, plugins)
     outcome = run_checks((check,), all_systems, "haros-ci")
     once = run_on_project((check,), project_of(made, workspace, all_systems, base), "haros-ci")
-    for trouble in (*outcome.notifications, *once.notifications):
-        raise AssertionError(trouble.message)
+    for problem in (*outcome.notifications, *once.notifications):
+        raise AssertionError(problem.message)
     return (*outcome.results, *once.results)
 
 

@@ -42,10 +42,10 @@ class TooMuch(Exception):
 class NotFollowed(Exception):
     """A computation that is not followed: *node* is what stands there, *said* what it does, if there is more to say."""
 
-    def __init__(self, node: ast.AST | None = None, said: str = "") -> None:
-        super().__init__(said)
+    def __init__(self, node: ast.AST | None = None, message: str = "") -> None:
+        super().__init__(message)
         self.node = node
-        self.said = said
+        self.said = message
 
 
 class Module(dict[str, Any]):
@@ -101,7 +101,7 @@ def check_operation(op: ast.operator, left: Any, right: Any, limits: Limits) -> 
         if isinstance(left, int) and isinstance(right, int) and left.bit_length() * abs(right) > limits.bits:
             raise TooMuch("number")
     elif isinstance(op, ast.Mod) and isinstance(left, str) and not _PLAIN_FORMATS.match(left):
-        raise NotFollowed(said="formats text in a way that is not interpreted")
+        raise NotFollowed(message="formats text in a way that is not interpreted")
 
 
 def check_text_method(name: str, text: str, arguments: list[Any], limits: Limits) -> None:

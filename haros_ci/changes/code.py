@@ -19,7 +19,11 @@ Calls = Mapping[str, tuple[Call, ...]]
 
 
 def compare_calls(
-    base: Calls, head: Calls, architectures: tuple[Architecture, Architecture], told: Iterable[Difference], moved: Moved
+    base: Calls,
+    head: Calls,
+    architectures: tuple[Architecture, Architecture],
+    differences: Iterable[Difference],
+    moved: Moved,
 ) -> Iterator[Difference]:
     """What the calls of *base* and *head* make, by file, that neither architecture knows; *told* are the differences of these.
 
@@ -28,25 +32,27 @@ def compare_calls(
     loaded under the same name.
     """
     seen = tuple(_places(architecture) for architecture in architectures)
-    said = {(difference.what, tail(name)) for difference in told for name in (difference.name, difference.old_name)}
+    reported = {
+        (difference.what, tail(name)) for difference in differences for name in (difference.name, difference.old_name)
+    }
     left = {moved(path): calls for path, calls in base.items()}
-    pairs, gone, new = _paired(left, head)
+    pairs, removed, new = _paired(left, head)
     for old, now in pairs:
         if _key(old) not in seen[0] and _key(now) not in seen[1]:
             yield from _changed(old, now)
-    for before, after in _renamed(gone, new):
+    for before, after in _renamed(removed, new):
         if _key(before[1]) not in seen[0] and _key(after[1]) not in seen[1]:
-            gone.remove(before)
+            removed.remove(before)
             new.remove(after)
             yield _difference(after[1], RENAMED, UNRUN, old=before[1])
     vague = tuple(
         {(call.what, path) for path, calls in side.items() for call in calls if _is_vague(call)}
         for side in (left, head)
     )
-    tails = tuple({(call.what, path, tail(call.name)) for path, call in side} for side in (gone, new))
-    for side, (calls, action) in enumerate(((gone, REMOVED), (new, ADDED))):
+    tails = tuple({(call.what, path, tail(call.name)) for path, call in side} for side in (removed, new))
+    for side, (calls, action) in enumerate(((removed, REMOVED), (new, ADDED))):
         for path, call in calls:
-            if (call.what, tail(call.name)) in said or (call.what, path) in vague[1 - side]:
+            if (call.what, tail(call.name)) in reported or (call.what, path) in vague[1 - side]:
                 continue
             hidden = _key(call) in seen[side]
             if not hidden or (call.what == "parameter" and (call.what, path, tail(call.name)) not in tails[1 - side]):
@@ -96,7 +102,7 @@ def _places(architecture: Architecture) -> set[Key]:
 
 def _paired(base: Calls, head: Calls) -> tuple[list[tuple[Call, Call]], Found, Found]:
     """Calls that are on both sides, in one file or moved to another; and what is left on either."""
-    gone, new = (
+    removed, new = (
         [(path, c) for path, calls in sorted(side.items()) for c in calls if not _is_vague(c)] for side in (base, head)
     )
     pairs: list[tuple[Call, Call]] = []
@@ -112,22 +118,22 @@ def _paired(base: Calls, head: Calls) -> tuple[list[tuple[Call, Call]], Found, F
             waiting.setdefault(rule(path, call), []).append(number)
         taken: set[int] = set()
         rest: Found = []
-        for path, call in gone:
+        for path, call in removed:
             numbers = waiting.get(rule(path, call))
             if numbers:
                 taken.add(numbers[0])
                 pairs.append((call, new[numbers.pop(0)][1]))
             else:
                 rest.append((path, call))
-        gone, new = rest, [item for number, item in enumerate(new) if number not in taken]
-    return pairs, gone, new
+        removed, new = rest, [item for number, item in enumerate(new) if number not in taken]
+    return pairs, removed, new
 
 
-def _renamed(gone: Found, new: Found) -> list[tuple[tuple[str, Call], tuple[str, Call]]]:
+def _renamed(removed: Found, new: Found) -> list[tuple[tuple[str, Call], tuple[str, Call]]]:
     """Calls of one file under a new name, of the same type and default, the likest first."""
     ranked = sorted(
         (-likeness(old[1].name, now[1].name), place, number)
-        for place, old in enumerate(gone)
+        for place, old in enumerate(removed)
         for number, now in enumerate(new)
         if old[0] == now[0]
         and (old[1].what, old[1].type, old[1].default) == (now[1].what, now[1].type, now[1].default)
@@ -137,7 +143,7 @@ def _renamed(gone: Found, new: Found) -> list[tuple[tuple[str, Call], tuple[str,
     for _, place, number in ranked:
         if place not in found and number not in found.values():
             found[place] = number
-    return [(gone[place], new[number]) for place, number in found.items()]
+    return [(removed[place], new[number]) for place, number in found.items()]
 
 
 def _described(call: Call) -> str:

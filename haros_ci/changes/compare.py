@@ -75,18 +75,18 @@ def compare(
         lambda name: names.get(moved(path_of(name)), name),
         lambda name, side: path_of(name) in (base if side == "base" else head).files,
     )
-    told = Compared()
-    told.differences += matched.differences
+    outcome = Compared()
+    outcome.differences += matched.differences
     for old, new in matched.both:
         if old != new:
-            _compare_systems(old, new, moved, told)
+            _compare_systems(old, new, moved, outcome)
     for node, other, name in matched.elsewhere:
-        compare_ends(Sides(node, other, name, moved), told)
-    seen = told.differences
+        compare_ends(Sides(node, other, name, moved), outcome)
+    seen = outcome.differences
     if base.source is not None and head.source is not None:
         evidence = Evidence(base.source, head.source, moved)
         seen = [difference for difference in seen if evidence.bears_out(difference)]
-        told.not_known += len(told.differences) - len(seen)
+        outcome.not_known += len(outcome.differences) - len(seen)
     found = by_instance(seen, Calls(base.architecture, moved), Calls(head.architecture, lambda path: path))
     found += compare_arguments(base.architecture, head.architecture, moved)
     in_files = list(compare_files(base.values, head.values, moved, _readers(head.architecture)))
@@ -97,11 +97,11 @@ def compare(
     return Changes(
         changes=tuple(sorted(changes, key=lambda change: change.sort_key)),
         edges=tuple(edges(found, head.architecture, base.architecture)),
-        not_known=told.not_known,
+        not_known=outcome.not_known,
     )
 
 
-def _compare_systems(base: Configuration, head: Configuration, moved: Moved, told: Compared) -> None:
+def _compare_systems(base: Configuration, head: Configuration, moved: Moved, outcome: Compared) -> None:
     pairs = pair(base.nodes, head.nodes)
     takers = _Ends(base), _Ends(head)
     renamed = {}
@@ -113,19 +113,19 @@ def _compare_systems(base: Configuration, head: Configuration, moved: Moved, tol
         sides = Sides(old, new, head.name, moved)
         here = Compared()
         compare_ends(sides, here)
-        told.not_known += here.not_known
-        told.pairs += here.pairs
+        outcome.not_known += here.not_known
+        outcome.pairs += here.pairs
         here.differences += configurations.compare_nodes(old, new, head.name)
         here.differences += compare_remaps(sides)
-        told.differences += (with_users(difference, _users(difference, takers)) for difference in here.differences)
-    told.differences += (
+        outcome.differences += (with_users(difference, _users(difference, takers)) for difference in here.differences)
+    outcome.differences += (
         configurations.one_sided(REMOVED, node, head.name) for node in pairs.removed if "?" not in node.name
     )
-    told.differences += (
+    outcome.differences += (
         configurations.one_sided(ADDED, node, head.name) for node in pairs.added if "?" not in node.name
     )
-    gone, new_ones = (frozenset(node.name for node in nodes) for nodes in (pairs.removed, pairs.added))
-    told.differences += compare_values(base, head, renamed, gone, new_ones, moved)
+    removed, new_ones = (frozenset(node.name for node in nodes) for nodes in (pairs.removed, pairs.added))
+    outcome.differences += compare_values(base, head, renamed, removed, new_ones, moved)
 
 
 class _Ends:
@@ -157,13 +157,13 @@ def _users(difference: Difference, sides: tuple[_Ends, _Ends]) -> set[str]:
 
 def _not_of_files(found: list[Difference], in_files: list[Difference], base: Side, head: Side) -> Iterator[Difference]:
     """*found* without the values that the parameter files themselves tell."""
-    told = {
+    reported = {
         (side, place)
         for difference in in_files
         for side, place in (("base", difference.base), ("head", difference.head))
         if place
     }
-    whole = {(side, place.path) for side, place in told if place.line is None}
+    whole = {(side, place.path) for side, place in reported if place.line is None}
     of_files = set(base.values), set(head.values)
     for difference in found:
         if difference.what == "value" and difference.aspect != "file":
@@ -172,7 +172,9 @@ def _not_of_files(found: list[Difference], in_files: list[Difference], base: Sid
                 for side, place in (("base", difference.base), ("head", difference.head))
                 if place is not None
             ]
-            if places and all((side, _line(place)) in told or (side, place.path) in whole for side, place in places):
+            if places and all(
+                (side, _line(place)) in reported or (side, place.path) in whole for side, place in places
+            ):
                 continue
             if (
                 difference.base
@@ -180,7 +182,7 @@ def _not_of_files(found: list[Difference], in_files: list[Difference], base: Sid
                 and difference.base.path in of_files[0]
                 and difference.head.path in of_files[1]
             ):
-                if any((side, _line(place)) in told for side, place in places):
+                if any((side, _line(place)) in reported for side, place in places):
                     continue
         yield difference
 

@@ -56,8 +56,8 @@ def match(
             continue
         pairs = [(node, _whole(programs[0].get(identity(node), ()), node)) for node in configuration.nodes]
         elsewhere += [(other, node, configuration.name) for node, other in pairs if other is not None]
-    told, renamed = _told_programs(*programs)
-    return Matched(tuple(both), (*elsewhere, *renamed), (*found, *told))
+    differences, renamed = _told_programs(*programs)
+    return Matched(tuple(both), (*elsewhere, *renamed), (*found, *differences))
 
 
 def _same_system(configuration: Configuration, others: Iterable[Configuration]) -> Configuration | None:
@@ -125,29 +125,31 @@ def _is_own(node: Node) -> bool:
 
 def _told_programs(base: Programs, head: Programs) -> tuple[list[Difference], list[tuple[Node, Node, str]]]:
     """Programs that are on one side alone; those of one package with mostly the same ends are renamed."""
-    gone = {key: nodes[0] for key, nodes in base.items() if key[:2] not in {k[:2] for k in head} and _is_own(nodes[0])}
+    removed = {
+        key: nodes[0] for key, nodes in base.items() if key[:2] not in {k[:2] for k in head} and _is_own(nodes[0])
+    }
     new = {key: nodes[0] for key, nodes in head.items() if key[:2] not in {k[:2] for k in base} and _is_own(nodes[0])}
     renamed: list[tuple[Node, Node, str]] = []
-    told: list[Difference] = []
+    differences: list[Difference] = []
     ranked = sorted(
-        ((share(ends_of(a), ends_of(b)), key, other) for key, a in gone.items() for other, b in new.items()
+        ((share(ends_of(a), ends_of(b)), key, other) for key, a in removed.items() for other, b in new.items()
          if key[0] == other[0] and ends_of(a)),
         key=lambda item: (-item[0], item[1:]),
     )  # fmt: skip
     for same, key, other in ranked:
-        if same < ALIKE_PROGRAMS or key not in gone or other not in new:
+        if same < ALIKE_PROGRAMS or key not in removed or other not in new:
             continue
-        node, now = gone.pop(key), new.pop(other)
+        node, now = removed.pop(key), new.pop(other)
         renamed.append((node, now, program(now)))
-        told.append(
+        differences.append(
             Difference(
                 what="node", action=RENAMED, name=program(now), aspect="program", old_name=program(node), before=program(node),
                 after=program(now), program=program(now), base=node.location, head=now.location,
             )
         )  # fmt: skip
-    told += (_program(REMOVED, node) for node in gone.values())
-    told += (_program(ADDED, node) for node in new.values())
-    return told, renamed
+    differences += (_program(REMOVED, node) for node in removed.values())
+    differences += (_program(ADDED, node) for node in new.values())
+    return differences, renamed
 
 
 def _program(action: str, node: Node) -> Difference:
@@ -174,28 +176,28 @@ def summary(node: Node) -> str:
         word = dict(words).get(end.kind)
         if word is not None:
             counts[word] = counts.get(word, 0) + 1
-    said = [f"{number} {word}{'' if number == 1 else 's'}" for word, number in counts.items()]
-    return f"node {node.name}" + (f": {', '.join(said)}" if said else "")
+    counted = [f"{number} {word}{'' if number == 1 else 's'}" for word, number in counts.items()]
+    return f"node {node.name}" + (f": {', '.join(counted)}" if counted else "")
 
 
 def listed(node: Node) -> tuple[str, ...]:
     """The ends of a node, one text each: ``publisher /odom nav_msgs/msg/Odometry``."""
     from haros_ci.changes.endpoints import WORDS
 
-    said = (f"{WORDS[end.kind]} {end.name} {end.type or '?'}" for end in said_ends(node) if end.kind in WORDS)
-    return tuple(sorted(dict.fromkeys(said)))
+    phrases = (f"{WORDS[end.kind]} {end.name} {end.type or '?'}" for end in said_ends(node) if end.kind in WORDS)
+    return tuple(sorted(dict.fromkeys(phrases)))
 
 
 def compare_nodes(base: Node, head: Node, configuration: str) -> Iterator[Difference]:
     """What is otherwise of a node as a whole: its name, what it runs, of which kind it is."""
-    said: list[tuple[str, str, str, str]] = []
+    differences: list[tuple[str, str, str, str]] = []
     if base.name != head.name and is_known(base.name + head.name):
-        said.append((RENAMED, "name", base.name, head.name))
+        differences.append((RENAMED, "name", base.name, head.name))
     if program(base) != program(head) and is_known(program(base) + program(head)):
-        said.append((CHANGED, "program", program(base), program(head)))
+        differences.append((CHANGED, "program", program(base), program(head)))
     elif base.kind != head.kind:
-        said.append((CHANGED, "kind", base.kind, head.kind))
-    for action, aspect, before, after in said:
+        differences.append((CHANGED, "kind", base.kind, head.kind))
+    for action, aspect, before, after in differences:
         yield Difference(
             what="node",
             action=action,

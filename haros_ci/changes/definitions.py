@@ -21,12 +21,12 @@ def told(found: Iterable[InterfaceChange], containing: Callable[[str], tuple[Int
     for same in alike.values():
         first = same[0]
         if len(same) > 1:
-            said = (f"{change.name}: {word}" for change in same for word in change.details)
+            phrases = (f"{change.name}: {word}" for change in same for word in change.details)
             first = replace(
                 first,
                 names=tuple(change.name for change in same),
                 users=tuple(dict.fromkeys(user for change in same for user in change.users)),
-                details=tuple(said),
+                details=tuple(phrases),
             )
         yield first
 
@@ -64,13 +64,13 @@ def _typed(name: str, change: InterfaceChange) -> str:
 
 def with_nodes(changes: Sequence[Change], *architectures: Architecture) -> Iterator[Change]:
     """Each change of an interface with the nodes that have an end of that type, at the base or at head."""
-    wanted = {name for change in changes for name in (*change.names, *change.old_names)}
+    names = {name for change in changes for name in (*change.names, *change.old_names)}
     found: dict[str, set[str]] = {}
     for architecture in architectures:
-        for configuration in architecture.configurations if wanted else ():
+        for configuration in architecture.configurations if names else ():
             for node in configuration.nodes:
                 for end in node.endpoints:
-                    if end.type in wanted and "?" not in node.name:
+                    if end.type in names and "?" not in node.name:
                         found.setdefault(end.type, set()).add(node.name)
     for change in changes:
         nodes = set().union(*(found.get(name, set()) for name in (*change.names, *change.old_names)))
@@ -80,9 +80,9 @@ def with_nodes(changes: Sequence[Change], *architectures: Architecture) -> Itera
 
 def _details(change: InterfaceChange) -> tuple[str, ...]:
     """The wire hashes, and whether nodes of before and after no longer understand each other."""
-    said = []
+    parts = []
     if change.hash_before != change.hash_after:
-        said.append(f"wire hash {change.hash_before or 'not known'} → {change.hash_after or 'not known'}")
+        parts.append(f"wire hash {change.hash_before or 'not known'} → {change.hash_after or 'not known'}")
     if change.is_breaking:
-        said.append("breaks what was built before")
-    return tuple(said)
+        parts.append("breaks what was built before")
+    return tuple(parts)

@@ -61,12 +61,12 @@ class Sides:
         )
 
 
-def compare_ends(sides: Sides, told: Compared) -> None:
+def compare_ends(sides: Sides, outcome: Compared) -> None:
     """All ends of the two nodes; what is not known on a side is not told."""
     is_other = identity(sides.base) != identity(sides.head)  # then what is known of programs is no news
     base, head = _by_kind(sides.base, is_other), _by_kind(sides.head, is_other)
     for kind in WORDS:
-        _compare_kind(sides, kind, base.get(kind, []), head.get(kind, []), told)
+        _compare_kind(sides, kind, base.get(kind, []), head.get(kind, []), outcome)
 
 
 def _by_kind(node: Node, only_source: bool) -> dict[str, list[Endpoint]]:
@@ -77,37 +77,37 @@ def _by_kind(node: Node, only_source: bool) -> dict[str, list[Endpoint]]:
     return found
 
 
-def _compare_kind(sides: Sides, kind: str, base: list[Endpoint], head: list[Endpoint], told: Compared) -> None:
+def _compare_kind(sides: Sides, kind: str, base: list[Endpoint], head: list[Endpoint], outcome: Compared) -> None:
     if not base and not head:
         return
     left, right = _named(base, sides.base), _named(head, sides.head)
-    gone: list[tuple[str, Endpoint]] = []
+    removed: list[tuple[str, Endpoint]] = []
     new: list[tuple[str, Endpoint]] = []
     for name, ends in left.items():
         others = right.get(name, [])
         for end, other in _matched(ends, others):
             if end is not None and other is not None:
-                told.pairs.append((end, other))
-                told.differences += _changed(sides, end, other)
+                outcome.pairs.append((end, other))
+                outcome.differences += _changed(sides, end, other)
             elif end is not None:
-                gone.append((name, end))
+                removed.append((name, end))
             elif other is not None:
                 new.append((name, other))
     new += [(name, end) for name, ends in right.items() if name not in left for end in ends]
-    gone, new = _only_known(sides, gone, new, told)
-    for end, other in _renamed(sides, gone, new):
-        gone = [item for item in gone if item[1] is not end]
+    removed, new = _only_known(sides, removed, new, outcome)
+    for end, other in _renamed(sides, removed, new):
+        removed = [item for item in removed if item[1] is not end]
         new = [item for item in new if item[1] is not other]
-        told.pairs.append((end, other))
-        told.differences.append(
+        outcome.pairs.append((end, other))
+        outcome.differences.append(
             sides.difference(
                 WORDS[kind], RENAMED, other.name, aspect="name", before=end.name, after=other.name, base=end.location,
                 head=other.location, old_name=end.name,
             )
         )  # fmt: skip
-        told.differences += _changed(sides, end, other)
-    told.differences += (_one_sided(sides, REMOVED, end) for _, end in gone)
-    told.differences += (_one_sided(sides, ADDED, end) for _, end in new)
+        outcome.differences += _changed(sides, end, other)
+    outcome.differences += (_one_sided(sides, REMOVED, end) for _, end in removed)
+    outcome.differences += (_one_sided(sides, ADDED, end) for _, end in new)
 
 
 def _named(ends: Iterable[Endpoint], node: Node) -> dict[str, list[Endpoint]]:
@@ -146,20 +146,20 @@ def _has_type(end: Endpoint, other: Endpoint) -> bool:
 Found = list[tuple[str, Endpoint]]
 
 
-def _only_known(sides: Sides, gone: Found, new: Found, told: Compared) -> tuple[Found, Found]:
+def _only_known(sides: Sides, removed: Found, new: Found, outcome: Compared) -> tuple[Found, Found]:
     """Those of which the other side cannot have one under a name that is not known there."""
-    lost = {id(end) for name, end in gone if any(_may_be(name, end, *other) for other in new)}
-    found = {id(end) for name, end in new if any(_may_be(*other, name, end) for other in gone)}
-    told.not_known += len(lost)
-    gone = [item for item in gone if id(item[1]) not in lost]
+    lost = {id(end) for name, end in removed if any(_may_be(name, end, *other) for other in new)}
+    found = {id(end) for name, end in new if any(_may_be(*other, name, end) for other in removed)}
+    outcome.not_known += len(lost)
+    removed = [item for item in removed if id(item[1]) not in lost]
     new = [item for item in new if id(item[1]) not in found]
-    if gone and _doubts(sides.head) - _doubts(sides.base):
-        told.not_known += len(gone)
-        gone = []
+    if removed and _doubts(sides.head) - _doubts(sides.base):
+        outcome.not_known += len(removed)
+        removed = []
     if new and _doubts(sides.base) - _doubts(sides.head):
-        told.not_known += len(new)
+        outcome.not_known += len(new)
         new = []
-    return gone, new
+    return removed, new
 
 
 def _may_be(name: str, end: Endpoint, other_name: str, other: Endpoint) -> bool:
@@ -173,19 +173,19 @@ def _doubts(node: Node) -> frozenset[str]:
     return frozenset(unknown.reason for unknown in node.unknowns if unknown.field == "endpoints")
 
 
-def _renamed(sides: Sides, gone: Found, new: Found) -> Iterator[tuple[Endpoint, Endpoint]]:
+def _renamed(sides: Sides, removed: Found, new: Found) -> Iterator[tuple[Endpoint, Endpoint]]:
     """An end under a new name: in the same file, of the same type and default, the name alike or no other in question."""
     ranked = []
-    for place, (name, end) in enumerate(gone):
+    for place, (name, end) in enumerate(removed):
         fitting = [(number, item) for number, item in enumerate(new) if _fits(sides, end, item[1])]
-        alone = len(fitting) == 1 and sum(_fits(sides, endpoint, fitting[0][1][1]) for _, endpoint in gone) == 1
+        alone = len(fitting) == 1 and sum(_fits(sides, endpoint, fitting[0][1][1]) for _, endpoint in removed) == 1
         for number, (other_name, _) in fitting:
             like = likeness(name, other_name)
             if like >= RENAMED_FROM or (alone and end.kind not in ("parameters", "getters")):
                 ranked.append((-like, place, number))
     taken: set[int] = set()
     for _, place, number in sorted(ranked):
-        end, other = gone[place][1], new[number][1]
+        end, other = removed[place][1], new[number][1]
         if not {id(end), id(other)} & taken:
             taken |= {id(end), id(other)}
             yield end, other
@@ -260,8 +260,8 @@ def in_words(limits: tuple[float | None, float | None, float | None] | None) -> 
     if limits is None:
         return None
     low, high, step = limits
-    said = f"{'' if low is None else low} … {'' if high is None else high}".strip()
-    return said if not step else f"{said}, step {step}"
+    text = f"{'' if low is None else low} … {'' if high is None else high}".strip()
+    return text if not step else f"{text}, step {step}"
 
 
 def _quality(end: Endpoint, other: Endpoint) -> Iterator[tuple[str, str | None, str | None]]:
@@ -277,24 +277,24 @@ def _quality(end: Endpoint, other: Endpoint) -> Iterator[tuple[str, str | None, 
 
 def qos_words(qos: Qos, other: Qos) -> str:
     """In words the policies in which *qos* differs from *other*, those left out that are not known on one side."""
-    said = []
+    parts = []
     for item in fields(qos):
         mine, theirs = getattr(qos, item.name), getattr(other, item.name)
         if mine == theirs or "?" in (mine, theirs):
             continue
         if item.name == "depth" and "keep_all" in (qos.history, other.history):
             continue
-        said.append(f"{item.name} {'default' if mine is None else mine}")
-    return ", ".join(said)
+        parts.append(f"{item.name} {'default' if mine is None else mine}")
+    return ", ".join(parts)
 
 
 def _queue(end: Endpoint, other: Endpoint) -> str:
-    said = []
+    parts = []
     if end.queue_size != other.queue_size and None not in (end.queue_size, other.queue_size):
-        said.append(f"queue {end.queue_size}")
+        parts.append(f"queue {end.queue_size}")
     if end.latched != other.latched and None not in (end.latched, other.latched):
-        said.append("latched" if end.latched else "not latched")
-    return ", ".join(said)
+        parts.append("latched" if end.latched else "not latched")
+    return ", ".join(parts)
 
 
 def with_users(difference: Difference, users: Iterable[str]) -> Difference:

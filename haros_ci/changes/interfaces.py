@@ -72,11 +72,11 @@ class Side:
 def interface_changes(base: Iterable[Defined], head: Iterable[Defined]) -> tuple[InterfaceChange, ...]:
     """All changes from the interfaces of *base* to those of *head*, sorted by name, kind and place; [] for the same interfaces."""
     before, after = Side(base), Side(head)
-    gone = [key for key in before.used if key not in after.all]
+    removed = [key for key in before.used if key not in after.all]
     new = [key for key in after.used if key not in before.all]
-    moved = _renamed(before, after, gone, new)
+    moved = _renamed(before, after, removed, new)
     made: list[InterfaceChange] = []
-    for key in gone:
+    for key in removed:
         made.append(_whole(before, after, key, moved.get(key)))
     for key in new:
         if key not in moved.values():
@@ -146,11 +146,11 @@ def in_words(change: InterfaceChange) -> str:
 
 
 def _renamed(
-    before: Side, after: Side, gone: Sequence[tuple[str, str]], new: Sequence[tuple[str, str]]
+    before: Side, after: Side, removed: Sequence[tuple[str, str]], new: Sequence[tuple[str, str]]
 ) -> Mapping[tuple[str, str], tuple[str, str]]:
     """Which of the new interfaces is which of the old ones: alike in all but the name, and no other is."""
     by_content: dict[object, tuple[list[tuple[str, str]], list[tuple[str, str]]]] = {}
-    for keys, side, at in ((gone, before, 0), (new, after, 1)):
+    for keys, side, at in ((removed, before, 0), (new, after, 1)):
         for key in keys:
             interface = side.used[key][0]
             if interface.is_whole and any(interface.sections):

@@ -22,7 +22,7 @@ _ENDS = {
 
 def edges(found: Iterable[Difference], head: Architecture, base: Architecture) -> Iterator[Edge]:
     """The ends that come, go or have a new name, with all others at the same topics, services and actions; once each."""
-    told: dict[tuple[str, str, str, bool], str] = {}
+    states: dict[tuple[str, str, str, bool], str] = {}
     touched: dict[tuple[str, str], None] = {}
     for difference in sorted(found, key=lambda item: (item.configuration, item.name)):
         kind, is_giver, _, _ = _ENDS.get(difference.what, ("", False, "", ""))
@@ -30,17 +30,17 @@ def edges(found: Iterable[Difference], head: Architecture, base: Architecture) -
             continue
         if difference.action in (REMOVED, RENAMED):
             name = difference.old_name or difference.name
-            told.setdefault((difference.node, name, kind, is_giver), REMOVED)
+            states.setdefault((difference.node, name, kind, is_giver), REMOVED)
             touched[kind, name] = None
         if difference.action in (ADDED, RENAMED):
-            told.setdefault((difference.node, difference.name, kind, is_giver), ADDED)
+            states.setdefault((difference.node, difference.name, kind, is_giver), ADDED)
             touched[kind, difference.name] = None
         if difference.aspect == "type":
             touched[kind, difference.name] = None
     for configuration in head.configurations:
         for key in _around(configuration, touched):
-            told.setdefault(key, "")
-    for (node, channel, kind, is_giver), state in sorted(told.items()):
+            states.setdefault(key, "")
+    for (node, channel, kind, is_giver), state in sorted(states.items()):
         yield Edge(node=node, channel=channel, kind=kind, is_giver=is_giver, state=state)
 
 

@@ -117,12 +117,12 @@ def _moved(before: Sequence[str], after: Sequence[str]) -> Iterator[str]:
         at = bisect_left(tails, place)
         tails[at : at + 1] = [place]
         lengths.append(at + 1)
-    wanted, limit = len(tails), len(before)
+    expected, limit = len(tails), len(before)
     kept = set()
     for place, length in zip(reversed(order), reversed(lengths)):
-        if length == wanted and place < limit:
+        if length == expected and place < limit:
             kept.add(place)
-            wanted, limit = wanted - 1, place
+            expected, limit = expected - 1, place
     yield from (name for name in after if places[name] not in kept)
 
 

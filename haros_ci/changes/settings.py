@@ -110,7 +110,7 @@ def _launched(architecture: Architecture, moved: Moved) -> set[str]:
 
 
 def compare_values(
-    base: Configuration, head: Configuration, renamed: Mapping[str, str], gone: frozenset[str], new: frozenset[str], moved: Moved
+    base: Configuration, head: Configuration, renamed: Mapping[str, str], removed: frozenset[str], new: frozenset[str], moved: Moved
 ) -> Iterator[Difference]:  # fmt: skip
     """The values that nodes on both sides are given. *renamed* are new names of nodes, *gone* and *new* nodes of one side."""
     left = _given(base, renamed)
@@ -119,7 +119,7 @@ def compare_values(
     for key in sorted({*left, *right}):
         old, new_one = left.get(key), right.get(key)
         node = key[0]
-        if node in gone or node in new or not is_known("".join(key)):
+        if node in removed or node in new or not is_known("".join(key)):
             continue
         if any(_is_unknown(parameter) for parameter in (old, new_one)):
             continue

@@ -50,11 +50,11 @@ def is_told_of(package: ProjectPackage, path: str) -> bool:
     for name in sorted(package.project.workspace.names):
         if not name.lower().endswith(_PAGES) or _NO_PAGES.search(name):
             continue
-        wanted = {*named, inner} if name.startswith(own) else named
+        words = {*named, inner} if name.startswith(own) else named
         text = package.project.text(name)[:_MAX_PAGE]
-        if not any(word in text for word in wanted):
+        if not any(word in text for word in words):
             continue
-        ends = re.compile(rf"(?<![\w.-])(?:{'|'.join(map(re.escape, sorted(wanted)))})(?![\w-])")
+        ends = re.compile(rf"(?<![\w.-])(?:{'|'.join(map(re.escape, sorted(words)))})(?![\w-])")
         before = ""
         for line in text.splitlines():
             if (_MAKES.search(line) or _MAKES.search(before)) and ends.search(line):

@@ -310,9 +310,9 @@ def _is_asked(text: str, name: str) -> bool:
 def _place(code: Codebase, routine: Routine, name: str) -> Location:
     """Where the attribute is first read in the routine; the routine's head if that is not found."""
     line = routine.function.line
-    wanted = re.compile(rf"\b\w+\.{re.escape(name)}\b")
+    pattern = re.compile(rf"\b\w+\.{re.escape(name)}\b")
     for number, part in enumerate(code.lines(routine, line).split("\n"), line):
-        found = wanted.search(part.partition("#")[0])
+        found = pattern.search(part.partition("#")[0])
         if found is not None:
             return Location(routine.path, number, found.start() + 1, number, found.end() + 1)
     return Location(routine.path, line or 1)

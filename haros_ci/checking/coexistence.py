@@ -28,7 +28,7 @@ def can_meet(first: Iterable[End], second: Iterable[End]) -> Iterator[tuple[End,
 
 
 def by_types(
-    givers: Iterable[End], takers: Iterable[End], apart: Callable[[End, End], bool]
+    givers: Iterable[End], takers: Iterable[End], differs: Callable[[End, End], bool]
 ) -> dict[tuple[str, str], dict[End, None]]:
     """All ends that meet one from which they are *apart*, by the types of the two, in the order of the pairs.
 
@@ -44,8 +44,8 @@ def by_types(
         for type, group in groups.items():
             pair = (giver.type or "", type)
             waiting = left.setdefault(pair, dict(group))
-            hits = [(number, taker, pair) for number, taker in waiting.items() if _meet_apart(giver, taker, apart)]
-            if not hits and any(n not in waiting and _meet_apart(giver, taker, apart) for n, taker in group.items()):
+            hits = [(number, taker, pair) for number, taker in waiting.items() if _meet_apart(giver, taker, differs)]
+            if not hits and any(n not in waiting and _meet_apart(giver, taker, differs) for n, taker in group.items()):
                 found[pair][giver] = None
             new += hits
         for number, taker, pair in sorted(new, key=lambda item: item[0]):
@@ -54,8 +54,8 @@ def by_types(
     return found
 
 
-def _meet_apart(giver: End, taker: End, apart: Callable[[End, End], bool]) -> bool:
-    return apart(giver, taker) and any(can_meet((giver,), (taker,)))
+def _meet_apart(giver: End, taker: End, differs: Callable[[End, End], bool]) -> bool:
+    return differs(giver, taker) and any(can_meet((giver,), (taker,)))
 
 
 def _on_branches(one: End, other: End) -> bool:

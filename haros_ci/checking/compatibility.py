@@ -21,27 +21,27 @@ BRANCHES = frozenset(("if", "else", "elif", "switch", "case", "catch", "except",
 OVERRIDDEN = {"publishers": "publisher", "subscribers": "subscription"}
 
 
-def refuses(policy: str, offered: Qos | None, asked: Qos | None) -> bool:
+def refuses(policy: str, offered: Qos | None, requested: Qos | None) -> bool:
     """Whether *offered* is less than what is *asked* for; *policy* is reliability, durability, deadline or liveliness.
 
     A deadline and a lease that are not set have no end, and liveliness is automatic where nobody says otherwise.
     """
-    if offered is None or asked is None:
+    if offered is None or requested is None:
         return False
     if policy == "reliability":
-        return offered.reliability == "best_effort" and asked.reliability == "reliable"
+        return offered.reliability == "best_effort" and requested.reliability == "reliable"
     if policy == "durability":
-        return offered.durability == "volatile" and asked.durability == "transient_local"
+        return offered.durability == "volatile" and requested.durability == "transient_local"
     if policy == "deadline":
-        return _is_longer(offered.deadline, asked.deadline)
-    is_less = asked.liveliness == "manual_by_topic" and offered.liveliness in (None, "automatic")
-    return is_less or _is_longer(offered.lease, asked.lease)
+        return _is_longer(offered.deadline, requested.deadline)
+    is_less = requested.liveliness == "manual_by_topic" and offered.liveliness in (None, "automatic")
+    return is_less or _is_longer(offered.lease, requested.lease)
 
 
-def _is_longer(offered: float | str | None, asked: float | str | None) -> bool:
-    if asked is None or isinstance(asked, str) or isinstance(offered, str):
+def _is_longer(offered: float | str | None, requested: float | str | None) -> bool:
+    if requested is None or isinstance(requested, str) or isinstance(offered, str):
         return False
-    return offered is None or offered > asked
+    return offered is None or offered > requested
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,9 +160,9 @@ def refused_pairs(channel: Channel, policy: str) -> Iterator[Pair]:
                 yield Pair(channel, giver, taker, len(refused) == len(present))
 
 
-def _apart(channel: Channel, policy: str, offered: Qos | None, asked: Qos | None) -> bool:
+def _apart(channel: Channel, policy: str, offered: Qos | None, requested: Qos | None) -> bool:
     """Whether no message comes from the one to the other; of a service each end offers and asks for the same."""
-    return refuses(policy, offered, asked) or (channel.kind == "service" and refuses(policy, asked, offered))
+    return refuses(policy, offered, requested) or (channel.kind == "service" and refuses(policy, requested, offered))
 
 
 def _differ(giver: End, taker: End) -> bool:
@@ -193,15 +193,15 @@ def in_words(qos: Qos | None) -> str:
     """``reliable, volatile, keep last 10``: the whole quality of service, for a message."""
     if qos is None:
         return "unknown"
-    said = [_word("reliability", qos.reliability), _word("durability", qos.durability), _history(qos)]
-    said += [
+    parts = [_word("reliability", qos.reliability), _word("durability", qos.durability), _history(qos)]
+    parts += [
         f"{name} {value:g} s" if isinstance(value, float) else f"{name} {_word('', value)}".strip()
         for name, value in (("deadline", qos.deadline), ("lifespan", qos.lifespan), ("lease", qos.lease))
         if value is not None
     ]
     if qos.liveliness is not None:
-        said.append(f"liveliness {_word('', qos.liveliness)}")
-    return ", ".join(said)
+        parts.append(f"liveliness {_word('', qos.liveliness)}")
+    return ", ".join(parts)
 
 
 def _word(policy: str, value: object) -> str:

@@ -181,29 +181,29 @@ def _shared(code: Codebase, routine: Routine) -> frozenset[str]:
 
 def _fits(kind: str, value: Expression, written: str, ros: int) -> bool:
     """Whether an object of *kind* can stand in a field of the type *written*, or that is not known."""
-    wanted = field_type(written)
+    expected = field_type(written)
     if kind == "none" and ros == 1:
         return True  # it is looked at when the message is sent, and may be set before
-    if wanted is None or wanted.base in ("byte", "char", "octet"):
+    if expected is None or expected.base in ("byte", "char", "octet"):
         return True
     if kind == "Time":
-        return wanted.base not in _TIMES or bool(wanted.form)
-    if wanted.form:
-        return _fits_list(kind, value, wanted, ros)
-    return _fits_one(kind, wanted, ros)
+        return expected.base not in _TIMES or bool(expected.form)
+    if expected.form:
+        return _fits_list(kind, value, expected, ros)
+    return _fits_one(kind, expected, ros)
 
 
-def _fits_list(kind: str, value: Expression, wanted: FieldType, ros: int) -> bool:
+def _fits_list(kind: str, value: Expression, expected: FieldType, ros: int) -> bool:
     if kind == "list" and isinstance(value, syntax.ListLiteral):
         items = value.items
-        if len(items) > _MANY or wanted.base not in _FLOATS or ros == 1:
+        if len(items) > _MANY or expected.base not in _FLOATS or ros == 1:
             return True
         return not any(isinstance(item, syntax.Number) and isinstance(item.value, int) for item in items)
     return kind in ("list", "str") if ros == 1 else kind == "list"
 
 
-def _fits_one(kind: str, wanted: FieldType, ros: int) -> bool:
-    base = wanted.base
+def _fits_one(kind: str, expected: FieldType, ros: int) -> bool:
+    base = expected.base
     if base in _FLOATS:
         return kind == "float" or (ros == 1 and kind in ("int", "bool"))
     if base in _INTEGERS:
@@ -212,7 +212,7 @@ def _fits_one(kind: str, wanted: FieldType, ros: int) -> bool:
         return kind == "bool" or (ros == 1 and kind == "int")
     if base in _TEXTS:
         return kind == "str" or (ros == 1 and kind == "list")
-    return not (wanted.is_nested or base in _TIMES)
+    return not (expected.is_nested or base in _TIMES)
 
 
 def _shown(value: Expression) -> str:
@@ -233,11 +233,11 @@ def _location(code: Codebase, routine: Routine, written: str, value: str) -> Loc
     head = (
         "" if written.endswith("=") else r"(?<![\w.])" + "".join(rf"{re.escape(part)}\s*\.\s*" for part in parts[:-1])
     )
-    wanted = re.compile(rf"{head}\b{re.escape(parts[-1])}\s*=(?!=)\s*")
+    pattern = re.compile(rf"{head}\b{re.escape(parts[-1])}\s*=(?!=)\s*")
     text = code.text(routine.path) if routine.function.kind == "module" else code.lines(routine, start)
     found: list[tuple[bool, int, int, int]] = []
     for number, line in enumerate(text.split("\n"), start or 1):
-        match = wanted.search(line.partition("#")[0])
+        match = pattern.search(line.partition("#")[0])
         if match is not None:
             same = re.match(rf"[+-]?\s*{re.escape(value)}(?![\w.])", line[match.end() :]) if value else None
             found.append(

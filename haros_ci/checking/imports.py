@@ -106,10 +106,10 @@ def imports_of(package: ProjectPackage, sources: Sources, *, tests: bool = False
 
 def is_called_after(package: str, module: str) -> bool:
     """Whether the name of *package* is that of the Python *module* with words for Python or ROS before or behind it: ``<module>_py``."""
-    words, wanted = re.split(r"[-_.]", package.lower()), module.lower().split("_")
-    count = len(wanted)
+    words, parts = re.split(r"[-_.]", package.lower()), module.lower().split("_")
+    count = len(parts)
     return any(
-        words[at : at + count] == wanted and _AFFIXES.issuperset((*words[:at], *words[at + count :]))
+        words[at : at + count] == parts and _AFFIXES.issuperset((*words[:at], *words[at + count :]))
         for at in range(len(words) - count + 1)
     )
 
@@ -134,15 +134,15 @@ def used_files(package: ProjectPackage) -> Iterator[tuple[str, bool]]:
     """The Python files that a user of the package loads, with whether each is a launch file; not its tests."""
     python = [file.path for file in package.files if file.language == "python"]
     launch = {file.path for file in package.files if file.language == "launch" and file.path.endswith(".py")}
-    wanted: set[str] = {entry_point.path for entry_point in package.build.entry_points}
+    used: set[str] = {entry_point.path for entry_point in package.build.entry_points}
     folders = [directory for _, directory in package.build.python_roots]
     for thing in package.build.installed:
         if thing.kind == "directory" and not thing.destination.startswith("share"):
             folders.append(thing.path)
         elif thing.kind != "directory":
-            wanted.add(thing.path)
-    unused = _unused(package, wanted, python)
-    tests = _test_code(package, wanted, python)
+            used.add(thing.path)
+    unused = _unused(package, used, python)
+    tests = _test_code(package, used, python)
     share = [t.path for t in package.build.installed if t.kind == "directory" and t.destination.startswith("share")]
     for path in sorted({*python, *launch}):
         inner = path if package.path == "." else path[len(package.path) + 1 :]
@@ -151,20 +151,20 @@ def used_files(package: ProjectPackage) -> Iterator[tuple[str, bool]]:
         if _ASIDE.search(inner) or path in unused or path in tests:
             continue
         # a program that is installed by its name is no test, whatever it is called; of a whole folder the tests are left out
-        if path in wanted or (
+        if path in used or (
             not _TEST.search(inner) and any(place == "." or path.startswith(f"{place}/") for place in places)
         ):
             yield path, is_launch
 
 
-def _unused(package: ProjectPackage, wanted: set[str], python: list[str]) -> frozenset[str]:
+def _unused(package: ProjectPackage, requested: set[str], python: list[str]) -> frozenset[str]:
     """Scripts inside an importable package that nothing starts, and the modules that only such scripts import: tools for training, plots, notebooks.
 
     A module without a main part that nothing imports counts as used: others may import it.
     """
     project = package.project
     roots = [f"{directory}/" if directory != "." else "" for _, directory in package.build.python_roots]
-    below = [path for path in python if path not in wanted and path.startswith(tuple(roots))] if roots else []
+    below = [path for path in python if path not in requested and path.startswith(tuple(roots))] if roots else []
     scripts = {path for path in below if _MAIN.search(project.text(path))}
     if not scripts:
         return frozenset()
@@ -190,11 +190,11 @@ def _unused(package: ProjectPackage, wanted: set[str], python: list[str]) -> fro
     return reached_from(scripts - used, imports) - used
 
 
-def _test_code(package: ProjectPackage, wanted: Set[str], python: list[str]) -> frozenset[str]:
+def _test_code(package: ProjectPackage, used: Set[str], python: list[str]) -> frozenset[str]:
     """The files with code for tests that are not installed and that only such files import, whatever their directories are called."""
     project = package.project
     folders = tuple(f"{installed.path}/" for installed in package.build.installed if installed.kind == "directory")
-    loose = (path for path in python if path not in wanted and not path.startswith(folders))
+    loose = (path for path in python if path not in used and not path.startswith(folders))
     found = {path for path in loose if not _is_in_package(path, package) and _TEST_CODE.search(project.text(path))}
     if not found:
         return frozenset()

@@ -56,18 +56,18 @@ def _said(found: Mismatch, policy: str) -> str:
     )
 
 
-def _policy(policy: str, offered: Qos | None, asked: Qos | None) -> tuple[str, str]:
+def _policy(policy: str, offered: Qos | None, requested: Qos | None) -> tuple[str, str]:
     """What one end asks for and the other one offers, as a phrase with "subscribes" and "publishes"."""
     if policy == "reliability":
         return "as reliable", "with best effort"
     if policy == "durability":
         return "as transient local", "as volatile"
     if policy == "deadline":
-        return _time("deadline", asked and asked.deadline), _time("deadline", offered and offered.deadline)
-    if asked is not None and asked.liveliness == "manual_by_topic" and offered is not None:
+        return _time("deadline", requested and requested.deadline), _time("deadline", offered and offered.deadline)
+    if requested is not None and requested.liveliness == "manual_by_topic" and offered is not None:
         if offered.liveliness != "manual_by_topic":
             return "with manual liveliness", "with automatic liveliness"
-    return _time("lease duration", asked and asked.lease), _time("lease duration", offered and offered.lease)
+    return _time("lease duration", requested and requested.lease), _time("lease duration", offered and offered.lease)
 
 
 def _time(name: str, value: object) -> str:

@@ -46,12 +46,12 @@ def is_said_not_installed(package: ProjectPackage, at: Location) -> bool:
     lines = package.project.text(at.path).splitlines()
     if not at.line or at.line > len(lines):
         return False
-    said = [lines[at.line - 1].partition("#")[2]]
+    comments = [lines[at.line - 1].partition("#")[2]]
     for line in reversed(lines[max(at.line - 1 - _ABOVE, 0) : at.line - 1]):
         if not line.lstrip().startswith("#"):
             break
-        said.append(line)
-    return any(_NOT_INSTALLED.search(text) and not _TASK.search(text) for text in said)
+        comments.append(line)
+    return any(_NOT_INSTALLED.search(text) and not _TASK.search(text) for text in comments)
 
 
 def _left_out(text: str) -> Iterator[str]:

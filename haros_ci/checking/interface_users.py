@@ -110,7 +110,7 @@ def _places(project: Project, path: str, written: str) -> Iterator[tuple[Locatio
 
 
 def _includes(path: str, lines: list[str], written: str) -> Iterator[tuple[Location, bool]]:
-    wanted = re.compile(rf"\s*#\s*(?:include|import)\s*{re.escape(written)}")
+    pattern = re.compile(rf"\s*#\s*(?:include|import)\s*{re.escape(written)}")
     open_ifs: list[bool] = []  # whether each is a condition, and no guard against a second inclusion
     for number, line in enumerate(lines, 1):
         directive = _DIRECTIVE.match(line)
@@ -123,7 +123,7 @@ def _includes(path: str, lines: list[str], written: str) -> Iterator[tuple[Locat
             del open_ifs[-1:]
         elif directive[1].startswith("el"):
             open_ifs[-1:] = [True]
-        elif wanted.match(line):
+        elif pattern.match(line):
             yield Location(path, number, len(line) - len(line.lstrip()) + 1), any(open_ifs)
 
 

@@ -45,26 +45,26 @@ def left_behind(project: Project) -> Iterator[LeftBehind]:
     if project.base is None:
         return
     before, after = WholeGraph(project.base.systems), WholeGraph(project.systems)
-    told = {(lost.kind, end.name) for lost in lost_in(project) for end in lost.left}
+    reported = {(lost.kind, end.name) for lost in lost_in(project) for end in lost.left}
     for (kind, name), ends in before.ends.items():
-        if name.rpartition("/")[2] in COMMON or (_word(kind), name) in told:
+        if name.rpartition("/")[2] in COMMON or (_word(kind), name) in reported:
             continue
         others = before.of(OTHER[kind], name)
         left = [
             placed for placed in after.of(OTHER[kind], name) if (OTHER[kind], name, placed[0].node.type) in before.held
         ]
         if others and left:
-            gone = not after.of(kind, name)
-            found = _alone(project, before, after, ends, left) if gone else _retyped(before, after, ends, left)
+            is_removed = not after.of(kind, name)
+            found = _alone(project, before, after, ends, left) if is_removed else _retyped(before, after, ends, left)
             if found is not None:
-                told.add((_word(kind), name))
+                reported.add((_word(kind), name))
                 yield found
-    yield from _inside(project, before, after, told)
-    yield from _moved_away(before, after, told)
+    yield from _inside(project, before, after, reported)
+    yield from _moved_away(before, after, reported)
 
 
 def _inside(
-    project: Project, before: WholeGraph, after: WholeGraph, told: set[tuple[str, str]]
+    project: Project, before: WholeGraph, after: WholeGraph, reported: set[tuple[str, str]]
 ) -> Iterator[LeftBehind]:
     """What is alone in its own configuration, though another launch file has the name: one end has another, which nobody else has."""
     for old, new in both(project):
@@ -73,7 +73,7 @@ def _inside(
         was, now = WholeGraph((old,)), WholeGraph((new,))
         for (kind, name), ends in was.ends.items():
             if (
-                (_word(kind), name) in told
+                (_word(kind), name) in reported
                 or name.rpartition("/")[2] in COMMON
                 or now.of(kind, name)
                 or not new.is_launched
@@ -88,11 +88,11 @@ def _inside(
                 continue
             partners = after.of(OTHER[kind], found.now.name)
             if not any((end.kind, end.name, end.node.type) in before.held for end, _ in partners):
-                told.add((_word(kind), name))
+                reported.add((_word(kind), name))
                 yield found
 
 
-def _moved_away(before: WholeGraph, after: WholeGraph, told: set[tuple[str, str]]) -> Iterator[LeftBehind]:
+def _moved_away(before: WholeGraph, after: WholeGraph, reported: set[tuple[str, str]]) -> Iterator[LeftBehind]:
     """Subscribers and clients under a new name that nobody gives, while what they were connected to is still given."""
     for (kind, name), ends in before.ends.items():
         partners = after.of(OTHER[kind], name) if kind not in _GIVES else []
@@ -100,7 +100,7 @@ def _moved_away(before: WholeGraph, after: WholeGraph, told: set[tuple[str, str]
             not partners
             or not before.of(OTHER[kind], name)
             or name.rpartition("/")[2] in COMMON
-            or (_word(kind), name) in told
+            or (_word(kind), name) in reported
         ):
             continue
         types = {end.type for end, _ in partners} - {None}
@@ -118,7 +118,7 @@ def _moved_away(before: WholeGraph, after: WholeGraph, told: set[tuple[str, str]
             if _may_be_there(before, after, OTHER[kind], now.name, types):
                 continue
             together = any(item == system for _, item in before.of(OTHER[kind], name))
-            told.add((_word(kind), name))
+            reported.add((_word(kind), name))
             yield LeftBehind(
                 name=name,
                 action=MOVED_AWAY,
@@ -151,8 +151,8 @@ def _alone(
         if kind not in _GIVES and (after.of(OTHER[kind], now.name) or _is_provided_elsewhere(after, now)):
             return None  # it listens to something else now
         return _made(before, after, RENAMED, ends, left, (end, now))
-    gone = [end for end in ends if kind in _GIVES and _is_taken_away(project, after, *end)]
-    return _made(before, after, REMOVED, ends, left, (gone[0][0], None)) if len(gone) == len(ends) else None
+    removed = [end for end in ends if kind in _GIVES and _is_taken_away(project, after, *end)]
+    return _made(before, after, REMOVED, ends, left, (removed[0][0], None)) if len(removed) == len(ends) else None
 
 
 def _may_be_there(before: WholeGraph, after: WholeGraph, kind: str, name: str, types: set[str | None]) -> bool:

@@ -39,8 +39,8 @@ def is_slip(one: str, other: str) -> bool:
         return False
     words, others = one.split("_"), other.split("_")
     if len(words) == len(others):
-        apart = [pair for pair in zip(words, others) if pair[0] != pair[1]]
-        if any(frozenset(pair) in _TWINS or min(map(len, pair)) < 3 for pair in apart):
+        differing = [pair for pair in zip(words, others) if pair[0] != pair[1]]
+        if any(frozenset(pair) in _TWINS or min(map(len, pair)) < 3 for pair in differing):
             return False
     return _one_edit(one.lower(), other.lower())
 

@@ -82,12 +82,12 @@ def is_nested(package: ProjectPackage) -> bool:
     return not package.project.roots.isdisjoint(above - {package.path})
 
 
-def reaches(package: ProjectPackage, kinds: tuple[str, ...], *wanted: str) -> bool | None:
+def reaches(package: ProjectPackage, kinds: tuple[str, ...], *targets: str) -> bool | None:
     """Whether one of *wanted* comes with what the package needs in one of these *kinds*; None if that is not known."""
-    return brings(package, (need.name for need in needs(package, *kinds)), *wanted)
+    return brings(package, (need.name for need in needs(package, *kinds)), *targets)
 
 
-def brings(package: ProjectPackage, names: Iterable[str], *wanted: str) -> bool | None:
+def brings(package: ProjectPackage, names: Iterable[str], *targets: str) -> bool | None:
     """Whether one of *wanted* is among *names* or comes with one of them; None if that is not known.
 
     What a package of the workspace brings along its manifest says, of others the knowledge of what was released for the
@@ -99,7 +99,7 @@ def brings(package: ProjectPackage, names: Iterable[str], *wanted: str) -> bool 
     is_known = True
     while rest:
         name = rest.pop()
-        if name in wanted:
+        if name in targets:
             return True
         if name in seen:
             continue
@@ -116,14 +116,14 @@ def brings(package: ProjectPackage, names: Iterable[str], *wanted: str) -> bool 
 
 def said_misplaced(package: ProjectPackage, names: Iterable[str]) -> str:
     """Where the manifest has the packages *names* inside of another element, in which no tool reads them; "" where it has none so."""
-    wanted = frozenset(names)
+    dependencies = frozenset(names)
     found: list[tuple[str, Element, Element]] = []
     waiting = list(package.manifest.children) if package.manifest is not None else []
     while waiting:
         element = waiting.pop()
         waiting += element.children
         for child in element.children:
-            if (child.tag == "depend" or child.tag.endswith("_depend")) and child.text.strip() in wanted:
+            if (child.tag == "depend" or child.tag.endswith("_depend")) and child.text.strip() in dependencies:
                 found.append((child.text.strip(), child, element))
     if not found:
         return ""

@@ -296,12 +296,12 @@ def _is_set(code: Codebase, routine: Routine, name: str) -> bool:
 def _location(code: Codebase, routine: Routine, written: str) -> Location:
     """Where *written* first stands in the routine; its head if it is not found."""
     line = routine.function.line
-    wanted = re.compile(r"(?<![\w.])" + r"\s*\.\s*".join(map(re.escape, written.split("."))) + r"\b")
+    pattern = re.compile(r"(?<![\w.])" + r"\s*\.\s*".join(map(re.escape, written.split("."))) + r"\b")
     is_module = routine.function.kind == "module"
     text = code.text(routine.path) if is_module else code.lines(routine, line)
     places = []
     for number, part in enumerate(text.split("\n"), line):
-        found = wanted.search(part.partition("#")[0])
+        found = pattern.search(part.partition("#")[0])
         if found is not None:
             places.append((is_module and part[:1].isspace(), number, found.start() + 1, found.end() + 1))
     if places:

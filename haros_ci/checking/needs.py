@@ -144,14 +144,14 @@ def _brings_module(sources: Sources, name: str) -> bool:
 
 def _included(package: ProjectPackage, sources: Sources, tests: bool) -> Iterator[Need]:
     """The headers that every build includes, from elsewhere, and whose providers are known."""
-    asked: dict[str, frozenset[str]] = {}
+    libraries: dict[str, frozenset[str]] = {}
     lent, made, is_hidden = _lent(package), _made(package), builds_absent(package)
     for include in reached(package, sources, tests=tests):
         header = include.header
-        if header not in asked:
+        if header not in libraries:
             names = _providers(header, package, sources)
-            asked[header] = names | brings_boost(package) if HEADERS in names else names
-        names = asked[header]
+            libraries[header] = names | brings_boost(package) if HEADERS in names else names
+        names = libraries[header]
         if _may_be_of_a_part(header, names, package):
             continue
         if is_hidden and not any(is_of_ros(name, package.project) for name in names):

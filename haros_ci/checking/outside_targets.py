@@ -37,10 +37,10 @@ def may_be_added(package: ProjectPackage, library: str) -> bool:
     """
     name = posixpath.basename(library).removesuffix(".so")
     stems = {name, name.removeprefix("lib")} if package.ros != 1 else {name[3:]} if name.startswith("lib") else set()
-    said = "|".join(map(re.escape, sorted(stems - {target.name for target in package.build.targets})))
-    call = re.compile(rf"^[ \t]*\w{{0,40}}add_library\s*\(\s*(?:{said})(?![\w.-])", re.MULTILINE | re.IGNORECASE)
+    names = "|".join(map(re.escape, sorted(stems - {target.name for target in package.build.targets})))
+    call = re.compile(rf"^[ \t]*\w{{0,40}}add_library\s*\(\s*(?:{names})(?![\w.-])", re.MULTILINE | re.IGNORECASE)
     texts = (package.project.text(file.path) for file in package.files if file.language == "cmake")
-    return bool(said) and any(call.search(text) for text in texts)
+    return bool(names) and any(call.search(text) for text in texts)
 
 
 def builds_absent(package: ProjectPackage) -> bool:

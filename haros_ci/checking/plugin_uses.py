@@ -47,7 +47,8 @@ class PluginUse:
 
 
 def plugins_in_parameters(
-    systems: Iterable[System], wanted: Callable[[System, Parameter, str], bool] = lambda system, parameter, key: True
+    systems: Iterable[System],
+    is_selected: Callable[[System, Parameter, str], bool] = lambda system, parameter, key: True,
 ) -> Iterator[PluginUse]:
     """Those that launch files themselves set in parameters that are *wanted*, by the parameter and the last part of its name."""
     for system in systems:
@@ -56,7 +57,7 @@ def plugins_in_parameters(
             if parameter.origin is None and parameter.location is not None and isinstance(parameter.value, str):
                 is_sure = _SURE.fullmatch(key) is not None
                 is_named = re.fullmatch(PLUGIN_NAME, parameter.value) and (is_sure or _PERHAPS.fullmatch(key))
-                if is_named and wanted(system, parameter, key):
+                if is_named and is_selected(system, parameter, key):
                     yield PluginUse(parameter.value, parameter.location, key, is_sure)
 
 

@@ -114,8 +114,8 @@ def loaders(project: Project) -> dict[str, dict[str, Location]]:
 
 def is_written(name: str, macros: Iterable[str], paths: Iterable[str], project: Project) -> bool:
     """Whether the text of a file has one of *macros* with *name*, outside of line comments: where it was not read as such."""
-    wanted = tuple(macros)
-    return any(name in _written(project.text(path), wanted) for path in paths)
+    macros_ = tuple(macros)
+    return any(name in _written(project.text(path), macros_) for path in paths)
 
 
 @lru_cache(maxsize=512)

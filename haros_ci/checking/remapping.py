@@ -32,8 +32,8 @@ def rule_of(end: End) -> RemapRule | None:
     """The rule that renamed *end*; None if it has the name that its code gives it, or where the rule stands is not known."""
     if end.name == end.original_name:
         return None
-    wanted = (end.original_name, end.name)
-    return next((rule for rule in end.node.raw.rules if (rule.source_name, rule.target_name) == wanted), None)
+    names = (end.original_name, end.name)
+    return next((rule for rule in end.node.raw.rules if (rule.source_name, rule.target_name) == names), None)
 
 
 def named_at(end: End) -> Location:

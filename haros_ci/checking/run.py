@@ -68,33 +68,33 @@ def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, unde
     them, and is confirmed by running its check *under* them, where that can be done: else it is dropped, too. A check that
     fails, or that takes too long, is a notification, and loses no other check's findings.
     """
-    told: dict[tuple[object, ...], dict[tuple[str, ...], _Told]] = {}
+    by_key: dict[tuple[object, ...], dict[tuple[str, ...], _Told]] = {}
     failures: dict[str, Notification] = {}
     confirm = _Confirmation(under)
-    patience = Patience()
+    budget = Patience()
     ones = [(check, check.run) for check in checks if check.run is not None]
     for system in found:
         for check, run in ones:
-            if patience.has_ended(check.id) or (system.is_refused and not check.of_refused):
+            if budget.has_ended(check.id) or (system.is_refused and not check.of_refused):
                 continue
             try:
-                with stage(CHECKS, check.id), patience.with_(check.id):
+                with stage(CHECKS, check.id), budget.with_(check.id):
                     for finding in run(system):
                         if finding.at.path in system.refused and not check.of_refused:
                             continue
                         checked = _told(check, finding, system)
                         if checked is None or (checked.arguments and not confirm(checked)):
                             continue
-                        alike = told.setdefault(checked.key, {})
+                        alike = by_key.setdefault(checked.key, {})
                         before = alike.setdefault(subject(finding.about), checked)
                         if checked.rank < before.rank:
                             alike[subject(finding.about)] = checked
             except Exception as err:  # a fault of one check must not lose the others
-                said = f"the check {check.id} failed on {system.name}: {type(err).__name__}: {err}"
-                failures.setdefault(check.id, Notification(Level.ERROR, said, tool=tool))
+                message = f"the check {check.id} failed on {system.name}: {type(err).__name__}: {err}"
+                failures.setdefault(check.id, Notification(Level.ERROR, message, tool=tool))
             except Overrun:
                 failures[check.id] = _ended(check, tool, f" on {system.name}")
-    chosen = [(best, _other_names(best, alike)) for alike in told.values() for best in [_best(alike.values())]]
+    chosen = [(best, _other_names(best, alike)) for alike in by_key.values() for best in [_best(alike.values())]]
     used = {
         checked.system.name: checked.system
         for checked, _ in chosen
@@ -110,20 +110,20 @@ def run_on_project(checks: Sequence[Check], project: Project, tool: str) -> Chec
     results: dict[tuple[object, ...], Result] = {}
     failures = []
     unseen = _marked(project)
-    patience = Patience()
+    budget = Patience()
     for check in checks:
         if check.project is None:
             continue
         try:
-            with stage(CHECKS, check.id), patience.with_(check.id):
+            with stage(CHECKS, check.id), budget.with_(check.id):
                 for finding in check.project(project):
                     if unseen and _OF_BUILDS.intersection(check.tags):
                         finding = _of_no_build(finding, unseen)
                     checked = _Told(check, _mendable(finding, project.text), None, ())
                     results.setdefault((*checked.key, subject(finding.about)), _result(checked, (), tool))
         except Exception as err:  # a fault of one check must not lose the others
-            said = f"the check {check.id} failed: {type(err).__name__}: {err}"
-            failures.append(Notification(Level.ERROR, said, tool=tool))
+            message = f"the check {check.id} failed: {type(err).__name__}: {err}"
+            failures.append(Notification(Level.ERROR, message, tool=tool))
         except Overrun:
             failures.append(_ended(check, tool))
     return Checked(tuple(sorted(results.values(), key=lambda result: result.sort_key)), (), tuple(failures))
@@ -176,8 +176,8 @@ def _told(check: Check, finding: Finding, system: System) -> _Told | None:
     )
     if presence is None:
         return None
-    wanted = assignment(presence, system.arguments)
-    return None if wanted is None else _Told(check, finding, system, wanted)
+    arguments = assignment(presence, system.arguments)
+    return None if arguments is None else _Told(check, finding, system, arguments)
 
 
 class _Confirmation:
@@ -188,24 +188,24 @@ class _Confirmation:
         self.systems: dict[tuple[str, Assigned], System | None] = {}
         self.said: dict[tuple[str, str, Assigned], frozenset[tuple[object, ...]]] = {}
 
-    def __call__(self, told: _Told) -> bool:
-        run = told.check.run
-        if self.under is None or told.system is None or run is None:
+    def __call__(self, outcome: _Told) -> bool:
+        run = outcome.check.run
+        if self.under is None or outcome.system is None or run is None:
             return False
-        place = (told.system.name, told.arguments)
+        place = (outcome.system.name, outcome.arguments)
         if place not in self.systems:
-            self.systems[place] = self.under(told.system, told.arguments)
+            self.systems[place] = self.under(outcome.system, outcome.arguments)
         system = self.systems[place]
         if system is None:
             return False
-        key = (told.check.id, *place)
+        key = (outcome.check.id, *place)
         if key not in self.said:
             with stage("confirmations"):
-                found = (_told(told.check, finding, system) for finding in run(system))
+                found = (_told(outcome.check, finding, system) for finding in run(system))
                 self.said[key] = frozenset(
                     checked.key for checked in found if checked is not None and not checked.arguments
                 )
-        return told.key in self.said[key]
+        return outcome.key in self.said[key]
 
 
 def subject(about: Iterable[About]) -> tuple[str, ...]:
@@ -251,15 +251,15 @@ def _other_names(best: _Told, alike: Iterable[tuple[str, ...]]) -> tuple[str, ..
     return tuple(sorted({name for names in others for name in names} - {*own})) or tuple(sorted(map(", ".join, others)))
 
 
-def _result(told: _Told, others: tuple[str, ...], tool: str) -> Result:
+def _result(checked: _Told, others: tuple[str, ...], tool: str) -> Result:
     """*others* are the names of which the same is to be said at the same places."""
-    check, finding, system = told.check, told.finding, told.system
+    check, finding, system = checked.check, checked.finding, checked.system
     message = finding.message.rstrip(". ")
     about_system = any(isinstance(item, (End, SystemNode, Channel)) for item in finding.about)
     if system is None:
         pass
-    elif told.arguments:
-        message += f"; seen with {command(system, told.arguments)}"
+    elif checked.arguments:
+        message += f"; seen with {command(system, checked.arguments)}"
     elif about_system and system.is_launched:
         message += f"; in {system.name}"
     if others:

@@ -201,8 +201,8 @@ def _scripts(package: ProjectPackage, programs: Programs) -> Iterator[Uninstalle
         if use is None or (is_aside and _ASIDE.search(use.path.lower())):
             continue
         level = Level.ERROR if how == "is started here" and package.ros == 2 else Level.WARNING
-        said = how if how.startswith("installs") else f"{shown} {how}"
-        yield Uninstalled("script", shown, shown, level, Location(path, 1), ((use, said),))
+        message = how if how.startswith("installs") else f"{shown} {how}"
+        yield Uninstalled("script", shown, shown, level, Location(path, 1), ((use, message),))
 
 
 def _is_node(package: ProjectPackage, text: str) -> bool:

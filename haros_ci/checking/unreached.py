@@ -27,15 +27,15 @@ def unreached(package: ProjectPackage, paths: Iterable[str]) -> frozenset[str]:
     They lie in a directory called ``old``, ``prototype`` and the like, or outside of the packages that setup.py names, or nothing of the
     workspace names them beside the programs that there are. An import in a comment is none. A script lies aside by its directory alone.
     """
-    wanted = {entry_point.path for entry_point in package.build.entry_points}
-    wanted |= {installed.path for installed in package.build.installed if installed.kind != "directory"}
-    candidates = {path for path in paths if path.endswith(".py") and path not in wanted}
+    used = {entry_point.path for entry_point in package.build.entry_points}
+    used |= {installed.path for installed in package.build.installed if installed.kind != "directory"}
+    candidates = {path for path in paths if path.endswith(".py") and path not in used}
     python = {file.path for file in package.project.workspace.files if file.path.endswith(".py")}
     if not candidates or len(python) > _MOST_FILES:
         return frozenset()
-    loose = {path for path in python if path not in wanted and _is_loose(package, path)}
+    loose = {path for path in python if path not in used and _is_loose(package, path)}
     scripts = set(package.build.scripts)  # people start them by hand
-    found = {path for path in candidates - loose - scripts if wanted and is_unstarted(package.project, path)}
+    found = {path for path in candidates - loose - scripts if used and is_unstarted(package.project, path)}
     if not candidates & loose:
         return frozenset(found)
     started = frozenset(_started(package))

@@ -37,10 +37,10 @@ def weighed(project: Project, findings: Iterable[Finding]) -> Iterator[Finding]:
     """*findings* on what happens when a line of Python runs; those in files that nothing starts are notes, and say so."""
     for finding in findings:
         if finding.level is not Level.NOTE and is_unstarted(project, finding.at.path):
-            told = (
+            message = (
                 f"{finding.message.rstrip('. ')} (nothing here starts, installs or imports {basename(finding.at.path)})"
             )
-            finding = replace(finding, level=Level.NOTE, message=told)
+            finding = replace(finding, level=Level.NOTE, message=message)
         yield finding
 
 

@@ -193,13 +193,13 @@ def calls_of(code: Codebase, *names: str) -> tuple[tuple[Routine, Call], ...]:
     """All calls of functions and methods of these names, by file."""
     key = ("calls of", names)
     if key not in code.kept:
-        wanted = frozenset(names)
+        names_ = frozenset(names)
         code.kept[key] = tuple(
             (routine, call)
             for path in sorted(code.mentioning(*names))
             for routine in code.routines(path)
             for call in code.body(routine).calls
-            if call.name in wanted
+            if call.name in names_
         )
     found: tuple[tuple[Routine, Call], ...] = code.kept[key]  # type: ignore[assignment]
     return found

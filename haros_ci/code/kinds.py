@@ -65,8 +65,8 @@ def variable(code: Codebase, routine: Routine, name: str) -> tuple[Routine, Vari
     while around is not None:
         found = code.body(around).variables.get(name)
         if found:
-            told = {_told(other_variable) for other_variable in found} if len(found) > 1 else {()}
-            return (around, found[0]) if len(told) == 1 else None
+            facts = {_told(other_variable) for other_variable in found} if len(found) > 1 else {()}
+            return (around, found[0]) if len(facts) == 1 else None
         for parameter in around.function.parameters:
             if parameter.name == name:
                 return _written(code, around, parameter.type)

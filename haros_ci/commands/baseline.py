@@ -61,14 +61,14 @@ def _difference(path: Path, settings: Settings, report: Report, sides: Sides) ->
     taken = {found.new for found in pairs}
     new = [result for index, result in enumerate(open_ones) if index not in taken]
     reasons = sum(bool(known.reason) for known in before)
-    said = [
+    parts = [
         f"To write it anew would add {plural(len(new), 'finding')}",
         f"take away {plural(len(before) - len(pairs), 'finding')}",
     ]
     if reasons:
-        said.append(f"lose the reasons of {plural(reasons, 'finding')}")
+        parts.append(f"lose the reasons of {plural(reasons, 'finding')}")
     first = f"; the first one to be added: {one_line(new[0])}" if new else ""
-    return f"{', '.join(said[:-1])} and {said[-1]}{first}"
+    return f"{', '.join(parts[:-1])} and {parts[-1]}{first}"
 
 
 @with_timings
@@ -125,7 +125,7 @@ def baseline_path(flags: Flags, settings: Settings) -> Path:
     return Path(flags["file"]).absolute() if flags.get("file") else settings.root / COMPACT_NAME
 
 
-def keep(flags: Flags, known: tuple[Known, ...], report: Report, said: str) -> int:
+def keep(flags: Flags, known: tuple[Known, ...], report: Report, message: str) -> int:
     """Write the file, unless a tool failed: its findings would be missing from it."""
     from haros_ci.results.compact import write_compact
 
@@ -139,5 +139,5 @@ def keep(flags: Flags, known: tuple[Known, ...], report: Report, said: str) -> i
                     click.echo(f"  {run.tool.name}: {note.message}", err=True)
         return EXIT_TOOL_TROUBLE
     write(write_compact(known), path)
-    click.echo(f"{path}: {said}.")
+    click.echo(f"{path}: {message}.")
     return 0

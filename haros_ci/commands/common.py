@@ -235,9 +235,9 @@ def under_cache(work: Callable[[DiskCache | MemoryCache, Progress], Made], setti
     finally:
         if watched:
             click.echo("\r\x1b[K", nl=False, err=True)
-        trouble = store.flush()
-        if trouble:
-            click.echo(f"warning: {trouble}", err=True)
+        problem = store.flush()
+        if problem:
+            click.echo(f"warning: {problem}", err=True)
     remark(f"cache: {store.stats}")
     return made
 

@@ -49,9 +49,9 @@ def diff(flags: Mapping[str, Any]) -> int:
             sides = found.base_commit, found.head_commit
     except BaselineUnavailable as err:
         raise UserError(str(err), help="name commits, branches or tags of this repository: haros-ci diff main") from err
-    trouble = store.flush()
-    if trouble:
-        click.echo(f"warning: {trouble}", err=True)
+    problem = store.flush()
+    if problem:
+        click.echo(f"warning: {problem}", err=True)
     if settings.base_missing:
         click.echo(f"warning: {terminal(settings.without_base)}", err=True)
     for note in settings.notes:

@@ -102,7 +102,7 @@ def write(root: Path, made: Plan) -> dict[str, str]:
     changed since it was read.
     """
     tree = Tree(root)
-    return {file.path: said for file in made.files if (said := _write(tree, file))}
+    return {file.path: problem for file in made.files if (problem := _write(tree, file))}
 
 
 def _write(tree: Tree, file: Mended) -> str:

@@ -104,10 +104,10 @@ def main_branch(root: Path) -> str:
     top = work_tree(root)
     if top is not None:
         try:
-            said = run_git(Repository(top), "symbolic-ref", "--quiet", "refs/remotes/origin/HEAD").decode(
+            reference = run_git(Repository(top), "symbolic-ref", "--quiet", "refs/remotes/origin/HEAD").decode(
                 "utf-8", "replace"
             )
-            name = said.strip().removeprefix("refs/remotes/origin/")
+            name = reference.strip().removeprefix("refs/remotes/origin/")
             if name and name.isprintable():
                 return name
         except GitError:
@@ -125,8 +125,8 @@ class _Top:
         self._root = root
         self._tree = Tree(root)
 
-    def names(self, wanted: Iterator[str] | tuple[str, ...]) -> frozenset[str]:
-        return frozenset(name for name in wanted if os.path.lexists(self._root / name))
+    def names(self, names: Iterator[str] | tuple[str, ...]) -> frozenset[str]:
+        return frozenset(name for name in names if os.path.lexists(self._root / name))
 
     def workflows(self) -> list[str]:
         try:

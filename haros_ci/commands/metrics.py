@@ -32,7 +32,7 @@ SHOWN = 20
 @with_timings
 def metrics(flags: Mapping[str, Any]) -> int:
     """Measure and print; exit code 3 if a tool that measures failed, else 0."""
-    asked = frozenset(metric_named(name) for name in flags["metric"])
+    requested = frozenset(metric_named(name) for name in flags["metric"])
     levels = frozenset(flags["level"]) or frozenset(measurements.LEVELS)
     settings = settings_from({**flags, "no_baseline": True})
 
@@ -46,7 +46,9 @@ def metrics(flags: Mapping[str, Any]) -> int:
 
     made = under_cache(work, settings, flags)
     chosen = tuple(
-        value for value in made.values if measurements.level(value) in levels and (not asked or value.metric in asked)
+        value
+        for value in made.values
+        if measurements.level(value) in levels and (not requested or value.metric in requested)
     )
     tell(made.notifications)
     path = Path(flags["output"]) if flags["output"] else None

@@ -55,8 +55,8 @@ def model(flags: Mapping[str, Any]) -> int:
     store = store_for(settings)
     arguments = dict(assignment(text, "--arg", ":=") for text in flags["arg"])
     environment = dict(assignment(text, "--env", "=") for text in flags["env"])
-    wanted = chosen(workspace, flags["launch"], arguments, "command line") if flags["launch"] else None
-    if arguments and wanted is None:
+    launches = chosen(workspace, flags["launch"], arguments, "command line") if flags["launch"] else None
+    if arguments and launches is None:
         raise UserError("--arg is for the launch files of --launch", help="name them: --launch package/launch/x.launch")
 
     link = partial(
@@ -64,7 +64,7 @@ def model(flags: Mapping[str, Any]) -> int:
         workspace,
         settings,
         store,
-        wanted=wanted,
+        wanted=launches,
         alternatives=False,
         environment=environment,
         known_nodes=not flags["no_known_nodes"],
@@ -82,8 +82,8 @@ def model(flags: Mapping[str, Any]) -> int:
         return found, (*notes(settings.notes), *warnings(found.problems), *unknown)
 
     def output() -> Output:
-        found, said = make()
-        return Output(encoded(rendered(found, format)), said)
+        found, messages = make()
+        return Output(encoded(rendered(found, format)), messages)
 
     path = Path(flags["output"]) if flags["output"] else None
     code = 0
@@ -106,8 +106,8 @@ def model(flags: Mapping[str, Any]) -> int:
         end(store, kept.said)
         put_content(kept.content, format, path)
     else:
-        found, said = make()
-        end(store, said)
+        found, messages = make()
+        end(store, messages)
         if path is not None or not flags["check_readme"]:
             put(found, format, path, workspace.root)
         code = expected(found, flags["expect"]) if flags["expect"] else 0
@@ -122,12 +122,12 @@ def is_kept(flags: Mapping[str, Any], settings: Settings) -> bool:
     return not (settings.plugins or further)
 
 
-def end(store: DiskCache | MemoryCache, said: Iterable[str]) -> None:
+def end(store: DiskCache | MemoryCache, messages: Iterable[str]) -> None:
     """Write the cache, and *said* to the standard error."""
-    trouble = store.flush()
-    if trouble:
-        click.echo(f"warning: {trouble}", err=True)
-    for line in said:
+    problem = store.flush()
+    if problem:
+        click.echo(f"warning: {problem}", err=True)
+    for line in messages:
         click.echo(terminal(line), err=True)
 
 

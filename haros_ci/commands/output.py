@@ -49,9 +49,9 @@ class View:
 def text_style(*, to_file: bool) -> tuple[bool, int]:
     """Whether text is coloured, and how many columns it has."""
     color = not to_file and sys.stdout.isatty() and "NO_COLOR" not in os.environ
-    said = os.environ.get("COLUMNS", "")
-    is_number = said.isascii() and said.isdecimal() and len(said) <= 5
-    return color, min(int(said), WIDEST) if is_number and int(said) else USUAL_WIDTH
+    columns = os.environ.get("COLUMNS", "")
+    is_number = columns.isascii() and columns.isdecimal() and len(columns) <= 5
+    return color, min(int(columns), WIDEST) if is_number and int(columns) else USUAL_WIDTH
 
 
 def _text(report: Report, view: View) -> str:
@@ -150,14 +150,14 @@ SILENT = frozenset({"gitlab", "rdjson", "checkstyle", "csv"})
 IN_JSON = frozenset({"sarif", "json", "gitlab", "rdjson"})
 
 
-def parse_outputs(wanted: tuple[str, ...], renderers: Renderers = MappingProxyType({})) -> Outputs:
+def parse_outputs(outputs_given: tuple[str, ...], renderers: Renderers = MappingProxyType({})) -> Outputs:
     """``FORMAT[=PATH]`` as pairs, formats of plug-ins (*renderers*) included; at most one may go to stdout beside none other."""
     known = (*FORMATS, *FOLDERS, *renderers)
     clash = next((format for format in renderers if format in FORMATS or format in FOLDERS), None)
     if clash is not None:
         raise UserError(f"the format '{clash}' of a plug-in is one of haros-ci's own", help="give it another name")
     outputs = []
-    for item in wanted or ("text",):
+    for item in outputs_given or ("text",):
         format, _, path = item.partition("=")
         if format not in known:
             raise UserError(f"--output {item}: unknown format '{format}'", help=f"one of {', '.join(known)}")

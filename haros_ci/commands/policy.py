@@ -26,12 +26,12 @@ def policy(flags: Mapping[str, Any]) -> int:
     workspace = discover(settings.root, settings.paths, exclude=settings.exclude, max_file_size=settings.max_file_size)
     store = store_for(settings)
     arguments = dict(assignment(item, "--arg", ":=") for item in flags["arg"])
-    wanted = chosen(workspace, flags["launch"], arguments, "command line") if flags["launch"] else None
-    if arguments and wanted is None:
+    launches = chosen(workspace, flags["launch"], arguments, "command line") if flags["launch"] else None
+    if arguments and launches is None:
         raise UserError("--arg is for launch files", help="name them: haros-ci policy package/launch/x.launch.py")
-    found = architecture(workspace, settings, store, wanted=wanted, processes=cores())
-    if trouble := store.flush():
-        click.echo(f"warning: {trouble}", err=True)
+    found = architecture(workspace, settings, store, wanted=launches, processes=cores())
+    if problem := store.flush():
+        click.echo(f"warning: {problem}", err=True)
     found = selected(found, flags["configuration"])
     tell(tuple(dict.fromkeys((*workspace.problems, *workspace.faults, *found.problems))))
     written = policy_of(node for configuration in found.configurations for node in configuration.nodes)

@@ -37,18 +37,18 @@ def query(flags: Mapping[str, Any]) -> int:
     workspace = discover(settings.root, settings.paths, exclude=settings.exclude, max_file_size=settings.max_file_size)
     store = store_for(settings)
     arguments = dict(assignment(item, "--arg", ":=") for item in flags["arg"])
-    wanted = chosen(workspace, flags["launch"], arguments, "command line") if flags["launch"] else None
-    if arguments and wanted is None:
+    launches = chosen(workspace, flags["launch"], arguments, "command line") if flags["launch"] else None
+    if arguments and launches is None:
         raise UserError("--arg is for the launch files of --launch", help="name them: --launch package/launch/x.launch")
-    found = architecture(workspace, settings, store, wanted=wanted, processes=cores())
-    if trouble := store.flush():
-        click.echo(f"warning: {trouble}", err=True)
+    found = architecture(workspace, settings, store, wanted=launches, processes=cores())
+    if problem := store.flush():
+        click.echo(f"warning: {problem}", err=True)
     found = selected(found, flags["configuration"])
     tell(tuple(dict.fromkeys((*workspace.problems, *workspace.faults, *found.problems))))
     scenes = Scenes(found, workspace.files, settings.project)
     matches = list(matches_of(question, scenes, flags["scope"]))
-    for at, said in question.notes():
-        click.echo(f"note: {terminal(QueryError(said, at).told(text))}", err=True)
+    for at, message in question.notes():
+        click.echo(f"note: {terminal(QueryError(message, at).told(text))}", err=True)
     show(matches, flags["format"])
     return 1 if matches and flags["fail_on_match"] else 0
 

@@ -73,14 +73,14 @@ def explain(name: str, flags: Flags) -> int:
     names = [((r.id, f"{tool}:{r.id}", *r.aliases, *r.deprecated_ids), tool, r) for tool, r in known]
     found = [(tool, rule) for own, tool, rule in names if name in own]
     if not found:  # G06 and g06 are one
-        wanted = name.casefold()
-        found = [(tool, rule) for own, tool, rule in names if wanted in map(str.casefold, own)]
+        expected = name.casefold()
+        found = [(tool, rule) for own, tool, rule in names if expected in map(str.casefold, own)]
     if not found:
         from difflib import get_close_matches
 
         from haros_ci.commands.limits import LIMITS
 
-        if limits := [limit.rule for limit in LIMITS if limit.metric == wanted.replace("_", "-")]:
+        if limits := [limit.rule for limit in LIMITS if limit.metric == expected.replace("_", "-")]:
             raise UserError(f"'{name}' is a metric, no rule", help=f"the rules on it: {', '.join(limits)}")
         near = get_close_matches(name, [word for own, _, _ in names for word in own], 3)
         raise UserError(

@@ -39,9 +39,9 @@ def shard(flags: Flags) -> int:
 
         return part(settings, store, number, of, remembered, progress)
 
-    made, trouble = under_cache(work, settings, flags)
+    made, problems = under_cache(work, settings, flags)
     write(shard_file.written(made), path)
-    for sentence in trouble:
+    for sentence in problems:
         click.echo(f"warning: {terminal(sentence)}", err=True)
     click.echo(f"shard {number}/{of}: {len(made.answers)} answers; haros-ci merge joins them", err=True)
     return 0

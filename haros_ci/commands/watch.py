@@ -150,16 +150,16 @@ class Watch:
         written(report, workspace, self.outputs, self.renderers, self.settings, self.flags)
         color, width = text_style(to_file=False)
         style = {"color": color, "width": width, "why": self.flags["why"], "source": workspace.text}
-        new, gone = self._compared(report)
-        told, self.told = self.told, frozenset(notifications(report))
+        new, removed = self._compared(report)
+        known, self.told = self.told, frozenset(notifications(report))
         if first:
             click.echo(text.render(report, **style), nl=False)
             return
         click.echo(text.findings(new, **style), nl=False)
-        for result in gone:
+        for result in removed:
             click.echo(f"gone: {text.one_line(result)}")
-        click.echo(text.closing(report, told=told, color=color), nl=False)
-        click.echo(f"since the last run: {len(new):,} new, {len(gone):,} gone")
+        click.echo(text.closing(report, told=known, color=color), nl=False)
+        click.echo(f"since the last run: {len(new):,} new, {len(removed):,} gone")
 
     def _compared(self, report: Report) -> tuple[tuple[Result, ...], tuple[Result, ...]]:
         """The open findings that the last run did not have, and those that this one has not.
@@ -171,9 +171,9 @@ class Watch:
         failed = set(report.failed_tools())
         new = tuple(result for id_, result in now.items() if id_ not in self.known)
         missing = {id_: result for id_, result in self.known.items() if id_ not in now}
-        gone = tuple(result for result in missing.values() if result.tool not in failed)
+        removed = tuple(result for result in missing.values() if result.tool not in failed)
         self.known = now | {id_: result for id_, result in missing.items() if result.tool in failed}
-        return new, gone
+        return new, removed
 
 
 def headline(changed: Changed) -> str:

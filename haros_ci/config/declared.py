@@ -113,13 +113,13 @@ def _languages(file: File, entries: dict[str, Value]) -> tuple[str, ...]:
 
 
 def _pattern(file: File, entries: dict[str, Value], what: str) -> str:
-    wanted = _output(entries) == "regex"
-    if wanted != ("pattern" in entries):
-        line = entries["pattern" if not wanted else "output"].key_line
+    expected = _output(entries) == "regex"
+    if expected != ("pattern" in entries):
+        line = entries["pattern" if not expected else "output"].key_line
         raise file.error(
             line, f"{what}: 'pattern' goes with output: regex, and that needs one", "see docs/declared-tools.md"
         )
-    if not wanted:
+    if not expected:
         return ""
     text = pattern(file, entries["pattern"], "'pattern'")
     groups = compiled(text).groups

@@ -207,12 +207,12 @@ def _with_flags(settings: Settings, flags: Mapping[str, Any]) -> Settings:
     if forgiven := _words(flags.get("allow_tool_failure")):
         changes["allow_tool_failure"] = frozenset(forgiven)
 
-    said = {
+    origins = {
         name.replace("_", "-"): "command line"
         for name in changes
         if name not in ("per_package", "per_path", "command_line")
     }
-    return replace(settings, **changes, origins=tuple(sorted({**dict(settings.origins), **said}.items())))
+    return replace(settings, **changes, origins=tuple(sorted({**dict(settings.origins), **origins}.items())))
 
 
 def _plugins(settings: Settings, flags: Mapping[str, Any]) -> dict[str, Any]:

@@ -153,8 +153,8 @@ class _Own:
             raise self.file.error(rows.line, f"'apis' has more than {MAX_ENTRIES} rows", "leave out what is not called")
         for number, row in enumerate(rows.data, start=1):
             if fault := row_fault(row):
-                line, said = fault
-                raise self.file.error(line, f"row {number} of 'apis': {said}", "docs/adding-an-api.md has examples")
+                line, message = fault
+                raise self.file.error(line, f"row {number} of 'apis': {message}", "docs/adding-an-api.md has examples")
 
     def policy(self, entries: dict[str, Value]) -> Policy:
         return Policy(

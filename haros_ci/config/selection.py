@@ -84,8 +84,8 @@ class Selection:
 
     def wants_any(self, tool: str, rules: Iterable[str | Rule], paths: Iterable[str]) -> bool:
         """Whether one of *rules* is on in one of the files; where no entry is for some files only, one tells of all."""
-        asked = tuple(paths) if self._settings.local else tuple(islice(paths, 1))
-        return any(self.wants(tool, rule, path) for rule in rules for path in asked)
+        requested = tuple(paths) if self._settings.local else tuple(islice(paths, 1))
+        return any(self.wants(tool, rule, path) for rule in rules for path in requested)
 
     def may_want(self, tool: str, rule: str | Rule) -> bool:
         """Whether *rule* can be on in any file, whatever packages and paths there are; True where that is not certain."""

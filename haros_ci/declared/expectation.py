@@ -127,8 +127,8 @@ def _glob(pattern: str, name: str) -> bool:
 
 def _nodes(nodes: Sequence[Node], declared: Sequence[Declared], packages: Sequence[Package]) -> Iterator[Difference]:
     yield from _all("node", "", nodes, declared, (), packages)
-    for wanted, node in _pairs(nodes, declared, packages)[0]:
-        for kind, ends in wanted.ends.items():
+    for expected, node in _pairs(nodes, declared, packages)[0]:
+        for kind, ends in expected.ends.items():
             found = [end for end in node.endpoints if end.kind == kind]
             opaque = [why for why in node.unknowns if why.field in (kind, "endpoints", "package", "type")]
             if not node.endpoints:
@@ -146,15 +146,15 @@ def _all(
 ) -> Iterator[Difference]:
     """The differences of all of one kind; *opaque* says why there may be more than *found*."""
     pairs, missing, left = _pairs(found, declared, packages)
-    for wanted, item in pairs:
+    for expected, item in pairs:
         about = _About(entity, node, item.name, item.location, item.unknowns)
-        if item.name != wanted.name:
-            yield _told("unknown", about, "name", wanted.name, item.name)
-        yield from _attributes(about, wanted, item, packages)
-    for wanted in missing:
-        vague = next((item for item in found if "?" in item.name and _can_be(wanted, item)), None)
+        if item.name != expected.name:
+            yield _told("unknown", about, "name", expected.name, item.name)
+        yield from _attributes(about, expected, item, packages)
+    for expected in missing:
+        vague = next((item for item in found if "?" in item.name and _can_be(expected, item)), None)
         why = [Unknown("endpoints", f"{vague.name} may stand for more than one")] if vague else list(opaque)
-        about = _About(entity, node, wanted.name, vague.location if vague else None, tuple(why))
+        about = _About(entity, node, expected.name, vague.location if vague else None, tuple(why))
         yield _told("unknown" if why else "missing", about)
     for item in left:
         if not (isinstance(item, Endpoint) and item.implicit):
@@ -163,11 +163,11 @@ def _all(
 
 
 def _attributes(
-    about: _About, wanted: Declared, item: Node | Endpoint | Parameter, packages: Sequence[Package]
+    about: _About, declared: Declared, item: Node | Endpoint | Parameter, packages: Sequence[Package]
 ) -> Iterator[Difference]:
     there = place(item.location, packages)
     unsure = any(why.field == "conditions" for why in item.unknowns)
-    for key, expected in wanted.fields.items():
+    for key, expected in declared.fields.items():
         found = _found(key, item)
         if key == "traceability":
             found = {part: there.get(part) for part in PLACE if part in expected}
@@ -211,7 +211,7 @@ def _type(item: Node | Endpoint | Parameter) -> str | None:
 
 def _told(kind: str, about: _About, attribute: str = "", expected: Any = None, found: Any = None) -> Difference:
     what = f"{about.entity} {about.name}" + (f" of node {about.node}" if about.node else "")
-    wanted = {"launch": "launch", "traceability": "place"}.get(attribute, attribute)
+    label = {"launch": "launch", "traceability": "place"}.get(attribute, attribute)
     reason = next((f" ({w.reason})" for w in about.unknowns if w.field in (attribute, "type", "name", "endpoints")), "")
     match kind:
         case "missing":
@@ -219,9 +219,9 @@ def _told(kind: str, about: _About, attribute: str = "", expected: Any = None, f
         case "unexpected":
             message = f"{what} was found, but is not declared."
         case "different":
-            message = f"{what}: {wanted} is {shown(found)}, but {shown(expected)} is declared."
+            message = f"{what}: {label} is {shown(found)}, but {shown(expected)} is declared."
         case _ if attribute:
-            message = f"{what}: {wanted} is not known{reason}, {shown(expected)} is declared."
+            message = f"{what}: {label} is not known{reason}, {shown(expected)} is declared."
         case _:
             message = f"{what}: whether it is as declared is not known{reason}."
     return Difference(
@@ -258,26 +258,27 @@ def _pairs(
         for item in left:
             by_name.setdefault(item.name, []).append(item)
         taken, still = set(), []
-        for wanted in missing:
+        for expected in missing:
             match = next(
-                (item for item in by_name.get(wanted.name, ()) if id(item) not in taken and fits(wanted, item)), None
+                (item for item in by_name.get(expected.name, ()) if id(item) not in taken and fits(expected, item)),
+                None,
             )
             if match is None:
-                still.append(wanted)
+                still.append(expected)
             else:
                 taken.add(id(match))
-                pairs.append((wanted, match))
+                pairs.append((expected, match))
         missing, left = still, [item for item in left if id(item) not in taken]
     vague = [item for item in left if "?" in item.name]
-    chosen = _assigned([[n for n, item in enumerate(vague) if _can_be(wanted, item)] for wanted in missing])
+    chosen = _assigned([[n for n, item in enumerate(vague) if _can_be(expected, item)] for expected in missing])
     pairs += [(missing[n], vague[m]) for n, m in sorted(chosen.items())]
     used = {id(vague[m]) for m in chosen.values()}
     return pairs, [w for n, w in enumerate(missing) if n not in chosen], [i for i in left if id(i) not in used]
 
 
-def _can_be(wanted: Declared, item: Node | Endpoint | Parameter) -> bool:
+def _can_be(expected: Declared, item: Node | Endpoint | Parameter) -> bool:
     kind = _type(item)
-    return may_be(item.name, wanted.name) and (kind is None or "?" in kind or wanted.type in (None, kind))
+    return may_be(item.name, expected.name) and (kind is None or "?" in kind or expected.type in (None, kind))
 
 
 def _assigned(options: Sequence[Sequence[int]]) -> dict[int, int]:

@@ -39,14 +39,14 @@ def applied(
     """*configuration* with all that the project file *where* says of its nodes, and what is wrong with that."""
     problems: list[Problem] = []
     if project.get("nodes"):
-        configuration, said = apply_specifications(configuration, project["nodes"], where, packages)
-        problems += said
+        configuration, found = apply_specifications(configuration, project["nodes"], where, packages)
+        problems += found
     declared = project.get("configurations")
     entry = declared.get(configuration.name) if isinstance(declared, Mapping) else None
     given = entry.get("hints") if isinstance(entry, Mapping) else None
     if isinstance(given, Mapping):
-        configuration, said = apply(configuration, given, where, packages)
-        problems += said
+        configuration, found = apply(configuration, given, where, packages)
+        problems += found
     return configuration, problems
 
 
@@ -99,8 +99,8 @@ def apply_specifications(
                 ]
                 node = replace(node, endpoints=(*node.endpoints, *(end for end in made if end)))
             nodes[n] = node
-    told = tuple(dict.fromkeys(reading.problems))
-    return replace(configuration, nodes=tuple(nodes)), told
+    problems = tuple(dict.fromkeys(reading.problems))
+    return replace(configuration, nodes=tuple(nodes)), problems
 
 
 def _parameter(

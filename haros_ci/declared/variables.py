@@ -118,8 +118,8 @@ def edited(
 def named(end: Endpoint, original: str, name: str) -> Endpoint:
     """*end* with other names."""
     known = "?" not in name and "?" not in original
-    gone = ("name", "original_name", "namespace") if known else ()
-    unknowns = tuple(why for why in end.unknowns if why.field not in gone)
+    known_fields = ("name", "original_name", "namespace") if known else ()
+    unknowns = tuple(why for why in end.unknowns if why.field not in known_fields)
     result = replace(end, name=name, original_name=original, unknowns=unknowns)
     return result if result == end else replace(result, source="hint")
 
@@ -178,18 +178,18 @@ def _fitting(
         return
     names = {n: configuration.nodes[n].name for n, _ in there}
     count = f"{len(fits)} unknowns are" if fits else "no unknown is"
-    said = f"{at}: {count} called {name[:60]!r}{'' if fits else near(name, (v.name for _, v in there))}"
+    message = f"{at}: {count} called {name[:60]!r}{'' if fits else near(name, (v.name for _, v in there))}"
     listed = [
         f"{names[n]} {v.name} ({'; '.join(filter(None, (str(v.location or ''), v.reason)))})" for n, v in fits or there
     ]
     if not listed:
-        reading.say(f"{said}: nothing is unknown in {node or 'any node'}; remove the entry")
+        reading.say(f"{message}: nothing is unknown in {node or 'any node'}; remove the entry")
         return
     rest = f" and {len(listed) - MAX_LISTED} more" if len(listed) > MAX_LISTED else ""
     alike = [pair for pair in there if pair[1].name.rstrip("0123456789") == name.rstrip("0123456789")]
     n, variable = (alike or there)[0]
     entry = f'fix: {{"{names[n]}": {{{variable.example}}}}}'
-    reading.say(f"{said}; there are: {', '.join(listed[:MAX_LISTED])}{rest}; write for example {entry}")
+    reading.say(f"{message}; there are: {', '.join(listed[:MAX_LISTED])}{rest}; write for example {entry}")
 
 
 def _filled(

@@ -196,18 +196,18 @@ def _systems(architecture: Architecture, scenes: Scenes, places: Places) -> list
 
 def _matches(given: Input, scenes: Scenes, results: Sequence[Result]) -> dict[Asking, tuple[Match, ...]]:
     """What the queries of *results* have found, by finding."""
-    wanted = {result.rule for result in results if result.full_id in given.queries}
-    if not wanted:
+    rules = {result.rule for result in results if result.full_id in given.queries}
+    if not rules:
         return {}
-    asked = ask(
+    answers = ask(
         given.architecture,
         given.project,
         given.where,
         given.workspace.files,
-        wanted=lambda rule: rule.id in wanted,
+        wanted=lambda rule: rule.id in rules,
         scenes=scenes,
     )
-    return {asking(result): matches for result, matches in grouped(asked.matches, Location(given.where))}
+    return {asking(result): matches for result, matches in grouped(answers.matches, Location(given.where))}
 
 
 def _environment(project: Mapping[str, Any]) -> dict[str, list[str]]:

@@ -77,8 +77,8 @@ class Shown:
         self.by_name: dict[tuple[str, str], Resource] = {}
         for one in (*self.nodes, *self.topics, *self.services, *self.parameters):
             counts[one.TYPE, one.full] += 1
-            said = "\0".join((system.made.name, one.TYPE, one.full, str(counts[one.TYPE, one.full])))
-            self.uids[id_of(one)] = sha256(said.encode("utf-8", "surrogatepass")).hexdigest()[:16]
+            key = "\0".join((system.made.name, one.TYPE, one.full, str(counts[one.TYPE, one.full])))
+            self.uids[id_of(one)] = sha256(key.encode("utf-8", "surrogatepass")).hexdigest()[:16]
             self.by_name.setdefault((one.TYPE, one.full), one)
         self.unknowns = {id_of(one): tuple(variables(one.made)) for one in self.nodes}
         self._indices = {id_of(one): _places_in(one.made) for one in self.nodes}

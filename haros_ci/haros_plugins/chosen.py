@@ -28,7 +28,7 @@ def chosen(
     """
     named = {name for name in names if name != EVERY}
     white, black = tuple(map(_whole, white)), tuple(map(_whole, black))
-    wanted = set(named)
+    selected = set(named)
     if white or EVERY in names:
         found = installed(root)
         lost = sorted(set(white) - found)
@@ -38,10 +38,10 @@ def chosen(
             )
         if EVERY in names and not found:
             raise UserError(f"plug-in {EVERY}: none is installed", help="install them where haros-ci is installed")
-        wanted |= found & set(white) if white else found - set(black)
+        selected |= found & set(white) if white else found - set(black)
     if not white:
-        wanted -= set(black)
-    return tuple(read(name, root) for name in sorted(wanted))
+        selected -= set(black)
+    return tuple(read(name, root) for name in sorted(selected))
 
 
 def installed(root: Path) -> set[str]:

@@ -25,12 +25,12 @@ class Hosted:
         self.languages = frozenset(job["languages"])
         scenes = Scenes(architecture, files, project)
         views = Model(job["root"])
-        wanted = frozenset(job["files"])
+        paths = frozenset(job["files"])
         packages = [
             views.view(package) for package in scenes.world.packages.values() if package.name in job["packages"]
         ]
         self.scopes: dict[str, list[View]] = {
-            "file": [file for package in packages for file in package.source_files if file._entity.path in wanted],
+            "file": [file for package in packages for file in package.source_files if file._entity.path in paths],
             "package": packages,
             "configuration": [views.view(system) for system in scenes.systems],
         }

@@ -141,8 +141,10 @@ class PluginInterface:
             raise AnalysisScopeError("must point to resources within the Configuration scope")
         rule = self._known(rule_id, self._rules)
         if rule is not None:
-            said = {"kind": "violation", "rule": rule.id, "message": str(msg)[:20_000]}
-            self._say({**said, **self._place(None, None, None, None), "resources": [_resource(item) for item in about]})
+            message = {"kind": "violation", "rule": rule.id, "message": str(msg)[:20_000]}
+            self._say(
+                {**message, **self._place(None, None, None, None), "resources": [_resource(item) for item in about]}
+            )
 
     def report_metric(
         self,

@@ -51,25 +51,25 @@ class Told:
     exported: list[str] = field(default_factory=list)
     failures: list[str] = field(default_factory=list)
 
-    def take(self, said: Data) -> None:
+    def take(self, message: Data) -> None:
         """One answer of the process; what is none is nothing."""
-        kind = said.get("kind")
+        kind = message.get("kind")
         if kind == "failed":
-            self.failures.append(str(said.get("message")))
+            self.failures.append(str(message.get("message")))
         elif kind == "log" and len(self.logged) < MOST_LOGGED:
-            self.logged.append(("error" if said.get("level") == "error" else "warning", str(said.get("message"))))
-        elif kind == "export" and isinstance(said.get("path"), str):
-            self.exported.append(said["path"])
+            self.logged.append(("error" if message.get("level") == "error" else "warning", str(message.get("message"))))
+        elif kind == "export" and isinstance(message.get("path"), str):
+            self.exported.append(message["path"])
         elif kind == "violation":
-            self._keep(self.violations, said)
-        elif kind == "metric" and isinstance(said.get("value"), (int, float)):
-            self._keep(self.metrics, said)
+            self._keep(self.violations, message)
+        elif kind == "metric" and isinstance(message.get("value"), (int, float)):
+            self._keep(self.metrics, message)
 
-    def _keep(self, kept: list[Data], said: Data) -> None:
+    def _keep(self, kept: list[Data], message: Data) -> None:
         if len(kept) == MOST:
             self.failures.append(f"said more than {MOST:,} things; the rest is lost")
         if len(kept) <= MOST:
-            kept.append(said)
+            kept.append(message)
 
 
 def run(
@@ -85,7 +85,7 @@ def run(
     *violations* and *metrics* are haros-ci's own, which the hooks of processing see beside those of all plug-ins. Files that a plug-in
     exports go into a directory of its name in *export*; None leaves them out.
     """
-    told: list[Told] = []
+    outputs: list[Told] = []
     open_ones: list[tuple[Told, Conversation, Path]] = []
     with ExitStack() as stack:
         directory = stack.enter_context(scratch_directory("haros-ci-"))
@@ -93,7 +93,7 @@ def run(
         model.write_bytes(pickle.dumps(scene.model))
         for plugin in plugins:
             output = Told(plugin)
-            told.append(output)
+            outputs.append(output)
             scratch = directory / plugin.name
             talk = _started(output, scene, model, scratch, seconds[plugin.name], stack)
             if talk is None:
@@ -103,18 +103,18 @@ def run(
             else:
                 talk.__exit__(None, None, None)
                 _exported(output, scratch, export)
-        given = _merged([violations, *(_by_scope(output.violations, output.plugin) for output in told)])
-        values = _merged([metrics, *(_by_scope(output.metrics, output.plugin) for output in told)])
+        given = _merged([violations, *(_by_scope(output.violations, output.plugin) for output in outputs)])
+        values = _merged([metrics, *(_by_scope(output.metrics, output.plugin) for output in outputs)])
         for output, talk, scratch in open_ones:
             if _processes(output.plugin):
                 _asked(output, talk, {"phase": "processing", "violations": given, "metrics": values})
             talk.__exit__(None, None, None)
             _exported(output, scratch, export)
-    return tuple(told)
+    return tuple(outputs)
 
 
 def _started(
-    told: Told, scene: Scene, model: Path, scratch: Path, seconds: float, stack: ExitStack
+    output: Told, scene: Scene, model: Path, scratch: Path, seconds: float, stack: ExitStack
 ) -> Conversation | None:
     argv = (sys.executable, "-I", "-X", "utf8", str(Path(__file__).with_name("child.py")))
     programs = [os.path.join(sys.prefix, "bin"), *search_path(os.environ, scene.root)]  # tools beside us come first
@@ -122,7 +122,7 @@ def _started(
     try:
         return stack.enter_context(Conversation(command, root=scene.root, scratch=scratch, seconds=seconds))
     except Unstartable as err:
-        told.failures.append(f"could not be started: {err}")
+        output.failures.append(f"could not be started: {err}")
         return None
 
 
@@ -157,17 +157,17 @@ def _job(plugin: HarosPlugin, scene: Scene, model: Path) -> Data:
     }
 
 
-def _asked(told: Told, talk: Conversation, request: Data) -> bool:
+def _asked(output: Told, talk: Conversation, request: Data) -> bool:
     """Whether the plug-in did what was asked of it; what it says meanwhile is taken."""
-    before = len(told.failures)
+    before = len(output.failures)
     try:
-        for said in talk.ask(request):
-            told.take(said)
+        for message in talk.ask(request):
+            output.take(message)
     except TimedOut:
-        told.failures.append(f"was stopped after {talk.seconds:g} s")
+        output.failures.append(f"was stopped after {talk.seconds:g} s")
     except Ended as err:
-        told.failures.append(f"crashed: {err}")
-    return len(told.failures) == before
+        output.failures.append(f"crashed: {err}")
+    return len(output.failures) == before
 
 
 def _processes(plugin: HarosPlugin) -> bool:
@@ -200,26 +200,28 @@ def _merged(parts: Iterable[ByScope]) -> dict[str, list[Data]]:
     return found
 
 
-def _exported(told: Told, scratch: Path, export: Path | None) -> None:
+def _exported(output: Told, scratch: Path, export: Path | None) -> None:
     """Copy what the plug-in wants kept: plain files of its own directory, up to a limit."""
-    if not told.exported:
+    if not output.exported:
         return
     if export is None:
-        told.logged.append(("warning", f"exported {len(told.exported)} files, which are kept with --plugin-export DIR"))
+        output.logged.append(
+            ("warning", f"exported {len(output.exported)} files, which are kept with --plugin-export DIR")
+        )
         return
     left = MOST_EXPORTED
-    for name in dict.fromkeys(told.exported):
+    for name in dict.fromkeys(output.exported):
         source = (scratch / name).resolve()
         if not source.is_relative_to(scratch.resolve()) or not source.is_file():
             continue  # as in HAROS, which keeps what is there
         left -= source.stat().st_size
         if left < 0:
-            told.logged.append(("warning", f"exported more than {MOST_EXPORTED:,} bytes; the rest is not kept"))
+            output.logged.append(("warning", f"exported more than {MOST_EXPORTED:,} bytes; the rest is not kept"))
             break
-        target = f"{told.plugin.name}/{source.relative_to(scratch.resolve()).as_posix()}"
+        target = f"{output.plugin.name}/{source.relative_to(scratch.resolve()).as_posix()}"
         try:
             put_below(export, {target: source.read_bytes()})
         except OSError as err:
-            told.failures.append(f"{source.name} cannot be exported: {err.strerror}")
+            output.failures.append(f"{source.name} cannot be exported: {err.strerror}")
         except (RunFailure, UserError) as err:
-            told.failures.append(f"{source.name} cannot be exported: {err.message}")
+            output.failures.append(f"{source.name} cannot be exported: {err.message}")

@@ -232,8 +232,8 @@ class Index:
             if other == tail or other.endswith(f"/{tail}")
         ]
         package = self.sources[path].package
-        for wanted in (tail.partition("/")[0], package):
-            own = [other for other in found if self.sources[other].package == wanted]
+        for package_name in (tail.partition("/")[0], package):
+            own = [other for other in found if self.sources[other].package == package_name]
             if own:
                 return own
         return found

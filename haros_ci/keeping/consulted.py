@@ -234,9 +234,9 @@ def _compare(change: Change, path: str, before: Source, now: Source, relevance: 
     if (old.includes, old.scopes, old.registered) != (new.includes, new.scopes, new.registered):
         change.includes.add(path)
     for which in ("classes", "variables", "aliases", "macros"):
-        gone, come = _entities(getattr(old, which)), _entities(getattr(new, which))
-        for name in gone.keys() | come.keys():
-            if gone.get(name) != come.get(name):
+        removed, come = _entities(getattr(old, which)), _entities(getattr(new, which))
+        for name in removed.keys() | come.keys():
+            if removed.get(name) != come.get(name):
                 change.names.add(number_of(name))
                 change.is_shape = True
     earlier, later = _functions(old), _functions(new)
@@ -278,13 +278,13 @@ def _head(function: Function) -> tuple[bool, bytes]:
 
 
 def _does_other(
-    old: Source, new: Source, gone: list[Function], come: list[Function], relevance: Sequence[Relevance]
+    old: Source, new: Source, removed: list[Function], come: list[Function], relevance: Sequence[Relevance]
 ) -> bool:
     """Whether the functions of one name call or assign to other names than before: who relies on it has it in its trace."""
     for other_relevance in relevance:
-        before = frozenset(called for function in gone for called in other_relevance.calls_of(function, old))
+        before = frozenset(called for function in removed for called in other_relevance.calls_of(function, old))
         after = frozenset(called for function in come for called in other_relevance.calls_of(function, new))
-        assigned = [frozenset(a for f in group for a in other_relevance.assigned_in(f)) for group in (gone, come)]
+        assigned = [frozenset(a for f in group for a in other_relevance.assigned_in(f)) for group in (removed, come)]
         if before != after or assigned[0] != assigned[1]:
             return True
     return False

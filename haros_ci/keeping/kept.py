@@ -113,15 +113,15 @@ def _written(followed: Followed) -> list[Any]:
             nodes[id(node)] = len(table)
             table.append(node)
     made = [[nodes[id(m.node)] if m.node is not None else -1, to_json(replace(m, node=None))] for m in followed.made]
-    asked = [[name, to_json(value)] for name, value in followed.asked.items()]
-    gaps = [[said, to_json(where)] for said, where in followed.gaps.items()]
+    requested = [[name, to_json(value)] for name, value in followed.asked.items()]
+    gaps = [[message, to_json(where)] for message, where in followed.gaps.items()]
     problems = [[problem.message, to_json(Location(problem.path, problem.line))] for problem in followed.problems]
     twins = [[twin.name, to_json(twin.first), to_json(twin.second)] for twin in followed.twins]
     return [
         to_json(tuple(table)),
         len(followed.nodes),
         made,
-        asked,
+        requested,
         gaps,
         to_json(followed.names),
         problems,
@@ -182,7 +182,7 @@ def read(
             if is_as_it_was and number in earlier.made:
                 found.append(earlier.made[number])
                 continue
-            table, count, made, asked, gaps, names, problems, twins, steps = now
+            table, count, made, requested, gaps, names, problems, twins, steps = now
             nodes = from_json(table)
             if not isinstance(nodes, tuple) or not all(node.__class__ is RosNode for node in nodes):
                 return []
@@ -190,8 +190,8 @@ def read(
                 made=tuple(_made(entry, nodes) for entry in made),
                 problems=tuple(_problem(problem) for problem in problems),
                 names=_names(from_json(names)),
-                gaps={_text(said): _location(from_json(where)) for said, where in gaps},
-                asked={_text(name): from_json(value) for name, value in asked},
+                gaps={_text(message): _location(from_json(where)) for message, where in gaps},
+                asked={_text(name): from_json(value) for name, value in requested},
                 nodes=nodes[: _count(count)],
                 twins=tuple(_twin(twin) for twin in twins),
                 consulted=what,

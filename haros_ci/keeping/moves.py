@@ -62,7 +62,7 @@ def _same_around(before: Program, now: Program, lines: Lines) -> bool:
         if name not in ("functions", "registered", "problems"):
             if not _same(getattr(before, name), getattr(now, name), lines):
                 return False
-    if [said for _, said in before.problems] != [said for _, said in now.problems]:
+    if [message for _, message in before.problems] != [message for _, message in now.problems]:
         return False
     return _same_places(before.registered, now.registered, lines)
 

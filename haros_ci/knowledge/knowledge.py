@@ -93,17 +93,17 @@ class Knowledge:
 
     def keys_like(self, beginning: str) -> frozenset[str]:
         """The keys of rosdep that begin with the pattern *beginning*."""
-        wanted = re.compile(beginning)
-        return frozenset(key for key in self.facts.section("keys") if wanted.match(key))
+        pattern = re.compile(beginning)
+        return frozenset(key for key in self.facts.section("keys") if pattern.match(key))
 
     def is_metapackage(self, name: str, ros: int | None = None) -> bool | None:
         """Whether the package is one that has nothing but dependencies; None where its manifest was not seen.
 
         Some are in ROS 1 and none in ROS 2, so without *ros* 1 or 2 they are not known, either.
         """
-        wanted = set("12") if ros is None else {str(ros)}
+        versions = set("12") if ros is None else {str(ros)}
         is_meta, is_plain = (
-            bool(wanted & set(self.facts.section(item).get(name, ""))) for item in ("metapackages", "plain")
+            bool(versions & set(self.facts.section(item).get(name, ""))) for item in ("metapackages", "plain")
         )
         return is_meta if is_meta != is_plain else None
 

@@ -72,10 +72,12 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         yield GaveUp(
             path, python2.why_unreadable(batch.workspace.text(path)) if "syntax" in error["reason"] else error["reason"]
         )
-    for said in report["results"]:
-        path = _path(said["filename"], paths)
-        place = _place(path, batch.workspace.text(path), said)
-        yield Finding(path, Result(NAME, said["test_id"], LEVELS[said["issue_severity"]], said["issue_text"], place))
+    for finding in report["results"]:
+        path = _path(finding["filename"], paths)
+        place = _place(path, batch.workspace.text(path), finding)
+        yield Finding(
+            path, Result(NAME, finding["test_id"], LEVELS[finding["issue_severity"]], finding["issue_text"], place)
+        )
 
 
 def _path(name: str, paths: dict[str, str]) -> str:
@@ -83,13 +85,13 @@ def _path(name: str, paths: dict[str, str]) -> str:
     return paths[name] if name in paths else paths[name.removeprefix("./")]
 
 
-def _place(path: str, text: str, said: dict[str, object]) -> Location:
-    line, lines = said["line_number"], said["line_range"]
+def _place(path: str, text: str, finding: dict[str, object]) -> Location:
+    line, lines = finding["line_number"], finding["line_range"]
     if not isinstance(line, int) or not isinstance(lines, list):
         raise ValueError("not a position")
-    column = columns.from_bytes(columns.line_of(text, line), said["col_offset"])
+    column = columns.from_bytes(columns.line_of(text, line), finding["col_offset"])
     last = max([line, *lines])
-    end = columns.from_bytes(columns.line_of(text, last), said.get("end_col_offset"))
+    end = columns.from_bytes(columns.line_of(text, last), finding.get("end_col_offset"))
     if column is None or end is None or line != min(lines, default=line) or (last == line and end <= column):
         return Location(path, max(line, 1), column)
     return Location(path, line, column, last, end)

@@ -94,13 +94,13 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     without_catkin = _without_catkin(report)
     places: dict[tuple[str, str, str], list[Finding]] = {}
     for key, level in LEVELS.items():
-        for said in sorted(report[key], key=_order):
-            place = said["location"]
+        for entry in sorted(report[key], key=_order):
+            place = entry["location"]
             package = packages.get(place["package"])
             if package is None:
                 continue
             location = _location(place, package)
-            rule, text = said["id"], said["text"]
+            rule, text = entry["id"], entry["text"]
             if (rule == "CATKIN_ORDER_VIOLATION" and package.name in without_catkin) or is_refuted(
                 rule, text, package.path, location, batch.workspace, lacking
             ):
@@ -122,15 +122,15 @@ def _location(place: Mapping[str, Any], package: Package) -> Location:
 def _without_catkin(report: Mapping[str, Any]) -> frozenset[str]:
     """The packages without find_package(catkin): MISSING_FIND says so once, what is said of its order repeats it."""
     return frozenset(
-        said["location"]["package"]
+        entry["location"]["package"]
         for key in LEVELS
-        for said in report[key]
-        if said["id"] == "MISSING_FIND" and "find_package(catkin)" in said["text"]
+        for entry in report[key]
+        if entry["id"] == "MISSING_FIND" and "find_package(catkin)" in entry["text"]
     )
 
 
-def _order(said: dict[str, Any]) -> tuple[str, int]:
-    place = said["location"]
+def _order(report: dict[str, Any]) -> tuple[str, int]:
+    place = report["location"]
     line = place.get("line")
     return str(place.get("file") or ""), line if isinstance(line, int) else 0
 

@@ -86,8 +86,8 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         raise ValueError(f"exit code {output.code}")
     paths = {os.path.join(batch.workspace.root, file.path): file.path for file in batch.files}
     seen: dict[tuple[str, int, str], int] = {}
-    for said in output.stdout.decode("utf-8", "replace").split("\n")[:-1]:
-        match = _LINE.match(said)
+    for message in output.stdout.decode("utf-8", "replace").split("\n")[:-1]:
+        match = _LINE.match(message)
         if match is None:
             raise ValueError("not a line of codespell")
         path, line, word = paths[match[1]], int(match[2]), match[3]
@@ -101,12 +101,12 @@ def _message(word: str, corrections: str) -> str:
     """``fix1, fix2,  | reason``: a word with several corrections is the writer's to choose."""
     given, _, reason = corrections.partition("  | ")
     choices = [choice.strip() for choice in given.split(",") if choice.strip()]
-    said = (
+    message = (
         f"'{word}' should be '{choices[0]}'"
         if len(choices) == 1
         else f"'{word}' should be one of: {', '.join(choices)}"
     )
-    return f"{said} ({reason.strip()})." if reason.strip() else f"{said}."
+    return f"{message} ({reason.strip()})." if reason.strip() else f"{message}."
 
 
 def lists(key: str, settings: dict[str, object], config: str) -> list[str]:

@@ -110,14 +110,14 @@ class Conversation:
             if not line.endswith(b"\n") or size > OUTPUT_LIMIT:
                 raise Ended("it wrote more than it may" if line else self._last_words())
             try:
-                said = json.loads(line)
+                message = json.loads(line)
             except (ValueError, RecursionError) as err:
                 raise Ended("its output cannot be parsed") from err
-            if not isinstance(said, dict):
+            if not isinstance(message, dict):
                 raise Ended("its output cannot be parsed")
-            if said.get("kind") == "done":
+            if message.get("kind") == "done":
                 return
-            yield said
+            yield message
 
     def _last_words(self) -> str:
         """How the process ended, and the last line that it wrote to stderr."""

@@ -77,7 +77,7 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
     read = {path: names for path, names in directives.items() if not files[path].is_bulk}
     needs = includes.needs(read, {path: sorted(around[file.package]) for path, file in files.items()})
     macros = ros_macros.names(ros_macros.told(workspace, files.values(), store))
-    asked = cppcheck_libraries.by_file(workspace, files.values(), directives, store)
+    requested = cppcheck_libraries.by_file(workspace, files.values(), directives, store)
     without = cppcheck_libraries.switched_off(workspace)
     included = {header for path in direct for header in direct[path]}
     seen: set[str] = set()
@@ -88,7 +88,7 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
         headers = tuple(sorted(includes.closure(path, direct)))
         seen.update(headers)
         libraries = cppcheck_libraries.together(
-            (asked[header] for header in (path, *headers)),
+            (requested[header] for header in (path, *headers)),
             no_keywords=files[path].package in without or "-DQT_NO_KEYWORDS" in setups[path][1],
         )
         group = json.dumps(["c" if path.endswith(".c") else "c++", *setups[path], libraries, macros])
@@ -178,9 +178,9 @@ def _is_source(path: str) -> bool:
 def _units(error: Element, batch: Batch) -> list[str]:
     """The file under analysis; where that is not told, as in preprocessing, every file that sees the place."""
     paths = [file.path for file in batch.files]
-    told, place = error.attributes.get("file0"), error.children[0]["file"]
-    if told in paths or place in paths:
-        return [told if told in paths else place]
+    first_file, place = error.attributes.get("file0"), error.children[0]["file"]
+    if first_file in paths or place in paths:
+        return [first_file if first_file in paths else place]
     direct = includes.direct(batch.workspace, json.loads(batch.group)[1])
     return [path for path in paths if place in includes.closure(path, direct)]
 
@@ -196,14 +196,14 @@ def _gave_up(unit: str, error: Element, workspace: Workspace) -> GaveUp:
 
 def _result(error: Element, workspace: Workspace) -> Result:
     first, *others = (_location(child, workspace) for child in error.children)
-    told = [child.get("info") or "see here" for child in error.children[1:]]
+    messages = [child.get("info") or "see here" for child in error.children[1:]]
     return Result(
         NAME,
         error.attributes["id"],
         _level(error),
         error.attributes["msg"],
         first,
-        related=tuple(Related(place, text) for place, text in zip(others, told, strict=True)),
+        related=tuple(Related(place, text) for place, text in zip(others, messages, strict=True)),
     )
 
 

@@ -60,7 +60,7 @@ def by_file(
     stored = store.get("libraries", "", SCHEMA)
     known = stored if isinstance(stored, dict) else {}
     found: dict[str, list[str]] = {}
-    asked: dict[str, frozenset[str]] = {}
+    libraries: dict[str, frozenset[str]] = {}
     for file in files:
         marks = known.get(file.digest)
         if not isinstance(marks, list) or not all(isinstance(mark, str) for mark in marks):
@@ -68,10 +68,10 @@ def by_file(
         found[file.digest] = marks
         headers = tuple(directives.get(file.path, ()))
         included = {name for name, pattern in _HEADERS.items() if any(pattern.match(header) for header in headers)}
-        asked[file.path] = frozenset(included.union(marks) & {*_HEADERS, NO_KEYWORDS})
+        libraries[file.path] = frozenset(included.union(marks) & {*_HEADERS, NO_KEYWORDS})
     if found.keys() - known.keys():
         store.put("libraries", "", SCHEMA, found)
-    return asked
+    return libraries
 
 
 def switched_off(workspace: Workspace) -> frozenset[str | None]:
@@ -83,12 +83,12 @@ def switched_off(workspace: Workspace) -> frozenset[str | None]:
     )
 
 
-def together(asked: Iterable[Iterable[str]], *, no_keywords: bool = False) -> tuple[str, ...]:
+def together(libraries: Iterable[Iterable[str]], *, no_keywords: bool = False) -> tuple[str, ...]:
     """The libraries for a file, sorted, from what it and all that it includes ask for.
 
     NO_KEYWORDS among them says that Qt's plain words have no meaning.
     """
-    every = {library for item in asked for library in item}
+    every = {library for item in libraries for library in item}
     if no_keywords or NO_KEYWORDS in every:
         every = every | {NO_KEYWORDS} if "qt" in every else every - {NO_KEYWORDS}
     return tuple(sorted(every))

@@ -107,16 +107,16 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         match = re.match(r"\./(.*?):(?=(?:\d+|None):  )", line)
         if match is None or match[1] not in paths:
             continue
-        said = _LINE.fullmatch(line, match.end())
-        if said is not None:
-            place = Location(match[1], whole_number(said[1]) or None)
-            if _is_part(match[1], said[3], said[2], batch.workspace, place.line):
+        found_match = _LINE.fullmatch(line, match.end())
+        if found_match is not None:
+            place = Location(match[1], whole_number(found_match[1]) or None)
+            if _is_part(match[1], found_match[3], found_match[2], batch.workspace, place.line):
                 continue
-            if said[3] == "runtime/casting" and _is_member(batch.workspace, place):
+            if found_match[3] == "runtime/casting" and _is_member(batch.workspace, place):
                 continue
-            if said[3] == "readability/utf8" and _is_lost_remark(batch.workspace, place):
+            if found_match[3] == "readability/utf8" and _is_lost_remark(batch.workspace, place):
                 continue
-            yield Finding(match[1], Result(NAME, said[3], Level.WARNING, said[2], place))
+            yield Finding(match[1], Result(NAME, found_match[3], Level.WARNING, found_match[2], place))
 
 
 def _is_part(path: str, category: str, message: str, workspace: Workspace, line: int | None) -> bool:
@@ -157,11 +157,13 @@ def _is_lost_remark(workspace: Workspace, at: Location) -> bool:
         lost = b"".join(raw).decode("utf-8").count(LOST)
     except UnicodeDecodeError:
         return False
-    told = 0
+    mentions = 0
     for comment in comments(data.decode("utf-8", "replace"), "c", LOST):
         lines = comment.text.split("\n")
-        told += sum(line.count(LOST) for line in lines[max(at.line - comment.line, 0) :][:1] if at.line >= comment.line)
-    return 0 < lost <= told
+        mentions += sum(
+            line.count(LOST) for line in lines[max(at.line - comment.line, 0) :][:1] if at.line >= comment.line
+        )
+    return 0 < lost <= mentions
 
 
 def _settings(workspace: Workspace, directory: str) -> Iterator[str]:

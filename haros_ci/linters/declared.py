@@ -105,15 +105,15 @@ class DeclaredLinter:
     def _text(self, data: bytes, code: int, batch: Batch) -> Iterator[Finding]:
         places = _Places(batch, self.tool)
         count = 0
-        for said in read(self.tool, data):
+        for entry in read(self.tool, data):
             count += 1
-            place = _location(said, places)
-            level = self.level_of(said.level)
-            message = clean(said.message)
+            place = _location(entry, places)
+            level = self.level_of(entry.level)
+            message = clean(entry.message)
             if place is None or level is None or not message:
                 continue
-            rule = clean(said.rule, MAX_RULE) or clean(said.level, MAX_RULE).lower().replace(" ", "-") or "finding"
-            notes = ((_location(note, places), clean(note.message)) for note in said.notes[:100])
+            rule = clean(entry.rule, MAX_RULE) or clean(entry.level, MAX_RULE).lower().replace(" ", "-") or "finding"
+            notes = ((_location(note, places), clean(note.message)) for note in entry.notes[:100])
             related = tuple(Related(where, text) for where, text in notes if where is not None and text)
             yield Finding(places.unit(place.path), Result(self.NAME, rule, level, message, place, related=related))
         if code and not count and self.tool.output in ("gcc", "regex"):
@@ -186,15 +186,15 @@ class _Places:
         return self.first
 
 
-def _location(said: Said, places: _Places) -> Location | None:
-    path = places.known(said.path.strip())
+def _location(entry: Said, places: _Places) -> Location | None:
+    path = places.known(entry.path.strip())
     if path is None:
         return None
-    if not said.line:
+    if not entry.line:
         return Location(path)
-    end = said.end_line if said.end_line >= said.line else 0
-    column = said.column or None
-    return Location(path, said.line, column, end or None, (said.end_column or None) if column and end else None)
+    end = entry.end_line if entry.end_line >= entry.line else 0
+    column = entry.column or None
+    return Location(path, entry.line, column, end or None, (entry.end_column or None) if column and end else None)
 
 
 def _place(tool: DeclaredTool, options: LintOptions) -> str | None:

@@ -70,8 +70,8 @@ def execute(task: Task, processes: Processes, scratch: Path) -> Outcome:
         part = waiting.pop()
         paths = tuple(unit.file.path for unit in part)
         try:
-            said, spent = _ask(task, part, processes, scratch / str(attempt))
-            answers += said
+            new_answers, spent = _ask(task, part, processes, scratch / str(attempt))
+            answers += new_answers
             seconds += _shared(spent, part)
         except Unstartable as err:
             failures.append((_sentence(task, err, paths), paths))
@@ -144,14 +144,14 @@ def _ask(
     by_path = {unit.file.path: unit for unit in units}
     collected: dict[str, tuple[list[Result], list[GaveUp]]] = {path: ([], []) for path in by_path}
     try:
-        for said in task.linter.parse(output, batch):
-            results, gave_up = collected[said.unit]
-            if isinstance(said, Finding):
+        for answer in task.linter.parse(output, batch):
+            results, gave_up = collected[answer.unit]
+            if isinstance(answer, Finding):
                 if len(results) == MOST:
                     raise Unread(f"more than {MOST:,} findings for one file")
-                results.append(clean.result(said.result, by_path[said.unit]))
+                results.append(clean.result(answer.result, by_path[answer.unit]))
             else:
-                gave_up.append(replace(said, message=clean.text(said.message, by_path[said.unit])))
+                gave_up.append(replace(answer, message=clean.text(answer.message, by_path[answer.unit])))
     except Unread as err:
         raise _Failed(clean.text(str(err), units[0])) from err
     except (ValueError, KeyError, TypeError, IndexError, AttributeError, RecursionError) as err:

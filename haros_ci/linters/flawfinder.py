@@ -54,5 +54,5 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         path, line, column = paths[row["File"]], int(row["Line"]), int(row["Column"])
         place = Location(path, line, column, line, column + len(row["Name"]))
         level = Level.WARNING if int(row["Level"]) >= SERIOUS else Level.NOTE
-        said = " ".join(filter(None, (row["Warning"], row["Suggestion"], row["Note"])))
-        yield Finding(path, Result(NAME, row["RuleId"], level, f"{row['Name']}: {said}", place))
+        message = " ".join(filter(None, (row["Warning"], row["Suggestion"], row["Note"])))
+        yield Finding(path, Result(NAME, row["RuleId"], level, f"{row['Name']}: {message}", place))

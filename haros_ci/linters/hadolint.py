@@ -61,10 +61,10 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     if output.code or b"Error parsing your config file" in output.stderr:
         raise ValueError(f"exit code {output.code}, or invalid settings")
     paths = copies.names(batch)
-    for said in json.loads(output.stdout):
-        path, line = paths[said["file"]], said["line"]
-        if said["code"] == UNREADABLE:
-            yield GaveUp(path, " ".join(said["message"].split()), line)
+    for report in json.loads(output.stdout):
+        path, line = paths[report["file"]], report["line"]
+        if report["code"] == UNREADABLE:
+            yield GaveUp(path, " ".join(report["message"].split()), line)
             continue
-        level = LEVELS.get(said["level"], Level.NOTE)
-        yield Finding(path, Result(NAME, said["code"], level, said["message"], Location(path, line)))
+        level = LEVELS.get(report["level"], Level.NOTE)
+        yield Finding(path, Result(NAME, report["code"], level, report["message"], Location(path, line)))

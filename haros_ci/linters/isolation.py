@@ -39,8 +39,8 @@ class TrustedFinder:
         """What importlib.metadata asks of finders; some modules look for their own version when they are imported."""
         from importlib.metadata import DistributionFinder
 
-        wanted = {"name": context.name} if context is not None else {}
-        return PathFinder.find_distributions(DistributionFinder.Context(path=list(cls.trusted), **wanted))
+        selection = {"name": context.name} if context is not None else {}
+        return PathFinder.find_distributions(DistributionFinder.Context(path=list(cls.trusted), **selection))
 
     @staticmethod
     def invalidate_caches() -> None:

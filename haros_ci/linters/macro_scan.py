@@ -38,18 +38,18 @@ def marks(text: str) -> list[str]:
     return sorted({*_decorations(text), *_registrations(text)})
 
 
-def decorations(told: Iterable[str]) -> set[str]:
+def decorations(macros: Iterable[str]) -> set[str]:
     """The names of decorations by the marks of all texts together."""
-    return _names(told, DECORATION, NO_DECORATION)
+    return _names(macros, DECORATION, NO_DECORATION)
 
 
-def registrations(told: Iterable[str]) -> set[str]:
+def registrations(macros: Iterable[str]) -> set[str]:
     """The names of registrations by the marks of all texts together."""
-    return _names(told, REGISTRATION, NO_REGISTRATION)
+    return _names(macros, REGISTRATION, NO_REGISTRATION)
 
 
-def _names(told: Iterable[str], mark: str, other: str) -> set[str]:
-    all_of_them = set(told)
+def _names(macros: Iterable[str], mark: str, other: str) -> set[str]:
+    all_of_them = set(macros)
     found = {item.removeprefix(mark) for item in all_of_them if item.startswith(mark)}
     return {name for name in found if other + name not in all_of_them}
 

@@ -145,9 +145,9 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
 
 def answers(output: Output, batch: Batch) -> Iterator[tuple[str, Measured | GaveUp]]:
     """What the worker said of each file; ValueError if it did not answer for every one, or not in full."""
-    said = {answer["path"]: answer for answer in map(_answer, output.stdout.splitlines())}
+    by_path = {answer["path"]: answer for answer in map(_answer, output.stdout.splitlines())}
     for file in batch.files:
-        answer = said.get(file.path)
+        answer = by_path.get(file.path)
         if answer is None:
             raise ValueError(f"no measurement of {file.path}")
         if "problem" in answer:

@@ -105,20 +105,20 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         raise ValueError("it did not finish")
     home = "."
     for line in lines:
-        said = json.loads(line)
-        if "home" in said:
-            home = said["home"]
+        report = json.loads(line)
+        if "home" in report:
+            home = report["home"]
             continue
-        path = normpath(join(home, said["file"]))
+        path = normpath(join(home, report["file"]))
         if path not in paths:
             continue
-        text, number = batch.workspace.text(path), said["line"]
-        if "gave_up" in said:
-            why = python2.why_unreadable(text) if said["gave_up"] == "syntax" else said["gave_up"]
+        text, number = batch.workspace.text(path), report["line"]
+        if "gave_up" in report:
+            why = python2.why_unreadable(text) if report["gave_up"] == "syntax" else report["gave_up"]
             yield GaveUp(path, why, number if number and number > 0 else None)
-        elif said["severity"] == "error" and not _unfounded(said["code"], said["message"], batch.workspace):
-            rule = said["code"] or "misc"
-            yield Finding(path, Result(NAME, rule, Level.ERROR, said["message"], _place(path, text, said)))
+        elif report["severity"] == "error" and not _unfounded(report["code"], report["message"], batch.workspace):
+            rule = report["code"] or "misc"
+            yield Finding(path, Result(NAME, rule, Level.ERROR, report["message"], _place(path, text, report)))
 
 
 def _parts(batch: Batch) -> dict[str, list[str]]:
@@ -146,12 +146,12 @@ def _unfounded(code: str | None, message: str, workspace: Workspace) -> bool:
     return any(file.path == init or file.path.endswith("/" + init) for file in workspace.files)
 
 
-def _place(path: str, text: str, said: dict[str, int | None]) -> Location:
-    line, end_line = said["line"] or 0, said.get("end_line")
+def _place(path: str, text: str, report: dict[str, int | None]) -> Location:
+    line, end_line = report["line"] or 0, report.get("end_line")
     if line < 1:
         return Location(path)
-    column = _column(columns.line_of(text, line), said["column"])
-    end = _column(columns.line_of(text, end_line), said.get("end_column")) if end_line and end_line >= line else None
+    column = _column(columns.line_of(text, line), report["column"])
+    end = _column(columns.line_of(text, end_line), report.get("end_column")) if end_line and end_line >= line else None
     if column is None or end is None or (end_line == line and end <= column):
         return Location(path, line, column)
     return Location(path, line, column, end_line, end)

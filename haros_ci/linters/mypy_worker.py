@@ -98,12 +98,12 @@ def unparsable(path: str) -> int | None:
 def blamed(stdout: str, stderr: str, files: Collection[str]) -> Iterator[tuple[str, int, str]]:
     """The files that have stopped mypy, with line and reason: ``syntax``, or mypy's words."""
     for line in stdout.splitlines():
-        said = json.loads(line)
-        if said["severity"] == "error" and (said["code"] in (SYNTAX, None) or said["line"] < 1):
+        report = json.loads(line)
+        if report["severity"] == "error" and (report["code"] in (SYNTAX, None) or report["line"] < 1):
             yield (
-                os.path.normpath(said["file"]),
-                max(said["line"], 0),
-                SYNTAX if said["code"] == SYNTAX else said["message"],
+                os.path.normpath(report["file"]),
+                max(report["line"], 0),
+                SYNTAX if report["code"] == SYNTAX else report["message"],
             )
     for line in stderr.splitlines():
         if match := re.match(r"(.+?): error: (Cannot (?:decode|read) file)", line):

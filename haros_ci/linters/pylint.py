@@ -99,40 +99,40 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         raise ValueError("wrong usage")
     files = {"./" + file.path: file for file in batch.files} | {file.path: file for file in batch.files}
     silenced, doubting = set(), Doubting()
-    for said in json.loads(output.stdout)["messages"]:
-        file, rule = files.get(said["path"]), said["symbol"]
+    for report in json.loads(output.stdout)["messages"]:
+        file, rule = files.get(report["path"]), report["symbol"]
         if file is None or rule in ABOUT_OPTIONS or file.path in silenced:
             continue
-        if rule == "syntax-error" and said["message"].startswith("Cannot import "):
+        if rule == "syntax-error" and report["message"].startswith("Cannot import "):
             continue  # it is told of the file that is imported
-        if rule == "syntax-error" and _is_of_another_python(batch.workspace.text(file.path), said):
+        if rule == "syntax-error" and _is_of_another_python(batch.workspace.text(file.path), report):
             silenced.add(file.path)
-            yield GaveUp(file.path, python2.why_unreadable(batch.workspace.text(file.path)), said["line"] or None)
+            yield GaveUp(file.path, python2.why_unreadable(batch.workspace.text(file.path)), report["line"] or None)
         elif rule in TROUBLE:
             yield GaveUp(file.path, f"{rule}, a fault of pylint")  # the message holds paths of this machine
-        elif not _is_doubted(said, file.path, batch.workspace.text(file.path), doubting):
-            yield Finding(file.path, _result(file.path, said))
+        elif not _is_doubted(report, file.path, batch.workspace.text(file.path), doubting):
+            yield Finding(file.path, _result(file.path, report))
 
 
-def _is_doubted(said: dict[str, Any], path: str, text: str, doubting: Doubting) -> bool:
+def _is_doubted(report: dict[str, Any], path: str, text: str, doubting: Doubting) -> bool:
     """Whether the *text* refutes what pylint has *said*, or its author has silenced the same of another tool."""
-    rule, line = said["symbol"], said["line"]
-    if doubting.may(path, rule, text) and is_refuted(rule, line, said["column"], text):
+    rule, line = report["symbol"], report["line"]
+    if doubting.may(path, rule, text) and is_refuted(rule, line, report["column"], text):
         return True
     return is_silenced(rule, columns.line_of(text, line))
 
 
-def _is_of_another_python(text: str, said: dict[str, Any]) -> bool:
-    return python2.is_python2(text) or python2.is_newer(columns.line_of(text, said["line"]), said["message"])
+def _is_of_another_python(text: str, report: dict[str, Any]) -> bool:
+    return python2.is_python2(text) or python2.is_newer(columns.line_of(text, report["line"]), report["message"])
 
 
-def _result(path: str, said: dict[str, object]) -> Result:
-    line, column, end_line, end_column = (said[key] for key in ("line", "column", "endLine", "endColumn"))
+def _result(path: str, report: dict[str, object]) -> Result:
+    line, column, end_line, end_column = (report[key] for key in ("line", "column", "endLine", "endColumn"))
     place = Location(path, _count(line) or 1, _count(column, 1), _count(end_line), _count(end_column, 1))
-    level = LEVELS.get(str(said["type"]), Level.NOTE)
-    if said["symbol"] in NOT_FATAL:
+    level = LEVELS.get(str(report["type"]), Level.NOTE)
+    if report["symbol"] in NOT_FATAL:
         level = Level.WARNING
-    return Result(NAME, str(said["symbol"]), level, str(said["message"]), place, scope=str(said["obj"]))
+    return Result(NAME, str(report["symbol"]), level, str(report["message"]), place, scope=str(report["obj"]))
 
 
 def _count(value: object, base: int = 0) -> int | None:

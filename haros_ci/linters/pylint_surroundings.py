@@ -99,13 +99,13 @@ def _is_python2_around(path: str, workspace: Workspace) -> bool:
 
 def _is_starred(result: Result, workspace: Workspace) -> bool:
     """Whether a module beside the file has the name of ``__all__``, and is imported as a whole in the way of Python 2 (``from arm import *``)."""
-    said, path = _ALL.search(result.message), result.location.path
+    match, path = _ALL.search(result.message), result.location.path
     text = workspace.text(path)
     owner = workspace.package_finder()(path)
     package = next((package for package in workspace.packages if package.name == owner), None)
-    if said is None or names_python3(text) or (package is not None and package.ros == 2):
+    if match is None or names_python3(text) or (package is not None and package.ros == 2):
         return False
-    name = said[1]
+    name = match[1]
     given = re.compile(
         rf"^(?:(?:async[ \t]+)?def|class)[ \t]+{name}\b|^{name}[ \t]*(?::[^=\n]{{0,200}})?=(?!=)|^from[ \t]+\S+[ \t]+import[ \t][^\n#]{{0,300}}\b{name}\b",
         re.MULTILINE,

@@ -45,7 +45,7 @@ def encode(answer: Answer) -> dict[str, Any]:
     }
 
 
-def decode(value: object, unit: str, wanted: Wanted, known: Collection[str]) -> Answer | None:
+def decode(value: object, unit: str, is_selected: Wanted, known: Collection[str]) -> Answer | None:
     """The wanted part of a cached answer; None if *value* is not one: what lies in a cache is data, not trust.
 
     Results outside the *known* files are dropped, as they are when a tool reports them.
@@ -54,7 +54,7 @@ def decode(value: object, unit: str, wanted: Wanted, known: Collection[str]) -> 
         rules, gave_up = value["rules"], value["gave_up"]  # type: ignore[index]
         if sum(len(rows) for _, _, rows in rules) > MOST:
             return None
-        results = [result for tool, rule, rows in rules for result in _results(tool, rule, rows, wanted, known)]
+        results = [result for tool, rule, rows in rules for result in _results(tool, rule, rows, is_selected, known)]
         return Answer(tuple(results), tuple(GaveUp(unit, _text(message), _number(line)) for message, line in gave_up))
     except (TypeError, ValueError, KeyError, IndexError):
         return None
@@ -72,16 +72,16 @@ def _place(location: Location) -> list[Any]:
     return [location.path, location.line, location.column, location.end_line, location.end_column]
 
 
-def _results(tool: object, rule: object, rows: Any, wanted: Wanted, known: Collection[str]) -> Iterator[Result]:
+def _results(tool: object, rule: object, rows: Any, is_selected: Wanted, known: Collection[str]) -> Iterator[Result]:
     tool, rule = _text(tool), _text(rule)
-    asked: dict[str, bool] = {}
+    selected: dict[str, bool] = {}
     for row in rows:
         if not isinstance(row, list):
             raise ValueError("not a row")
         path = row[2]
-        if path not in asked:
-            asked[path] = path in known and wanted(tool, rule, path)
-        if asked[path]:
+        if path not in selected:
+            selected[path] = path in known and is_selected(tool, rule, path)
+        if selected[path]:
             extra = [*row[7:], *_DEFAULTS[len(row) - 7 :]]
             scope, value, limit, subject, related = extra
             if isinstance(subject, str) or isinstance(related, str):

@@ -89,9 +89,14 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     roots = {os.path.abspath(batch.workspace.root), os.path.realpath(batch.workspace.root)}
     paths = {os.path.join(root, file.path): file.path for root in roots for file in batch.files}
     answers = json.loads(output.stdout)
-    broken = {paths.get(said["filename"]): said["location"]["row"] for said in reversed(answers) if _is_syntax(said)}
+    broken = {
+        paths.get(report["filename"]): report["location"]["row"] for report in reversed(answers) if _is_syntax(report)
+    }
     old = {path for path in broken if path is not None and python2.is_python2(batch.workspace.text(path))}
-    for suspect in {paths.get(said["filename"], "") for said in answers if said["code"] in OF_EXCEPT} - {"", *old}:
+    for suspect in {paths.get(report["filename"], "") for report in answers if report["code"] in OF_EXCEPT} - {
+        "",
+        *old,
+    }:
         bound = _binds_with_comma(batch.workspace.text(suspect))
         if bound is not None:
             old.add(suspect)
@@ -99,20 +104,20 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     for item in sorted(old):
         yield GaveUp(item, "it is Python 2", broken[item])
     doubting = Doubting()
-    for said in answers:
-        path, rule = paths.get(said["filename"]), said["code"] or SYNTAX
+    for report in answers:
+        path, rule = paths.get(report["filename"]), report["code"] or SYNTAX
         if path is None or path in old or (path in broken and rule != SYNTAX):
             continue  # what ruff makes of the rest of a file that it cannot parse is a guess
-        start, end = said["location"], said["end_location"]
+        start, end = report["location"], report["end_location"]
         text = batch.workspace.text(path)
         is_doubted = doubting.may(path, rule, text)
-        if is_doubted and rule == "F811" and _loads_submodules(said["message"], text):
+        if is_doubted and rule == "F811" and _loads_submodules(report["message"], text):
             continue
         if is_doubted and _is_refuted(rule, start["row"], start["column"] - 1, text):
             continue
         place = Location(path, start["row"], start["column"], end["row"], end["column"])
         level = Level.ERROR if rule == SYNTAX else Level.WARNING
-        yield Finding(path, Result(NAME, rule, level, said["message"], place))
+        yield Finding(path, Result(NAME, rule, level, report["message"], place))
 
 
 def _binds_with_comma(text: str) -> int | None:
@@ -120,8 +125,8 @@ def _binds_with_comma(text: str) -> int | None:
     return next((number for number, line in enumerate(text.split("\n"), 1) if _BOUND.match(line[:_LONGEST])), None)
 
 
-def _is_syntax(said: Mapping[str, Any]) -> bool:
-    return (said["code"] or SYNTAX) == SYNTAX
+def _is_syntax(report: Mapping[str, Any]) -> bool:
+    return (report["code"] or SYNTAX) == SYNTAX
 
 
 def _loads_submodules(message: str, text: str) -> bool:

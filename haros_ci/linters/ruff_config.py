@@ -49,25 +49,25 @@ def chain(workspace: Workspace, path: str, problems: list[Problem] | None = None
     A file that cannot be read as TOML is as if it were empty.
     """
     found: list[Link] = []
-    said: list[Problem] = [] if problems is None else problems
+    notes: list[Problem] = [] if problems is None else problems
     while path:
         try:
             table = settings_files.tables(workspace.setting(path))
         except (ValueError, RecursionError):
-            said.append(Problem(path, "ruff has no settings from this file: it is not valid TOML"))
+            notes.append(Problem(path, "ruff has no settings from this file: it is not valid TOML"))
             return (*found, Link(path, {}))
         project = table.get("project")
         options, python = table, None
         if basename(path) == PYPROJECT:
             options = _table(_table(table.get("tool")).get("ruff"))
             python = _text(_table(project).get("requires-python"))
-        found.append(Link(path, _harmless(path, options, said), python))
+        found.append(Link(path, _harmless(path, options, notes), python))
         named = options.get("extend")
         if named is None:
             break
         target, why = _target(workspace, path, named, [link.path for link in found])
         if why:
-            said.append(Problem(path, f"ruff does not read the file that `extend` names here: {why}"))
+            notes.append(Problem(path, f"ruff does not read the file that `extend` names here: {why}"))
         path = target
     return tuple(found)
 
@@ -101,13 +101,13 @@ def _name(link: Link) -> str:
     return PYPROJECT if basename(link.path) == PYPROJECT else "ruff.toml"
 
 
-def _harmless(path: str, options: dict[str, Any], said: list[Problem]) -> dict[str, Any]:
+def _harmless(path: str, options: dict[str, Any], problems: list[Problem]) -> dict[str, Any]:
     kept = {key: value for key, value in options.items() if key not in LEFT_OUT}
     if SOURCES in kept:
         given = kept[SOURCES] if isinstance(kept[SOURCES], list) else []
         kept[SOURCES] = [source for source in given if isinstance(source, str) and _stays_inside(source)]
         if len(kept[SOURCES]) < len(given):
-            said.append(Problem(path, "ruff does not use a directory under `src` that lies outside the workspace"))
+            problems.append(Problem(path, "ruff does not use a directory under `src` that lies outside the workspace"))
     return kept
 
 

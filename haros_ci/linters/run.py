@@ -32,7 +32,7 @@ def lint(
     linters: Iterable[Linter],
     options: LintOptions,
     store: Store,
-    wanted: Wanted,
+    is_selected: Wanted,
     progress: Progress | None = None,
     recorded: Recorded | None = None,
 ) -> tuple[Run, ...]:
@@ -48,7 +48,7 @@ def lint(
     unlinted = {file.path for file in workspace.files if not file.is_linted}
 
     def keep(tool: str, rule: str, path: str) -> bool:
-        return workspace.reports_on(path) and path not in unlinted and wanted(tool, rule, path)
+        return workspace.reports_on(path) and path not in unlinted and is_selected(tool, rule, path)
 
     planned = works(workspace, linters, options, store, digests, Installed() if recorded is None else recorded)
     complete(

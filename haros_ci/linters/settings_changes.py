@@ -145,13 +145,13 @@ def _how(path: str, head: Workspace, base: Workspace) -> str:
 
 
 def _what(change: _Change, is_there: bool) -> str:
-    said = []
+    messages = []
     if change.off:
         named = sorted(change.off)
         more = f" and {len(named) - MOST_RULES} more" if len(named) > MOST_RULES else ""
-        said.append(f"The change turns off: {', '.join(named[:MOST_RULES])}{more}.")
+        messages.append(f"The change turns off: {', '.join(named[:MOST_RULES])}{more}.")
     if change.unread and is_there:
-        said.append(
+        messages.append(
             f"The settings for {', '.join(sorted(change.unread))} cannot be read, so the rules that they turn off are unknown."
         )
-    return " ".join(said) or f"No rule of {', '.join(sorted(change.tools))} is known to be turned off."
+    return " ".join(messages) or f"No rule of {', '.join(sorted(change.tools))} is known to be turned off."

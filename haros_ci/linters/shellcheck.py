@@ -63,11 +63,15 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     if output.code not in (0, 1):
         raise ValueError(f"exit code {output.code}")
     paths = _names(batch)
-    for said in json.loads(output.stdout)["comments"]:
-        path, start, end = paths[said["file"]], (said["line"], said["column"]), (said["endLine"], said["endColumn"])
+    for report in json.loads(output.stdout)["comments"]:
+        path, start, end = (
+            paths[report["file"]],
+            (report["line"], report["column"]),
+            (report["endLine"], report["endColumn"]),
+        )
         place = Location(path, *start, *(end if end > start else (None, None)))
-        level = LEVELS.get(said["level"], Level.NOTE)
-        yield Finding(path, Result(NAME, f"SC{said['code']}", level, said["message"], place))
+        level = LEVELS.get(report["level"], Level.NOTE)
+        yield Finding(path, Result(NAME, f"SC{report['code']}", level, report["message"], place))
 
 
 def _names(batch: Batch) -> dict[str, str]:

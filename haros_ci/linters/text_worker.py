@@ -45,24 +45,24 @@ def cmakelint(settings: Any) -> Check:
     """*settings*: ``lines`` of a .cmakelintrc, and ``length``, how long a line may be if they do not tell."""
     from cmakelint import main as tool  # type: ignore[import-not-found,import-untyped,unused-ignore]
 
-    state, said = tool._lint_state, []
+    state, messages = tool._lint_state, []
     state.SetLineLength(settings["length"])
     tool.ParseOptionFile(settings["lines"], False)
     filters = list(state.filters)
 
     def record(name: str, line: int, category: str, message: str) -> None:
         if tool.ShouldPrintError(category):
-            said.append((category, line, None, message))
+            messages.append((category, line, None, message))
 
     tool.Error = record
     tool.IsValidFile = lambda name: True
 
     def check(name: str, text: str) -> Iterable[Said]:
-        said.clear()
+        messages.clear()
         state.filters = list(filters)  # a file's own pragma is for that file
         tool.open = lambda *_: io.StringIO(text, newline=None)
         tool.ProcessFile(name)
-        return said
+        return messages
 
     return check
 
@@ -108,8 +108,8 @@ def main() -> None:
     request = json.load(sys.stdin.buffer)
     check = TOOLS[sys.argv[2]](request["settings"])
     for file in request["files"]:
-        told = {"path": file["path"], **answer(check, file["name"], file["text"])}
-        sys.stdout.write(json.dumps(told) + "\n")
+        reported = {"path": file["path"], **answer(check, file["name"], file["text"])}
+        sys.stdout.write(json.dumps(reported) + "\n")
 
 
 if __name__ == "__main__":

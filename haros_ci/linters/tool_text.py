@@ -59,10 +59,10 @@ def read(tool: DeclaredTool, data: bytes) -> Iterator[Said]:
         "json": _json,
         "json-lines": _json_lines,
     }
-    for count, said in enumerate(readers[tool.output](tool, data)):
+    for count, entry in enumerate(readers[tool.output](tool, data)):
         if count >= MAX_FINDINGS:
             raise ValueError(f"more than {MAX_FINDINGS} findings")
-        yield said
+        yield entry
 
 
 def clean(text: str, limit: int = MAX_TEXT) -> str:
@@ -91,13 +91,13 @@ def _gcc(tool: DeclaredTool, data: bytes) -> Iterator[Said]:
         is_level = level.lower() in WORDS or level in own_words
         message, rule = _apart(line[word.end() if word and is_level else match.end() :].strip())
         level = level if is_level else ""
-        said = Said(match["path"], message, _number(match["line"]), _number(match["column"]), rule=rule, level=level)
+        entry = Said(match["path"], message, _number(match["line"]), _number(match["column"]), rule=rule, level=level)
         if level == "note" and not rule and pending is not None and "note" not in own_words:
-            pending.notes.append(said)
+            pending.notes.append(entry)
             continue
         if pending is not None:
             yield pending
-        pending = said
+        pending = entry
     if pending is not None:
         yield pending
 

@@ -119,8 +119,8 @@ def works(
     """The work of each tool that applies, nothing of it done; a Run in place of it for one that is missing."""
     planned: list[Work | Run] = []
     for linter in linters:
-        asked = linter.NAME in options.enabled
-        if linter.NAME in options.disabled or (linter.WHEN is When.ASKED and not asked):
+        is_requested = linter.NAME in options.enabled
+        if linter.NAME in options.disabled or (linter.WHEN is When.ASKED and not is_requested):
             continue
         try:
             work = _begun(linter, workspace, options, store, digests, tools)
@@ -137,8 +137,8 @@ def _begun(
     """What *linter* has to do; None if nothing, a failed run if it is missing."""
     plan = _plan(linter, workspace, options, store) if _concerns(linter, workspace) else ()
     units = tuple(unit for unit in plan if _is_asked_for(unit, workspace))
-    asked = linter.NAME in options.enabled
-    needed = asked or linter.WHEN is When.ALWAYS
+    is_requested = linter.NAME in options.enabled
+    needed = is_requested or linter.WHEN is When.ALWAYS
     if not units and not needed:
         return None
     program = tools.program(linter, options)
@@ -154,7 +154,7 @@ def _begun(
             work.notifications.append(
                 Notification(Level.WARNING, problem.message, linter.NAME, problem.path, problem.line)
             )
-    if not units and asked:
+    if not units and is_requested:
         note = f"{linter.NAME} found no file to analyse: the workspace has no file of its kind, or lacks the settings that it needs"
         work.notifications.append(Notification(Level.NOTE, note, linter.NAME))
     return work

@@ -60,7 +60,7 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     if output.code not in (0, 1):
         raise ValueError(f"exit code {output.code}")
     paths = _names(batch)
-    told: set[tuple[str, str, str]] = set()
+    reported: set[tuple[str, str, str]] = set()
     for text in output.stderr.decode("utf-8", "replace").split("\n"):
         if (unread := _UNREAD.match(text)) and unread[1] in paths:
             yield GaveUp(paths[unread[1]], "it cannot be read")
@@ -71,8 +71,8 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         path = paths[name]
         rule = f"{kind}-{severity}"
         once = (path, rule, "" if rule == "parser-error" else message)
-        if once not in told:
-            told.add(once)
+        if once not in reported:
+            reported.add(once)
             level = Level.ERROR if severity == "error" else Level.WARNING
             yield Finding(path, Result(NAME, rule, level, message.strip(), Location(path, int(line))))
 

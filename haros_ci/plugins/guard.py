@@ -127,10 +127,10 @@ class GuardedLinter:
         return command
 
     def parse(self, output: Output, batch: Batch) -> tuple[adapters.Finding | GaveUp, ...]:
-        return _kept_in(lambda: tuple(self._own(said) for said in self._linter.parse(output, batch)))
+        return _kept_in(lambda: tuple(self._own(message) for message in self._linter.parse(output, batch)))
 
-    def _own(self, said: object) -> adapters.Finding | GaveUp:
-        found = _a(said, adapters.Finding, GaveUp)
+    def _own(self, answer: object) -> adapters.Finding | GaveUp:
+        found = _a(answer, adapters.Finding, GaveUp)
         if isinstance(found, adapters.Finding) and _a(found.result, Result).tool != self.NAME:
             raise ValueError(f"a result of the tool {found.result.tool!r}, not of {self.NAME!r}")
         return found  # type: ignore[no-any-return]

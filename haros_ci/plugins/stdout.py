@@ -10,9 +10,9 @@ from contextlib import contextmanager
 
 
 @contextmanager
-def kept_clean(wanted: bool = True) -> Iterator[None]:
+def kept_clean(is_enabled: bool = True) -> Iterator[None]:
     """Meanwhile all that is written to stdout, by whatever means, goes to stderr; nothing changes if not *wanted*."""
-    if not wanted:
+    if not is_enabled:
         yield
         return
     sys.stdout.flush()

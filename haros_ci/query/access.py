@@ -60,8 +60,8 @@ def call_method(machine: Machine, value: Value, name: str, arguments: Sequence[V
         return call(machine, attribute(value, name, at), arguments)
     least, most, function = found
     if not least <= len(arguments) <= most:
-        wanted = str(least) if least == most else f"{least} to {most}"
-        raise QueryError(f"{name} takes {wanted} arguments, not {len(arguments)}")
+        expected = str(least) if least == most else f"{least} to {most}"
+        raise QueryError(f"{name} takes {expected} arguments, not {len(arguments)}")
     machine.tick(1 + weight_of(value) + sum(map(weight_of, arguments)))
     return function(value, *arguments)
 

@@ -60,11 +60,11 @@ class Declared:
 
 def declared(project: Mapping[str, Any]) -> tuple[tuple[Declared, ...], tuple[str, ...]]:
     """The queries of a project file, in its order; and sentences on what cannot be one."""
-    said: list[str] = []
-    found = [*_of_rules(project.get("rules"), said), *_of_configurations(project.get("configurations"), said)]
+    problems: list[str] = []
+    found = [*_of_rules(project.get("rules"), problems), *_of_configurations(project.get("configurations"), problems)]
     if len(found) > MOST_QUERIES:
-        said.append(f"more than {MOST_QUERIES} queries; those after them are not asked")
-    return tuple(_distinct(found[:MOST_QUERIES])), tuple(said)
+        problems.append(f"more than {MOST_QUERIES} queries; those after them are not asked")
+    return tuple(_distinct(found[:MOST_QUERIES])), tuple(problems)
 
 
 def rules(project: Mapping[str, Any]) -> dict[str, Rule]:
@@ -72,16 +72,16 @@ def rules(project: Mapping[str, Any]) -> dict[str, Rule]:
     return {one.id: one.rule() for one in declared(project)[0]}
 
 
-def _of_rules(entries: Any, said: list[str]) -> Iterator[Declared]:
+def _of_rules(entries: Any, problems: list[str]) -> Iterator[Declared]:
     for key, entry in entries.items() if isinstance(entries, Mapping) else ():
         place = f"rules.{key}"
         if not isinstance(entry, Mapping) or entry.get("query") is None:
             continue
         text, scope = entry["query"], entry.get("scope") or "global"
         if not isinstance(text, str):
-            said.append(f"{place}: 'query' must be text")
+            problems.append(f"{place}: 'query' must be text")
         elif scope not in SCOPES:
-            said.append(f"{place}: 'scope' is {short(str(scope))}, and must be one of {', '.join(SCOPES)}")
+            problems.append(f"{place}: 'scope' is {short(str(scope))}, and must be one of {', '.join(SCOPES)}")
         else:
             yield Declared(
                 id=f"user:{key}",
@@ -89,14 +89,14 @@ def _of_rules(entries: Any, said: list[str]) -> Iterator[Declared]:
                 text=text,
                 scope=scope,
                 place=place,
-                level=_level(entry, place, said),
+                level=_level(entry, place, problems),
                 description=_text(entry.get("description")),
                 details=_text(entry.get("details")),
                 tags=_texts(entry.get("tags")),
             )
 
 
-def _of_configurations(entries: Any, said: list[str]) -> Iterator[Declared]:
+def _of_configurations(entries: Any, problems: list[str]) -> Iterator[Declared]:
     for name, entry in entries.items() if isinstance(entries, Mapping) else ():
         data = entry.get("user_data") if isinstance(entry, Mapping) else None
         queries = data.get(PLUGIN) if isinstance(data, Mapping) else None
@@ -104,12 +104,12 @@ def _of_configurations(entries: Any, said: list[str]) -> Iterator[Declared]:
             continue
         at = f"configurations.{name}.user_data.{PLUGIN}"
         if not isinstance(queries, list):
-            said.append(f"{at} must be a list of maps with 'name' and 'query'")
+            problems.append(f"{at} must be a list of maps with 'name' and 'query'")
             continue
         for number, query in enumerate(queries):
             place = f"{at}[{number}]"
             if not (isinstance(query, Mapping) and isinstance(query.get("query"), str)):
-                said.append(f"{place} needs a 'query': text in quotes")
+                problems.append(f"{place} needs a 'query': text in quotes")
                 continue
             title = _text(query.get("name"))
             named = _text(query.get("id")) or slug(title)
@@ -119,7 +119,7 @@ def _of_configurations(entries: Any, said: list[str]) -> Iterator[Declared]:
                 text=query["query"],
                 scope="configuration",
                 place=place,
-                level=_level(query, place, said),
+                level=_level(query, place, problems),
                 description=_text(query.get("description")),
                 details=_text(query.get("details")),
                 tags=(*PLUGIN_TAGS, *_texts(query.get("tags"))),
@@ -162,11 +162,11 @@ def slug(text: str) -> str:
     return re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")[:80]
 
 
-def _level(entry: Mapping[Any, Any], place: str, said: list[str]) -> Level:
+def _level(entry: Mapping[Any, Any], place: str, problems: list[str]) -> Level:
     word = entry.get("level", "warning")
     if word in ("error", "warning", "note"):
         return Level(word)
-    said.append(f"{place}: 'level' must be error, warning or note")
+    problems.append(f"{place}: 'level' must be error, warning or note")
     return Level.WARNING
 
 

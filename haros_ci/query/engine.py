@@ -55,11 +55,11 @@ class Query:
 
     def notes(self) -> tuple[tuple[int, str], ...]:
         """What HAROS passes over in silence: steps of paths that some element had no attribute for; and where."""
-        told: dict[tuple[int, str], str] = {}
+        helps: dict[tuple[int, str], str] = {}
         for (at, name, kind), (_, help) in sorted(self.machine.missing.items()):
             key = (at, f"a {kind} has no attribute {name!r}, so this step gives nothing for it, as in HAROS")
-            told.setdefault(key, help)
-        return tuple((at, f"{said}; {help}" if help else said) for (at, said), help in told.items())
+            helps.setdefault(key, help)
+        return tuple((at, f"{message}; {help}" if help else message) for (at, message), help in helps.items())
 
 
 def entities_of(match: Value) -> tuple[Entity, ...]:

@@ -224,13 +224,13 @@ class Compiler:
         return compared
 
     def _member(self, tree: Member, names: Names) -> Run:
-        item, container, wanted = self.make(tree.item, names), self.make(tree.container, names), not tree.negated
+        item, container, expected = self.make(tree.item, names), self.make(tree.container, names), not tree.negated
         machine = self.machine
 
         def member(scope: Scope) -> bool:
             one, all_of_them = item(scope), container(scope)
             machine.tick(weight_of(one) + (weight_of(all_of_them) if isinstance(all_of_them, str) else 0))
-            return contains(all_of_them, one) is wanted
+            return contains(all_of_them, one) is expected
 
         return self.placed(member, tree.at)
 

@@ -25,8 +25,8 @@ class Builtin:
 
     def apply(self, arguments: Sequence[Value]) -> Value:
         if not self.least <= len(arguments) <= self.most:
-            wanted = str(self.least) if self.least == self.most else f"{self.least} to {self.most}"
-            raise QueryError(f"{self.name} takes {wanted} arguments, not {len(arguments)}")
+            expected = str(self.least) if self.least == self.most else f"{self.least} to {self.most}"
+            raise QueryError(f"{self.name} takes {expected} arguments, not {len(arguments)}")
         return self.function(*arguments)
 
 

@@ -91,10 +91,10 @@ class Reader:
         self.number += 1
         return True
 
-    def unexpected(self, wanted: str) -> QueryError:
+    def unexpected(self, expected: str) -> QueryError:
         token = self.token
         found = "the query ends here" if token.kind == "end" else f"{short(token.text)} stands here"
-        return QueryError(f"{found} instead of {wanted}", token.at)
+        return QueryError(f"{found} instead of {expected}", token.at)
 
     def nested(self, read: Callable[[], Tree]) -> Tree:
         """What *read* reads, one level deeper."""

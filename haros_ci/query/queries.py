@@ -66,9 +66,9 @@ def run(
 
     A query that is wrong is a result of its own and stops no other; what is no query at all is an error notification. *scenes* are those of *found*, if they have been made.
     """
-    every, said = declared(project)
+    every, problems = declared(project)
     chosen = [query for query in every if wanted(query.rule())]
-    notifications = [Notification(Level.ERROR, text, TOOL, where, configuration=True) for text in said]
+    notifications = [Notification(Level.ERROR, text, TOOL, where, configuration=True) for text in problems]
     matches: list[Match] = []
     failed = []
     faults: list[Result] = []
@@ -77,20 +77,20 @@ def run(
     for query in chosen:
         assert scenes is not None
         own: list[Match] = []
-        asked: Query | None = None
+        compiled: Query | None = None
         try:
-            asked = Query(query.text, VARIABLES[query.scope], min(STEPS, left))
+            compiled = Query(query.text, VARIABLES[query.scope], min(STEPS, left))
             for configuration, variables in scenes.of(query.scope, query.configurations):
-                own += (Match(query, value, configuration) for value in asked.matches(variables))
+                own += (Match(query, value, configuration) for value in compiled.matches(variables))
         except QueryError as err:
             failed.append(query.id)
             faults.append(_fault(query, err, where))
-        left -= asked.taken if asked is not None else 0
+        left -= compiled.taken if compiled is not None else 0
         if len(own) > MOST_MATCHES:
             text = f"{query.id} has {len(own)} matches; the first {MOST_MATCHES} are reported"
             notifications.append(Notification(Level.WARNING, text, TOOL, where, configuration=True))
         matches += own[:MOST_MATCHES]
-        notifications += _notes(query, asked, where)
+        notifications += _notes(query, compiled, where)
     return Asked(
         rules=tuple(query.rule() for query in every),
         results=(*results(matches, Location(where)), *faults),
@@ -149,7 +149,7 @@ def _fault(query: Declared, err: QueryError, where: str) -> Result:
     return Result(TOOL, FAILED_QUERY.id, FAILED_QUERY.level, text, Location(where))
 
 
-def _notes(query: Declared, asked: Query | None, where: str) -> Iterator[Notification]:
-    for at, text in asked.notes() if asked is not None else ():
-        told = QueryError(text, at).told(query.text)
-        yield Notification(Level.NOTE, f"the query {query.id}: {told}", TOOL, where, configuration=True)
+def _notes(query: Declared, compiled: Query | None, where: str) -> Iterator[Notification]:
+    for at, text in compiled.notes() if compiled is not None else ():
+        message = QueryError(text, at).told(query.text)
+        yield Notification(Level.NOTE, f"the query {query.id}: {message}", TOOL, where, configuration=True)

@@ -51,21 +51,21 @@ def _nearest_first(lines: list[int], others: list[int], limit: int) -> list[tupl
 
 def _in_order(few: list[int], many: list[int]) -> list[tuple[int, int]]:
     """Both ascending: the cheapest pairing never crosses, so each of *few* chooses how many of *many* to leave out."""
-    spare = len(many) - len(few)
-    if spare == 0 or len(few) * (spare + 1) > _LARGEST_TABLE:
+    surplus = len(many) - len(few)
+    if surplus == 0 or len(few) * (surplus + 1) > _LARGEST_TABLE:
         return [(i, i) for i in range(len(few))]
-    cost = [0] * (spare + 1)
+    cost = [0] * (surplus + 1)
     choices: list[list[int]] = []
     for i, line in enumerate(few):
         best = 0  # the number of skipped ones so far that is cheapest
         chosen = []
-        for skipped in range(spare + 1):
+        for skipped in range(surplus + 1):
             if cost[skipped] < cost[best]:
                 best = skipped
             chosen.append(best)
-        cost = [cost[chosen[skipped]] + abs(many[i + skipped] - line) for skipped in range(spare + 1)]
+        cost = [cost[chosen[skipped]] + abs(many[i + skipped] - line) for skipped in range(surplus + 1)]
         choices.append(chosen)
-    skipped = min(range(spare + 1), key=lambda s: cost[s])
+    skipped = min(range(surplus + 1), key=lambda s: cost[s])
     found = []
     for i in range(len(few) - 1, -1, -1):
         found.append((i, i + skipped))

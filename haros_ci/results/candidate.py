@@ -74,12 +74,12 @@ def picker(letters: str) -> Callable[[Key], Key]:
 
 
 def grouped(
-    things: Iterable[Candidate], pick: Callable[[Key], Key], wanted: Container[Key]
+    things: Iterable[Candidate], pick: Callable[[Key], Key], requested: Container[Key]
 ) -> dict[Key, list[Candidate]]:
     """The things by key, for keys that are *wanted* and of which no feature is missing."""
     groups: dict[Key, list[Candidate]] = {}
     for thing in things:
         key = pick(thing.features)
-        if key in wanted and None not in key:
+        if key in requested and None not in key:
             groups.setdefault(key, []).append(thing)
     return groups

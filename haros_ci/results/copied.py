@@ -186,11 +186,11 @@ def _is_copy(one: Result, other: Result, texts: _Texts) -> bool:
 
 
 def _is_renamed(
-    here: tuple[str, ...], there: tuple[str, ...], names: tuple[frozenset[str], frozenset[str]], said: tuple[str, str]
+    here: tuple[str, ...], there: tuple[str, ...], names: tuple[frozenset[str], frozenset[str]], texts: tuple[str, str]
 ) -> bool:
     if len(here) != len(there):
         return False
-    messages = (_TOKEN.findall(said[0]), _TOKEN.findall(said[1]))
+    messages = (_TOKEN.findall(texts[0]), _TOKEN.findall(texts[1]))
     if len(messages[0]) != len(messages[1]):
         return False
     renamed = {pair for pair in zip(here, there) if pair[0] != pair[1]} if here != there else set()

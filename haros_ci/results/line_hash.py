@@ -27,14 +27,14 @@ def github_line_hashes(text: str, lines: Collection[int]) -> dict[int, str]:
         units = re.sub("[\U00010000-\U0010ffff]", _surrogates, units)
     rows = units.split("\n")
     units += "\uffff" + "\0" * _WINDOW
-    wanted, last = frozenset(lines), max(lines)
+    requested, last = frozenset(lines), max(lines)
     counts: dict[str, int] = {}
     hashes: dict[int, str] = {}
     start = 0
     for number, row in enumerate(rows, 1):
         window = units[start : start + _WINDOW]
         counts[window] = counts.get(window, 0) + 1
-        if number in wanted:
+        if number in requested:
             hashes[number] = f"{_polynomial(window):x}:{counts[window]}"
         if number >= last:
             break

@@ -59,9 +59,9 @@ def _edited(before: list[str], after: list[str], low: int, high: int, new_low: i
         return {index: new_low + index - low for index in range(low, min(high, low + width))}
     olds = [words(line) for line in before[low:high]]
     news = [words(line) for line in after[new_low:new_high]]
-    likeness = [[_likeness(old, new) for new in news] for old in olds]
+    similarities = [[_likeness(old, new) for new in news] for old in olds]
     table = [[0.0] * (width + 1)]
-    for row in reversed(likeness):
+    for row in reversed(similarities):
         below, best = table[-1], [0.0] * (width + 1)
         for column in range(width - 1, -1, -1):
             best[column] = max(below[column], best[column + 1], row[column] + below[column + 1] if row[column] else 0.0)
@@ -70,7 +70,7 @@ def _edited(before: list[str], after: list[str], low: int, high: int, new_low: i
     places: dict[int, int] = {}
     number = column = 0
     while number < len(olds) and column < width:
-        value = likeness[number][column]
+        value = similarities[number][column]
         if value and table[number][column] == value + table[number + 1][column + 1]:
             places[low + number] = new_low + column
             number, column = number + 1, column + 1

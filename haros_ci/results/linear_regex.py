@@ -43,8 +43,8 @@ def compiled(pattern: str) -> LinearPattern:
     try:
         machine = re2.compile(_sound(pattern), options)
     except re2.error as err:
-        said = err.args[0] if err.args else b""
-        raise PatternError(said.decode("utf-8", "replace") if isinstance(said, bytes) else str(said)) from err
+        message = err.args[0] if err.args else b""
+        raise PatternError(message.decode("utf-8", "replace") if isinstance(message, bytes) else str(message)) from err
     if machine.groups > MAX_GROUPS:
         raise PatternError(f"more than {MAX_GROUPS} groups")
     return LinearPattern(tuple(machine.groupindex), machine)

@@ -29,8 +29,8 @@ def match(new: Sequence[Result], known: Sequence[Known], sides: Sides) -> tuple[
         for i, result in enumerate(new)
     ]
     paired = {found.old for found in pairs.values()}
-    gone = [_absent(k, sides) for i, k in enumerate(known) if i not in paired and sides.answered(k)]
-    return (*found, *sorted(gone, key=lambda result: result.sort_key))
+    removed = [_absent(k, sides) for i, k in enumerate(known) if i not in paired and sides.answered(k)]
+    return (*found, *sorted(removed, key=lambda result: result.sort_key))
 
 
 class _Past:

@@ -48,9 +48,9 @@ def pair_renamed(
         news = grouped(new, pick, olds)
         for key, here in news.items():
             pairs.update((a, Pair(a, b, words)) for a, b in _assigned(here, olds[key], evidence))
-        gone = {pair.old for pair in pairs.values()}
+        removed = {pair.old for pair in pairs.values()}
         new = [thing for thing in new if thing.index not in pairs]
-        old = [thing for thing in old if thing.index not in gone]
+        old = [thing for thing in old if thing.index not in removed]
     return tuple(pairs.values())
 
 
@@ -71,8 +71,8 @@ def pair_partly_mended(
             now = set(results[a.index].subject)
             for b, before in befores:
                 if now < before:
-                    gone = len(before) - len(now)
-                    choices.append((gone, abs(a.place[0] - b.place[0]), a.place, b.place, a.index, b.index))
+                    removed = len(before) - len(now)
+                    choices.append((removed, abs(a.place[0] - b.place[0]), a.place, b.place, a.index, b.index))
     found = _one_to_one((new, old) for *_, new, old in sorted(choices))
     return tuple(
         Pair(new, old, "some of the same ROS names in the same file; the others were mended") for new, old in found
@@ -127,14 +127,14 @@ class Evidence:
         before, now = self.old_names[old], self.new_names[new]
         if len(before) != len(now) or before == now:
             return None
-        gone, fresh, common = before - now, now - before, len(before & now)
+        removed, fresh, common = before - now, now - before, len(before & now)
         by_text = self.sides.base is None
-        if by_text and (len(gone) != 1 or not common):
+        if by_text and (len(removed) != 1 or not common):
             return None
         result, known = self.results[new], self.known[old]
-        if self.now.has(gone, known.graph, result.graph) or self.past.has(fresh, result.graph, known.graph):
+        if self.now.has(removed, known.graph, result.graph) or self.past.has(fresh, result.graph, known.graph):
             return None
-        fits = self.all_renamed(_kind(result), *gone, *fresh) if by_text else self.in_place(result, known)
+        fits = self.all_renamed(_kind(result), *removed, *fresh) if by_text else self.in_place(result, known)
         return common if fits else None
 
     def all_renamed(self, kind: Key, old: str, new: str) -> bool:

@@ -39,7 +39,7 @@ class _Mark:
     is_own: bool
 
 
-def silenced(pairs: Iterable[Pair], gone: Iterable[tuple[str, str, str]], runs: Iterable[Run]) -> Silenced:
+def silenced(pairs: Iterable[Pair], removed: Iterable[tuple[str, str, str]], runs: Iterable[Run]) -> Silenced:
     """The comments that are new in *pairs*, and how many results of *runs* are suppressed by new ones alone.
 
     A comment is old if one with the same words stands in the base on the line that maps to its own, or beside the same code: in the same
@@ -56,7 +56,7 @@ def silenced(pairs: Iterable[Pair], gone: Iterable[tuple[str, str, str]], runs: 
         left, unmatched = _unmapped(pair, marks, before)
         new += left
         pool.update((mark.words, mark.code) for mark in unmatched)
-    for path, language, text in gone if new else ():
+    for path, language, text in removed if new else ():
         pool.update((mark.words, mark.code) for mark in _marks(path, language, text))
     added = []
     for mark in new:

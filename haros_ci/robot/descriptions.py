@@ -100,8 +100,8 @@ class Descriptions:
         names = Counter(path.rpartition("/")[2] for path in tops)
         for path in tops[:MAX_FILES]:
             base = path.rpartition("/")[2]
-            told = base if names[base] == 1 else self._inside(path)
-            is_named = _is_named(told, callers)
+            title = base if names[base] == 1 else self._inside(path)
+            is_named = _is_named(title, callers)
             is_known = is_named and len(passed) <= MAX_PASSED
             arguments = dict.fromkeys(passed, UNKNOWN) if is_known else {}
             robot = self._robot(path, arguments, is_open=not is_known)

@@ -50,8 +50,8 @@ _TYPES = {"bool": bool, "dict": dict, "float": float, "int": int, "list": list, 
 
 def _is_a(value: Any, kinds: Any) -> bool:
     """``isinstance``, whose types are the functions of that name here."""
-    wanted = kinds if isinstance(kinds, tuple) else (kinds,)
-    return isinstance(value, tuple(_TYPES[item.name] for item in wanted))
+    kinds_ = kinds if isinstance(kinds, tuple) else (kinds,)
+    return isinstance(value, tuple(_TYPES[item.name] for item in kinds_))
 
 
 #: What expressions can call by its bare name in Python; those without a value here are known, their result is not.

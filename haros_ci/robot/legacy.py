@@ -38,10 +38,10 @@ def is_call(node: Node, macro: Macro, into: Node) -> bool:
     """Whether *node*, whose tag is the name of *macro*, is meant to call it: it stands where links do, and gives what it wants."""
     if node.tag in _OWN or into.tag not in ("robot", "macro", "xacro:macro"):
         return False
-    wanted = {name for name in macro.parameters if not name.startswith("*")}
+    parameters = {name for name in macro.parameters if not name.startswith("*")}
     given = set(node.attributes)
     return (
-        given <= wanted
-        and all(name in given or name in macro.defaults for name in wanted)
+        given <= parameters
+        and all(name in given or name in macro.defaults for name in parameters)
         and bool(given or node.children)
     )

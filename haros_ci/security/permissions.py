@@ -106,14 +106,14 @@ class Rules:
     def _verdict(self, kind: str, name: str) -> str:
         found = "allowed"
         for need in needs_of(kind, name):
-            says = [self._plain[need]] if need in self._plain else []
-            says += (
+            verdicts = [self._plain[need]] if need in self._plain else []
+            verdicts += (
                 allows
                 for part, allows in islice(self._patterns.items(), MAX_PATTERNS)
                 if part.verb == need.verb and fnmatchcase(need.topic, part.topic)
             )
-            if not all(says):
+            if not all(verdicts):
                 return "denied"
-            if not says:
+            if not verdicts:
                 found = "missing"
         return found

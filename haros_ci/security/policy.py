@@ -92,8 +92,8 @@ class _Reader:
         for rows, place in self.children(placed, *LISTS):
             word, verbs = LISTS[rows.tag]
             for verb in verbs:
-                said = rows.attributes.get(verb, "").strip()
-                for row, where in self.children((rows, place), word) if said in ("ALLOW", "DENY") else ():
+                decision = rows.attributes.get(verb, "").strip()
+                for row, where in self.children((rows, place), word) if decision in ("ALLOW", "DENY") else ():
                     full = expanded(" ".join(row.text.split()), base, name)
                     if len(full) > MAX_NAME or len(rules) >= MAX_RULES:
                         self.is_whole = False
@@ -102,7 +102,7 @@ class _Reader:
                         Permission(
                             kind=ENDS[verb],
                             name=full,
-                            allows=said == "ALLOW",
+                            allows=decision == "ALLOW",
                             location=Location(where, row.line),
                             is_included=where != path,
                         )

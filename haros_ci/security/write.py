@@ -36,11 +36,11 @@ def policy_of(nodes: Iterable[Node]) -> Written | None:
     """The policy of *nodes* of ROS 2; None if there are none with a known name."""
     gaps: list[str] = []
     enclaves: dict[str, dict[str, list[Node]]] = {}
-    wanted = [node for node in nodes if node.ros == 2 and node.kind != "library"]
+    selected = [node for node in nodes if node.ros == 2 and node.kind != "library"]
     given = {
-        node.process: path for node in wanted if (path := enclave_of(node)) is not None and node.process is not None
+        node.process: path for node in selected if (path := enclave_of(node)) is not None and node.process is not None
     }
-    for node in wanted:
+    for node in selected:
         process = node.process or node.name
         path = given.get(process, process)
         if "?" not in node.name + path and not (_is_plain(node.name) and _is_plain(path)):

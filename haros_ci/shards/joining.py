@@ -22,8 +22,8 @@ class OtherSettings(Exception):
 class Values(Mapping[tuple[str, str], object]):
     """The answers by tool and key, parsed when they are asked for."""
 
-    def __init__(self, said: Mapping[tuple[str, str], Said]) -> None:
-        self._said = said
+    def __init__(self, answers: Mapping[tuple[str, str], Said]) -> None:
+        self._said = answers
 
     def __getitem__(self, key: tuple[str, str]) -> object:
         value = value_of(self._said[key])
@@ -86,15 +86,15 @@ def join(shards: Iterable[Shard]) -> Joined:
     wholes: dict[tuple[str, str], Run] = {}
     costs: dict[str, dict[str, int]] = {}
     for shard in shards:
-        for said in shard.answers:
-            key = (said.tool, said.key)
+        for answer in shard.answers:
+            key = (answer.tool, answer.key)
             if key in answers:
                 raise ShardError(
-                    f"{shard.name} and {owners[key].name} both answer for {said.path} ({said.tool})", help=ANEW
+                    f"{shard.name} and {owners[key].name} both answer for {answer.path} ({answer.tool})", help=ANEW
                 )
-            answers[key], owners[key] = said, shard
-            if said.cost is not None:
-                costs.setdefault(said.tool, {})[said.path] = said.cost
+            answers[key], owners[key] = answer, shard
+            if answer.cost is not None:
+                costs.setdefault(answer.tool, {})[answer.path] = answer.cost
         for failed in shard.failures:
             for failed_key in failed.keys:
                 failures.setdefault((failed.tool, failed_key), {})[failed.message, failed.paths] = None

@@ -34,9 +34,9 @@ def _lines(shard: Shard) -> Iterator[str]:
     count = 2 + len(shard.answers) + len(shard.failures) + len(shard.wholes)
     head = plain(shard.header)
     yield _json({"haros-ci-shard": FORMAT, **head, "settings": dict(sorted(shard.header.settings.items()))})
-    for said in sorted(shard.answers, key=lambda s: (s.tool, s.path, s.key)):
-        names = f'["answer",{_json(said.tool)},{_json(said.path)},"{said.key}"'
-        yield f"{names},{'null' if said.cost is None else said.cost},{said.value}]"
+    for answer in sorted(shard.answers, key=lambda s: (s.tool, s.path, s.key)):
+        names = f'["answer",{_json(answer.tool)},{_json(answer.path)},"{answer.key}"'
+        yield f"{names},{'null' if answer.cost is None else answer.cost},{answer.value}]"
     for failed in sorted(shard.failures, key=lambda f: (f.tool, f.message, f.keys)):
         yield _json(["failure", plain(failed)])
     for whole in shard.wholes:
@@ -154,10 +154,10 @@ def _whole(whole: Whole) -> Whole:
     return whole
 
 
-def value_of(said: Said) -> object | None:
+def value_of(answer: Said) -> object | None:
     """The answer itself, None if it is no JSON: the reader of rows refuses that, too."""
     try:
-        value: object = _bounded(said.value)
+        value: object = _bounded(answer.value)
     except (ValueError, RecursionError):
         return None
     return value

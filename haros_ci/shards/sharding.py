@@ -75,15 +75,15 @@ def part(
         mine = {
             (job.names[0], key) for job, who in zip(jobs, given, strict=True) if who == number for key in job.names[1:]
         }
-        said: dict[tuple[str, str], Said] = {}
+        reported: dict[tuple[str, str], Said] = {}
         failed: list[Failed] = []
         for side, plan, hashed in zip(sides, planned, digests, strict=True):
-            left = mine - said.keys()
+            left = mine - reported.keys()
             remembered = _Remembered(costs)
             for answer in answers(plan, left, side, options, store, hashed, progress):
                 cost = remembered.cost(answer.tool, answer.path, answer.seconds)
                 value = json.dumps(answer.value, separators=(",", ":"), allow_nan=False)
-                said[answer.tool, answer.key] = Said(answer.tool, answer.path, answer.key, cost, value)
+                reported[answer.tool, answer.key] = Said(answer.tool, answer.path, answer.key, cost, value)
             failed += _failures(plan)
             mine -= {(failure.tool, key) for failure in failed for key in failure.keys}
         runs = tuple(run for name in wholes if ("", name) in mine for run in makers.runs(name))
@@ -98,7 +98,7 @@ def part(
             plan=plan_digest(jobs, given, of),
             confined=sandbox.state(settings.trust_config),
         )
-    return Shard(header, tuple(said.values()), tuple(failed), runs), _trouble(planned, failed, runs)
+    return Shard(header, tuple(reported.values()), tuple(failed), runs), _trouble(planned, failed, runs)
 
 
 def merged(settings: Settings, store: Store, joined: Joined) -> tuple[Report, Workspace]:
@@ -106,7 +106,7 @@ def merged(settings: Settings, store: Store, joined: Joined) -> tuple[Report, Wo
 
     known = registry(settings)
 
-    def told(workspace: Workspace, past: Base | None) -> tuple[Testimony, Testimony | None]:
+    def recorded(workspace: Workspace, past: Base | None) -> tuple[Testimony, Testimony | None]:
         fits(
             joined,
             version=__version__,
@@ -117,7 +117,7 @@ def merged(settings: Settings, store: Store, joined: Joined) -> tuple[Report, Wo
         return _testimony(joined, HEAD), None if past is None else _testimony(joined, BASE)
 
     try:
-        return analyse(settings, store, told=told)
+        return analyse(settings, store, recorded=recorded)
     except Unanswered as err:
         what = f"{err.path} ({err.tool})" if err.path else err.tool
         raise ShardError(f"no shard has answered for {what}", help=ANEW) from err

@@ -113,12 +113,12 @@ def compute(source: str, scopes: Scopes) -> object:
     try:
         return Evaluation(_Roslaunch(scopes)).value(tree)
     except NotFollowed as err:
-        said = err.said or f"uses {type(err.node).__name__}, which is not interpreted"
-        raise Undecided(f"$(eval ...) {said}") from err
+        reason = err.said or f"uses {type(err.node).__name__}, which is not interpreted"
+        raise Undecided(f"$(eval ...) {reason}") from err
     except TooMuch as err:
         is_deep = err.what == "depth"
-        said = "is nested too deeply to follow" if is_deep else "makes a value too large to follow"
-        raise Undecided(f"$(eval ...) {said}") from err
+        reason = "is nested too deeply to follow" if is_deep else "makes a value too large to follow"
+        raise Undecided(f"$(eval ...) {reason}") from err
     except (ArithmeticError, TypeError, ValueError, LookupError, AttributeError) as err:
         raise Wrong(f"Python stops with {type(err).__name__}; check the types, args are converted as 'auto'") from err
 

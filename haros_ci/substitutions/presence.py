@@ -119,9 +119,9 @@ class Arguments:
 
     def order(self, names: Iterable[str], first: Iterable[str]) -> list[str]:
         """*names*, those that are told *first* first, the others as they are declared."""
-        wanted, ahead = set(names), [name for name in dict.fromkeys(first) if name in self.known]
-        ordered = [name for name in ahead if name in wanted]
-        return ordered + [name for name in self.known if name in wanted and name not in ordered]
+        needed, ahead = set(names), [name for name in dict.fromkeys(first) if name in self.known]
+        ordered = [name for name in ahead if name in needed]
+        return ordered + [name for name in self.known if name in needed and name not in ordered]
 
     def current(self, name: str, assumed: Assumed) -> Text:
         """The value that argument *name* has now."""
@@ -252,19 +252,19 @@ def compared_with(expression: str) -> frozenset[str] | None:
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return None if OTHER in expression else frozenset()
     found: set[str] = set()
-    told = 0
+    outside = 0
     for node in ast.walk(tree):
         if not isinstance(node, ast.Compare):
             continue
         sides = [node.left, *node.comparators]
         if not all(isinstance(op, (ast.Eq, ast.NotEq, ast.In, ast.NotIn)) for op in node.ops):
             continue
-        told += sum(1 for side in sides if _text(side) == OTHER)
+        outside += sum(1 for side in sides if _text(side) == OTHER)
         if any(_text(side) == OTHER for side in sides):
             for side in sides:
                 items = side.elts if isinstance(side, (ast.List, ast.Tuple, ast.Set)) else [side]
                 found.update(text for item in items if (text := _text(item)) is not None and text != OTHER)
-    return frozenset(found) if told == expression.count(OTHER) else None
+    return frozenset(found) if outside == expression.count(OTHER) else None
 
 
 def _text(node: ast.expr) -> str | None:

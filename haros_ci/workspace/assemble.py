@@ -60,7 +60,7 @@ def assemble(
     executables: Iterable[str] | None = None,
     elsewhere: Path | None = None,
     differs: Callable[[str], bool] | None = None,
-    asked: Iterable[str] = (),
+    requested: Iterable[str] = (),
 ) -> Workspace:
     """Hash and examine *contents* one by one (they may be a generator), parse manifests, sort everything.
 
@@ -129,7 +129,7 @@ def assemble(
     return Workspace(
         root=root,
         packages=tuple(sorted((package for package, _ in packages.values()), key=lambda p: (p.path, p.name))),
-        files=_owned(sorted(files, key=lambda file: file.path), owners, ThirdParty(names, owners, asked)),
+        files=_owned(sorted(files, key=lambda file: file.path), owners, ThirdParty(names, owners, requested)),
         reader=TextReader(root, listed, max_file_size, elsewhere),
         targets=None
         if targets is None

@@ -72,19 +72,19 @@ def base_workspace(
         links: dict[str, Blob] = {}
         tree = read_tree(repository, commit, workspace, links)
         scope = _scope(workspace, paths, tree)
-        wanted = select(tree, scope, Excludes(exclude), also)
+        selected = select(tree, scope, Excludes(exclude), also)
         aliases = read_links(tree, {c.path: links[c.path] for c in select(links, scope, Excludes(exclude))})
-        with scratch_directory(sum(tree[candidate.path].size for candidate in wanted)) as place:
+        with scratch_directory(sum(tree[candidate.path].size for candidate in selected)) as place:
             directory = place / "base"
             directory.mkdir()
-            renames = find_renames(place, root, *_moved(tree, wanted, workspace))
-            copied = _copy_settings(workspace, directory, wanted) if trusted else []
-            settings = None if trusted else _settings(workspace, repository, tree, wanted, max_file_size)
+            renames = find_renames(place, root, *_moved(tree, selected, workspace))
+            copied = _copy_settings(workspace, directory, selected) if trusted else []
+            settings = None if trusted else _settings(workspace, repository, tree, selected, max_file_size)
             manifests = [Candidate(path, "package") for path in manifests_above(scope) if path in tree]
             base = assemble(
                 directory,
-                chain(write_contents(directory, read_blobs(tree, wanted, max_file_size)), aliases),
-                listed=[*(candidate.path for candidate in wanted), *copied],
+                chain(write_contents(directory, read_blobs(tree, selected, max_file_size)), aliases),
+                listed=[*(candidate.path for candidate in selected), *copied],
                 problems=(),
                 targets=_targets(workspace, tree, renames),
                 context=[c for c in read_blobs(tree, manifests, max_file_size) if isinstance(c, Content)],
@@ -93,7 +93,7 @@ def base_workspace(
                 names=tree,
                 executables=(path for path, blob in tree.items() if blob.executable),
                 elsewhere=root,
-                asked=scope.directories,
+                requested=scope.directories,
             )
             yield Base(replace(base, settings=settings), commit, renames, settings)
     except GitError as err:
@@ -146,11 +146,11 @@ def _scope(workspace: Workspace, paths: tuple[str, ...], tree: dict[str, Blob]) 
     return replace(present, files=tuple(path for path in present.files if path in tree))
 
 
-def _moved(tree: dict[str, Blob], wanted: list[Candidate], workspace: Workspace) -> tuple[dict[str, Blob], list[str]]:
+def _moved(tree: dict[str, Blob], selected: list[Candidate], workspace: Workspace) -> tuple[dict[str, Blob], list[str]]:
     """What is in the base alone, and what is in the work tree alone."""
     present = {file.path for file in workspace.files}
-    gone = [c.path for c in wanted if c.path not in present and unusable_name(c.path) is None]
-    deleted = {path: tree[path] for path in gone if not os.path.lexists(workspace.root / path)}
+    removed = [c.path for c in selected if c.path not in present and unusable_name(c.path) is None]
+    deleted = {path: tree[path] for path in removed if not os.path.lexists(workspace.root / path)}
     return deleted, sorted(present - tree.keys())
 
 
@@ -190,10 +190,10 @@ def _holds(path: Path, data: bytes) -> bool:
         return False
 
 
-def _copy_settings(workspace: Workspace, directory: Path, wanted: list[Candidate]) -> list[str]:
+def _copy_settings(workspace: Workspace, directory: Path, selected: list[Candidate]) -> list[str]:
     """Copy tools' settings from the present workspace to where they apply in the base; returns their paths."""
     copied = []
-    for parent in sorted(_directories(wanted)):
+    for parent in sorted(_directories(selected)):
         for name in TOOL_SETTINGS:
             path = f"{parent}/{name}" if parent else name
             text = workspace.setting(path)
@@ -205,18 +205,18 @@ def _copy_settings(workspace: Workspace, directory: Path, wanted: list[Candidate
 
 
 def _settings(
-    workspace: Workspace, repository: Repository, tree: dict[str, Blob], wanted: list[Candidate], limit: int
+    workspace: Workspace, repository: Repository, tree: dict[str, Blob], selected: list[Candidate], limit: int
 ) -> BaseSettings:
     """The settings of the base revision that *tree* is of."""
     root, top = workspace.root, repository.top
     below = f"{top.relative_to(root).as_posix()}/" if top != root and top.is_relative_to(root) else ""
-    return BaseSettings(tree, _directories(wanted), limit, workspace.settings or workspace.reader, below)
+    return BaseSettings(tree, _directories(selected), limit, workspace.settings or workspace.reader, below)
 
 
-def _directories(wanted: list[Candidate]) -> set[str]:
+def _directories(selected: list[Candidate]) -> set[str]:
     """The directories of what is *wanted*, and all above them; the root is ""."""
     directories = {""}
-    for candidate in wanted:
+    for candidate in selected:
         parent = candidate.path.rpartition("/")[0]
         while parent not in directories:
             directories.add(parent)

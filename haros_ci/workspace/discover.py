@@ -71,7 +71,7 @@ def discover(
         max_file_size=max_file_size,
         executables=executables if executables or listing.is_tracked else None,
         differs=None if change is None else change.has_changed,
-        asked=scope.directories,
+        requested=scope.directories,
     )
     if change is not None:
         workspace = change.told(workspace, candidates, scope, excludes)

@@ -41,5 +41,8 @@ def says_generated(language: str, data: bytes) -> bool:
     if comment is None or b"enerated" not in head and b"will be lost" not in head:
         return False
     match = comment.match(head.decode("utf-8", "replace"))
-    said = _SAYS.search(match[0]) if match is not None else None
-    return said is not None and _NOT.search(said.string[max(said.start() - 12, 0) : said.start()]) is None
+    found_match = _SAYS.search(match[0]) if match is not None else None
+    return (
+        found_match is not None
+        and _NOT.search(found_match.string[max(found_match.start() - 12, 0) : found_match.start()]) is None
+    )

@@ -155,8 +155,8 @@ class Change:
             if added := [name for name in names if prefix + name in self.tracked and prefix + name not in self.base]:
                 return f"{prefix}{added[0]} does not count, as the base revision does not have it"
             listed = set(self.listed)
-            if gone := [n for n in sorted(IGNORED_WITHOUT) if prefix + n in self.base and prefix + n not in listed]:
-                return f"it stays a directory of sources, though {prefix}{gone[0]} is gone"
+            if removed := [n for n in sorted(IGNORED_WITHOUT) if prefix + n in self.base and prefix + n not in listed]:
+                return f"it stays a directory of sources, though {prefix}{removed[0]} is gone"
         return "it stays a directory of sources, though it looks like the output of a build now"
 
     def _notes(self, chosen: Iterable[Candidate], scope: Scope, excludes: Excludes) -> Iterator[Problem]:

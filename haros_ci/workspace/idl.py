@@ -53,8 +53,8 @@ class _Reader:
         self.at += 1
         return token
 
-    def take(self, *wanted: str) -> None:
-        for item in wanted:
+    def take(self, *names: str) -> None:
+        for item in names:
             if self.next() != item:
                 raise _Other
 
@@ -69,10 +69,10 @@ def read_idl(text: str, name: str, kind: str) -> tuple[tuple[InterfaceField, ...
         reader = _Reader(_tokens(text))
         while reader.peek():
             _module(reader, "")
-        wanted = [f"{name}{part}" for part in _PARTS[kind]]
-        if set(reader.structs) != set(wanted) or not reader.constants.keys() <= set(wanted):
+        names = [f"{name}{part}" for part in _PARTS[kind]]
+        if set(reader.structs) != set(names) or not reader.constants.keys() <= set(names):
             return None
-        return tuple((*reader.constants.get(item, ()), *reader.structs[item]) for item in wanted)
+        return tuple((*reader.constants.get(item, ()), *reader.structs[item]) for item in names)
     except (_Other, ValueError):
         return None
 

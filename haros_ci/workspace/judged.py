@@ -39,14 +39,14 @@ class Judged(ABC):
 
     def among(self, paths: Collection[str]) -> frozenset[str]:
         """Those of *paths* that are of the kind."""
-        asked = sorted(set(paths) - self._known.keys())
-        files = [self._files[path] for path in asked if path in self._files] if self._is_known else []
+        undecided = sorted(set(paths) - self._known.keys())
+        files = [self._files[path] for path in undecided if path in self._files] if self._is_known else []
         left = set(self._judge(files)) if files else set()
         if left and self._before is not None:
             olds = {path: self._olds.get(path, path) for path in left}
             known = self._before.among(olds.values())
             left = {path for path in left if olds[path] in known}
-        self._known.update((path, path in left) for path in asked)
+        self._known.update((path, path in left) for path in undecided)
         return frozenset(path for path in paths if self._known[path])
 
     @cached_property

@@ -98,7 +98,9 @@ def copied_library(path: str, language: str, data: bytes) -> str:
     if language not in _ANY or _ANY[language].fullmatch(name) is None or data.count(b"\n") < SHORTEST:
         return ""
     comment = re.sub(r"[\s#]+", " ", leading_comment(language, data))
-    return next((own for names, says, own in _KNOWN[language] if names.fullmatch(name) and says.search(comment)), "")
+    return next(
+        (own for names, pattern, own in _KNOWN[language] if names.fullmatch(name) and pattern.search(comment)), ""
+    )
 
 
 def is_of_project(library: str, package: str | None) -> bool:

@@ -19,20 +19,20 @@ def read_manifest(data: bytes) -> Manifest:
         parse_xml(data)  # refuses what must not be read
     except XmlError:
         return Manifest()
-    said = _said(data)
-    addresses = {attributes.get("type", "website"): text for tag, attributes, text in said if tag == "url"}
+    elements = _said(data)
+    addresses = {attributes.get("type", "website"): text for tag, attributes, text in elements if tag == "url"}
     return Manifest(
-        description=next((text for tag, _, text in said if tag == "description"), ""),
-        authors=_people(said, "author"),
-        maintainers=_people(said, "maintainer"),
+        description=next((text for tag, _, text in elements if tag == "description"), ""),
+        authors=_people(elements, "author"),
+        maintainers=_people(elements, "maintainer"),
         website=addresses.get("website", ""),
         repository=addresses.get("repository", ""),
         bugtracker=addresses.get("bugtracker", ""),
     )
 
 
-def _people(said: Iterable[Said], tag: str) -> tuple[str, ...]:
-    return tuple(dict.fromkeys(text for own, _, text in said if own == tag and text))[:MOST_PEOPLE]
+def _people(elements: Iterable[Said], tag: str) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(text for own, _, text in elements if own == tag and text))[:MOST_PEOPLE]
 
 
 def _said(data: bytes) -> list[Said]:

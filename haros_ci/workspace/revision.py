@@ -77,13 +77,13 @@ def revisions(
         nothing = Workspace(root, (), (), TextReader(root, (), max_file_size))
         links: tuple[dict[str, Blob], dict[str, Blob]] = ({}, {})
         trees = read_tree(repository, old, nothing, links[0]), read_tree(repository, new, nothing, links[1])
-        wanted = [_wanted(tree, paths, exclude) for tree in trees]
-        size = sum(tree[c.path].size for tree, found in zip(trees, wanted, strict=True) for c in found)
+        selected = [_wanted(tree, paths, exclude) for tree in trees]
+        size = sum(tree[c.path].size for tree, found in zip(trees, selected, strict=True) for c in found)
         with scratch_directory(size) as scratch:
             made = [
                 _workspace(scratch / name, root.name, tree, found, tuple(aliases), paths, max_file_size)
                 for name, tree, found, aliases in zip(
-                    ("base", "head"), trees, wanted, map(read_links, trees, links), strict=True
+                    ("base", "head"), trees, selected, map(read_links, trees, links), strict=True
                 )
             ]
             yield Revisions(made[0], made[1], old, new, _renames(scratch, made[0], made[1], trees))
@@ -112,7 +112,7 @@ def _workspace(
     directory: Path,
     name: str,
     tree: dict[str, Blob],
-    wanted: list[Candidate],
+    selected: list[Candidate],
     links: tuple[Alias, ...],
     paths: tuple[str, ...],
     limit: int,
@@ -122,8 +122,8 @@ def _workspace(
     above = [Candidate(path, "package") for path in manifests_above(_scope(tree, paths)) if path in tree]
     return assemble(
         directory,
-        chain(write_contents(directory, read_blobs(tree, wanted, limit)), links),
-        listed=[candidate.path for candidate in wanted],
+        chain(write_contents(directory, read_blobs(tree, selected, limit)), links),
+        listed=[candidate.path for candidate in selected],
         problems=(),
         targets=None,
         context=[c for c in read_blobs(tree, above, limit) if isinstance(c, Content)],

@@ -312,8 +312,8 @@ class _Reader:
             return ()
         scripts: ast.expr | None = node
         if isinstance(node, ast.Dict):
-            wanted = [v for k, v in zip(node.keys, node.values, strict=True) if is_constant(k, "console_scripts")]
-            scripts = wanted[0] if wanted else None
+            sections = [v for k, v in zip(node.keys, node.values, strict=True) if is_constant(k, "console_scripts")]
+            scripts = sections[0] if sections else None
             if scripts is None:
                 return ()
         value = self.value(scripts) if scripts is not None else MISSING

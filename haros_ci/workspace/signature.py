@@ -41,12 +41,12 @@ def signature(
 
 def changes(before: Signature, now: Signature) -> tuple[tuple[str, str], ...]:
     """The paths that differ, sorted, each with ``changed``, ``new`` or ``gone``."""
-    said = []
+    changed = []
     for path in sorted({*before, *now}):
         old, new = before.get(path), now.get(path)
         if old != new:
-            said.append((path, "new" if old is None else "gone" if new is None else "changed"))
-    return tuple(said)
+            changed.append((path, "new" if old is None else "gone" if new is None else "changed"))
+    return tuple(changed)
 
 
 def _is_in(path: str, places: set[str]) -> bool:

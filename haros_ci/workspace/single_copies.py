@@ -155,13 +155,13 @@ def _owner(head: str) -> frozenset[str]:
 
 def _licences(head: str) -> frozenset[str]:
     plain = re.sub(r"[\s#*/]+", " ", head)
-    return frozenset(name for name, says in _LICENCES.items() if says.search(plain))
+    return frozenset(name for name, pattern in _LICENCES.items() if pattern.search(plain))
 
 
 def _first_licence(head: str) -> frozenset[str]:
     """The licence that *head* names first: others may be in its history."""
     plain = re.sub(r"[\s#*/]+", " ", head)
-    places = {name: found.start() for name, says in _LICENCES.items() if (found := says.search(plain))}
+    places = {name: found.start() for name, pattern in _LICENCES.items() if (found := pattern.search(plain))}
     return frozenset(sorted(places, key=lambda name: places[name])[:1])
 
 

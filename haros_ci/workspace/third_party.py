@@ -23,14 +23,14 @@ class ThirdParty:
     package has its licence at its root. So does one that is a release by its name and files, or the tree of a well-known library. A directory that a run is *asked* about, and those around it, are none for that run.
     """
 
-    def __init__(self, names: Iterable[str], packages: Mapping[str, str], asked: Iterable[str] = ()) -> None:
+    def __init__(self, names: Iterable[str], packages: Mapping[str, str], requested: Iterable[str] = ()) -> None:
         names = tuple(names)
         self._licensed = {_directory(name) for name in names if _is_licence(name.rpartition("/")[2])}
         self._packages = frozenset(packages)
         self._trees = library_trees(names, packages)
         self._copies = self._trees | releases(names, self._licensed, packages)
         self._known: dict[str, str] = {".": ""}
-        for directory in asked:
+        for directory in requested:
             while directory not in self._known:
                 self._known[directory] = ""
                 directory = _directory(directory)

@@ -45,17 +45,17 @@ class Unused(Judged):
         return {*self._uncompiled(files), *self._unnamed(files)}
 
     def _uncompiled(self, files: Iterable[SourceFile]) -> list[str]:
-        asked: dict[str, list[str]] = defaultdict(list)
+        paths_by_package: dict[str, list[str]] = defaultdict(list)
         for file in files:
             if file.package and file.path.endswith(SUFFIXES):
-                asked[file.package].append(file.path)
-        if not asked:
+                paths_by_package[file.package].append(file.path)
+        if not paths_by_package:
             return []
         from haros_ci.workspace.build import build_of  # most runs have no finding to ask for
 
         packages = {package.name: package for package in reversed(self._workspace.packages)}
         left: list[str] = []
-        for name, paths in asked.items():
+        for name, paths in paths_by_package.items():
             package = packages[name]
             inside = "" if package.path == "." else f"{package.path}/"
             own = [path for path in self._workspace.names if path.startswith(inside)]
@@ -79,8 +79,8 @@ class Unused(Judged):
 
     def _unnamed(self, files: Iterable[SourceFile]) -> list[str]:
         """The Python modules among *files* that are superseded copies and that only their own files name."""
-        asked = [file for file in files if file.language == "python" and self._may_be_left(file)]
-        stems = {file.path: _stem(file.path) for file in asked}
+        candidates = [file for file in files if file.language == "python" and self._may_be_left(file)]
+        stems = {file.path: _stem(file.path) for file in candidates}
         for other in self._by_order if stems else ():
             text = self._workspace.text(other.path)
             if other.language in ("python", "launch", "setup", "cmake") and _DYNAMIC.search(text):
