@@ -54,14 +54,14 @@ def _of_constructor(project: Project, made: list[Callback]) -> Iterator[Finding]
     statements = maker.function.body or ()
     if maker.is_test or len(statements) > _MANY or _BY_NAME.search(project.text(maker.path)):
         return
-    given = _given(code, maker)
+    available = _given(code, maker)
     for callback in made[:_CALLBACKS]:
-        late = _late(code, callback, statements, given)
+        late = _late(code, callback, statements, available)
         if late is not None:
             yield _finding(project, late)
 
 
-def _late(code: Codebase, callback: Callback, statements: syntax.Block, given: frozenset[str]) -> _Late | None:
+def _late(code: Codebase, callback: Callback, statements: syntax.Block, available: frozenset[str]) -> _Late | None:
     maker, routine = callback.maker, callback.routine
     ros = code.ros_of(maker.source)
     at = next(
@@ -77,7 +77,7 @@ def _late(code: Codebase, callback: Callback, statements: syntax.Block, given: f
     before = _made(code, maker, statements[: at + 1])
     read = _read_first(routine)
     sets = [_sets(statement) if isinstance(statement, syntax.Do) else set() for statement in statements[at + 1 :]]
-    names = [name for name in read if name not in before | given and any(name in group for group in sets)]
+    names = [name for name in read if name not in before | available and any(name in group for group in sets)]
     if not names:
         return None
     last = max(n for n, group in enumerate(sets) if group & {*names})

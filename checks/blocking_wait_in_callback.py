@@ -102,8 +102,8 @@ def _cpp(code: Codebase, reached: Reached, call: Call) -> str | None:
 
 def _request(code: Codebase, routine: Routine, call: Call) -> str:
     """The method that made the future which *call* waits for; those of requests of services where that is not seen."""
-    for given in call.args[1:2]:
-        made: syntax.Expression | None = given
+    for argument in call.args[1:2]:
+        made: syntax.Expression | None = argument
         if isinstance(made, syntax.Name):
             local = variable(code, routine, made.name)
             made = local[1].value if isinstance(local, tuple) and len(local) == 2 else None

@@ -30,8 +30,8 @@ def _name_spaces(package: ProjectPackage, path: str, name: str) -> Iterator[Find
     calls = list(_GENERATE.finditer(text))
     if path not in listed or len(calls) != 1:
         return
-    given = calls[0]
-    assigned = re.findall(_ASSIGNED.format(re.escape(given[2])), text, re.MULTILINE) if given[2] else [given[1]]
+    call = calls[0]
+    assigned = re.findall(_ASSIGNED.format(re.escape(call[2])), text, re.MULTILINE) if call[2] else [call[1]]
     other = assigned[0] if len(assigned) == 1 else package.name
     if other == package.name or project.package(other) is not None or project.knowledge.is_known(other):
         return
@@ -46,7 +46,7 @@ def _name_spaces(package: ProjectPackage, path: str, name: str) -> Iterator[Find
         line = code.count("\n", 0, found.start()) + 1
         message = f"includes {header}" if includes else f"uses {package.name}::{name}Config"
         yield Finding(
-            at=Location(path, text.count("\n", 0, given.start()) + 1),
+            at=Location(path, text.count("\n", 0, call.start()) + 1),
             message=f"{posixpath.basename(path)} generates {name}Config for the package {other}, but it belongs to {package.name}: the header is "
             f"{right}, with the class in the name space {other}, and {file.path} {message}, so that it does not build; write "
             f'"{package.name}" as the package, and in the code {right} and {package.name}::{name}Config',

@@ -83,7 +83,7 @@ def _uses_tf2(package: str, ros: int, system: System) -> bool:
 
 
 def _parameters(system: System) -> Iterator[Finding]:
-    given = {parameter.name: parameter for parameter in system.parameters if _PARAMETER.search(parameter.name)}
+    by_name = {parameter.name: parameter for parameter in system.parameters if _PARAMETER.search(parameter.name)}
     readers: dict[str, SystemNode] = {}
     places: dict[str, set[Location]] = {}
     for end in system.ends:
@@ -96,10 +96,10 @@ def _parameters(system: System) -> Iterator[Finding]:
             if not end.known or not _PARAMETER.search(end.name):
                 continue
             readers.setdefault(end.name, node)
-            is_default = end.name not in given and end.in_source and _is_frame(end.raw.value)
+            is_default = end.name not in by_name and end.in_source and _is_frame(end.raw.value)
             if is_default and not _is_stripped(system, places[end.name]):
                 yield _finding(end.location, end.raw.value, f"the parameter {end.name}", node)
-    for name, parameter in given.items():
+    for name, parameter in by_name.items():
         owner = readers.get(name) or _owner(name, system)
         place = parameter.origin or parameter.location
         is_told = owner is not None and place is not None and _is_frame(parameter.value) and not parameter.unknowns

@@ -138,9 +138,9 @@ def _values(project: Project, causes: Causes) -> Iterator[Finding]:
 
 def _given(system: System) -> Iterator[tuple[Location, str, str, str]]:
     """Place, name, node and full name of each value that no node takes (ROS 2)."""
-    for given in system.given:
-        if given.place not in system.taken and given.place not in system.whole.taken:
-            yield given.at, given.key, given.node.name, f"{given.node.name}:{given.key}"
+    for parameter in system.given:
+        if parameter.place not in system.taken and parameter.place not in system.whole.taken:
+            yield parameter.at, parameter.key, parameter.node.name, f"{parameter.node.name}:{parameter.key}"
 
 
 def _set(system: System) -> Iterator[tuple[Location, str, str, str]]:
@@ -166,7 +166,7 @@ def _displays(project: Project) -> Iterator[Finding]:
     }
     if not changes:
         return
-    given = {channel.name for system in project.systems for channel in system.topics if channel.givers}
+    published = {channel.name for system in project.systems for channel in system.topics if channel.givers}
     vague = {new.name for old, new in both(project) if has_unseen(new, old)}
     for path in sorted(project.workspace.names):
         if not path.endswith(".rviz"):
@@ -174,7 +174,7 @@ def _displays(project: Project) -> Iterator[Finding]:
         for number, line in enumerate(project.text(path)[:MAX_RVIZ].splitlines(), 1):
             match = _RVIZ.match(line)
             change = changes.get(match[1]) if match else None
-            if match and change is not None and match[1] not in given and vague.isdisjoint(change.configurations):
+            if match and change is not None and match[1] not in published and vague.isdisjoint(change.configurations):
                 yield Finding(
                     at=Location(path, number),
                     message=f"rviz still displays {match[1]}, which was {change_said(change, match[1])}: the display stays empty; "

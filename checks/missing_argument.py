@@ -116,8 +116,8 @@ def _of_method(code: Codebase, routine: Routine, call: Call) -> Iterator[Finding
         yield from _lacking(routine, call, call.name, required)
 
 
-def _topic(given: syntax.Expression) -> str:
-    return given.value if isinstance(given, syntax.String) else syntax.name_of(given)
+def _topic(argument: syntax.Expression) -> str:
+    return argument.value if isinstance(argument, syntax.String) else syntax.name_of(argument)
 
 
 def _is_defined(code: Codebase, name: str, separator: str = ".") -> bool:
@@ -171,11 +171,11 @@ def _of_cpp(code: Codebase, routine: Routine, call: Call) -> Iterator[Finding]:
         return
     if own_method(code, routine, call) or _is_defined(code, call.name, "::"):
         return
-    given = call.args[-1]
-    is_callback = isinstance(given, syntax.Lambda) or (
-        isinstance(given, syntax.Call) and last_part(given.callee) == "bind"
+    argument = call.args[-1]
+    is_callback = isinstance(argument, syntax.Lambda) or (
+        isinstance(argument, syntax.Call) and last_part(argument.callee) == "bind"
     )
-    if not isinstance(given, syntax.String) if not is_subscription else not is_callback:
+    if not isinstance(argument, syntax.String) if not is_subscription else not is_callback:
         return
     where = "between the topic and the callback" if is_subscription else "after the topic"
     yield Finding(

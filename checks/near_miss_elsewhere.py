@@ -43,10 +43,10 @@ def check(project: Project) -> Iterator[Finding]:
             is_alone = (
                 len(givers_of_type) == len(takers_of_type) == 1 and project.package(type_.partition("/")[0]) is not None
             )
-            for given in givers_of_type:
+            for givers_here in givers_of_type:
                 for taken in takers_of_type:
-                    if _is_meant(graph, given, taken, is_alone):
-                        yield _finding(given, taken)
+                    if _is_meant(graph, givers_here, taken, is_alone):
+                        yield _finding(givers_here, taken)
 
 
 def _lonely(graph: WholeGraph, kind: str, other: str) -> dict[str, list[Ends]]:
@@ -63,24 +63,24 @@ def _lonely(graph: WholeGraph, kind: str, other: str) -> dict[str, list[Ends]]:
     return found
 
 
-def _is_meant(graph: WholeGraph, given: Ends, taken: Ends, is_alone: bool) -> bool:
+def _is_meant(graph: WholeGraph, givers: Ends, taken: Ends, is_alone: bool) -> bool:
     """Whether the two names are one: a slip of the pen; or the same in another namespace, where nothing else comes into question."""
-    if {name for _, name in given} & {name for _, name in taken}:
+    if {name for _, name in givers} & {name for _, name in taken}:
         return False  # near-miss-name tells of one launch file
-    giver, taker = given[0][0], taken[0][0]
+    giver, taker = givers[0][0], taken[0][0]
     if giver.node.type == taker.node.type or not (giver.in_source and taker.in_source):
         return False
     one, other = giver.name.split("/"), taker.name.split("/")
     differing = [pair for pair in zip(one, other) if pair[0] != pair[1]]
     if len(one) == len(other) and len(differing) == 1 and is_slip(*differing[0]):
         return True
-    systems = {name for _, name in (*given, *taken)}
+    systems = {name for _, name in (*givers, *taken)}
     is_open = any(is_opaque(node) for name in systems for node in graph.systems[name].nodes)
     return is_alone and not is_open and is_moved(giver.name, taker.name)
 
 
-def _finding(given: Ends, taken: Ends) -> Finding:
-    (giver, giver_system), (taker, taker_system) = given[0], taken[0]
+def _finding(givers: Ends, taken: Ends) -> Finding:
+    (giver, giver_system), (taker, taker_system) = givers[0], taken[0]
     return Finding(
         at=named_at(taker),
         message=(

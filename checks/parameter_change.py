@@ -21,8 +21,8 @@ def check(project: Project) -> Iterator[Finding]:
 
 
 def _type(project: Project, change: Change, at: Location) -> Finding:
-    given = _given(project, change)
-    here = f", {len(given)} of them in this workspace" if given else ""
+    places = _given(project, change)
+    here = f", {len(places)} of them in this workspace" if places else ""
     return Finding(
         at=at,
         message=(
@@ -31,7 +31,7 @@ def _type(project: Project, change: Change, at: Location) -> Finding:
             "users"
         ),
         about=_about(change),
-        related=tuple((place, "a value is set here") for place in given[:SHOWN]),
+        related=tuple((place, "a value is set here") for place in places[:SHOWN]),
         level=Level.WARNING,
     )
 
@@ -44,9 +44,9 @@ def _default(project: Project, change: Change, at: Location) -> Iterator[Finding
         if not system.is_launched or system.name not in change.configurations:
             continue
         for node in system.nodes:
-            given = {parameter.key for parameter in node.given}
+            keys = {parameter.key for parameter in node.given}
             for end in node.of("parameters"):
-                if end.name in names and end.raw.location == change.head and end.name.partition(":")[2] not in given:
+                if end.name in names and end.raw.location == change.head and end.name.partition(":")[2] not in keys:
                     if not any(unknown.field in ("effective", "name") for unknown in end.raw.unknowns):
                         running.append((system.name, node))
     if not running:
@@ -71,10 +71,10 @@ def _given(project: Project, change: Change) -> list[Location]:
     """Where the parameter is given a value."""
     names = set(change.names)
     found = {
-        given.at: None
+        parameter.at: None
         for system in project.systems
-        for given in system.given
-        if f"{given.node.name}:{given.key}" in names
+        for parameter in system.given
+        if f"{parameter.node.name}:{parameter.key}" in names
     }
     return list(found)
 

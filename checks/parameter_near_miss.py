@@ -20,14 +20,16 @@ def check(system: System) -> Iterator[Finding]:
     reads = [end for end in system.ends if end.kind in ("getters", "setters") and end.node.ros == 1]
     vague = sorted({".*".join(map(re.escape, end.name.split("?"))) for end in reads if "?" in end.name})
     perhaps = re.compile("|".join(vague)) if vague else None
-    given = [parameter for parameter in system.parameters if "?" not in parameter.name and ":" not in parameter.name]
+    parameters = [
+        parameter for parameter in system.parameters if "?" not in parameter.name and ":" not in parameter.name
+    ]
     named = {part for end in reads for part in _around(end.name)}
     read = {end.name for end in reads}
-    used = {part for parameter in given for part in _around(parameter.name)}
-    names = {parameter.name for parameter in given}
+    used = {part for parameter in parameters for part in _around(parameter.name)}
+    names = {parameter.name for parameter in parameters}
     unread = [
         parameter
-        for parameter in given
+        for parameter in parameters
         if parameter.name not in named
         and not any(part in read for part in _around(parameter.name))
         and not (perhaps is not None and perhaps.fullmatch(parameter.name))
@@ -85,7 +87,7 @@ def _meant(end: End, spaces: Mapping[str, list[Parameter]], unread: list[Paramet
 
 
 def _finding(
-    end: End, given: Parameter, at: Location, others: tuple[tuple[End, Parameter, Location], ...] = ()
+    end: End, parameter: Parameter, at: Location, others: tuple[tuple[End, Parameter, Location], ...] = ()
 ) -> Finding:
     """The finding; *others* are parameters that are given in the same file with the same slip."""
     names = [name for name in dict.fromkeys(other.name for other, _, _ in others) if name != end.name]
@@ -94,21 +96,23 @@ def _finding(
     return Finding(
         at=at,
         message=(
-            f"{end.node} reads the parameter {end.name}, which is never set, while {given.name} is set, which no node "
+            f"{end.node} reads the parameter {end.name}, which is never set, while {parameter.name} is set, which no node "
             f"reads: the value has no effect; write {end.name}{likewise}"
         ),
-        about=(end, given.name, *names),
-        apart=(given.name, *(other.name for _, other, _ in others)),
+        about=(end, parameter.name, *names),
+        apart=(parameter.name, *(other.name for _, other, _ in others)),
         related=(
             (end.location, f"{end.name} is read here"),
-            *dict.fromkeys((place, f"{other.name} is set here") for _, other, place in others if other is not given),
+            *dict.fromkeys(
+                (place, f"{other.name} is set here") for _, other, place in others if other is not parameter
+            ),
         ),
     )
 
 
-def _is_sure(given: Parameter, system: System) -> bool:
+def _is_sure(parameter: Parameter, system: System) -> bool:
     """Whether nobody can read it who is not seen to: its node is complete, or for a shared one all are."""
-    owners = [node for node in system.nodes if given.name.startswith(f"{node.name}/")]
+    owners = [node for node in system.nodes if parameter.name.startswith(f"{node.name}/")]
     return all(_is_read_through(node) for node in (owners or system.nodes))
 
 

@@ -46,12 +46,12 @@ def check(system: System) -> Iterator[Finding]:
         )
 
 
-def _section(given: Given) -> str:
+def _section(parameter: Given) -> str:
     """The section of the key in which the node declares nothing at all; "" if there is none."""
-    parts = given.key.split(".")
+    parts = parameter.key.split(".")
     for count in range(1, len(parts)):
         head = ".".join(parts[:count])
-        if head not in given.node.names.sections:
+        if head not in parameter.node.names.sections:
             return head
     return ""
 
@@ -63,27 +63,27 @@ def _is_spare(node: SystemNode, section: str) -> bool:
     return bool(found) and not any(is_slip(last, text) for text in found)
 
 
-def _meant(given: Given) -> str:
+def _meant(parameter_given: Given) -> str:
     """A parameter of the node that nothing else gives, and that is called nearly the same."""
-    own = {parameter.key for parameter in given.node.given}
-    return near(given.key, [name for name in given.node.names.declared if name not in own]) or ""
+    own = {parameter.key for parameter in parameter_given.node.given}
+    return near(parameter_given.key, [name for name in parameter_given.node.names.declared if name not in own]) or ""
 
 
-def _finding(given: Given, section: str, keys: Sequence[str]) -> Finding:
-    node = given.node
-    meant = _meant(given) if len(keys) == 1 else ""
+def _finding(parameter: Given, section: str, keys: Sequence[str]) -> Finding:
+    node = parameter.node
+    meant = _meant(parameter) if len(keys) == 1 else ""
     if len(keys) == 1:
         what = f"is given the parameter {keys[0]}, but {node.type} does not declare it"
     else:
         names = ", ".join(key.removeprefix(f"{section}.") for key in keys[:4]) + (", …" if len(keys) > 4 else "")
         what = f"is given {len(keys)} parameters below {section} that {node.type} does not declare ({names})"
     return Finding(
-        at=given.at,
+        at=parameter.at,
         message=f"{node} {what}: the value has no effect"
         + (f"; did you mean {meant}?" if meant else "; correct the name, or remove it"),
         about=(node, section if len(keys) > 1 else keys[0]),
-        flow=((given.tag, f"{node} is given the parameters"), (given.at, "this one is not declared")),
-        presence=given.presence,
+        flow=((parameter.tag, f"{node} is given the parameters"), (parameter.at, "this one is not declared")),
+        presence=parameter.presence,
     )
 
 

@@ -41,8 +41,8 @@ def _declared(system: System) -> Iterator[Finding]:
             files = _files(node)
             shared = f"set it in {files[0]}" if len(files) == 1 else "set it in one of the files that they share"
             where = shared if alike else "set it here"
-            given = {parameter.key for parameter in node.given}
-            meant = near(keys[0], [key for key in given if key not in node.names.declared])
+            in_file = {parameter.key for parameter in node.given}
+            meant = near(keys[0], [key for key in in_file if key not in node.names.declared])
             yield Finding(
                 at=node.location,
                 message=(
@@ -65,12 +65,12 @@ def _lacking(node: SystemNode) -> list[tuple[str, End]]:
     """What a node of ROS 2 declares without a value and does not get."""
     if node.ros != 2 or not node.is_launched or not node.known or node.raw.conditions:
         return []
-    given = {parameter.key for parameter in node.given}
+    keys = {parameter.key for parameter in node.given}
     return [
         (key, end)
         for key, ends in node.names.declared.items()
         for end in ends
-        if key not in given and _is_needed(end, key) and not node.names.set.get(key)
+        if key not in keys and _is_needed(end, key) and not node.names.set.get(key)
     ]
 
 
@@ -111,14 +111,14 @@ def _read(system: System) -> Iterator[Finding]:
         if missing:
             keys = list(missing)
             end = missing[keys[0]]
-            given = [
+            configured = [
                 parameter.name.removeprefix(begin)
                 for parameter in system.parameters
                 if parameter.name.startswith(begin)
             ]
             meant = near(
                 keys[0],
-                [item for item in given if item not in {e.name.removeprefix(begin) for e in node.ends}],
+                [item for item in configured if item not in {e.name.removeprefix(begin) for e in node.ends}],
                 dot="/",
             )
             effect = (
@@ -210,12 +210,12 @@ def _is_given(system: System, node: SystemNode, key: str) -> bool:
     if "?" in node.name or f"_{key}:=" in node.raw.arguments or "?" in node.raw.arguments or "$(" in node.raw.arguments:
         return True
     for parameter in system.parameters:
-        given = parameter.name
-        if "?" in given:
-            shape = ".*".join(map(re.escape, given.split("?")))
-            if re.fullmatch(shape, name) or name.startswith(given.partition("?")[0]):
+        other_name = parameter.name
+        if "?" in other_name:
+            shape = ".*".join(map(re.escape, other_name.split("?")))
+            if re.fullmatch(shape, name) or name.startswith(other_name.partition("?")[0]):
                 return True
-        elif given == name or name.startswith(f"{given.rstrip('/')}/") or given.startswith(f"{name}/"):
+        elif other_name == name or name.startswith(f"{other_name.rstrip('/')}/") or other_name.startswith(f"{name}/"):
             return True
     return any(end.name == name or "?" in end.name for end in system.ends if end.kind == "setters")
 

@@ -33,11 +33,11 @@ def check(system: System) -> Iterator[Finding]:
         )
 
 
-def _owner(given: Parameter, nodes: dict[str, SystemNode]) -> SystemNode | None:
+def _owner(parameter: Parameter, nodes: dict[str, SystemNode]) -> SystemNode | None:
     """The node whose private parameter it is, if it is one that a library does not read."""
-    if "?" in given.name or given.name.rpartition("/")[2] in OF_LIBRARIES:
+    if "?" in parameter.name or parameter.name.rpartition("/")[2] in OF_LIBRARIES:
         return None
-    return next((nodes[space] for space in _around(given.name) if space in nodes and space != given.name), None)
+    return next((nodes[space] for space in _around(parameter.name) if space in nodes and space != parameter.name), None)
 
 
 def _around(name: str) -> Iterator[str]:

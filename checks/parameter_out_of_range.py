@@ -13,26 +13,26 @@ def check(system: System) -> Iterator[Finding]:
         for key, ends in node.names.declared.items() if node.ros == 2 else ():
             if all(end.raw.range is None for end in ends):
                 continue
-            given = [parameter for parameter in node.given if parameter.key == key]
-            for parameter in given:
+            parameters = [parameter for parameter in node.given if parameter.key == key]
+            for parameter in parameters:
                 if not _differ(ends) and parameter.type == ends[0].type:
                     yield from _judged(ends[0], key, parameter.value, parameter)
-            for end in ends if not given else ():
+            for end in ends if not parameters else ():
                 yield from _judged(end, key, end.raw.value, None)
 
 
-def _judged(end: End, key: str, value: object, given: Given | None) -> Iterator[Finding]:
+def _judged(end: End, key: str, value: object, parameter: Given | None) -> Iterator[Finding]:
     problem = _outside(end, value)
     if problem:
         yield Finding(
-            at=given.at if given else end.location,
+            at=parameter.at if parameter else end.location,
             message=(
-                f"{end.node} {('is given' if given else 'declares by default')} {value} for the parameter {key}, {problem}: "
+                f"{end.node} {('is given' if parameter else 'declares by default')} {value} for the parameter {key}, {problem}: "
                 "the node throws at the declaration; use a value within the range"
             ),
             about=(end.node, key),
             related=((end.location, "range declared here"),),
-            presence=given.presence if given else ALWAYS,
+            presence=parameter.presence if parameter else ALWAYS,
         )
 
 

@@ -12,36 +12,39 @@ TYPES = frozenset(kind + array for kind in ("bool", "int", "double", "str") for 
 
 
 def check(system: System) -> Iterator[Finding]:
-    for given in system.given:
-        declared = given.node.names.declared.get(given.key, ())
-        if not declared or given.type not in TYPES:
+    for parameter in system.given:
+        declared = parameter.node.names.declared.get(parameter.key, ())
+        if not declared or parameter.type not in TYPES:
             continue
         if any(
-            end.raw.source == "known-node" or end.raw.is_dynamic or end.type not in TYPES or end.type == given.type
+            end.raw.source == "known-node" or end.raw.is_dynamic or end.type not in TYPES or end.type == parameter.type
             for end in declared
         ):
             continue
         end = declared[0]
         yield Finding(
-            at=given.at,
+            at=parameter.at,
             message=(
-                f"{given.node.type} declares the parameter {given.key} as {end.type} ({line_of(end.location)}), but "
-                f"{given.node} gets {_shown(given)}, {_a(given.type)}: the node throws at the "
-                f"declaration{_instead(given, end)}"
+                f"{parameter.node.type} declares the parameter {parameter.key} as {end.type} ({line_of(end.location)}), but "
+                f"{parameter.node} gets {_shown(parameter)}, {_a(parameter.type)}: the node throws at the "
+                f"declaration{_instead(parameter, end)}"
             ),
-            about=(given.node, given.key),
+            about=(parameter.node, parameter.key),
             related=((end.location, f"declared as {end.type}"),) if end.in_source else (),
-            flow=((given.tag, f"{given.node} is given the parameters"), (given.at, f"{_a(given.type)}")),
-            presence=given.presence,
+            flow=(
+                (parameter.tag, f"{parameter.node} is given the parameters"),
+                (parameter.at, f"{_a(parameter.type)}"),
+            ),
+            presence=parameter.presence,
         )
 
 
-def _instead(given: Given, end: End) -> str:
+def _instead(parameter: Given, end: End) -> str:
     """What to write."""
-    value = given.value
+    value = parameter.value
     if end.type == "double" and isinstance(value, int):
         return f"; write {value}.0"
-    if end.type == "double[]" and given.type == "int[]":
+    if end.type == "double[]" and parameter.type == "int[]":
         return "; write a decimal point in each number"
     if end.type == "int" and isinstance(value, float) and value.is_integer() and abs(value) < 1e15:
         return f"; write {int(value)}"
@@ -52,8 +55,8 @@ def _instead(given: Given, end: End) -> str:
     return ""
 
 
-def _shown(given: Given) -> str:
-    text = str(given.value).lower() if isinstance(given.value, bool) else repr(given.value)
+def _shown(parameter: Given) -> str:
+    text = str(parameter.value).lower() if isinstance(parameter.value, bool) else repr(parameter.value)
     return text if len(text) <= 60 else f"{text[:59]}…"
 
 

@@ -169,13 +169,13 @@ def _directories(package: ProjectPackage, launched: set[tuple[str, str]]) -> Ite
         return
     expected = f"$base/lib/{package.name}"
     path = package.inside("setup.cfg")
-    given = {section: (value, line) for section, value, line in package.build.script_directories}
-    for section, (value, line) in given.items():
+    directories = {section: (value, line) for section, value, line in package.build.script_directories}
+    for section, (value, line) in directories.items():
         if value.strip("\"'") != expected and value.startswith("$base/lib/") and "{" not in value:
-            if section == "develop" and given.get("install", (value, 0))[0] == value:
+            if section == "develop" and directories.get("install", (value, 0))[0] == value:
                 continue  # told once, of install
             fixes = []
-            for item, (other, number) in given.items():
+            for item, (other, number) in directories.items():
                 if other == value:
                     text = package.project.text(path).splitlines()[number - 1]
                     at = text.rindex(value)
@@ -190,8 +190,8 @@ def _directories(package: ProjectPackage, launched: set[tuple[str, str]]) -> Ite
                 about=(package.name, section),
                 fixes=(Fix(f"put them into lib/{package.name}", tuple(fixes)),),
             )
-    if "install" not in given and not _is_set_by_setup(package):
-        yield _no_directory(package, nodes[0], path, given)
+    if "install" not in directories and not _is_set_by_setup(package):
+        yield _no_directory(package, nodes[0], path, directories)
 
 
 def _is_set_by_setup(package: ProjectPackage) -> bool:
@@ -202,9 +202,11 @@ def _is_set_by_setup(package: ProjectPackage) -> bool:
     return "cmdclass" in text and _COMMANDS.search(text) is not None
 
 
-def _no_directory(package: ProjectPackage, node: EntryPoint, path: str, given: dict[str, tuple[str, int]]) -> Finding:
+def _no_directory(
+    package: ProjectPackage, node: EntryPoint, path: str, directories: dict[str, tuple[str, int]]
+) -> Finding:
     text = package.project.text(path)
-    lacking = [section for section in _SECTIONS if section not in given and f"[{section}]" not in text]
+    lacking = [section for section in _SECTIONS if section not in directories and f"[{section}]" not in text]
     fixes: tuple[Fix, ...] = ()
     if text.endswith("\n") and "install" in lacking:
         end = (len(text.splitlines()) + 1, 1)

@@ -166,7 +166,7 @@ def _is_initialising(reached: Reached, call: Call) -> bool:
     """Whether it is done once, when hardware is brought up: in a service for that, or while a flag says that it is not initialized yet."""
     callback = reached.callback
     if callback.kind == "service":
-        texts = (given.value for given in callback.call.args if isinstance(given, syntax.String))
+        texts = (argument.value for argument in callback.call.args if isinstance(argument, syntax.String))
         named = (callback.routine.function.name, *texts)
         if any(INITIAL.search(name.rpartition(":")[2].rpartition(".")[2]) for name in named):
             return True

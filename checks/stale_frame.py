@@ -124,11 +124,11 @@ def _users(project: Project, renamed: Mapping[str, _Frame]) -> Iterator[tuple[Lo
             name = _frame_of(parameter.value) if _PARAMETER.search(parameter.name) else ""
             if name in renamed and place is not None and not parameter.unknowns:
                 yield place, name, f"the parameter {parameter.name}", Level.ERROR
-        given = {parameter.name for parameter in system.parameters}
+        keys = {parameter.name for parameter in system.parameters}
         for node in system.nodes:
             for end in node.of("parameters", "getters"):
                 name = _frame_of(end.raw.value)
-                if name in renamed and end.in_source and end.name not in given and _PARAMETER.search(end.name):
+                if name in renamed and end.in_source and end.name not in keys and _PARAMETER.search(end.name):
                     yield end.location, name, f"the default of the parameter {end.name}", Level.ERROR
         for sent in broadcasts(project, system):
             if sent.parent in renamed and sent.parent is not None and sent.node.is_launched:

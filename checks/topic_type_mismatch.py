@@ -42,8 +42,8 @@ def check(system: System) -> Iterator[Finding]:
             yield from _among(topic, topic.publishers, types)
         if not topic.publishers:
             yield from _among(topic, topic.subscribers, types)
-    for (_, given, taken), about in by_place.items():
-        yield _finding(tuple(about), given, taken)
+    for (_, published, taken), about in by_place.items():
+        yield _finding(tuple(about), published, taken)
 
 
 class _Types:
@@ -90,7 +90,7 @@ def _is_beside(one: End, other: End, system: System) -> bool:
     return re.search(r"\?[^:]+:|\sif\b.+\selse\b", text, re.DOTALL) is not None
 
 
-def _finding(about: tuple[Channel | End, ...], given: str, taken: str) -> Finding:
+def _finding(about: tuple[Channel | End, ...], published: str, taken: str) -> Finding:
     """One mistake, however many topics and nodes it has to do with."""
     topics = [channel for channel in about if isinstance(channel, Channel)]
     all_ends = tuple(end for end in about if isinstance(end, End))
@@ -99,7 +99,7 @@ def _finding(about: tuple[Channel | End, ...], given: str, taken: str) -> Findin
     subscribers = [end for end in ends if end.kind == "subscribers"]
     wrong = _wrong(ends)
     takes = f"{_nodes(subscribers)} subscribe{('s' if len(subscribers) == 1 else '')} to {topics[0]} as {taken}"
-    gives = f"{_nodes(publishers)} publish{'es' if len(publishers) == 1 else ''} {given}"
+    gives = f"{_nodes(publishers)} publish{'es' if len(publishers) == 1 else ''} {published}"
     more = f"; so do {len(topics) - 1} more topics" if len(topics) > 1 else ""
     return Finding(
         at=named_at(wrong),

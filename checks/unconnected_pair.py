@@ -23,22 +23,22 @@ def check(system: System) -> Iterator[Finding]:
             sides.setdefault(kind, ([], []))[0].append(topic)
         elif not topic.givers:
             sides.setdefault(kind, ([], []))[1].append(topic)
-    for kind, (given, taken) in sides.items():
-        if len(given) == 1 and len(taken) == 1:
-            pair = next((p for p in can_meet(given[0].givers, taken[0].takers) if p[0].node is not p[1].node), None)
+    for kind, (published, taken) in sides.items():
+        if len(published) == 1 and len(taken) == 1:
+            pair = next((p for p in can_meet(published[0].givers, taken[0].takers) if p[0].node is not p[1].node), None)
             if pair is not None:
-                yield _finding(kind, given[0], taken[0], *pair)
+                yield _finding(kind, published[0], taken[0], *pair)
 
 
-def _finding(kind: str, given: Channel, taken: Channel, giver: End, taker: End) -> Finding:
+def _finding(kind: str, published: Channel, taken: Channel, giver: End, taker: End) -> Finding:
     return Finding(
         at=named_at(taker),
         message=(
-            f"{taker.node} subscribes to {taken}, and {giver.node} publishes {given}, both {kind}: the two do not "
+            f"{taker.node} subscribes to {taken}, and {giver.node} publishes {published}, both {kind}: the two do not "
             "connect, and neither has another partner; if they belong together, remap one of them"
         ),
-        about=(given, taken, giver, taker),
-        related=((named_at(giver), f"{giver.word} {given}"),),
+        about=(published, taken, giver, taker),
+        related=((named_at(giver), f"{giver.word} {published}"),),
         flow=way_to(taker),
     )
 

@@ -21,16 +21,17 @@ HEAD = "qos_overrides."
 
 
 def check(system: System) -> Iterator[Finding]:
-    for given in _by_place(system).values():
-        used = [parameter for parameter in given if _declares(parameter)]
+    for parameters in _by_place(system).values():
+        used = [parameter for parameter in parameters if _declares(parameter)]
         if used:
             yield from _value(used[0])
             continue
         findings = [
-            _unused(parameter.node, parameter.key) if parameter.node.names.is_whole else None for parameter in given
+            _unused(parameter.node, parameter.key) if parameter.node.names.is_whole else None
+            for parameter in parameters
         ]
-        if all(findings) and not _is_used_elsewhere(system, given[0]):
-            first, (text, end) = given[0], findings[0] or ("", None)
+        if all(findings) and not _is_used_elsewhere(system, parameters[0]):
+            first, (text, end) = parameters[0], findings[0] or ("", None)
             yield Finding(
                 at=first.at,
                 message=f"the QoS override {first.key} of {first.node} has no effect: {text}",
@@ -49,30 +50,30 @@ def _by_place(system: System) -> dict[tuple[Location, str], list[Given]]:
     return found
 
 
-def _declares(given: Given) -> bool:
-    return given.key in given.node.names.declared
+def _declares(parameter: Given) -> bool:
+    return parameter.key in parameter.node.names.declared
 
 
-def _is_used_elsewhere(system: System, given: Given) -> bool:
+def _is_used_elsewhere(system: System, override: Given) -> bool:
     """Whether a node of another system uses what is said here."""
     return any(
-        parameter.place == given.place and _declares(parameter)
+        parameter.place == override.place and _declares(parameter)
         for other in system.whole.systems
         for parameter in other.given
     )
 
 
-def _value(given: Given) -> Iterator[Finding]:
-    policy = given.key.rpartition(".")[2]
+def _value(parameter: Given) -> Iterator[Finding]:
+    policy = parameter.key.rpartition(".")[2]
     words = WORDS.get(policy)
-    if words is not None and isinstance(given.value, str) and given.value not in words:
+    if words is not None and isinstance(parameter.value, str) and parameter.value not in words:
         yield Finding(
-            at=given.at,
+            at=parameter.at,
             message=(
-                f"{given.node} stops with an exception: {policy} must be one of {', '.join(words)}, not "
-                f"{given.value!r}{_like(given.value, words)}"
+                f"{parameter.node} stops with an exception: {policy} must be one of {', '.join(words)}, not "
+                f"{parameter.value!r}{_like(parameter.value, words)}"
             ),
-            about=(given.node, given.key),
+            about=(parameter.node, parameter.key),
             level=Level.ERROR,
         )
 

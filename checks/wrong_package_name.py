@@ -97,15 +97,15 @@ def _named(package: ProjectPackage, call: CMakeCommand) -> CMakeCommand | None:
 
 def _of_setup(package: ProjectPackage) -> Iterator[Finding]:
     """setup.py of an ament_python package should call it as the manifest does."""
-    given = package.build.distribution
-    if package.raw.build_type != "ament_python" or given is None or not given.name:
+    distribution = package.build.distribution
+    if package.raw.build_type != "ament_python" or distribution is None or not distribution.name:
         return
-    if _normal(given.name) != _normal(package.name):
+    if _normal(distribution.name) != _normal(package.name):
         yield _finding(
             package,
-            Location(given.location.path, given.location.line),
+            Location(distribution.location.path, distribution.location.line),
             (
-                f"setup.py has the name {given.name}, package.xml {package}: ROS and Python search for the files of the "
+                f"setup.py has the name {distribution.name}, package.xml {package}: ROS and Python search for the files of the "
                 "package under different names; use one name"
             ),
             "setup.py",

@@ -226,8 +226,8 @@ def weighed(runs: tuple[Run, ...], baseline: Baseline | None, selection: Selecti
         return count_metrics(runs, selection.is_asked_for)
 
     def weighs(result: Result) -> bool:
-        given = selection.given_level(result.tool, result.rule, result.location.path)
-        return given is None and "ros" in selection.rule(result.tool, result.rule).profiles
+        level = selection.given_level(result.tool, result.rule, result.location.path)
+        return level is None and "ros" in selection.rule(result.tool, result.rule).profiles
 
     return raise_crossings(runs, weighs)
 

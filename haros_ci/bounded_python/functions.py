@@ -70,7 +70,7 @@ FUNCTIONS: Mapping[str, Callable[..., Any]] = {
     "all": all,
     "any": any,
     "bool": bool,
-    "dict": lambda *given, **more: dict(*given, **more),
+    "dict": lambda *arguments, **more: dict(*arguments, **more),
     "divmod": divmod,
     "enumerate": lambda values, start=0: [(start + at, item) for at, item in enumerate(items(values))],
     "float": float,

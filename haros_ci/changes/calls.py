@@ -122,8 +122,8 @@ def _rank(row: Row, callee: Expression, name: str) -> int:
 
 
 def _call(made: Made, args: Arguments, at: Location) -> Call:
-    given = argument_of(made.name, args)
-    name = UNKNOWN if given is None else _text(given)
+    argument = argument_of(made.name, args)
+    name = UNKNOWN if argument is None else _text(argument)
     value = argument_of(made.value, args)
     return Call(
         what=made.what,
@@ -139,8 +139,8 @@ def _type(position: int | str | None, args: Arguments, types: tuple[syntax.Argum
     """The type as written: the template argument, else the argument that names a class."""
     if types and isinstance(types[0], syntax.Type):
         return types[0].name.replace("::", "/")
-    given = argument_of(position, args)
-    return _last(syntax.name_of(given)) or None if given is not None else None
+    argument = argument_of(position, args)
+    return _last(syntax.name_of(argument)) or None if argument is not None else None
 
 
 def _selected(template: Template | None, args: Arguments) -> int | str | None:

@@ -150,14 +150,14 @@ def _called(facts: _Facts, function: Function, key: str, call: syntax.Call, arou
 
 
 def _frames(
-    facts: _Facts, program: Program, key: str, given: tuple[Expression, ...]
+    facts: _Facts, program: Program, key: str, arguments: tuple[Expression, ...]
 ) -> tuple[Frame | None, Frame | None]:
     """Child and parent of what sendTransform is *given*."""
-    if len(given) == 5:  # tf of ROS 1 in Python: translation, rotation, time, child, parent
-        return _frame(facts, program, key, given[3]), _frame(facts, program, key, given[4])
-    if len(given) != 1:
+    if len(arguments) == 5:  # tf of ROS 1 in Python: translation, rotation, time, child, parent
+        return _frame(facts, program, key, arguments[3]), _frame(facts, program, key, arguments[4])
+    if len(arguments) != 1:
         return None, None
-    made = given[0]
+    made = arguments[0]
     path = _path(made)
     values = facts.assigned.get((key, path)) or facts.assigned.get(("", path)) or []
     if not isinstance(made, syntax.Call) and len(values) == 1 and isinstance(values[0], syntax.Call):

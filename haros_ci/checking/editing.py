@@ -146,10 +146,10 @@ def set_attribute(package: ProjectPackage, element: Element, name: str, value: s
     if outline is None or span is None:
         return None
     tag = outline.text[span.start : span.open]
-    given = re.search(rf"""(\s{re.escape(name)}\s*=\s*)("[^"]*"|'[^']*')""", tag)
+    match = re.search(rf"""(\s{re.escape(name)}\s*=\s*)("[^"]*"|'[^']*')""", tag)
     quoted = f'"{escaped(value)}"'
-    if given is not None:
-        return Fix(description, (outline.edit(span.start + given.start(2), span.start + given.end(2), quoted),))
+    if match is not None:
+        return Fix(description, (outline.edit(span.start + match.start(2), span.start + match.end(2), quoted),))
     return Fix(description, (outline.insert(span.name + len(span.tag), f" {name}={quoted}"),))
 
 

@@ -196,17 +196,17 @@ def _plain(name: str) -> str:
     return name.lower().replace("_", "").replace("-", "")
 
 
-def misplaced(given: Given) -> tuple[str, str] | None:
+def misplaced(parameter: Given) -> tuple[str, str] | None:
     """The name that is meant by one that stands at the wrong place, and what is wrong; None if that is not what is wrong.
 
     The node has a parameter of the name once what is doubled, or stands before it, is taken away.
     """
-    key, names = given.key, given.node.names
+    key, names = parameter.key, parameter.node.names
     parts = key.split(".")
     if "ros__parameters" in parts:
         at = len(parts) - parts[::-1].index("ros__parameters")
         return ".".join(parts[at:]), "ros__parameters stands below ros__parameters"
-    spaces = given.node.name.strip("/").split("/")
+    spaces = parameter.node.name.strip("/").split("/")
     for own in (spaces, spaces[-1:]):
         if parts[: len(own)] == own and names.has(rest := ".".join(parts[len(own) :])):
             return rest, "the name of the node stands before it"

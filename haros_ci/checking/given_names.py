@@ -73,8 +73,8 @@ def _has_foreign_part(node: SystemNode, system: System) -> bool:
         files = [file for file in system.workspace.files if file.package == node.package and file.language == "cpp"]
         texts = [_COMMENT.sub("", system.workspace.text(file.path)[:_MOST]) for file in files]
         held = {(match[2], match[3]) for text in texts for match in _HELD.finditer(text) if _is_foreign(match[1])}
-        given = {kind for kind, name in held if any(re.search(_HANDLE.format(re.escape(name)), text) for text in texts)}
-        kept[key] = bool(given) and not given <= _defined(given, system)
+        kinds = {kind for kind, name in held if any(re.search(_HANDLE.format(re.escape(name)), text) for text in texts)}
+        kept[key] = bool(kinds) and not kinds <= _defined(kinds, system)
     return kept.get(key, False)
 
 

@@ -23,8 +23,8 @@ def is_given_to_another(path: str, package: ProjectPackage) -> bool:
         if other.startswith(inside) and other != path and not other.endswith(_PROSE)
     }
     texts = {other: text for other, text in texts.items() if name in text}
-    given = re.compile(_GIVEN % rf"\b{re.escape(name)}\b", re.MULTILINE)
-    if any(given.search(text) for text in texts.values()):
+    pattern = re.compile(_GIVEN % rf"\b{re.escape(name)}\b", re.MULTILINE)
+    if any(pattern.search(text) for text in texts.values()):
         return True
     called = re.compile(
         rf"""\bset\s*\(\s*(\w+)\s+["']?[^\s"'()]{{0,300}}(?<![\w.-]){re.escape(name)}["']?\s*[)\s]""", re.IGNORECASE

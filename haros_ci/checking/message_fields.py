@@ -112,8 +112,8 @@ def _in_routine(code: Codebase, other_typed: Typed) -> Iterator[Missing]:
         struct = other_typed.struct_of(code, call.whole)
         if struct is None or any(place.kind == "try" for place in call.around):
             continue
-        given = [one.name for one in call.args if isinstance(one, syntax.Keyword)]
-        lacking = [name for name in given if not struct.has(name) and (struct.name, name) not in seen]
+        keywords = [one.name for one in call.args if isinstance(one, syntax.Keyword)]
+        lacking = [name for name in keywords if not struct.has(name) and (struct.name, name) not in seen]
         seen.update((struct.name, name) for name in lacking)
         if lacking:
             written = f"{struct.name}({', '.join(f'{name}=…' for name in lacking)})"
@@ -163,7 +163,9 @@ def _locals(code: Codebase, routine: Routine, structs: Structs) -> dict[str, Str
     for name, variables in body.variables.items():
         for variable in variables:
             values.setdefault(name, []).append(variable.assigned)
-    found = {name: _made(code, structs, [(routine, literal) for literal in given]) for name, given in values.items()}
+    found = {
+        name: _made(code, structs, [(routine, literal) for literal in arguments]) for name, arguments in values.items()
+    }
     return {name: struct for name, struct in found.items() if struct is not None}
 
 
@@ -262,11 +264,12 @@ def _types(code: Codebase, callback: Callback) -> tuple[str, ...]:
     ):
         return ()
     (position, keyword), roles, parts = row
-    given = [argument for argument in callback.call.args if not isinstance(argument, syntax.DoubleStar)]
+    arguments = [argument for argument in callback.call.args if not isinstance(argument, syntax.DoubleStar)]
     taken = next(
-        (literal for literal in given if isinstance(literal, syntax.Keyword) and literal.name == callback.role), None
+        (literal for literal in arguments if isinstance(literal, syntax.Keyword) and literal.name == callback.role),
+        None,
     )
-    value = taken.value if taken is not None else given[int(callback.role)] if callback.role.isdigit() else None
+    value = taken.value if taken is not None else arguments[int(callback.role)] if callback.role.isdigit() else None
     written = callback.call.argument(position, keyword)
     if callback.role not in roles or written is None or value is None or isinstance(value, syntax.Call):
         return ()

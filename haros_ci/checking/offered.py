@@ -22,7 +22,7 @@ def type_mismatches(channels: Iterable[Channel], consequence: str) -> Iterator[F
         for end in channel.ends:
             types.setdefault((id(end.node), end.kind), set()).add(end.type)
         found = by_types(channel.servers, channel.clients, partial(_differ, types))
-        for (given, requested), ends in found.items():
+        for (offered, requested), ends in found.items():
             takers = set(channel.clients)
             clients = [end for end in ends if end in takers]
             servers = [end for end in ends if end not in takers]
@@ -35,7 +35,7 @@ def type_mismatches(channels: Iterable[Channel], consequence: str) -> Iterator[F
                 at=named_at(wrong),
                 message=(
                     f"{clients[0].node}{others} ({line_of(clients[0].location)}) uses {channel} as {requested}, "
-                    f"but {servers[0].node} ({line_of(servers[0].location)}) offers {given}: {consequence}; use one type in both{advice}"
+                    f"but {servers[0].node} ({line_of(servers[0].location)}) offers {offered}: {consequence}; use one type in both{advice}"
                 ),
                 about=(channel, *ends),
                 related=tuple((end.location, f"{end.node}: {end.word} of {end.type}") for end in ends),
@@ -50,5 +50,5 @@ def _differ(types: Mapping[tuple[int, str], Collection[str | None]], server: End
     """
     if server.type is None or client.type is None or server.type == client.type or server.implicit or client.implicit:
         return False
-    requested, given = types[id(client.node), client.kind], types[id(server.node), server.kind]
-    return not (client.type in given or None in given or server.type in requested or None in requested)
+    requested, offered = types[id(client.node), client.kind], types[id(server.node), server.kind]
+    return not (client.type in offered or None in offered or server.type in requested or None in requested)

@@ -204,8 +204,8 @@ def _percent(node: ast.BinOp) -> Misfit | None:
     if places is None:
         return None
     if isinstance(right, ast.Tuple):
-        given = len(right.elts)
-        return Misfit(node.lineno, places, given) if given != places and not _starred(right.elts) else None
+        count = len(right.elts)
+        return Misfit(node.lineno, places, count) if count != places and not _starred(right.elts) else None
     is_one = isinstance(right, (ast.Constant, ast.JoinedStr, ast.Compare, ast.List, ast.ListComp))
     return Misfit(node.lineno, places, 1) if is_one and places != 1 else None
 

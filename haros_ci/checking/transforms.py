@@ -127,10 +127,10 @@ def robot_of(project: Project, system: System, node: SystemNode) -> Robot | None
     """The robot that robot_state_publisher *node* gets; None if it is not known."""
     names = {f"{node.name}:robot_description"}
     names |= {end.name for end in node.of("getters", "parameters") if end.name.endswith("robot_description")}
-    given = [parameter for parameter in system.parameters if parameter.name in names]
-    if len(given) != 1:
+    parameters = [parameter for parameter in system.parameters if parameter.name in names]
+    if len(parameters) != 1:
         return None
-    parameter = given[0]
+    parameter = parameters[0]
     if isinstance(parameter.value, str) and "<robot" in parameter.value:
         texts = (
             description.robot
@@ -182,8 +182,14 @@ def _parameters(system: System, node: SystemNode) -> Mapping[str, str]:
     outside = {parameter.name: parameter for parameter in system.parameters}
     for end in node.of("parameters", "getters"):
         key = end.name.rpartition(":")[2].rpartition("/")[2] if node.ros == 1 else end.name.rpartition(":")[2]
-        given = outside.get(end.name)
-        value = end.raw.effective if end.kind == "parameters" else end.raw.value if given is None else given.value
-        if isinstance(value, str) and not end.raw.unknowns and (given is None or not given.unknowns):
+        set_parameter = outside.get(end.name)
+        value = (
+            end.raw.effective
+            if end.kind == "parameters"
+            else end.raw.value
+            if set_parameter is None
+            else set_parameter.value
+        )
+        if isinstance(value, str) and not end.raw.unknowns and (set_parameter is None or not set_parameter.unknowns):
             found[key] = value
     return found

@@ -31,15 +31,15 @@ def readers(system: System) -> tuple[tuple[bool, str], ...]:
     return tuple(found)
 
 
-def is_read_besides(system: System, given: Given) -> bool:
+def is_read_besides(system: System, parameter: Given) -> bool:
     """Whether something else may read the value from its YAML file: it loads YAML, and names the file or the key.
 
     A launch file that names the file alone gives it to nodes.
     """
-    if not given.at.path.endswith((".yaml", ".yml")) or given.at.path.endswith(LAUNCH_FILES):
+    if not parameter.at.path.endswith((".yaml", ".yml")) or parameter.at.path.endswith(LAUNCH_FILES):
         return False
-    name = given.at.path.rpartition("/")[2]
-    last = given.key.rpartition(".")[2]
+    name = parameter.at.path.rpartition("/")[2]
+    last = parameter.key.rpartition(".")[2]
     keys = (f"'{last}'", f'"{last}"')
     return any(
         (not is_launch and re.search(rf"(?<![\w.-]){re.escape(name)}\b", text) is not None)

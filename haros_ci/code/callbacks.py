@@ -158,14 +158,14 @@ def group_of(code: Codebase, maker: Routine, call: Call) -> str | None:
             for argument in call.args
             if isinstance(argument, syntax.Keyword) and argument.name == "callback_group"
         )
-        given = next((keyword.value for keyword in named), None)
-        if given is None:
+        argument = next((keyword.value for keyword in named), None)
+        if argument is None:
             return (
                 None
                 if any(isinstance(argument, (syntax.DoubleStar, syntax.Star)) for argument in call.args)
                 else DEFAULT
             )
-        return group_name(code, maker, given)
+        return group_name(code, maker, argument)
     counts = {"create_wall_timer": 2, "create_timer": 2, "create_service": 3, "create_client": 2}
     if call.name in counts:
         if call.receiver is None and not _is_method(code, maker, call):

@@ -45,19 +45,19 @@ class _Doing:
 
 
 def undone_ways(
-    block: Block, does: Callable[[Expression], bool], end: tuple[int, int], given: frozenset[str] = frozenset()
+    block: Block, does: Callable[[Expression], bool], end: tuple[int, int], not_null: frozenset[str] = frozenset()
 ) -> tuple[tuple[int, int], ...]:
     """Where the function returns without having done it: the nearest statement with a line, *end* for its own end.
 
     Ways on which one of the *given* variables is null are left out, and those where a flag says that it was done before.
     """
-    block = tuple(_without_null_tests(statement, given) for statement in block)
+    block = tuple(_without_null_tests(statement, not_null) for statement in block)
     ways = _Ways()
     _block(block, False, _Doing(does, outcome_flags(block, does)), ways, end)
     return tuple(dict.fromkeys([*ways.undone, *([end] if False in ways.on else [])]))
 
 
-def _without_null_tests(statement: Statement, given: frozenset[str]) -> Statement:
+def _without_null_tests(statement: Statement, not_null: frozenset[str]) -> Statement:
     """The statement that runs where the *given* variables are not null, for ``if (given) { ... }`` at the outermost level."""
     if not isinstance(statement, syntax.If):
         return statement
@@ -69,13 +69,15 @@ def _without_null_tests(statement: Statement, given: frozenset[str]) -> Statemen
         and _is_null(test.operands[1])
     ):
         test = test.operands[0] if test.operator == "!=" else syntax.Operation("!", (test.operands[0],))
-    if isinstance(test, syntax.Name) and test.name in given:
-        return syntax.Nested(tuple(_without_null_tests(other_statement, given) for other_statement in statement.then))
+    if isinstance(test, syntax.Name) and test.name in not_null:
+        return syntax.Nested(
+            tuple(_without_null_tests(other_statement, not_null) for other_statement in statement.then)
+        )
     if (
         isinstance(test, syntax.Operation)
         and test.operator == "!"
         and isinstance(test.operands[0], syntax.Name)
-        and test.operands[0].name in given
+        and test.operands[0].name in not_null
     ):
         return syntax.Nested(statement.other)
     return statement

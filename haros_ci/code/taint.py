@@ -109,13 +109,13 @@ def followed(
         if depth <= 0:
             continue
         for target in called(code, routine, call.whole):
-            given: dict[str, frozenset[tuple[str, ...]]] = {}
+            tainted: dict[str, frozenset[tuple[str, ...]]] = {}
             plain = [argument for argument in call.args if not isinstance(argument, syntax.Keyword)]
             for parameter, literal in zip(target.function.parameters, plain, strict=False):
-                given[parameter.name] = carried(literal, marks)
+                tainted[parameter.name] = carried(literal, marks)
             for argument in call.args:
                 if isinstance(argument, syntax.Keyword):
-                    given[argument.name] = carried(argument.value, marks)
-            if any(given.values()):
-                for where, inner, its, way in followed(code, target, given, depth - 1):
+                    tainted[argument.name] = carried(argument.value, marks)
+            if any(tainted.values()):
+                for where, inner, its, way in followed(code, target, tainted, depth - 1):
                     yield where, inner, its, ((routine, call), *way)

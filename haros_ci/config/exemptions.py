@@ -47,8 +47,8 @@ def _read(file: File, entry: Value, selector: Callable[[Named], str]) -> Exempti
     if not any(key in parts for key in CRITERIA):
         raise file.error(entry.line, f"an exception needs one of {', '.join(CRITERIA)}", f"write {FORM}")
     names = {key: file.texts(parts[key], key) for key in ("files", "packages", "rules") if key in parts}
-    for key, given in names.items():
-        if not given:
+    for key, provided in names.items():
+        if not provided:
             raise file.error(parts[key].line, f"'{key}' of an exception is empty, so it fits nothing", "leave it out")
     reason = file.text(parts["reason"], "'reason'") if "reason" in parts else ""
     if len(reason) > MAX_REASON:

@@ -234,9 +234,9 @@ def _plugins(settings: Settings, flags: Mapping[str, Any]) -> dict[str, Any]:
     return changes
 
 
-def _words(given: Iterable[Any] | str | None) -> tuple[str, ...]:
+def _words(provided: Iterable[Any] | str | None) -> tuple[str, ...]:
     """A repeatable flag of comma-separated words, each group of words a tuple or a string."""
-    groups = (given,) if isinstance(given, str) else given or ()
+    groups = (provided,) if isinstance(provided, str) else provided or ()
     return tuple(w for group in groups for w in ((group,) if isinstance(group, str) else tuple(group)) if w)
 
 
@@ -246,7 +246,7 @@ def _choice(flag: str, word: str, known: tuple[str, ...]) -> str:
     return word
 
 
-def _below(root: Path, given: str | Path) -> str:
+def _below(root: Path, value: str | Path) -> str:
     """A path of the command line as Settings holds it: relative to the root if it lies below, else absolute."""
-    path = Path(os.path.abspath(given))
+    path = Path(os.path.abspath(value))
     return path.relative_to(root).as_posix() if path.is_relative_to(root) else str(path)

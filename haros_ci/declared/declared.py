@@ -95,11 +95,11 @@ class Reading:
 
 def read_nodes(entry: Mapping[str, Any], reading: Reading, at: str) -> tuple[Declared, ...] | None:
     """The ``nodes`` of a configuration in a ground truth; None if they are not given, or in a wrong shape."""
-    given = reading.map(entry.get("nodes"), f"{at}.nodes")
+    entries = reading.map(entry.get("nodes"), f"{at}.nodes")
     if not isinstance(entry.get("nodes"), Mapping):
         return None
     nodes = []
-    for name, item in given.items():
+    for name, item in entries.items():
         here = f"{at}.nodes.{name}"
         node = reading.map(item, here, (*NODE_KEYS, *LINKS))
         ends = {}
@@ -122,9 +122,9 @@ def read_parameters(entry: Mapping[str, Any], reading: Reading, at: str) -> tupl
     found = []
     for name, item in all_given.items():
         here = f"{at}.parameters.{name}"
-        given = reading.map(item, here, PARAMETER_KEYS)
-        fields = reading.fields(given, PARAMETER_KEYS, here)
-        values = [key for key in ("value", "default_value") if key in given]
+        entry_fields = reading.map(item, here, PARAMETER_KEYS)
+        fields = reading.fields(entry_fields, PARAMETER_KEYS, here)
+        values = [key for key in ("value", "default_value") if key in entry_fields]
         if not _global(name, reading, here) or not fields.keys() >= set(values):
             continue
         if not values:
@@ -249,8 +249,8 @@ def _flat(conditions: Iterable[Any]) -> list[Any]:
 
 
 def _condition(item: Mapping[str, Any]) -> dict[str, Any]:
-    given = {**item, **(item.get("location") or {})}
-    return {key: given[key] for key in ("statement", "condition", *PLACE) if key in given}
+    merged = {**item, **(item.get("location") or {})}
+    return {key: merged[key] for key in ("statement", "condition", *PLACE) if key in merged}
 
 
 def _is_bounded(value: object) -> bool:

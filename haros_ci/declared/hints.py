@@ -43,9 +43,9 @@ def applied(
         problems += found
     declared = project.get("configurations")
     entry = declared.get(configuration.name) if isinstance(declared, Mapping) else None
-    given = entry.get("hints") if isinstance(entry, Mapping) else None
-    if isinstance(given, Mapping):
-        configuration, found = apply(configuration, given, where, packages)
+    hints = entry.get("hints") if isinstance(entry, Mapping) else None
+    if isinstance(hints, Mapping):
+        configuration, found = apply(configuration, hints, where, packages)
         problems += found
     return configuration, problems
 
@@ -60,15 +60,15 @@ def apply(
     anyway, with a notice, if the hint gives its type. *packages* place ``traceability``.
     """
     reading = Reading(where, [])
-    given = reading.map(hints, "hints", HINT_KEYS)
-    result = fill(configuration, given.get("fix"), reading, packages)
+    sections = reading.map(hints, "hints", HINT_KEYS)
+    result = fill(configuration, sections.get("fix"), reading, packages)
     parameters = list(result.parameters)
     for name, entry, at in named_entries(
-        given.get("parameters"), "hints.parameters", (*PARAMETER_KEYS, "create"), reading
+        sections.get("parameters"), "hints.parameters", (*PARAMETER_KEYS, "create"), reading
     ):
         parameters = _parameter(parameters, name, entry, at, reading, packages)
     nodes = list(result.nodes)
-    for name, entry, at in named_entries(given.get("nodes"), "hints.nodes", (*NODE_KEYS, "create", *LINKS), reading):
+    for name, entry, at in named_entries(sections.get("nodes"), "hints.nodes", (*NODE_KEYS, "create", *LINKS), reading):
         nodes = _node(nodes, name, entry, at, reading, packages)
     result = replace(result, parameters=tuple(parameters), nodes=tuple(nodes))
     return result, tuple(reading.problems)
@@ -237,9 +237,9 @@ def _links(
     for kind, (name_key, type_key, _, noun) in LINKS.items():
         keys = (type_key, "original_name", "traceability", "conditional", *end_keys(kind))
         for item, here in listed(entry, kind, at, reading):
-            given = reading.map(item, here, (name_key, "create", *keys))
-            fields = reading.fields(given, keys, here)
-            name = given.get(name_key)
+            link = reading.map(item, here, (name_key, "create", *keys))
+            fields = reading.fields(link, keys, here)
+            name = link.get(name_key)
             if not (isinstance(name, str) and is_name(name)):
                 if isinstance(item, Mapping):
                     reading.say(f"{here} needs a {name_key!r}: a ROS name as text")
@@ -249,7 +249,7 @@ def _links(
                 ends, kind, full, fields, node
             )
             misfit = misfit_of(noun, full, len(fits), [other for own, other in names if own == kind])
-            is_wanted = bool(given.get("create")) or is_new
+            is_wanted = bool(link.get("create")) or is_new
             there = [n for n in fits if ends[n].type in (None, fields.get(type_key, ends[n].type))] if is_wanted else []
             if there and not is_new:
                 reading.say(f"{here}: {node.name} has {full} without this hint; it adds only what was not known")
@@ -328,9 +328,9 @@ def _call(
     """The endpoint of one entry of ``advertise``, ``subscribe``, ...; its name is resolved in its namespace."""
     type_key = LINKS[kind][1]
     keys = (type_key, "location", *end_keys(kind))
-    given = reading.map(item, at, ("name", "namespace", *keys))
-    fields = reading.fields(given, keys, at)
-    name, space = given.get("name"), given.get("namespace") or ""
+    entry = reading.map(item, at, ("name", "namespace", *keys))
+    fields = reading.fields(entry, keys, at)
+    name, space = entry.get("name"), entry.get("namespace") or ""
     if not (isinstance(name, str) and is_name(name) and isinstance(space, str) and (not space or is_name(space))):
         reading.say(f"{at} needs a 'name', and takes a 'namespace', both ROS names as text")
     elif type_key not in fields:

@@ -226,25 +226,25 @@ def _name_filled(node: Node, end: Endpoint, variable: Variable, value: object, r
 
 
 def _located(
-    location: Location | None, given: Mapping[str, Any], reading: Reading, packages: Sequence[Package], at: str
+    location: Location | None, entry: Mapping[str, Any], reading: Reading, packages: Sequence[Package], at: str
 ) -> Location | None:
     """A location as ``traceability`` gives it; what it leaves out stays as it was."""
     path = location.path if location else None
-    if "file" in given:
+    if "file" in entry:
         roots = {package.name: package.path for package in packages}
-        if "package" in given and given["package"] not in roots:
-            reading.say(f"{at}: there is no package {given['package']!r}{near(given['package'], roots)}")
+        if "package" in entry and entry["package"] not in roots:
+            reading.say(f"{at}: there is no package {entry['package']!r}{near(entry['package'], roots)}")
             return location
-        parts = [*roots.get(given.get("package", ""), ".").split("/"), *given["file"].split("/")]
-        if given["file"].startswith("/") or ".." in parts:
-            reading.say(f"{at}: {given['file']!r} must be relative to its package and inside it")
+        parts = [*roots.get(entry.get("package", ""), ".").split("/"), *entry["file"].split("/")]
+        if entry["file"].startswith("/") or ".." in parts:
+            reading.say(f"{at}: {entry['file']!r} must be relative to its package and inside it")
             return location
         path = "/".join(part for part in parts if part not in ("", "."))
     if not path:
         reading.say(f"{at}: a place needs a file")
         return location
-    line = given.get("line", location.line if location and "file" not in given else None)
-    column = given.get("column", location.column if location and line == location.line else None)
+    line = entry.get("line", location.line if location and "file" not in entry else None)
+    column = entry.get("column", location.column if location and line == location.line else None)
     return Location(path, line or None, column or None)
 
 

@@ -59,12 +59,12 @@ class Input:
     timestamp: str | None = None
 
 
-def documents(given: Input) -> dict[str, str]:
+def documents(inputs: Input) -> dict[str, str]:
     """The files by their path in the folder, ``projects.json`` last: the text of each is the same for the same input."""
-    workspace = given.workspace
+    workspace = inputs.workspace
     places = Places(workspace.packages)
-    project = safe(str(given.project.get("project") or DEFAULT))
-    results = [result for result in given.report.results if is_there(result)]
+    project = safe(str(inputs.project.get("project") or DEFAULT))
+    results = [result for result in inputs.report.results if is_there(result)]
     shown = _packages(workspace, places, results)
     files: dict[str, list[SourceFile]] = {one.path: [] for one in shown}
     for file in workspace.files:
@@ -78,17 +78,17 @@ def documents(given: Input) -> dict[str, str]:
             lengths[path] = sum(not line.isspace() for line in workspace.text(path).splitlines() if line)
         return lengths[path]
 
-    rules = Rules(_rules(given.report, results), given.documented, given.scopes, given.queries)
-    scenes = Scenes(given.architecture, workspace.files, given.project)
-    systems = _systems(given.architecture, scenes, places)
-    found = issues(results, systems, _matches(given, scenes, results), places, rules)
-    environment = _environment(given.project)
+    rules = Rules(_rules(inputs.report, results), inputs.documented, inputs.scopes, inputs.queries)
+    scenes = Scenes(inputs.architecture, workspace.files, inputs.project)
+    systems = _systems(inputs.architecture, scenes, places)
+    found = issues(results, systems, _matches(inputs, scenes, results), places, rules)
+    environment = _environment(inputs.project)
     configurations = [
         system.json(found.queries.get(system.id, ()), environment.get(system.system.made.name, ()), sloc)
         for system in systems
     ]
     measured: dict[str, list[Measurement]] = {one.path: [] for one in shown}
-    for one in sorted(given.measurements):
+    for one in sorted(inputs.measurements):
         home = places.home(one.path) if one.path else next((p.path for p in shown if p.name == one.package), None)
         if home in measured:
             measured[home].append(one)
@@ -96,7 +96,7 @@ def documents(given: Input) -> dict[str, str]:
         "packages.json": _text(
             package_json(
                 package,
-                given.manifests.get(package.path, Manifest()),
+                inputs.manifests.get(package.path, Manifest()),
                 files[package.path],
                 found.source.get(places.ids[package.path], ()),
                 measured[package.path],
@@ -118,19 +118,19 @@ def documents(given: Input) -> dict[str, str]:
                 packages=len(shown),
                 files=[(places.split(file.path)[1], file) for every in files.values() for file in every],
                 dependencies=len(frozenset().union(*map(needed, shown)) - {one.name for one in workspace.packages}),
-                nodes=nodes_of(build for key, build in given.builds.items() if key in {one.name for one in shown}),
+                nodes=nodes_of(build for key, build in inputs.builds.items() if key in {one.name for one in shown}),
                 systems=configurations,
                 tags=[rules.tags(result.full_id) for result in results],
                 violated=len({result.full_id for result in results}),
-                tools=len(given.report.runs),
-                rules=given.rules_on,
-                user_rules=given.user_rules,
+                tools=len(inputs.report.runs),
+                rules=inputs.rules_on,
+                user_rules=inputs.user_rules,
                 measurements=[one for every in measured.values() for one in every],
-                timestamp=given.timestamp,
+                timestamp=inputs.timestamp,
             )
         ),
     }
-    repositories = given.project.get("repositories")
+    repositories = inputs.project.get("repositories")
     entry = {
         "id": project,
         "packages": [places.ids[one.path] for one in shown],
@@ -194,20 +194,20 @@ def _systems(architecture: Architecture, scenes: Scenes, places: Places) -> list
     return [Shown(system, ids[key], places) for system, key in zip(named, keys, strict=True)]
 
 
-def _matches(given: Input, scenes: Scenes, results: Sequence[Result]) -> dict[Asking, tuple[Match, ...]]:
+def _matches(inputs: Input, scenes: Scenes, results: Sequence[Result]) -> dict[Asking, tuple[Match, ...]]:
     """What the queries of *results* have found, by finding."""
-    rules = {result.rule for result in results if result.full_id in given.queries}
+    rules = {result.rule for result in results if result.full_id in inputs.queries}
     if not rules:
         return {}
     answers = ask(
-        given.architecture,
-        given.project,
-        given.where,
-        given.workspace.files,
+        inputs.architecture,
+        inputs.project,
+        inputs.where,
+        inputs.workspace.files,
         wanted=lambda rule: rule.id in rules,
         scenes=scenes,
     )
-    return {asking(result): matches for result, matches in grouped(answers.matches, Location(given.where))}
+    return {asking(result): matches for result, matches in grouped(answers.matches, Location(inputs.where))}
 
 
 def _environment(project: Mapping[str, Any]) -> dict[str, list[str]]:
@@ -215,8 +215,8 @@ def _environment(project: Mapping[str, Any]) -> dict[str, list[str]]:
     declared = project.get("configurations")
     found = {}
     for key, entry in declared.items() if isinstance(declared, Mapping) else ():
-        given = entry.get("environment") if isinstance(entry, Mapping) else None
-        found[str(key)] = sorted(map(str, given)) if isinstance(given, Mapping) else []
+        environment = entry.get("environment") if isinstance(entry, Mapping) else None
+        found[str(key)] = sorted(map(str, environment)) if isinstance(environment, Mapping) else []
     return found
 
 

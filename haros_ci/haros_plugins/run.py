@@ -103,11 +103,11 @@ def run(
             else:
                 talk.__exit__(None, None, None)
                 _exported(output, scratch, export)
-        given = _merged([violations, *(_by_scope(output.violations, output.plugin) for output in outputs)])
+        reported = _merged([violations, *(_by_scope(output.violations, output.plugin) for output in outputs)])
         values = _merged([metrics, *(_by_scope(output.metrics, output.plugin) for output in outputs)])
         for output, talk, scratch in open_ones:
             if _processes(output.plugin):
-                _asked(output, talk, {"phase": "processing", "violations": given, "metrics": values})
+                _asked(output, talk, {"phase": "processing", "violations": reported, "metrics": values})
             talk.__exit__(None, None, None)
             _exported(output, scratch, export)
     return tuple(outputs)

@@ -46,7 +46,7 @@ def _lines(text: str) -> frozenset[int]:
 def method_at(text: str, line: int) -> tuple[str, str, bool] | None:
     """The class and the name of the undecorated method at *line* of *text* whose first parameter is not ``self``, and whether that is called
     as a class is."""
-    found = ((owner, name, given in CLASS) for first, _, owner, name, given in _methods(text) if first == line)
+    found = ((owner, name, decorator in CLASS) for first, _, owner, name, decorator in _methods(text) if first == line)
     return next(found, None)
 
 

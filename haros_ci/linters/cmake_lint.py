@@ -59,9 +59,9 @@ def _settings(batch: Batch) -> dict[str, Any]:
         return {"file": str(batch.workspace.root / batch.group)}
     text = batch.workspace.setting(batch.group) if batch.group else ""
     try:
-        given = yaml_settings.read(text)
+        options = yaml_settings.read(text)
     except ValueError:
         if batch.group.endswith(DATA):
             raise
-        given = {}  # Python, as far as one can tell
-    return {"config": {key: value for key, value in given.items() if key not in LEFT_OUT}}
+        options = {}  # Python, as far as one can tell
+    return {"config": {key: value for key, value in options.items() if key not in LEFT_OUT}}

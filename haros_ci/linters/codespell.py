@@ -99,8 +99,8 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
 
 def _message(word: str, corrections: str) -> str:
     """``fix1, fix2,  | reason``: a word with several corrections is the writer's to choose."""
-    given, _, reason = corrections.partition("  | ")
-    choices = [choice.strip() for choice in given.split(",") if choice.strip()]
+    suggested, _, reason = corrections.partition("  | ")
+    choices = [choice.strip() for choice in suggested.split(",") if choice.strip()]
     message = (
         f"'{word}' should be '{choices[0]}'"
         if len(choices) == 1

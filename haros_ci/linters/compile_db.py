@@ -56,8 +56,8 @@ def directories(flags: Iterable[str]) -> tuple[str, ...]:
     return tuple(flag.removeprefix("-I") for flag in flags if flag.startswith(("/", "-I/")))
 
 
-def _read(root: Path, given: str | None) -> str:
-    path = root / (given if given is not None else "build")
+def _read(root: Path, path_given: str | None) -> str:
+    path = root / (path_given if path_given is not None else "build")
     if path.is_dir():
         path /= "compile_commands.json"
     try:

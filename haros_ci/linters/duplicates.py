@@ -36,37 +36,37 @@ def merge_same_defects(
     stands first is kept with its message; ``also`` names the others, and its level is the worst of theirs. Where a
     line has the defect several times (two unused imports), the n-th result of a rule goes with the n-th of the other.
     """
-    given = tuple(results)
-    order = sorted(range(len(given)), key=lambda i: given[i].sort_key)
-    lines = _lines(given)
+    found = tuple(results)
+    order = sorted(range(len(found)), key=lambda i: found[i].sort_key)
+    lines = _lines(found)
     merged: dict[int, Result] = {}
     dropped: set[int] = set()
     for rules in same_defect:
-        for group in _groups(given, order, lines, rules, dropped):
+        for group in _groups(found, order, lines, rules, dropped):
             if len(group) > 1:
                 first = group[0]
-                merged[first] = _merge(merged.get(first, given[first]), [merged.get(i, given[i]) for i in group[1:]])
+                merged[first] = _merge(merged.get(first, found[first]), [merged.get(i, found[i]) for i in group[1:]])
                 dropped.update(group[1:])
-    return tuple(merged.get(i, result) for i, result in enumerate(given) if i not in dropped)
+    return tuple(merged.get(i, result) for i, result in enumerate(found) if i not in dropped)
 
 
 def drop_unfounded(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Result, ...]:
     """*results* without names that pylint calls undefined in a file with a wildcard import; *text* reads a path."""
-    given = tuple(results)
-    paths = {result.location.path for result in given if result.full_id == _UNFOUNDED}
+    found = tuple(results)
+    paths = {result.location.path for result in found if result.full_id == _UNFOUNDED}
     blind = {path for path in paths if _WILDCARD.search(text(path))}
-    return tuple(r for r in given if r.full_id != _UNFOUNDED or r.location.path not in blind)
+    return tuple(r for r in found if r.full_id != _UNFOUNDED or r.location.path not in blind)
 
 
 def _groups(
-    given: Sequence[Result], order: Iterable[int], lines: Sequence[int], rules: Sequence[str], dropped: set[int]
+    found: Sequence[Result], order: Iterable[int], lines: Sequence[int], rules: Sequence[str], dropped: set[int]
 ) -> Iterable[list[int]]:
     """The positions of results that are one defect by *rules*, the one to keep first."""
     rank = {rule: place for place, rule in enumerate(rules)}
     groups: dict[tuple[str, int, int], list[int]] = {}
     seen: dict[tuple[str, int, str], int] = {}
     for i in order:
-        result = given[i]
+        result = found[i]
         if result.full_id not in rank or i in dropped:
             continue
         path, line = result.location.path, lines[i]
@@ -74,7 +74,7 @@ def _groups(
         seen[path, line, result.full_id] = nth + 1
         groups.setdefault((path, line, nth), []).append(i)
     for group in groups.values():
-        yield sorted(group, key=lambda i: rank[given[i].full_id])
+        yield sorted(group, key=lambda i: rank[found[i].full_id])
 
 
 def _merge(kept: Result, others: Sequence[Result]) -> Result:
@@ -83,23 +83,23 @@ def _merge(kept: Result, others: Sequence[Result]) -> Result:
     return replace(kept, level=level, also=tuple(sorted(also)))
 
 
-def _lines(given: Sequence[Result]) -> list[int]:
+def _lines(found: Sequence[Result]) -> list[int]:
     """The line by which each result is compared."""
     heads: dict[tuple[str, str], list[int]] = {}
-    for result in given:
+    for result in found:
         if result.tool == "metrics" and result.scope and result.location.line:
             name = result.scope.rpartition("::")[2]
             heads.setdefault((result.location.path, name), []).append(result.location.line)
     functions: dict[str, list[int]] = {}
-    for result in given:
+    for result in found:
         if result.full_id == _OF_FUNCTION and result.location.line:
             functions.setdefault(result.location.path, []).append(result.location.line)
     keys: dict[tuple[str, str], list[int]] = {}
-    for result in given:
+    for result in found:
         if result.full_id in _AGAIN and result.location.line:
             keys.setdefault((result.location.path, _key(result)), []).append(result.location.line)
     lines = []
-    for result in given:
+    for result in found:
         line = result.location.line or 0
         if result.full_id == _KEY:
             last = result.location.end_line or line

@@ -157,7 +157,7 @@ def _ask(
     except (ValueError, KeyError, TypeError, IndexError, AttributeError, RecursionError) as err:
         words = clean.text(_last_words(output.stderr), units[0])
         raise _Failed(words or f"its output cannot be parsed ({err})") from err
-    answers = [(path, Answer(tuple(found), tuple(given))) for path, (found, given) in sorted(collected.items())]
+    answers = [(path, Answer(tuple(found), tuple(reasons))) for path, (found, reasons) in sorted(collected.items())]
     return answers, output.seconds
 
 

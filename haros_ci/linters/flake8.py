@@ -84,8 +84,8 @@ def command(program: Program, batch: Batch) -> Command:
     if batch.options.trust_config and batch.group:
         options = (f"--config={root / batch.group}", *batch.options.arguments.get(NAME, ()))
     else:
-        given = settings_files.read(batch.workspace, batch.group).get("flake8", {}) if batch.group else DEFAULTS
-        chosen = settings_files.inert(given, INERT)
+        settings = settings_files.read(batch.workspace, batch.group).get("flake8", {}) if batch.group else DEFAULTS
+        chosen = settings_files.inert(settings, INERT)
         own = batch.scratch / "flake8.cfg"
         per_file = (f"--{PER_FILE}={chosen.pop(PER_FILE)}",) if PER_FILE in chosen else ()
         own.write_text(settings_files.ini_text(NAME, chosen), encoding="utf-8")

@@ -90,9 +90,9 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
 def command(program: Program, batch: Batch) -> Command:
     """First-party are, as where isort runs by itself, the modules beside its settings and those in ``src`` there."""
     sections = settings_files.read(batch.workspace, batch.group)
-    given = {key: value for name in SECTIONS for key, value in sections.get(name, {}).items()}
-    named = {key.replace("_", "-") for key in given if key.replace("_", "-").startswith(PREFIXES)}
-    settings = {k.replace("-", "_"): v for k, v in settings_files.inert(given, INERT | named).items()}
+    declared = {key: value for name in SECTIONS for key, value in sections.get(name, {}).items()}
+    named = {key.replace("_", "-") for key in declared if key.replace("_", "-").startswith(PREFIXES)}
+    settings = {k.replace("-", "_"): v for k, v in settings_files.inert(declared, INERT | named).items()}
     home = os.path.join(batch.workspace.root, dirname(batch.group))
     own = batch.scratch / "isort.toml"
     own.write_text(

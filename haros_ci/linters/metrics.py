@@ -109,11 +109,11 @@ def keep_worst_band(results: Iterable[Result]) -> tuple[Result, ...]:
 
     Results of other tools pass through; the order stays.
     """
-    given = tuple(results)
-    crossed = {(r.location, r.scope, r.rule) for r in given if r.tool == TOOL}
+    found = tuple(results)
+    crossed = {(r.location, r.scope, r.rule) for r in found if r.tool == TOOL}
     return tuple(
         r
-        for r in given
+        for r in found
         if r.tool != TOOL or not any((r.location, r.scope, w) in crossed for w in WORSE_BANDS.get(r.rule, ()))
     )
 

@@ -92,15 +92,15 @@ def one_cause(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Re
     Call it after selection;
     *text* reads a path.
     """
-    given = tuple(results)
+    found = tuple(results)
     candidates: dict[tuple[str, str], list[int]] = defaultdict(list)
-    for i, result in enumerate(given):
+    for i, result in enumerate(found):
         if result.tool == TOOL and result.rule in RULES and result.location.line:
             candidates[result.rule, result.location.path].append(i)
     merged: dict[int, Result] = {}
     dropped: set[int] = set()
     lines: dict[tuple[str, str, object], list[int]] = defaultdict(list)
-    for i, result in enumerate(given):
+    for i, result in enumerate(found):
         called = _called(result, text) if result.full_id in OF_A_CALL else ""
         if called:
             lines[result.full_id, result.location.path, called].append(i)
@@ -119,22 +119,22 @@ def one_cause(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Re
             lines[result.full_id, result.location.path, start].append(i)
         elif result.full_id in OF_A_FILE:
             lines[result.full_id, result.location.path, None].append(i)
-    for i, result in enumerate(given):  # the template itself beside its instances
+    for i, result in enumerate(found):  # the template itself beside its instances
         key = (result.full_id, result.location.path, (result.location.line, result.message))
         if result.tool == TOOL and key in lines and "<" not in result.message:
             lines[key].append(i)
     for here in lines.values():
-        first, *others = sorted(here, key=lambda i: given[i].sort_key)[: MOST + 1]
+        first, *others = sorted(here, key=lambda i: found[i].sort_key)[: MOST + 1]
         if others:
-            merged[first] = _joined(given[first], [given[i] for i in others])
+            merged[first] = _joined(found[first], [found[i] for i in others])
             dropped.update(others)
     for (_, path), indexes in candidates.items():
         if len(indexes) > 1:
-            for group in _groups(given, indexes, text(path)):
-                first, *others = sorted(group, key=lambda i: given[i].sort_key)
-                merged[first] = _joined(given[first], [given[i] for i in others])
+            for group in _groups(found, indexes, text(path)):
+                first, *others = sorted(group, key=lambda i: found[i].sort_key)
+                merged[first] = _joined(found[first], [found[i] for i in others])
                 dropped.update(others)
-    return tuple(merged.get(i, result) for i, result in enumerate(given) if i not in dropped)
+    return tuple(merged.get(i, result) for i, result in enumerate(found) if i not in dropped)
 
 
 def _template(message: str) -> str:
@@ -182,7 +182,7 @@ def _called(result: Result, text: Callable[[str], str]) -> str:
     return "" if name is None or name[1].startswith("__") else name[1]
 
 
-def _groups(given: Sequence[Result], indexes: list[int], text: str) -> Iterator[list[int]]:
+def _groups(found: Sequence[Result], indexes: list[int], text: str) -> Iterator[list[int]]:
     """The positions of findings with one cause, where they are several; at most MOST + 1 each."""
     inside = scopes(text, "cpp")
     heads: dict[object, int] = {}
@@ -195,7 +195,7 @@ def _groups(given: Sequence[Result], indexes: list[int], text: str) -> Iterator[
         return i
 
     for i in indexes:
-        result = given[i]
+        result = found[i]
         scope = inside.at(result.location.line or 0)
         marks: list[object] = [(scope, "name", name) for pair in _NAME.findall(result.message) for name in pair if name]
         marks += [(scope, near.location.path, near.location.line) for near in result.related if near.location.line]

@@ -85,10 +85,10 @@ def _options(name: str, text: str) -> Iterator[tuple[str, str]]:
 
 def _toml_options(text: str) -> Iterator[tuple[str, str]]:
     for key, value in settings_files.toml(text).get("pylint", {}).items():
-        for option, given in value.items() if isinstance(value, dict) else ((key, value),):
-            if isinstance(given, bool):
-                yield option, "yes" if given else "no"
-            elif isinstance(given, list):
-                yield option, ",".join(str(item) for item in given if isinstance(item, (str, int, float)))
-            elif isinstance(given, (str, int, float)):
-                yield option, str(given)
+        for option, value_given in value.items() if isinstance(value, dict) else ((key, value),):
+            if isinstance(value_given, bool):
+                yield option, "yes" if value_given else "no"
+            elif isinstance(value_given, list):
+                yield option, ",".join(str(item) for item in value_given if isinstance(item, (str, int, float)))
+            elif isinstance(value_given, (str, int, float)):
+                yield option, str(value_given)

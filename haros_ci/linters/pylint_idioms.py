@@ -95,8 +95,8 @@ def _awaits_type_error(node: ast.expr) -> bool:
     """Whether *node* is a call of ``raises`` or ``assertRaises``; another exception that Python has built in is not what a wrong call raises."""
     if not isinstance(node, ast.Call) or _RAISES.fullmatch(ast.unparse(node.func)) is None:
         return False
-    given = [*node.args[:1], *(keyword.value for keyword in node.keywords if keyword.arg == "expected_exception")]
-    kinds = [elt for one in given for elt in (one.elts if isinstance(one, ast.Tuple) else [one])]
+    arguments = [*node.args[:1], *(keyword.value for keyword in node.keywords if keyword.arg == "expected_exception")]
+    kinds = [elt for one in arguments for elt in (one.elts if isinstance(one, ast.Tuple) else [one])]
     named = [getattr(builtins, kind.id, None) if isinstance(kind, ast.Name) else None for kind in kinds]
     return not named or any(not isinstance(item, type) or issubclass(TypeError, item) for item in named)
 

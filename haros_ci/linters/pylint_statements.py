@@ -31,12 +31,12 @@ def is_one_text(text: str, line: int) -> bool:
     """Whether the literals side by side on *line* are words of a text, and all that a call is given: no comma was forgotten between them."""
     found = False
     for node in nodes(text):
-        given: list[ast.expr] = []
+        arguments: list[ast.expr] = []
         if isinstance(node, ast.Call):
-            given = node.args
+            arguments = node.args
         elif isinstance(node, ast.List | ast.Tuple | ast.Set):
-            given = node.elts
-        for other_node in given:
+            arguments = node.elts
+        for other_node in arguments:
             if other_node.lineno != line or not _is_joined(text, other_node):
                 continue
             if (
@@ -97,8 +97,8 @@ def is_of_another(text: str, line: int) -> bool:
         first = next(iter((*function.args.posonlyargs, *function.args.args)), None)
         for node in ast.walk(function):
             if _is_super(node) and node.lineno == line and len(node.args) == 2:
-                given = node.args[1]
-                return not isinstance(given, ast.Name) or first is None or given.id != first.arg
+                argument = node.args[1]
+                return not isinstance(argument, ast.Name) or first is None or argument.id != first.arg
     return False
 
 

@@ -106,7 +106,7 @@ def _is_starred(result: Result, workspace: Workspace) -> bool:
     if match is None or names_python3(text) or (package is not None and package.ros == 2):
         return False
     name = match[1]
-    given = re.compile(
+    pattern = re.compile(
         rf"^(?:(?:async[ \t]+)?def|class)[ \t]+{name}\b|^{name}[ \t]*(?::[^=\n]{{0,200}})?=(?!=)|^from[ \t]+\S+[ \t]+import[ \t][^\n#]{{0,300}}\b{name}\b",
         re.MULTILINE,
     )
@@ -115,7 +115,7 @@ def _is_starred(result: Result, workspace: Workspace) -> bool:
         for beside in (f"{here}{module}.py", f"{here}{module}/__init__.py"):
             other = workspace.text(beside) if beside in workspace.names else ""
             is_public = f"'{name}'" in other or f'"{name}"' in other if _EXPORTS.search(other) else name[0] != "_"
-            if is_public and given.search(other):
+            if is_public and pattern.search(other):
                 return True
     return False
 
@@ -170,10 +170,10 @@ def _is_helper(line: int, text: str, workspace: Workspace) -> bool:
     use = re.compile(rf"(\w+|[)\]}}'\"])[ \t]*\.[ \t]*{re.escape(name)}\b")
     every = (workspace.text(file.path) for file in workspace.files if file.language in ("python", "launch"))
     texts = tuple(item for item in every if name in item)
-    given = re.compile(
+    pattern = re.compile(
         rf"\.[ \t]*{re.escape(name)}\b(?!\s*\(\s*(?:{'|'.join(CLASS)}|type\([^()\n]{{0,80}}\)|[A-Z]\w*)\s*[,)])"
     )
-    if is_of_class and any(given.search(other_text) for other_text in texts):
+    if is_of_class and any(pattern.search(other_text) for other_text in texts):
         return False
     receivers = {found[1] for other_text in texts for found in use.finditer(other_text)}
     if not receivers:  # the body of the class itself uses it

@@ -67,10 +67,12 @@ def _last_name(node: ast.expr) -> str:
 
 def _defaults(function: _Function) -> Iterator[tuple[str, ast.expr]]:
     """Each parameter with a default that is made by a display or a call."""
-    given = function.args
-    placed = [*given.posonlyargs, *given.args]
-    pairs = [*zip(placed[len(placed) - len(given.defaults) :], given.defaults, strict=True)]
-    pairs += [(name, default) for name, default in zip(given.kwonlyargs, given.kw_defaults, strict=True) if default]
+    arguments = function.args
+    placed = [*arguments.posonlyargs, *arguments.args]
+    pairs = [*zip(placed[len(placed) - len(arguments.defaults) :], arguments.defaults, strict=True)]
+    pairs += [
+        (name, default) for name, default in zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True) if default
+    ]
     for name, default in pairs:
         made = isinstance(default, ast.List | ast.Dict | ast.Set | ast.ListComp | ast.DictComp | ast.SetComp)
         if made or (isinstance(default, ast.Call) and _last_name(default.func) in _MUTABLE):

@@ -104,9 +104,9 @@ def _name(link: Link) -> str:
 def _harmless(path: str, options: dict[str, Any], problems: list[Problem]) -> dict[str, Any]:
     kept = {key: value for key, value in options.items() if key not in LEFT_OUT}
     if SOURCES in kept:
-        given = kept[SOURCES] if isinstance(kept[SOURCES], list) else []
-        kept[SOURCES] = [source for source in given if isinstance(source, str) and _stays_inside(source)]
-        if len(kept[SOURCES]) < len(given):
+        sources = kept[SOURCES] if isinstance(kept[SOURCES], list) else []
+        kept[SOURCES] = [source for source in sources if isinstance(source, str) and _stays_inside(source)]
+        if len(kept[SOURCES]) < len(sources):
             problems.append(Problem(path, "ruff does not use a directory under `src` that lies outside the workspace"))
     return kept
 

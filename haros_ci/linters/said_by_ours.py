@@ -59,25 +59,25 @@ def said_once(results: Iterable[Result], package_of: Callable[[str], str | None]
 
     They are of one package, which *package_of* tells of a path, and name one thing: or the directory that it is in.
     """
-    given = tuple(results)
+    found = tuple(results)
     by_package: dict[str, list[int]] = defaultdict(list)
-    for i, result in enumerate(given):
+    for i, result in enumerate(found):
         package = package_of(result.location.path) if result.tool == OURS else None
         if package:
             by_package[package].append(i)
     also: dict[int, set[str]] = defaultdict(set)
     dropped: set[int] = set()
-    for i, result in enumerate(given):
+    for i, result in enumerate(found):
         if result.tool == TOOL:
             near = by_package.get(package_of(result.location.path) or "", ())
-            twin = next((n for n in near if _is_same(result, given[n])), None)
+            twin = next((n for n in near if _is_same(result, found[n])), None)
             if twin is not None:
                 also[twin].update((result.full_id, *result.also))
                 dropped.add(i)
     return _of_one_target(
         (
             replace(result, also=tuple(sorted({*result.also, *also[i]}))) if i in also else result
-            for i, result in enumerate(given)
+            for i, result in enumerate(found)
             if i not in dropped
         ),
         package_of,

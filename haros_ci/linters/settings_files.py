@@ -142,8 +142,8 @@ def plain(value: object) -> bool:
 
 def words(value: object) -> list[str]:
     """A list as either notation has it: a TOML list, or items on lines or between commas."""
-    given = value if isinstance(value, list) else str(value).replace("\n", ",").split(",")
-    return [word for word in (str(item).strip() for item in given) if word]
+    items = value if isinstance(value, list) else str(value).replace("\n", ",").split(",")
+    return [word for word in (str(item).strip() for item in items) if word]
 
 
 def as_text(value: object) -> str:

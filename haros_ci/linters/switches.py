@@ -49,16 +49,18 @@ class Keys:
 
 def switches(options: Mapping[str, object], keys: Keys, section: str = "") -> Switches:
     """What *options* switch off by *keys*; *section* is put before the options of a part of the workspace."""
-    given = {key.strip().lower().replace("_", "-"): value for key, value in options.items()}
+    normalized = {key.strip().lower().replace("_", "-"): value for key, value in options.items()}
 
     def of(names: Iterable[str]) -> frozenset[str]:
-        return frozenset(f"{section}{word}" for name in names if name in given for word in _words(given[name]))
+        return frozenset(
+            f"{section}{word}" for name in names if name in normalized for word in _words(normalized[name])
+        )
 
-    only = of(keys.only) if any(name in given for name in keys.only) else None
-    words = {(section + name, word) for name in keys.words if name in given for word in _words(given[name])}
-    words |= {(section + name, "true") for name in keys.flags if _is_true(given.get(name))}
-    strict = frozenset(section + name for name in keys.stricter if _is_true(given.get(name)))
-    limits = {section + name: number for name in keys.limits if (number := _number(given.get(name))) is not None}
+    only = of(keys.only) if any(name in normalized for name in keys.only) else None
+    words = {(section + name, word) for name in keys.words if name in normalized for word in _words(normalized[name])}
+    words |= {(section + name, "true") for name in keys.flags if _is_true(normalized.get(name))}
+    strict = frozenset(section + name for name in keys.stricter if _is_true(normalized.get(name)))
+    limits = {section + name: number for name in keys.limits if (number := _number(normalized.get(name))) is not None}
     return Switches(of(keys.off), only, of(keys.more), strict, frozenset(words), limits)
 
 

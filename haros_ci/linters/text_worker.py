@@ -74,8 +74,8 @@ def cmake_lint(settings: Any) -> Check:
     from cmakelang.lint import __main__ as tool  # type: ignore[import-not-found,import-untyped,unused-ignore]
     from cmakelang.lint import lint_util
 
-    given = get_config(None, [settings["file"]]) if "file" in settings else settings["config"]
-    config = configuration.Configuration(**given)
+    values = get_config(None, [settings["file"]]) if "file" in settings else settings["config"]
+    config = configuration.Configuration(**values)
 
     def check(name: str, text: str) -> Iterable[Said]:
         context = lint_util.GlobalContext(None).get_file_ctx(name, config)

@@ -296,8 +296,8 @@ def _flat(options: Mapping[str, Any], depth: int = 0) -> dict[str, Any]:
 
 
 def _lines(value: object) -> list[str]:
-    given = value if isinstance(value, list) else str(value or "").splitlines()
-    return [line for line in (str(item).strip() for item in given) if line]
+    items = value if isinstance(value, list) else str(value or "").splitlines()
+    return [line for line in (str(item).strip() for item in items) if line]
 
 
 def _is_number(value: object) -> bool:

@@ -109,10 +109,10 @@ def _take_patterns(workspace: Workspace, where: dict[str, Any], directory: str, 
     if names is None:
         return
     lines: list[str] = []
-    given = [names] if isinstance(names, str) else names if isinstance(names, list) else []
-    if len(given) > MOST_FILES:
+    files = [names] if isinstance(names, str) else names if isinstance(names, list) else []
+    if len(files) > MOST_FILES:
         raise ValueError(f"ignore-from-file names more than {MOST_FILES} files")
-    for name in given:
+    for name in files:
         read.append(_inside(directory, str(name)))
         lines += workspace.setting(read[-1]).splitlines()
     if len(lines) > MOST_LINES:
@@ -127,8 +127,8 @@ def _inside(directory: str, name: str) -> str:
     return path
 
 
-def _options(given: object) -> Any:
-    return {"enable": {}, "disable": False}.get(given, given) if isinstance(given, str) else given
+def _options(value: object) -> Any:
+    return {"enable": {}, "disable": False}.get(value, value) if isinstance(value, str) else value
 
 
 def _over(under: object, options: object) -> object:

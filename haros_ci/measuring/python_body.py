@@ -92,13 +92,13 @@ class Body:
         """Of a function or class here only what is evaluated to define it counts."""
         self.local.append(node)
         arguments = getattr(node, "args", None)
-        given = (*node.decorator_list, *getattr(node, "bases", ()))
-        given += (
+        evaluated = (*node.decorator_list, *getattr(node, "bases", ()))
+        evaluated += (
             (*arguments.defaults, *(kw_default for kw_default in arguments.kw_defaults if kw_default))
             if arguments
             else ()
         )
-        for item in given:
+        for item in evaluated:
             self._expression(item)
         return 1
 

@@ -48,16 +48,16 @@ class RosCall(Entity):
 
     @property
     def name(self) -> str:
-        given = RosName(self.end.original_name, self.end.written).given
-        return str(given) if given is not UNKNOWN else self.end.original_name.rpartition("/")[2]
+        written = RosName(self.end.original_name, self.end.written).given
+        return str(written) if written is not UNKNOWN else self.end.original_name.rpartition("/")[2]
 
     @property
     def namespace(self) -> str:
         """What the handle puts in front: "" for the node's namespace, ``~`` for its own name, else a path."""
-        full, given = self.end.original_name, self.end.written
-        if given is None or given[:1] in ("/", "~") or not full.endswith(f"/{given}"):
+        full, value = self.end.original_name, self.end.written
+        if value is None or value[:1] in ("/", "~") or not full.endswith(f"/{value}"):
             return ""
-        prefix, own = full[: -len(given) - 1], self.node.name
+        prefix, own = full[: -len(value) - 1], self.node.name
         if prefix == own or prefix.startswith(f"{own}/"):
             return f"~{prefix[len(own) + 1 :]}"
         space = own.rpartition("/")[0]

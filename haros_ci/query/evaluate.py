@@ -167,8 +167,8 @@ class Compiler:
 
         return read
 
-    def _method(self, run: Run, link: Attribute, given: Any, names: Names) -> Run:
-        arguments = [self.make(argument, names) for argument in given.arguments]
+    def _method(self, run: Run, link: Attribute, raw_arguments: Any, names: Names) -> Run:
+        arguments = [self.make(argument, names) for argument in raw_arguments.arguments]
         machine, name, at = self.machine, link.name, link.at
         return self.placed(
             lambda scope: call_method(machine, run(scope), name, [one(scope) for one in arguments], at), at

@@ -42,9 +42,9 @@ class RosName(Entity):
         "full", "own", "namespace", "given", "is_global", "is_private", "is_unresolved", "pattern"
     )
 
-    def __init__(self, full: str, given: str | None) -> None:
+    def __init__(self, full: str, value: str | None) -> None:
         self.full = full
-        self.given_text = given
+        self.given_text = value
 
     @property
     def given(self) -> Value:

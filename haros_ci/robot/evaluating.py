@@ -132,13 +132,13 @@ class Evaluating:
         written = self.text(content, scope)
         if not isinstance(written, str):
             return UNKNOWN
-        kind, *given = written.split() or [""]
-        if kind == "find" and len(given) == 1:
-            return f"{FIND}{given[0]}"
-        if kind == "arg" and len(given) == 1:
-            return self.argument_value(given[0])
-        if kind in ("env", "optenv") and given:
-            return self._variable(kind, given[0], given[1:])
+        kind, *provided = written.split() or [""]
+        if kind == "find" and len(provided) == 1:
+            return f"{FIND}{provided[0]}"
+        if kind == "arg" and len(provided) == 1:
+            return self.argument_value(provided[0])
+        if kind in ("env", "optenv") and provided:
+            return self._variable(kind, provided[0], provided[1:])
         if kind == "dirname":
             return (HERE + posixpath.dirname(self.file)).rstrip("/")
         if kind == "eval":

@@ -190,25 +190,25 @@ class Expansion(Calling):
 
     def property(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
         """xacro's grab_property."""
-        given = node.attributes
-        name = self.words(given.get("name", ""), scope, node)
+        attributes = node.attributes
+        name = self.words(attributes.get("name", ""), scope, node)
         if isinstance(name, Unknown):
             self.world.is_open = True
             return
-        if "remove" in given and truth(self.value(given["remove"], scope, node)):
+        if "remove" in attributes and truth(self.value(attributes["remove"], scope, node)):
             scope.remove(name)
             return
-        value: Any = given.get("value")
-        if "default" in given:
+        value: Any = attributes.get("value")
+        if "default" in attributes:
             if scope.has(name):
                 return
-            value = given["default"]
+            value = attributes["default"]
         if value is None:
             name, value = f"**{name}", node
-        where = {"global": scope.top(), "parent": scope.around()}.get(str(given.get("scope", "")), scope)
+        where = {"global": scope.top(), "parent": scope.around()}.get(str(attributes.get("scope", "")), scope)
         if where is None:
             return
-        lazy = truth(self.value(given.get("lazy_eval", "true"), scope, node)) is not False and where is scope
+        lazy = truth(self.value(attributes.get("lazy_eval", "true"), scope, node)) is not False and where is scope
         if not lazy and isinstance(value, str):
             value = self.value(value, scope, node)
         where.put(name, value, lazy=lazy, location=node.location)

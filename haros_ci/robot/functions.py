@@ -110,12 +110,12 @@ def method(value: object, name: str) -> Function | None:
     if kind is dict and name in ("items", "keys", "values"):
         return Function(name, lambda: list(call(value)))
     if name in ("replace", "join"):
-        return Function(name, lambda *given: _grown(name, value, given))
-    return Function(name, lambda *given, **more: call(value, *given, **more))
+        return Function(name, lambda *arguments: _grown(name, value, arguments))
+    return Function(name, lambda *arguments, **more: call(value, *arguments, **more))
 
 
-def _grown(name: str, value: Any, given: tuple[Any, ...]) -> Any:
+def _grown(name: str, value: Any, received: tuple[Any, ...]) -> Any:
     """``replace`` and ``join``, whose results may be longer than all that they are given."""
-    arguments = [items(given[0])] if name == "join" else [*given]
+    arguments = [items(received[0])] if name == "join" else [*received]
     check_text_method(name, value, arguments, LIMITS)
     return getattr(str, name)(value, *arguments)

@@ -39,9 +39,9 @@ def is_call(node: Node, macro: Macro, into: Node) -> bool:
     if node.tag in _OWN or into.tag not in ("robot", "macro", "xacro:macro"):
         return False
     parameters = {name for name in macro.parameters if not name.startswith("*")}
-    given = set(node.attributes)
+    attributes = set(node.attributes)
     return (
-        given <= parameters
-        and all(name in given or name in macro.defaults for name in parameters)
-        and bool(given or node.children)
+        attributes <= parameters
+        and all(name in attributes or name in macro.defaults for name in parameters)
+        and bool(attributes or node.children)
     )

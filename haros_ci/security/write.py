@@ -37,12 +37,12 @@ def policy_of(nodes: Iterable[Node]) -> Written | None:
     gaps: list[str] = []
     enclaves: dict[str, dict[str, list[Node]]] = {}
     selected = [node for node in nodes if node.ros == 2 and node.kind != "library"]
-    given = {
+    by_process = {
         node.process: path for node in selected if (path := enclave_of(node)) is not None and node.process is not None
     }
     for node in selected:
         process = node.process or node.name
-        path = given.get(process, process)
+        path = by_process.get(process, process)
         if "?" not in node.name + path and not (_is_plain(node.name) and _is_plain(path)):
             gaps.append(f"{node.name}: ROS 2 takes no such name, so it has no profile")
             continue

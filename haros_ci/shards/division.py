@@ -27,17 +27,17 @@ def divide(jobs: Sequence[Job], shards: int) -> tuple[int, ...]:
     """For each job the number of its shard, from 1 on."""
     loads = [(0, number) for number in range(1, shards + 1)]
     heapify(loads)
-    given = [0] * len(jobs)
+    shard_of = [0] * len(jobs)
     for index in sorted(range(len(jobs)), key=lambda i: (-jobs[i].cost, jobs[i].names)):
         load, number = loads[0]
-        given[index] = number
+        shard_of[index] = number
         heapreplace(loads, (load + jobs[index].cost, number))
-    return tuple(given)
+    return tuple(shard_of)
 
 
-def plan_digest(jobs: Sequence[Job], given: Sequence[int], shards: int) -> str:
+def plan_digest(jobs: Sequence[Job], shard_of: Sequence[int], shards: int) -> str:
     """SHA-256 of the whole division: equal for shards that have divided the same work in the same way."""
-    rows = sorted([number, *job.names] for job, number in zip(jobs, given, strict=True))
+    rows = sorted([number, *job.names] for job, number in zip(jobs, shard_of, strict=True))
     return hashlib.sha256(json.dumps([shards, rows]).encode()).hexdigest()
 
 

@@ -71,9 +71,12 @@ def part(
             *(Job(("", name), cost) for name, cost in wholes.items()),
             *(Job((portion.tool, *portion.keys), portion.cost) for portion in parts),
         ]
-        given = divide(jobs, of)
+        shard_of = divide(jobs, of)
         mine = {
-            (job.names[0], key) for job, who in zip(jobs, given, strict=True) if who == number for key in job.names[1:]
+            (job.names[0], key)
+            for job, who in zip(jobs, shard_of, strict=True)
+            if who == number
+            for key in job.names[1:]
         }
         reported: dict[tuple[str, str], Said] = {}
         failed: list[Failed] = []
@@ -95,7 +98,7 @@ def part(
             base=None if past is None else past.revision,
             settings=settings_digests(settings, known.components),
             tools=tuple(_had(noted)),
-            plan=plan_digest(jobs, given, of),
+            plan=plan_digest(jobs, shard_of, of),
             confined=sandbox.state(settings.trust_config),
         )
     return Shard(header, tuple(reported.values()), tuple(failed), runs), _trouble(planned, failed, runs)

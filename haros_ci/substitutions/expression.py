@@ -138,10 +138,10 @@ class _Roslaunch(Language):
         return _name(name, self.scopes)
 
     def function(self, name: str) -> Function:
-        return Function(name, lambda *given: _call(name, [*given], self.scopes))
+        return Function(name, lambda *arguments: _call(name, [*arguments], self.scopes))
 
     def attribute(self, owner: Any, name: str) -> Function:
-        return Function(f".{name}", lambda *given: _method(owner, name, [*given]))
+        return Function(f".{name}", lambda *arguments: _method(owner, name, [*arguments]))
 
     def looked_into(self, value: Any) -> Any:
         return _plain(value)

@@ -79,8 +79,8 @@ class Arguments:
         origin = text.origin
         if origin is None or origin.arguments.isdisjoint(assumed):
             return text
-        given = sorted((name, value.raw) for name, value in assumed.items() if name in origin.arguments)
-        key = (id(origin), tuple(given))
+        values = sorted((name, value.raw) for name, value in assumed.items() if name in origin.arguments)
+        key = (id(origin), tuple(values))
         if key not in self.again:
             self.again[key] = (origin, text)  # against one that depends on itself
             made: Text | None = unknown("it comes from launch arguments in too many steps")
@@ -157,16 +157,16 @@ class Question:
             values = sorted(self.literals(name) or ())
         return [value for value in dict.fromkeys(values) if not now.known or value != now.raw][:MOST_VALUES]
 
-    def because(self, given: Assumed) -> tuple[Presence, dict[str, Text]]:
+    def because(self, assumed: Assumed) -> tuple[Presence, dict[str, Text]]:
         """Why it holds with *given*: a conjunction of choices that suffices, none of which can be left out; their values."""
-        now = {**self.now, **given}
+        now = {**self.now, **assumed}
         kept = {name: text for name, text in now.items() if text.known}
         if len(self.names) <= MOST_NAMED:
             for name in reversed(self.names):
                 if name in kept and self.ask({**now, **kept, name: _ANY}) is True:
                     now[name] = _ANY
                     del kept[name]
-        presence = together(*((item,) for name in kept for item in self._choices(name, now, name in given)))
+        presence = together(*((item,) for name in kept for item in self._choices(name, now, name in assumed)))
         return presence or (), kept
 
     def _choices(self, name: str, now: Mapping[str, Text], is_given: bool) -> tuple[Choice, ...]:
@@ -212,14 +212,14 @@ class Question:
                     return found
         return None
 
-    def _found(self, given: dict[str, Text], presence: Presence) -> tuple[dict[str, Text], Presence] | None:
-        if self.ask(given) is not True:
+    def _found(self, assumed: dict[str, Text], presence: Presence) -> tuple[dict[str, Text], Presence] | None:
+        if self.ask(assumed) is not True:
             return None
-        own, kept = self.because(given)
+        own, kept = self.because(assumed)
         both = together(presence, own)
         if both is None or not own:
             return None
-        return {name: text for name, text in kept.items() if text != self.now[name] or name in given}, both
+        return {name: text for name, text in kept.items() if text != self.now[name] or name in assumed}, both
 
     def needed(self) -> Presence:
         """What must be for it to be able to hold, where it is not known whether it does."""

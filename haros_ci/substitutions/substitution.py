@@ -111,9 +111,9 @@ def _command(content: str, sources: Sources) -> Substituted:
     if command == "optenv":
         if not words:
             return _wrong("$(optenv NAME default) needs the name of an environment variable")
-        given = _given(words[0], sources)
-        if given is not None:
-            return Substituted(given)
+        value = _given(words[0], sources)
+        if value is not None:
+            return Substituted(value)
         if len(words) == 1:
             return Substituted(Text("", vacant=_not_given(words[0])))
         default = " ".join(words[1:])
@@ -135,8 +135,8 @@ def _command(content: str, sources: Sources) -> Substituted:
 
 
 def environment_text(name: str, sources: Sources) -> Text:
-    given = _given(name, sources)
-    return unknown(_not_given(name)) if given is None else given
+    value = _given(name, sources)
+    return unknown(_not_given(name)) if value is None else value
 
 
 def _given(name: str, sources: Sources) -> Text | None:

@@ -30,9 +30,9 @@ def _auto(kind: str) -> Callable[[State, Call], None]:
         if kind == "library":
             made_kind = next((KINDS[bare(word)] for word in words if bare(word) in KINDS), kind)
             words = [word for word in words if bare(word) not in KINDS]
-        given = under(words, SKIPPED, ("DIRECTORY",), ())
-        sources = list(given[""])
-        for directory in given.get("DIRECTORY", []):
+        keywords = under(words, SKIPPED, ("DIRECTORY",), ())
+        sources = list(keywords[""])
+        for directory in keywords.get("DIRECTORY", []):
             inner = inside(place(bare(directory), state.source_directory())) if is_certain(directory) else None
             before = state.tree.looked_at
             for suffix in _CODE if inner is not None else ():
@@ -41,7 +41,7 @@ def _auto(kind: str) -> Callable[[State, Call], None]:
             state.spend(5 + (state.tree.looked_at - before) // 10)
         made = make_target(state, call, made_kind, name)
         own_sources(state, call, made, sources)
-        if "NO_TARGET_LINK_LIBRARIES" not in given:
+        if "NO_TARGET_LINK_LIBRARIES" not in keywords:
             for other in state.targets.values():
                 if other is not made and "AUTO" in other.properties and other.kind != "executable":
                     made.links.setdefault(other.name, not state.doubts)

@@ -183,18 +183,18 @@ def _outputs_unknown(state: State, call: Call) -> None:
 def _parse_arguments(state: State, call: Call) -> None:
     """cmake_parse_arguments(prefix options one multi args...) and cmake_parse_arguments(PARSE_ARGV n prefix ...)."""
     words = call.words
-    given: list[str]
+    passed: list[str]
     if words[:1] == ["PARSE_ARGV"] and len(words) >= 6 and (first := whole_number(words[1])) is not None:
         words = words[2:]
         total = min(whole_number(state.get("ARGC") or "0") or 0, 10_000)
-        given = [state.get(f"ARGV{index}") or "" for index in range(min(first, 1000), total)]
+        passed = [state.get(f"ARGV{index}") or "" for index in range(min(first, 1000), total)]
     else:
-        given = [element for word in words[4:] for element in split_list(word) if element]
+        passed = [element for word in words[4:] for element in split_list(word) if element]
     if len(words) < 4:
         return
     prefix = words[0]
     flags, single, multiple = (split_list(word) for word in words[1:4])
-    found = under(given, flags, single, multiple)
+    found = under(passed, flags, single, multiple)
     for flag in flags:
         state.put(f"{prefix}_{flag}", "TRUE" if flag in found else "FALSE")
     for name in [*single, *multiple]:

@@ -42,11 +42,11 @@ def _install_targets(state: State, names: list[str]) -> None:
 
 def install_files(state: State, call: Call, kind: str, words: list[str]) -> None:
     """What install(FILES | PROGRAMS | DIRECTORY) names. A directory that ends in a slash, or in a dot, becomes its destination."""
-    given = under(words, _FLAGS, _SINGLE, _LISTS)
-    destination = readable(next(iter(given.get("DESTINATION", [])), ""))
-    destination = tidy(destination) or _TYPES.get(next(iter(given.get("TYPE", [])), ""), "")
-    renamed = next(iter(given.get("RENAME", [])), "")
-    paths = given[""] if "PATTERN" not in given and "REGEX" not in given else _before_patterns(words)
+    keywords = under(words, _FLAGS, _SINGLE, _LISTS)
+    destination = readable(next(iter(keywords.get("DESTINATION", [])), ""))
+    destination = tidy(destination) or _TYPES.get(next(iter(keywords.get("TYPE", [])), ""), "")
+    renamed = next(iter(keywords.get("RENAME", [])), "")
+    paths = keywords[""] if "PATTERN" not in keywords and "REGEX" not in keywords else _before_patterns(words)
     for word in paths:
         element = bare(word)
         if not is_certain(element) or "$<" in element:
@@ -105,7 +105,7 @@ def _simple_scripts(state: State, call: Call) -> None:
 
 def _auto_package(state: State, call: Call) -> None:
     """ament_auto_package: installs what ament_auto_add_* made, ``include``, and INSTALL_TO_SHARE directories."""
-    given = under(call.words, ("INSTALL_TO_PATH", "NO_INSTALL"), (), ("INSTALL_TO_SHARE", "CONFIG_EXTRAS"))
+    keywords = under(call.words, ("INSTALL_TO_PATH", "NO_INSTALL"), (), ("INSTALL_TO_SHARE", "CONFIG_EXTRAS"))
     for made in state.targets.values():
         if "AUTO" in made.properties:
             made.is_installed = True
@@ -113,7 +113,7 @@ def _auto_package(state: State, call: Call) -> None:
     if headers is not None and headers in state.tree.directories:
         state.installed.setdefault((headers, "directory", "include", ""), call.location)
     share = f"share/{state.package.name}"
-    for word in given.get("INSTALL_TO_SHARE", []):
+    for word in keywords.get("INSTALL_TO_SHARE", []):
         path = inside(place(bare(word), state.source_directory())) if is_certain(bare(word)) else None
         if path is not None:
             final = f"{share}/{path.rpartition('/')[2]}"
@@ -134,12 +134,12 @@ def _interface_files(state: State, call: Call) -> None:
     """add_message_files and its like: FILES in DIRECTORY, by default all in ``msg``, ``srv``, ``action``."""
     suffix = _MESSAGE_KINDS[call.name]
     _generates(state, "generate_messages_cpp")
-    given = under(call.words, ("NOINSTALL",), ("DIRECTORY", "BASE_DIR"), ("FILES",))
-    directory = next(iter(given.get("DIRECTORY", [])), suffix)
+    keywords = under(call.words, ("NOINSTALL",), ("DIRECTORY", "BASE_DIR"), ("FILES",))
+    directory = next(iter(keywords.get("DIRECTORY", [])), suffix)
     state.declares_interfaces = True
     if not is_certain(directory):
         return
-    names = given.get("FILES")
+    names = keywords.get("FILES")
     inner = inside(place(directory, state.source_directory()))
     if names is None and inner is not None:
         for path in state.tree.glob(f"{inner}/*.{suffix}", recurse=False, directories=False):
@@ -161,9 +161,9 @@ def _declare(state: State, call: Call, word: str) -> None:
 def _generate_interfaces(state: State, call: Call) -> None:
     """rosidl_generate_interfaces(target "msg/A.msg" ...); ``dir:file`` is a path, too."""
     flags = ("SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK", "ADD_LINTER_TESTS")
-    given = under(call.words[1:], flags, ("LIBRARY_NAME",), ("DEPENDENCIES",))
+    keywords = under(call.words[1:], flags, ("LIBRARY_NAME",), ("DEPENDENCIES",))
     state.declares_interfaces = True
-    for word in given[""]:
+    for word in keywords[""]:
         _declare(state, call, bare(word).replace(":", "/"))
 
 
@@ -196,8 +196,8 @@ def _python_package(state: State, call: Call) -> None:
     """ament_python_install_package(name [PACKAGE_DIR dir])."""
     if call.words and is_certain(call.words[0]):
         single = ("PACKAGE_DIR", "VERSION", "SETUP_CFG", "DESTINATION", "SCRIPTS_DESTINATION")
-        given = under(call.words[1:], (), single, ())
-        directory = next(iter(given.get("PACKAGE_DIR", [])), call.words[0])
+        keywords = under(call.words[1:], (), single, ())
+        directory = next(iter(keywords.get("PACKAGE_DIR", [])), call.words[0])
         path = inside(place(directory, state.source_directory())) if is_certain(directory) else None
         if path is not None:
             state.python_packages[call.words[0]] = path

@@ -133,10 +133,10 @@ def _target_sources(state: State, call: Call) -> None:
     made = state.targets.get(call.words[0]) if call.words else None
     if made is None:
         return
-    given = under(call.words[1:], _SCOPES, ("FILE_SET", "TYPE"), ("BASE_DIRS", "FILES"))
+    keywords = under(call.words[1:], _SCOPES, ("FILE_SET", "TYPE"), ("BASE_DIRS", "FILES"))
     if not made.is_conditional and not made.is_test:
         state.record(f"sources of {made.name}")
-    add_sources(state, made, given[""], call.location, is_certainly=not state.doubts or made.is_conditional)
+    add_sources(state, made, keywords[""], call.location, is_certainly=not state.doubts or made.is_conditional)
 
 
 def _link(state: State, call: Call) -> None:
@@ -197,19 +197,19 @@ def _components(state: State, call: Call) -> None:
         return
     library = call.words[0]
     single = ("PLUGIN", "EXECUTABLE", "EXECUTOR", "RESOURCE_INDEX")
-    given = under(call.words[1:], (), single, ())
-    needed = [library, *given[""], *given.get("PLUGIN", []), *given.get("EXECUTABLE", [])]
+    keywords = under(call.words[1:], (), single, ())
+    needed = [library, *keywords[""], *keywords.get("PLUGIN", []), *keywords.get("EXECUTABLE", [])]
     vague = next((word for word in needed if not is_certain(word)), None)
     if vague is not None:
         message = f"{call.name}: {readable(vague)} is only known in a build; the component is missing"
         state.problem(call.location, message)
         return
-    for name in [*given.get("PLUGIN", []), *(given[""] if call.name.endswith("nodes") else [])]:
+    for name in [*keywords.get("PLUGIN", []), *(keywords[""] if call.name.endswith("nodes") else [])]:
         state.components.append((name, library, call.location))
-    for name in given.get("EXECUTABLE", []):
+    for name in keywords.get("EXECUTABLE", []):
         made = make_target(state, call, "executable", name)
         made.links[library] = True
-        made.properties["COMPONENT"] = next(iter(given.get("PLUGIN", [])), "")
+        made.properties["COMPONENT"] = next(iter(keywords.get("PLUGIN", [])), "")
         made.is_installed = True
 
 

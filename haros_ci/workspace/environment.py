@@ -87,8 +87,8 @@ def environment_of(workspace: Workspace, builds: Mapping[str, Build]) -> Environ
         for name, value in _outcome(hook, variables).items():
             setters.setdefault(name, Counter())[value] += 1
     for hook, script, variables in zip(hooks, scripts, alone, strict=True):  # again, with what the others set
-        if given := _set_before(script, _outcome(hook, variables), setters):
-            _note(found, where, hook, _own(script.read(given), variables))
+        if inherited := _set_before(script, _outcome(hook, variables), setters):
+            _note(found, where, hook, _own(script.read(inherited), variables))
     return _agreed(found, where)
 
 
@@ -105,15 +105,15 @@ def _set_before(
 
     *own* is what the hook of the script sets, and counted among the *setters*.
     """
-    given: dict[str, str | None] = {}
+    before: dict[str, str | None] = {}
     for name in own.keys() | _mentioned(script.text, setters):
         counts = setters[name]
         values = [
             value for value in islice(counts, 3) if name not in own or value != own[name] or counts[value] > 1
         ]  # three tell whether others than the own one disagree
         if values:
-            given[name] = values[0] if len(values) == 1 else None
-    return given
+            before[name] = values[0] if len(values) == 1 else None
+    return before
 
 
 def _mentioned(text: str, names: Mapping[str, object]) -> set[str]:
@@ -153,9 +153,9 @@ class _Script:
     is_dsv: bool = False
     stuck: frozenset[str] = frozenset()
 
-    def read(self, given: Mapping[str, str | None]) -> Variables:
+    def read(self, inherited: Mapping[str, str | None]) -> Variables:
         """What it sets, where *given* is set before it."""
-        return read_dsv(self.text, given) if self.is_dsv else read_script(self.text, given, self.stuck)
+        return read_dsv(self.text, inherited) if self.is_dsv else read_script(self.text, inherited, self.stuck)
 
 
 def _script(workspace: Workspace, hook: Hook) -> _Script:
@@ -199,7 +199,7 @@ def _dsv_value(value: str) -> str | None:
     return None if is_path else value
 
 
-def read_dsv(text: str, given: Mapping[str, str | None]) -> Variables:
+def read_dsv(text: str, inherited: Mapping[str, str | None]) -> Variables:
     """What a .dsv file sets (``type;name;value``, as colcon and ament read it); paths below the install prefix are lost."""
     values: dict[str, str | None] = {}
     for line in text.splitlines()[:2_000]:
@@ -207,7 +207,7 @@ def read_dsv(text: str, given: Mapping[str, str | None]) -> Variables:
         name, found, value = rest.partition(";")
         if kind in ("set", "set-if-unset") and name:
             made = _dsv_value(value) if found else None
-            before = values.get(name, given.get(name)) if name in values or name in given else ""
+            before = values.get(name, inherited.get(name)) if name in values or name in inherited else ""
             values[name] = made if kind == "set" or before == "" else before
         elif kind.startswith(("prepend", "append")) and name:
             values[name] = None
@@ -221,8 +221,8 @@ def environment_files(workspace: Workspace, paths: Iterable[str]) -> Environment
     where: dict[str, str] = {}
     for path in paths:
         text = workspace.text(path)
-        given = {name: values[name] for name in _mentioned(text, values)}
-        found = read_script(text, given) if path.endswith((".sh", ".bash")) else read_dotenv(text, given)
+        inherited = {name: values[name] for name in _mentioned(text, values)}
+        found = read_script(text, inherited) if path.endswith((".sh", ".bash")) else read_dotenv(text, inherited)
         values |= found.values
         values |= dict.fromkeys(found.lost)
         where |= dict.fromkeys(found.lost, path)

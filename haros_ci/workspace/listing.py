@@ -43,8 +43,8 @@ def list_files(root: Path, directories: tuple[str, ...], change: Path | None = N
             _walk(listing, root, directory, change=change)
         else:
             by_repository.setdefault(top, []).append(directory)
-    for top, given in by_repository.items():
-        _list_repository(listing, root, top, given, is_changed=top == change, change=change)
+    for top, below in by_repository.items():
+        _list_repository(listing, root, top, below, is_changed=top == change, change=change)
     return listing
 
 

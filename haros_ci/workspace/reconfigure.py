@@ -192,9 +192,9 @@ class _Reader:
         return self.generators.get(dotted(node))
 
     def argument(self, node: ast.Call, position: int, keyword: str) -> Any:
-        for given in node.keywords:
-            if given.arg == keyword:
-                return value_of(given.value, self.names)
+        for argument in node.keywords:
+            if argument.arg == keyword:
+                return value_of(argument.value, self.names)
         return value_of(node.args[position], self.names) if position < len(node.args) else MISSING
 
     def add(self, node: ast.Call, group: str) -> None:
@@ -203,15 +203,15 @@ class _Reader:
         if any(isinstance(a, ast.Starred) for a in node.args) or any(k.arg is None for k in node.keywords):
             self.problem(node, "arguments unpacked with * or ** are not followed; the parameter is missing")
             return
-        given = {word: self.argument(node, place, word) for place, word in enumerate(_ADD)}
-        name, kind = given["name"], given["paramtype"]
+        values = {word: self.argument(node, place, word) for place, word in enumerate(_ADD)}
+        name, kind = values["name"], values["paramtype"]
         if not isinstance(name, str) or not name:
             self.problem(node, "the parameter's name is not known before it runs; it is missing")
             return
         if kind not in _TYPES.values():
             self.problem(node, f"the type of {name!r} is not bool_t, int_t, double_t or str_t; it is missing")
             return
-        default, low, high = (_scalar(given[word]) for word in ("default", "min", "max"))
+        default, low, high = (_scalar(values[word]) for word in ("default", "min", "max"))
         where = Location(self.path, node.lineno, node.col_offset + 1)
         made = ConfigParameter(
             name=name, type=kind, default=default, minimum=low, maximum=high, location=where, group=group

@@ -31,7 +31,7 @@ def filled(module: ast.Module) -> frozenset[str]:
         elif is_inside and isinstance(node, ast.AugAssign):
             found.add(dotted(node.target))
         elif isinstance(node, ast.Expr) and isinstance(node.value, ast.Call) and isinstance(node.value.func, ast.Name):
-            given = node.value.args if node.value.func.id not in _HARMLESS else []
-            found.update(node.id for node in given if isinstance(node, ast.Name))
+            arguments = node.value.args if node.value.func.id not in _HARMLESS else []
+            found.update(node.id for node in arguments if isinstance(node, ast.Name))
         todo += [(child, is_inside) for child in ast.iter_child_nodes(node)]
     return frozenset(found - {""})

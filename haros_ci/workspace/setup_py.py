@@ -124,9 +124,9 @@ class _Reader:
         first, _, rest = dotted(call.func).partition(".")
         if f"{self.calls.get(first, first)}.{rest}".rstrip(".").rpartition(".")[2] != "generate_parameter_module":
             return
-        given = {keyword.arg: keyword.value for keyword in call.keywords}
-        given |= dict(zip(("module_name", "yaml_file"), call.args, strict=False))
-        name, path = (self.value(given[key]) if key in given else MISSING for key in ("module_name", "yaml_file"))
+        keywords = {keyword.arg: keyword.value for keyword in call.keywords}
+        keywords |= dict(zip(("module_name", "yaml_file"), call.args, strict=False))
+        name, path = (self.value(keywords[key]) if key in keywords else MISSING for key in ("module_name", "yaml_file"))
         inner = self.inner(path) if isinstance(path, str) else None
         where = Location(self.path, call.lineno, call.col_offset + 1)
         if not isinstance(name, str) or inner is None:

@@ -29,13 +29,13 @@ class Variables:
     lost: frozenset[str] = frozenset()
 
 
-def read_script(script: str, given: Mapping[str, str | None] | None = None, stuck: Iterable[str] = ()) -> Variables:
+def read_script(script: str, inherited: Mapping[str, str | None] | None = None, stuck: Iterable[str] = ()) -> Variables:
     """The environment variables that *script* leaves behind.
 
     *given* are those that are set before (None: to what is not known); others are taken not to be set, but for those that a shell, the system
     and ROS set. *stuck* are names of which nothing is known, whatever the script says.
     """
-    reader = _Reader(script, dict(given or {}), set(stuck), inherited=frozenset(given or ()))
+    reader = _Reader(script, dict(inherited or {}), set(stuck), inherited=frozenset(inherited or ()))
     try:
         reader.lose(reader.stuck)
         reader.tokens = tokens(script)
