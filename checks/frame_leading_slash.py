@@ -53,7 +53,7 @@ _BROADCASTERS = "tf2_ros"
 
 
 @dataclass(frozen=True, slots=True)
-class _Use:
+class _FrameUse:
     """A *frame* with a slash in code; *kind*: a ``look-up``, a ``message``, a ``marker``, or a ``transform`` that tf2 is given to send."""
 
     place: Location
@@ -62,7 +62,7 @@ class _Use:
 
 
 #: Files by path and digest with the frames in them.
-_seen: dict[tuple[str, str], tuple[_Use, ...]] = {}
+_seen: dict[tuple[str, str], tuple[_FrameUse, ...]] = {}
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -233,7 +233,7 @@ def _needs_tf2(package: str, ros: int, system: System) -> bool:
     return _uses_tf2(package, ros, system) and any(name.startswith("tf2") for name in needs)
 
 
-def _in_text(path: str, text: str) -> Iterator[_Use]:
+def _in_text(path: str, text: str) -> Iterator[_FrameUse]:
     if ("frame_id" not in text and "ransform" not in text) or ('"/' not in text and "'/" not in text):
         return
     for found in _IN_CODE.finditer(text):
@@ -252,7 +252,7 @@ def _in_text(path: str, text: str) -> Iterator[_Use]:
             kind = "transform"
         else:
             kind = "marker" if _is_marker(found, text) else "message"
-        yield _Use(place, frame, kind)
+        yield _FrameUse(place, frame, kind)
 
 
 def _is_sent(name: str | None, text: str) -> bool:
@@ -294,7 +294,7 @@ def _is_marker(found: re.Match[str], text: str) -> bool:
     return re.search(rf"ransform\w{{0,80}}\s*\([^;\n]{{0,200}}\b{word}\s*(?:\.|->)\s*header\b", text) is None
 
 
-def _marker(use: _Use, node: SystemNode | str) -> Finding:
+def _marker(use: _FrameUse, node: SystemNode | str) -> Finding:
     return Finding(
         at=use.place,
         message=f"frame {use.frame} of a marker has a leading slash: rviz of Noetic looks it up by tf2, which has no such frame; write "

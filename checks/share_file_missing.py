@@ -38,7 +38,7 @@ _QUIET = ("install", "find_package", "project", "add_executable", "add_library",
 
 
 @dataclass(frozen=True, slots=True)
-class _Use:
+class _FileUse:
     package: str
     inner: str
     at: Location
@@ -59,7 +59,7 @@ def check(project: Project) -> Iterator[Finding]:
                 yield from _finding(package, use)
 
 
-def _uses(path: str, text: str) -> Iterator[_Use]:
+def _uses(path: str, text: str) -> Iterator[_FileUse]:
     for match in re.finditer(_DIRECTORY + _ADDED, text):
         yield from _use(path, text, match, match[1], match[2])
     for match in re.finditer(rf"os\.path\.join\(\s*{_DIRECTORY}{_LITERALS}", text):
@@ -82,7 +82,7 @@ def _joined(words: str) -> str:
     return "/".join(re.findall(r"[\"']([^\"']+)[\"']", words))
 
 
-def _use(path: str, text: str, match: re.Match[str], package: str, inner: str) -> Iterator[_Use]:
+def _use(path: str, text: str, match: re.Match[str], package: str, inner: str) -> Iterator[_FileUse]:
     line = text.rfind("\n", 0, match.start()) + 1
     before = text[line : match.start()]
     inner = posixpath.normpath(inner.strip("/"))
@@ -90,10 +90,10 @@ def _use(path: str, text: str, match: re.Match[str], package: str, inner: str) -
         return
     if _READ.search(inner) and "//" not in before and "#" not in before and not before.lstrip().startswith("*"):
         number = text.count("\n", 0, match.start()) + 1
-        yield _Use(package, inner, Location(path, number, match.start() - line + 1))
+        yield _FileUse(package, inner, Location(path, number, match.start() - line + 1))
 
 
-def _finding(package: ProjectPackage, use: _Use) -> Iterator[Finding]:
+def _finding(package: ProjectPackage, use: _FileUse) -> Iterator[Finding]:
     project, path = package.project, package.inside(use.inner)
     is_there = path in project.workspace.names
     if package.ros == 1 and is_there:

@@ -40,7 +40,7 @@ _KEY = re.compile(r"^python3?-|-pip$")
 
 
 @dataclass(frozen=True, slots=True)
-class _Missing:
+class _UndeclaredModule:
     """A package that is not declared: what to declare, *others* that would do as well, and the modules of it that are imported.
 
     *pin* is where pip is asked for a version of it, *left* where the package leaves it to pip on purpose. *is_idle* says that nothing which runs
@@ -86,7 +86,7 @@ def check(project: Project) -> Iterator[Finding]:
         built = lacking(package, needs_of(package, sources), provisions)  # that is there when it runs, too
         pins, left = pinned(package), left_to_pip(package)
         aside = unreached(package, {use.location.path for uses in missing.values() for use in uses})
-        groups: dict[tuple[Level | None, bool, bool], list[_Missing]] = {}
+        groups: dict[tuple[Level | None, bool, bool], list[_UndeclaredModule]] = {}
         for providers, uses in missing.items():
             tested = sorted(providers & package.declared)
             if providers & built:
@@ -123,7 +123,7 @@ def _is_named(need: Need, package: ProjectPackage) -> bool:
 
 def _missing(
     package: ProjectPackage, uses: list[Need], pins: Mapping[str, Location], left: Mapping[str, Location]
-) -> _Missing:
+) -> _UndeclaredModule:
     name = first_provider(uses[0].providers, package)
     others = others_of(uses[0].providers, name, package)
     is_certain = not others and is_of_ros(name, package.project)
@@ -134,7 +134,7 @@ def _missing(
     by_pip = next((left[item] for item in called if item in left), None)
     if any(is_of_ros(provider, package.project) for provider in uses[0].providers):
         by_pip = None  # pip has no packages of ROS
-    return _Missing(name, tuple(others), tuple(uses), is_certain, pin, by_pip)
+    return _UndeclaredModule(name, tuple(others), tuple(uses), is_certain, pin, by_pip)
 
 
 def _by_pip(package: ProjectPackage) -> Iterator[str]:
@@ -144,7 +144,7 @@ def _by_pip(package: ProjectPackage) -> Iterator[str]:
             yield from (normal(re.split(r"[=<>~!\[]", word.strip("\"'"))[0]) for word in match[1].split())
 
 
-def _finding(package: ProjectPackage, group: list[_Missing]) -> Finding:
+def _finding(package: ProjectPackage, group: list[_UndeclaredModule]) -> Finding:
     """One finding for all modules of which the same is at stake: they are declared in one place."""
     kind = "exec_depend" if package.raw.format > 1 else "run_depend"
     modules = tuple(module for missing in group for module in missing.modules)
@@ -167,7 +167,7 @@ def _finding(package: ProjectPackage, group: list[_Missing]) -> Finding:
     )
 
 
-def _by_choice(group: list[_Missing]) -> str:
+def _by_choice(group: list[_UndeclaredModule]) -> str:
     """Where the package leaves them to pip, if that is not only by a version."""
     left = {
         missing.name: missing.left or missing.pin
@@ -181,12 +181,12 @@ def _by_choice(group: list[_Missing]) -> str:
     return f", unless pip is to install {what}, as {listed(places)} say{'' if len(places) > 1 else 's'}"
 
 
-def _is_told(group: list[_Missing]) -> bool:
+def _is_told(group: list[_UndeclaredModule]) -> bool:
     """Whether one of them is left to pip by more than a version: then all that pip may install is told at once."""
     return any(missing.left is not None and missing.pin is None for missing in group)
 
 
-def _aside(group: list[_Missing]) -> str:
+def _aside(group: list[_UndeclaredModule]) -> str:
     """That only files import it which nothing starts or imports."""
     files = (
         sorted({use.location.path for missing in group for use in missing.uses})
@@ -199,7 +199,7 @@ def _aside(group: list[_Missing]) -> str:
     return f" (nothing here starts or imports {shown}, which may as well go)"
 
 
-def _circular(package: ProjectPackage, group: list[_Missing]) -> Finding:
+def _circular(package: ProjectPackage, group: list[_UndeclaredModule]) -> Finding:
     """The packages of the modules need *package*: build tools refuse both in a row."""
     modules = tuple(module for missing in group for module in missing.modules)
     names = [missing.name for missing in group]
@@ -216,7 +216,7 @@ def _circular(package: ProjectPackage, group: list[_Missing]) -> Finding:
     )
 
 
-def _alternative(missing: _Missing, is_told: bool) -> str:
+def _alternative(missing: _UndeclaredModule, is_told: bool) -> str:
     """What would do as well; *is_told* where the message says for all together that pip may install them."""
     pin = ""
     if missing.pin is not None and not is_told:
@@ -224,7 +224,7 @@ def _alternative(missing: _Missing, is_told: bool) -> str:
     return (f" (or {', '.join(missing.others)})" if missing.others else "") + pin
 
 
-def _places(missing: _Missing) -> Iterator[tuple[Location, str]]:
+def _places(missing: _UndeclaredModule) -> Iterator[tuple[Location, str]]:
     for use in missing.uses[:_SHOWN]:
         yield use.location, f"needs {missing.name}: {use.what}"
     if missing.pin is not None:
@@ -233,7 +233,7 @@ def _places(missing: _Missing) -> Iterator[tuple[Location, str]]:
         yield missing.left, "pip is asked for it here"
 
 
-def _fixes(package: ProjectPackage, group: list[_Missing]) -> tuple[Fix, ...]:
+def _fixes(package: ProjectPackage, group: list[_UndeclaredModule]) -> tuple[Fix, ...]:
     made = [add_dependency(package, "exec_depend", missing.name) if missing.is_certain else None for missing in group]
     fixes = [fix for fix in made if fix is not None]
     if len(fixes) < len(group):

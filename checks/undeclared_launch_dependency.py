@@ -32,7 +32,7 @@ _SHOWN = 3
 
 
 @dataclass(frozen=True, slots=True)
-class _Missing:
+class _UndeclaredPackage:
     """A package that a manifest does not declare, and where its launch files use it."""
 
     name: str
@@ -51,7 +51,7 @@ def check(project: Project) -> Iterator[Finding]:
         found, is_whole = provided(package, system)
         if not packages.keys() <= found:
             found |= _of_others(project.package(package.name), provisions, sources)
-        groups: dict[tuple[Level | None, bool], list[_Missing]] = {}
+        groups: dict[tuple[Level | None, bool], list[_UndeclaredPackage]] = {}
         for name, uses in packages.items():
             if name in found or not is_to_be_had(name, package.ros, system):
                 continue
@@ -63,7 +63,7 @@ def check(project: Project) -> Iterator[Finding]:
                 continue
             others = tuple(use for use in needing if not is_of_tests(use, package, system))
             if not others:
-                groups.setdefault((Level.NOTE, True), []).append(_Missing(name, needing))
+                groups.setdefault((Level.NOTE, True), []).append(_UndeclaredPackage(name, needing))
                 continue
             needing = others
             is_asked = any(
@@ -71,7 +71,7 @@ def check(project: Project) -> Iterator[Finding]:
             )  # another launch file asks: it is meant to be optional
             is_sure = is_whole and not is_asked and not _is_generated(package, system)
             is_sure = is_sure and not all(is_aside(use, system) for use in needing)
-            groups.setdefault((None if is_sure else Level.NOTE, False), []).append(_Missing(name, needing))
+            groups.setdefault((None if is_sure else Level.NOTE, False), []).append(_UndeclaredPackage(name, needing))
         for (level, is_test), group in groups.items():
             yield _finding(package, group, level, is_test)
 
@@ -89,7 +89,7 @@ def _of_others(package: ProjectPackage | None, provisions: Provisions, sources: 
     return lacking(package, (*needs_of(package, sources), *running), provisions)
 
 
-def _finding(package: Package, group: list[_Missing], level: Level | None, is_test: bool) -> Finding:
+def _finding(package: Package, group: list[_UndeclaredPackage], level: Level | None, is_test: bool) -> Finding:
     tag = "test_depend" if is_test else "exec_depend" if package.format > 1 else "run_depend"
     names = tuple(missing.name for missing in group)
     is_one = len({use.location.path for missing in group for use in missing.uses}) == 1

@@ -23,7 +23,7 @@ _CREATE = re.compile(rf'\bcreate(?:Unique|Shared|Unmanaged)?Instance\s*\(\s*"({P
 
 
 @dataclass(slots=True)
-class _Known:
+class _LookupNames:
     """The look-up names of the workspace: each with its place; by their namespaces; the packages that export them."""
 
     names: dict[str, Location]
@@ -33,7 +33,7 @@ class _Known:
     outside: dict[str, list[str]]
 
     @classmethod
-    def of(cls, project: Project) -> _Known:
+    def of(cls, project: Project) -> _LookupNames:
         names: dict[str, Location] = {}
         spaces: dict[str, list[str]] = {}
         owners: dict[str, set[str]] = {}
@@ -53,7 +53,7 @@ class _Known:
 
 
 def check(project: Project) -> Iterator[Finding]:
-    known = _Known.of(project)
+    known = _LookupNames.of(project)
     vague = {package.name for package in project.packages if _is_vague(package.build)}
     by_plain = {_plain(name): name for name in known.names}
     reported: set[tuple[Location, str]] = set()
@@ -76,7 +76,7 @@ def check(project: Project) -> Iterator[Finding]:
         yield _finding(use, meant, known, left[path].get(use.location.line or 0))
 
 
-def _meant(use: PluginUse, known: _Known, by_plain: Mapping[str, str]) -> str | None:
+def _meant(use: PluginUse, known: _LookupNames, by_plain: Mapping[str, str]) -> str | None:
     """The exported name that is meant, "" if none is like it; None if the name may be right, or none of a plug-in.
 
     Separators are part of a look-up name. Otherwise its namespace has to be a package's that exports plug-ins, all of which
@@ -95,7 +95,7 @@ def _meant(use: PluginUse, known: _Known, by_plain: Mapping[str, str]) -> str | 
     return None
 
 
-def _released(use: PluginUse, known: _Known) -> str:
+def _released(use: PluginUse, known: _LookupNames) -> str:
     """The plug-in of a released package for which *use* is a slip; "" if it is none of any, or one itself.
 
     The list of released ones may lack new ones, and packages changed separators: only a slip in the last part counts.
@@ -122,7 +122,7 @@ def _of_elsewhere(use: PluginUse, meant: str) -> Finding:
     )
 
 
-def _finding(use: PluginUse, meant: str, known: _Known, unlisted: Unlisted | None) -> Finding:
+def _finding(use: PluginUse, meant: str, known: _LookupNames, unlisted: Unlisted | None) -> Finding:
     owners = sorted(known.owners.get(_plain(meant or use.name).rpartition("::")[0], ()))
     if meant and _plain(meant) == _plain(use.name):
         hint = f"it is exported as {meant}; write the same name"

@@ -25,7 +25,7 @@ from haros_ci.workspace.left_out import LeftOut
 from haros_ci.workspace.third_party import around
 
 if TYPE_CHECKING:
-    from haros_ci.results.known import Known, Sides
+    from haros_ci.results.known import ComparedFiles, KnownFinding
     from haros_ci.workspace.base import Base
 
 #: The baseline file that is used without being named.
@@ -172,12 +172,12 @@ def _no_baseline(why: str) -> Notification:
     return Notification(Level.WARNING, f"No baseline: {why}", configuration=True)
 
 
-def known_findings(settings: Settings) -> tuple[Known, ...]:
+def known_findings(settings: Settings) -> tuple[KnownFinding, ...]:
     """What the baseline file of *settings* holds, read from the base revision if one is given."""
     return _held(settings)[0]
 
 
-def _held(settings: Settings) -> tuple[tuple[Known, ...], tuple[Run, ...] | None]:
+def _held(settings: Settings) -> tuple[tuple[KnownFinding, ...], tuple[Run, ...] | None]:
     """The same, and the runs if it is a log."""
     from haros_ci.results.compact import BaselineFormatError, read_compact
     from haros_ci.results.known import known_from_sarif
@@ -266,11 +266,11 @@ def _against_revision(
     return Comparison((*matched, *logs), Baseline("revision", f"{rev} ({base.revision[:12]})"), tuple(notes))
 
 
-def _matched(runs: tuple[Run, ...], known: tuple[Known, ...], sides: Sides) -> tuple[Run, ...]:
+def _matched(runs: tuple[Run, ...], known: tuple[KnownFinding, ...], sides: ComparedFiles) -> tuple[Run, ...]:
     """Each run with its results' states and, at the end, its absent ones."""
     from haros_ci.results.matching import match
 
-    by_tool: dict[str, list[Known]] = {}
+    by_tool: dict[str, list[KnownFinding]] = {}
     for entry in known:
         by_tool.setdefault(entry.tool, []).append(entry)
     return tuple(

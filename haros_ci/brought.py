@@ -28,7 +28,7 @@ def before(settings: Settings) -> Past | None:
 
 def silenced(workspace: Workspace, base: Base, runs: Iterable[Run]) -> Silenced:
     """What comments silence that the files have now and did not have in *base*."""
-    from haros_ci.results.silenced import Pair
+    from haros_ci.results.silenced import SilencedPair
     from haros_ci.results.silenced import silenced as found
 
     old = {base.renames.get(file.path, file.path): file for file in base.workspace.files}
@@ -42,7 +42,7 @@ def silenced(workspace: Workspace, base: Base, runs: Iterable[Run]) -> Silenced:
     present = {file.path for file in workspace.files}
     return found(
         (
-            Pair(f.path, f.language, workspace.text(f.path), None if was is None else text(was.path))
+            SilencedPair(f.path, f.language, workspace.text(f.path), None if was is None else text(was.path))
             for f, was in changed
         ),
         ((was.path, was.language, text(was.path)) for path, was in old.items() if path not in present),

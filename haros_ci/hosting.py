@@ -21,7 +21,7 @@ from haros_ci.timing import timed
 
 if TYPE_CHECKING:  # loaded where there is a plug-in
     from haros_ci.haros_plugins.manifest import HarosPlugin
-    from haros_ci.haros_plugins.run import ByScope, Told
+    from haros_ci.haros_plugins.run import ByScope, PluginOutput
     from haros_ci.query.queries import Scenes
 
 Progress = Callable[[str], None]
@@ -30,7 +30,7 @@ LONGEST = 2_000
 
 
 @dataclass(frozen=True, slots=True)
-class Places:
+class PluginPlaces:
     """Where what a plug-in reports on stands, by its id, and the paths that there are."""
 
     scopes: Mapping[str, Location]
@@ -80,16 +80,16 @@ def hosted(
     return tuple(_asked(output, run, found, workspace, settings) for output, run in zip(outputs, runs, strict=True))
 
 
-def _places(scenes: Scenes, workspace: Workspace) -> Places:
+def _places(scenes: Scenes, workspace: Workspace) -> PluginPlaces:
     world = scenes.world
     entities: list[Any] = [*world.files.values(), *world.packages.values(), *scenes.systems]
-    return Places(
+    return PluginPlaces(
         {entity.id: entity.place for entity in entities if entity.place is not None},
         frozenset(file.path for file in workspace.files),
     )
 
 
-def _run(output: Told, places: Places, files: tuple[str, ...]) -> Run:
+def _run(output: PluginOutput, places: PluginPlaces, files: tuple[str, ...]) -> Run:
     """What a plug-in has said as a run. A failed one keeps its results, and has analysed nothing for certain."""
     plugin = output.plugin
     notes = [
@@ -117,7 +117,7 @@ def _run(output: Told, places: Places, files: tuple[str, ...]) -> Run:
     )
 
 
-def _result(plugin: HarosPlugin, data: Mapping[str, Any], places: Places) -> Result | None:
+def _result(plugin: HarosPlugin, data: Mapping[str, Any], places: PluginPlaces) -> Result | None:
     """One violation as a result; None for what stands nowhere."""
     scope = places.scopes.get(str(data.get("scope")))
     if scope is None:
@@ -147,13 +147,13 @@ def _result(plugin: HarosPlugin, data: Mapping[str, Any], places: Places) -> Res
     )
 
 
-def _location(resource: Mapping[str, Any], places: Places) -> Location | None:
+def _location(resource: Mapping[str, Any], places: PluginPlaces) -> Location | None:
     path, line, column = (resource.get(key) for key in ("path", "line", "column"))
     numbers = [number if type(number) is int and number >= 1 else None for number in (line, column)]
     return Location(path, *numbers) if isinstance(path, str) and path in places.paths else None
 
 
-def _asked(output: Told, run: Run, found: Any, workspace: Workspace, settings: Settings) -> Run:
+def _asked(output: PluginOutput, run: Run, found: Any, workspace: Workspace, settings: Settings) -> Run:
     """*run* with the matches of those rules of the plug-in that are queries, as HAROS asks them."""
     if not output.plugin.queries:
         return run

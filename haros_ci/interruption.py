@@ -33,7 +33,7 @@ class Interrupted(BaseException):
         return signal.Signals(self.number).name
 
 
-class _State:
+class _SignalState:
     """What the handler knows: *ending* is the signal that ends the run; while *held* it waits as *pending*."""
 
     ending = 0
@@ -51,7 +51,7 @@ def listening() -> Iterator[None]:
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    _State.ending = _State.pending = _State.held = 0
+    _SignalState.ending = _SignalState.pending = _SignalState.held = 0
     before: list[tuple[int, Any]] = []
     for number in (getattr(signal, name) for name in NAMES if hasattr(signal, name)):
         if signal.getsignal(number) in (signal.SIG_DFL, signal.default_int_handler):
@@ -61,17 +61,17 @@ def listening() -> Iterator[None]:
         yield
     finally:
         for number, handler in before:  # an interpreter that ends would set those back that are not ignored
-            signal.signal(number, signal.SIG_IGN if _State.ending else handler)
+            signal.signal(number, signal.SIG_IGN if _SignalState.ending else handler)
         sys.unraisablehook = hook
 
 
 def _handle(number: int, frame: FrameType | None) -> None:
-    if _State.ending:
+    if _SignalState.ending:
         return
-    if _State.held:
-        _State.pending = _State.pending or number
+    if _SignalState.held:
+        _SignalState.pending = _SignalState.pending or number
         return
-    _State.ending = number
+    _SignalState.ending = number
     raise Interrupted(number)
 
 
@@ -79,8 +79,8 @@ def _unraisable(dropped: Any) -> None:
     """Where Python drops what is raised (in a finalizer, in a callback) the signal is sent once more, and comes a little later."""
     if not isinstance(dropped.exc_value, Interrupted):
         sys.__unraisablehook__(dropped)
-    elif _State.ending == dropped.exc_value.number:
-        _State.ending = 0
+    elif _SignalState.ending == dropped.exc_value.number:
+        _SignalState.ending = 0
         again = threading.Timer(
             0.01, signal.raise_signal, (dropped.exc_value.number,)
         )  # not in here, where it would be dropped, too
@@ -101,11 +101,11 @@ def held() -> Iterator[None]:
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    _State.held += 1
+    _SignalState.held += 1
     try:
         yield
     finally:
-        _State.held -= 1
-        if _State.pending and not _State.held and not _State.ending:
-            _State.ending, _State.pending = _State.pending, 0
-            raise Interrupted(_State.ending)
+        _SignalState.held -= 1
+        if _SignalState.pending and not _SignalState.held and not _SignalState.ending:
+            _SignalState.ending, _SignalState.pending = _SignalState.pending, 0
+            raise Interrupted(_SignalState.ending)

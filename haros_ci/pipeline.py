@@ -68,11 +68,11 @@ Progress = Callable[[str], None]
 ARCHITECTURE, STRUCTURE = "architecture", "structure"
 
 #: That of the head and of the base revision, once it is clear what they are.
-Told = Callable[[Workspace, Base | None], tuple[Testimony, Testimony | None]]
+Recorded = Callable[[Workspace, Base | None], tuple[Testimony, Testimony | None]]
 
 
 def analyse(
-    settings: Settings, store: Store, *, progress: Progress | None = None, recorded: Told | None = None
+    settings: Settings, store: Store, *, progress: Progress | None = None, recorded: Recorded | None = None
 ) -> tuple[Report, Workspace]:
     """The whole run: what *settings* ask for, with what is known already taken from *store*; and what was analysed.
 

@@ -14,9 +14,9 @@ from haros_ci.launch.ros2.expression import expression_value
 from haros_ci.robot.expressions import Invalid, Undefined
 from haros_ci.robot.expressions import evaluate as of_xacro
 from haros_ci.robot.functions import Module
-from haros_ci.robot.scopes import Scope, World
+from haros_ci.robot.scopes import XacroGlobals, XacroScope
 from haros_ci.robot.unknown import Unknown
-from haros_ci.substitutions.expression import Scopes, Undecided, Wrong
+from haros_ci.substitutions.expression import ExpressionScopes, Undecided, Wrong
 from haros_ci.substitutions.expression import evaluate as of_roslaunch
 from haros_ci.substitutions.names import literal, unknown
 
@@ -35,7 +35,7 @@ class Steps:
 
 def xacro(text: str) -> str | None:
     try:
-        found = of_xacro(text, Scope(World(lambda text, _: text, Module())), Steps())
+        found = of_xacro(text, XacroScope(XacroGlobals(lambda text, _: text, Module())), Steps())
     except (Invalid, Undefined):
         return None
     return None if isinstance(found, Unknown) else str(found)
@@ -43,7 +43,7 @@ def xacro(text: str) -> str | None:
 
 def roslaunch(text: str) -> str | None:
     try:
-        return of_roslaunch(text, Scopes({}, unknown, {}, ""))
+        return of_roslaunch(text, ExpressionScopes({}, unknown, {}, ""))
     except (Undecided, Wrong):
         return None
 
@@ -141,7 +141,7 @@ def test_numbers_are_rounded_within_limits(value: Callable[[str], str | None]) -
 
 def test_what_stands_first_is_said_first_by_roslaunch() -> None:
     with pytest.raises(Wrong, match="'one' is not"):
-        of_roslaunch("one[two:]", Scopes({}, unknown, {}, ""))
+        of_roslaunch("one[two:]", ExpressionScopes({}, unknown, {}, ""))
 
 
 def test_xacro_sorts_backwards() -> None:

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from haros_ci.cli import main
-from haros_ci.commands.fixing import Mended, Plan, patch, plan, write
+from haros_ci.commands.fixing import FixPlan, Mended, patch, plan, write
 from haros_ci.model.location import Location
 from haros_ci.results.fix import Edit, Fix
 from haros_ci.results.result import Result
@@ -150,7 +150,7 @@ def test_execute_bits(tmp_path: Path) -> None:
 
 
 def test_a_last_line_without_an_end() -> None:
-    said = patch(Plan((Mended("a", "one", "two"),)))
+    said = patch(FixPlan((Mended("a", "one", "two"),)))
     assert said.splitlines()[-4:] == ["-one", "\\ No newline at end of file", "+two", "\\ No newline at end of file"]
 
 
@@ -163,7 +163,7 @@ def test_what_is_not_ours_is_not_written(tmp_path: Path) -> None:
     (root / "directory").symlink_to(outside)
     (root / "changed").write_text("new")
     (root / "shorter").write_text("a long text")
-    made = Plan(
+    made = FixPlan(
         tuple(Mended(path, "old", "bad") for path in ("link", "directory/a", "changed", "gone"))
         + (Mended("shorter", "a long text", "short"),)
     )

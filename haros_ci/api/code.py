@@ -48,7 +48,7 @@ from haros_ci.code.classes import (
     resolved,
 )
 from haros_ci.code.clients import (
-    Made,
+    ClientOrigin,
     client_made,
     is_node,
     node_name,
@@ -85,7 +85,7 @@ __all__ = [
     "Codebase",
     "FunctionParameter",
     "LOADS",
-    "Made",
+    "ClientOrigin",
     "Misfit",
     "Place",
     "Program",

@@ -34,7 +34,7 @@ MAX_DEPTH = 200
 
 
 @dataclass(frozen=True, slots=True)
-class Call:
+class ChangedCall:
     """What a call in a file makes: *what* as changes call it, *name* with ``?`` in it, *type* or *default* None if not known.
 
     *has_default* is False where none is given.
@@ -49,7 +49,7 @@ class Call:
 
 
 @dataclass(frozen=True, slots=True)
-class Made:
+class EndpointCall:
     """What a call makes: the arguments, by number or keyword, that are its name and its default, and its type."""
 
     what: str
@@ -72,12 +72,14 @@ def is_test(path: str) -> bool:
     return _TEST.search(path) is not None
 
 
-def calls_in(path: str, program: Program, rows: Rows, wrapper: Callable[[str], Made | None]) -> tuple[Call, ...]:
+def calls_in(
+    path: str, program: Program, rows: Rows, wrapper: Callable[[str], EndpointCall | None]
+) -> tuple[ChangedCall, ...]:
     """What the calls of *program* make, in their order; the name is ``?`` where nothing tells it.
 
     *wrapper* says of a function of the workspace what it makes under a name that it is given.
     """
-    found: dict[tuple[int, int, str], Call] = {}
+    found: dict[tuple[int, int, str], ChangedCall] = {}
     for function in program.functions:
         for part in (function.body, function.inits):
             for call in preorder(part):
@@ -92,7 +94,7 @@ def calls_in(path: str, program: Program, rows: Rows, wrapper: Callable[[str], M
     return tuple(found[key] for key in sorted(found))
 
 
-def made_by(call: syntax.Call, rows: Rows) -> Made | None:
+def made_by(call: syntax.Call, rows: Rows) -> EndpointCall | None:
     """What a call of a ROS library makes that changes are told of; None for all other calls."""
     callee, args, types = call.callee, call.arguments, call.templates
     name = syntax.name_of(callee)
@@ -107,7 +109,7 @@ def made_by(call: syntax.Call, rows: Rows) -> Made | None:
                 is_parameter = entry.kind in ("parameters", "getters")
                 value = _selected(entry.values.get("value"), args) if is_parameter else None
                 kind = None if is_parameter else _type(_selected(entry.values.get("type"), args), args, types)
-                return Made(WORDS[entry.kind], at, value, kind)
+                return EndpointCall(WORDS[entry.kind], at, value, kind)
     return None
 
 
@@ -121,11 +123,11 @@ def _rank(row: Row, callee: Expression, name: str) -> int:
     return 3 if above == owner else 2 if not above and owner[:1].isupper() else 0 if above else 1
 
 
-def _call(made: Made, args: Arguments, at: Location) -> Call:
+def _call(made: EndpointCall, args: Arguments, at: Location) -> ChangedCall:
     argument = argument_of(made.name, args)
     name = UNKNOWN if argument is None else _text(argument)
     value = argument_of(made.value, args)
-    return Call(
+    return ChangedCall(
         what=made.what,
         name=name,
         type=made.type,

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
-from haros_ci.changes.calls import Call
+from haros_ci.changes.calls import ChangedCall
 from haros_ci.changes.change import ADDED, CHANGED, REMOVED, RENAMED, Difference, tail
 from haros_ci.changes.endpoints import RENAMED_FROM, Moved
 from haros_ci.changes.names import UNKNOWN, likeness
@@ -15,7 +15,7 @@ from haros_ci.model.architecture import Architecture
 #: What is said of such a change.
 UNRUN = "in code that no node of this workspace is known to run"
 HIDDEN = "another one of this name is made elsewhere"
-Calls = Mapping[str, tuple[Call, ...]]
+Calls = Mapping[str, tuple[ChangedCall, ...]]
 
 
 def compare_calls(
@@ -59,7 +59,7 @@ def compare_calls(
                 yield _difference(call, action, HIDDEN if hidden else UNRUN)
 
 
-def _difference(call: Call, action: str, why: str, old: Call | None = None) -> Difference:
+def _difference(call: ChangedCall, action: str, why: str, old: ChangedCall | None = None) -> Difference:
     is_gone = action == REMOVED
     text = _described(call)
     return Difference(
@@ -77,14 +77,14 @@ def _difference(call: Call, action: str, why: str, old: Call | None = None) -> D
 
 
 Key = tuple[str, int | None, int | None]
-Found = list[tuple[str, Call]]
+Found = list[tuple[str, ChangedCall]]
 
 
-def _key(call: Call) -> Key:
+def _key(call: ChangedCall) -> Key:
     return (call.location.path, call.location.line, call.location.column)
 
 
-def _is_vague(call: Call) -> bool:
+def _is_vague(call: ChangedCall) -> bool:
     """Whether nothing of its name is known: it may be any."""
     return not call.name.strip(UNKNOWN + "./~")
 
@@ -100,13 +100,13 @@ def _places(architecture: Architecture) -> set[Key]:
     }
 
 
-def _paired(base: Calls, head: Calls) -> tuple[list[tuple[Call, Call]], Found, Found]:
+def _paired(base: Calls, head: Calls) -> tuple[list[tuple[ChangedCall, ChangedCall]], Found, Found]:
     """Calls that are on both sides, in one file or moved to another; and what is left on either."""
     removed, new = (
         [(path, c) for path, calls in sorted(side.items()) for c in calls if not _is_vague(c)] for side in (base, head)
     )
-    pairs: list[tuple[Call, Call]] = []
-    rules: tuple[Callable[[str, Call], tuple[object, ...]], ...] = (
+    pairs: list[tuple[ChangedCall, ChangedCall]] = []
+    rules: tuple[Callable[[str, ChangedCall], tuple[object, ...]], ...] = (
         lambda path, call: (path, call.what, call.name, call.type, call.default),
         lambda path, call: (path, call.what, call.name),
         lambda path, call: (call.what, call.name, call.type, call.default),
@@ -129,7 +129,7 @@ def _paired(base: Calls, head: Calls) -> tuple[list[tuple[Call, Call]], Found, F
     return pairs, removed, new
 
 
-def _renamed(removed: Found, new: Found) -> list[tuple[tuple[str, Call], tuple[str, Call]]]:
+def _renamed(removed: Found, new: Found) -> list[tuple[tuple[str, ChangedCall], tuple[str, ChangedCall]]]:
     """Calls of one file under a new name, of the same type and default, the likest first."""
     ranked = sorted(
         (-likeness(old[1].name, now[1].name), place, number)
@@ -146,7 +146,7 @@ def _renamed(removed: Found, new: Found) -> list[tuple[tuple[str, Call], tuple[s
     return [(removed[place], new[number]) for place, number in found.items()]
 
 
-def _described(call: Call) -> str:
+def _described(call: ChangedCall) -> str:
     if call.what == "parameter":
         return (
             f"default {call.default}" if call.default is not None else "a default" if call.has_default else "no default"
@@ -154,7 +154,7 @@ def _described(call: Call) -> str:
     return call.type or "?"
 
 
-def _changed(old: Call, new: Call) -> Iterator[Difference]:
+def _changed(old: ChangedCall, new: ChangedCall) -> Iterator[Difference]:
     for aspect, before, after in (("default", old.default, new.default), ("type", old.type, new.type)):
         if None not in (before, after) and before != after:
             yield Difference(

@@ -7,12 +7,12 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from haros_ci.changes import configurations
-from haros_ci.changes.calls import Call
+from haros_ci.changes.calls import ChangedCall
 from haros_ci.changes.change import Difference, told_once
 from haros_ci.changes.code import compare_calls
 from haros_ci.changes.definitions import with_nodes
-from haros_ci.changes.endpoints import Compared, Moved, Sides, compare_ends, with_users
-from haros_ci.changes.evidence import Evidence, Source
+from haros_ci.changes.endpoints import Compared, Moved, NodePair, compare_ends, with_users
+from haros_ci.changes.evidence import RevisionCode, TextEvidence
 from haros_ci.changes.instances import Calls, by_instance
 from haros_ci.changes.nodes import pair
 from haros_ci.changes.picture import edges
@@ -32,7 +32,7 @@ _OPPOSITE = {
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Side:
+class ComparedRevision:
     """One revision: its *architecture*, the *files* that there are, and by path what those parameter files and
     that code say which are not the same on both sides.
     """
@@ -40,12 +40,15 @@ class Side:
     architecture: Architecture
     files: frozenset[str] = frozenset()
     values: Mapping[str, tuple[Value, ...]] = field(default_factory=dict)
-    calls: Mapping[str, tuple[Call, ...]] = field(default_factory=dict)
-    source: Source | None = None
+    calls: Mapping[str, tuple[ChangedCall, ...]] = field(default_factory=dict)
+    source: RevisionCode | None = None
 
 
 def compare(
-    base: Side, head: Side, renames: Mapping[str, str] | None = None, interfaces: Iterable[Change] = ()
+    base: ComparedRevision,
+    head: ComparedRevision,
+    renames: Mapping[str, str] | None = None,
+    interfaces: Iterable[Change] = (),
 ) -> Changes:
     """What is otherwise at *head* than at *base*.
 
@@ -81,10 +84,10 @@ def compare(
         if old != new:
             _compare_systems(old, new, moved, outcome)
     for node, other, name in matched.elsewhere:
-        compare_ends(Sides(node, other, name, moved), outcome)
+        compare_ends(NodePair(node, other, name, moved), outcome)
     seen = outcome.differences
     if base.source is not None and head.source is not None:
-        evidence = Evidence(base.source, head.source, moved)
+        evidence = TextEvidence(base.source, head.source, moved)
         seen = [difference for difference in seen if evidence.bears_out(difference)]
         outcome.not_known += len(outcome.differences) - len(seen)
     found = by_instance(seen, Calls(base.architecture, moved), Calls(head.architecture, lambda path: path))
@@ -110,7 +113,7 @@ def _compare_systems(base: Configuration, head: Configuration, moved: Moved, out
             continue
         if old.name != new.name:
             renamed[old.name] = new.name
-        sides = Sides(old, new, head.name, moved)
+        sides = NodePair(old, new, head.name, moved)
         here = Compared()
         compare_ends(sides, here)
         outcome.not_known += here.not_known
@@ -155,7 +158,9 @@ def _users(difference: Difference, sides: tuple[_Ends, _Ends]) -> set[str]:
     return users | (set() if difference.action == REMOVED else sides[1].nodes(kind, difference.name))
 
 
-def _not_of_files(found: list[Difference], in_files: list[Difference], base: Side, head: Side) -> Iterator[Difference]:
+def _not_of_files(
+    found: list[Difference], in_files: list[Difference], base: ComparedRevision, head: ComparedRevision
+) -> Iterator[Difference]:
     """*found* without the values that the parameter files themselves tell."""
     reported = {
         (side, place)

@@ -40,7 +40,7 @@ class Compared:
 
 
 @dataclass(frozen=True, slots=True)
-class Sides:
+class NodePair:
     """A node at the base and at head, with what each knows of itself."""
 
     base: Node
@@ -61,7 +61,7 @@ class Sides:
         )
 
 
-def compare_ends(sides: Sides, outcome: Compared) -> None:
+def compare_ends(sides: NodePair, outcome: Compared) -> None:
     """All ends of the two nodes; what is not known on a side is not told."""
     is_other = identity(sides.base) != identity(sides.head)  # then what is known of programs is no news
     base, head = _by_kind(sides.base, is_other), _by_kind(sides.head, is_other)
@@ -77,7 +77,7 @@ def _by_kind(node: Node, only_source: bool) -> dict[str, list[Endpoint]]:
     return found
 
 
-def _compare_kind(sides: Sides, kind: str, base: list[Endpoint], head: list[Endpoint], outcome: Compared) -> None:
+def _compare_kind(sides: NodePair, kind: str, base: list[Endpoint], head: list[Endpoint], outcome: Compared) -> None:
     if not base and not head:
         return
     left, right = _named(base, sides.base), _named(head, sides.head)
@@ -146,7 +146,7 @@ def _has_type(end: Endpoint, other: Endpoint) -> bool:
 Found = list[tuple[str, Endpoint]]
 
 
-def _only_known(sides: Sides, removed: Found, new: Found, outcome: Compared) -> tuple[Found, Found]:
+def _only_known(sides: NodePair, removed: Found, new: Found, outcome: Compared) -> tuple[Found, Found]:
     """Those of which the other side cannot have one under a name that is not known there."""
     lost = {id(end) for name, end in removed if any(_may_be(name, end, *other) for other in new)}
     found = {id(end) for name, end in new if any(_may_be(*other, name, end) for other in removed)}
@@ -173,7 +173,7 @@ def _doubts(node: Node) -> frozenset[str]:
     return frozenset(unknown.reason for unknown in node.unknowns if unknown.field == "endpoints")
 
 
-def _renamed(sides: Sides, removed: Found, new: Found) -> Iterator[tuple[Endpoint, Endpoint]]:
+def _renamed(sides: NodePair, removed: Found, new: Found) -> Iterator[tuple[Endpoint, Endpoint]]:
     """An end under a new name: in the same file, of the same type and default, the name alike or no other in question."""
     ranked = []
     for place, (name, end) in enumerate(removed):
@@ -191,7 +191,7 @@ def _renamed(sides: Sides, removed: Found, new: Found) -> Iterator[tuple[Endpoin
             yield end, other
 
 
-def _fits(sides: Sides, end: Endpoint, other: Endpoint) -> bool:
+def _fits(sides: NodePair, end: Endpoint, other: Endpoint) -> bool:
     if end.location is None or other.location is None or end.type is None or end.type != other.type:
         return False
     if not (is_known(end.name) or is_known(other.name)) and end.kind in ("publishers", "subscribers"):
@@ -200,7 +200,7 @@ def _fits(sides: Sides, end: Endpoint, other: Endpoint) -> bool:
     return same_file and (end.kind not in ("parameters", "getters") or shown(end.value) == shown(other.value))
 
 
-def _one_sided(sides: Sides, action: str, end: Endpoint) -> Difference:
+def _one_sided(sides: NodePair, action: str, end: Endpoint) -> Difference:
     what = WORDS[end.kind]
     text = _described(end)
     place = {"base": end.location} if action == REMOVED else {"head": end.location}
@@ -217,7 +217,7 @@ def _described(end: Endpoint) -> str:
     return f"{end.type or '?'}" if end.value is None else f"{end.type or '?'} = {shown(end.value)}"
 
 
-def _changed(sides: Sides, end: Endpoint, other: Endpoint) -> Iterator[Difference]:
+def _changed(sides: NodePair, end: Endpoint, other: Endpoint) -> Iterator[Difference]:
     """What is otherwise at an end that is there on both sides."""
     what = WORDS[end.kind]
     for aspect, before, after in _aspects(end, other):

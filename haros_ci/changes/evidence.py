@@ -28,7 +28,7 @@ Begin = tuple[int, str, str]
 
 
 @dataclass(frozen=True)
-class Source:
+class RevisionCode:
     """The code of one revision.
 
     *functions* are all by file, in the order of their lines; *texts* are the files that have changed, *changed* the languages of
@@ -68,10 +68,10 @@ def _class(owner: str, classes: Container[str]) -> str:
     return owner if last in classes or last[:1].isupper() else ""
 
 
-class Evidence:
+class TextEvidence:
     """What the change's text says of the differences that are found."""
 
-    def __init__(self, base: Source, head: Source, moved: Callable[[str], str]) -> None:
+    def __init__(self, base: RevisionCode, head: RevisionCode, moved: Callable[[str], str]) -> None:
         self._base, self._head = base, head
         self._moved = moved
         self._old = {moved(path): path for path in base.texts}

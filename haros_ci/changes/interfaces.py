@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from haros_ci.changes.sections import Difference, differences
+from haros_ci.changes.sections import SectionDifference, differences
 from haros_ci.interfaces.definitions import Definitions, field_type, on_wire
 from haros_ci.interfaces.hashes import wire_hash
 from haros_ci.model.build import Interface
@@ -52,7 +52,7 @@ class InterfaceChange:
     ros: int | None = None
 
 
-class Side:
+class InterfacesOfRevision:
     """The interfaces of one revision."""
 
     def __init__(self, found: Iterable[Defined]) -> None:
@@ -71,7 +71,7 @@ class Side:
 
 def interface_changes(base: Iterable[Defined], head: Iterable[Defined]) -> tuple[InterfaceChange, ...]:
     """All changes from the interfaces of *base* to those of *head*, sorted by name, kind and place; [] for the same interfaces."""
-    before, after = Side(base), Side(head)
+    before, after = InterfacesOfRevision(base), InterfacesOfRevision(head)
     removed = [key for key in before.used if key not in after.all]
     new = [key for key in after.used if key not in before.all]
     moved = _renamed(before, after, removed, new)
@@ -146,7 +146,10 @@ def in_words(change: InterfaceChange) -> str:
 
 
 def _renamed(
-    before: Side, after: Side, removed: Sequence[tuple[str, str]], new: Sequence[tuple[str, str]]
+    before: InterfacesOfRevision,
+    after: InterfacesOfRevision,
+    removed: Sequence[tuple[str, str]],
+    new: Sequence[tuple[str, str]],
 ) -> Mapping[tuple[str, str], tuple[str, str]]:
     """Which of the new interfaces is which of the old ones: alike in all but the name, and no other is."""
     by_content: dict[object, tuple[list[tuple[str, str]], list[tuple[str, str]]]] = {}
@@ -159,7 +162,9 @@ def _renamed(
     return {old[0]: now[0] for old, now in by_content.values() if len(old) == len(now) == 1}
 
 
-def _whole(before: Side, after: Side, key: tuple[str, str], to: tuple[str, str] | None) -> InterfaceChange:
+def _whole(
+    before: InterfacesOfRevision, after: InterfacesOfRevision, key: tuple[str, str], to: tuple[str, str] | None
+) -> InterfaceChange:
     interface, ros = before.used[key]
     now = after.used[to] if to is not None else None
     return InterfaceChange(
@@ -177,7 +182,9 @@ def _whole(before: Side, after: Side, key: tuple[str, str], to: tuple[str, str] 
     )
 
 
-def _altered(before: Side, after: Side, old: Defined, new: Defined) -> Iterable[InterfaceChange]:
+def _altered(
+    before: InterfacesOfRevision, after: InterfacesOfRevision, old: Defined, new: Defined
+) -> Iterable[InterfaceChange]:
     was, now, ros = old[0], new[0], new[1]
     if not was.is_whole or not now.is_whole or was.sections == now.sections:
         return
@@ -194,7 +201,7 @@ def _altered(before: Side, after: Side, old: Defined, new: Defined) -> Iterable[
         )  # fmt: skip
 
 
-def _is_breaking(difference: Difference, ros: int | None) -> bool:
+def _is_breaking(difference: SectionDifference, ros: int | None) -> bool:
     if difference.what == "default":
         return False
     if difference.what in ("constant-removed", "constant-renamed"):

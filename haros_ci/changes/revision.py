@@ -7,9 +7,9 @@ from collections.abc import Callable, Container, Mapping
 from dataclasses import dataclass
 
 from haros_ci.changes.calls import Rows, calls_in, is_test
-from haros_ci.changes.compare import Side, compare
+from haros_ci.changes.compare import ComparedRevision, compare
 from haros_ci.changes.definitions import told
-from haros_ci.changes.evidence import Source, functions_of
+from haros_ci.changes.evidence import RevisionCode, functions_of
 from haros_ci.changes.interfaces import Defined, containing, interface_changes
 from haros_ci.changes.settings import Value
 from haros_ci.changes.wrappers import Wrappers
@@ -32,7 +32,7 @@ class Revision:
     programs: Mapping[str, Program]
     rows: Mapping[tuple[str, int], Rows]
 
-    def side(self, moved: Callable[[str], str], same: Container[str]) -> Side:
+    def side(self, moved: Callable[[str], str], same: Container[str]) -> ComparedRevision:
         """What is compared of it; parameter files and code that are the *same* on both sides are left out."""
         changed = [f.path for f in self.workspace.files if f.language == "yaml" and moved(f.path) not in same]
         read = {path: self.read_values(path, self.workspace.text(path)) for path in changed}
@@ -50,7 +50,7 @@ class Revision:
             for f in code
             if not is_test(f.path)
         }
-        return Side(
+        return ComparedRevision(
             architecture=self.architecture,
             files=self.workspace.names,
             values=values,
@@ -58,11 +58,11 @@ class Revision:
             source=self._source(moved, same),
         )
 
-    def _source(self, moved: Callable[[str], str], same: Container[str]) -> Source:
+    def _source(self, moved: Callable[[str], str], same: Container[str]) -> RevisionCode:
         """Where functions begin, and the texts that have changed."""
         changed = [file for file in self.workspace.files if moved(file.path) not in same]
         own = [file for file in changed if file.package is not None and not is_test(file.path)]
-        return Source(
+        return RevisionCode(
             functions={path: functions_of(program) for path, program in self.programs.items()},
             texts={
                 file.path: self.workspace.text(file.path)

@@ -12,7 +12,7 @@ from haros_ci.model.build import InterfaceField
 
 
 @dataclass(frozen=True, slots=True)
-class Difference:
+class SectionDifference:
     """*what* as in ``InterfaceChange``; *name* before (after, if it is added); *line* after, for what is gone that of what stood before it.
 
     *is_other_value*: a constant's value is another one, not only written in another way.
@@ -28,7 +28,7 @@ class Difference:
 
 def differences(
     before: Sequence[InterfaceField], after: Sequence[InterfaceField], ros: int | None
-) -> Iterator[Difference]:
+) -> Iterator[SectionDifference]:
     """What one must know who has code or nodes made with *before*; nothing for changes that neither code nor the wire sees."""
     for is_constant, noun in ((False, "field"), (True, "constant")):
         old = [field for field in before if field.is_constant == is_constant]
@@ -38,30 +38,30 @@ def differences(
 
 def _of_one_kind(
     old: Sequence[InterfaceField], new: Sequence[InterfaceField], noun: str, ros: int | None
-) -> Iterator[Difference]:
+) -> Iterator[SectionDifference]:
     was, now = {field.name: field for field in old}, {field.name: field for field in new}
     renamed = dict(_renamed(old, new))
     line = 1
     for name, field in was.items():
         if name in renamed:
             line = now[renamed[name]].line
-            yield Difference(f"{noun}-renamed", name, name, renamed[name], line)
+            yield SectionDifference(f"{noun}-renamed", name, name, renamed[name], line)
         elif name not in now:
-            yield Difference(f"{noun}-removed", name, before=_shown(field), line=line)
+            yield SectionDifference(f"{noun}-removed", name, before=_shown(field), line=line)
         else:
             line = now[name].line
             yield from _of_one(field, now[name], noun, ros)
     for name, field in now.items():
         if name not in was and name not in renamed.values():
-            yield Difference(f"{noun}-added", name, after=_shown(field), line=field.line)
+            yield SectionDifference(f"{noun}-added", name, after=_shown(field), line=field.line)
     if noun == "field" or ros == 1:
         for name in _moved([n for n in was if n in now], [n for n in now if n in was]):
-            yield Difference(f"{noun}-moved", name, line=now[name].line)
+            yield SectionDifference(f"{noun}-moved", name, line=now[name].line)
 
 
-def _of_one(was: InterfaceField, now: InterfaceField, noun: str, ros: int | None) -> Iterator[Difference]:
+def _of_one(was: InterfaceField, now: InterfaceField, noun: str, ros: int | None) -> Iterator[SectionDifference]:
     """The differences of a field or constant that kept its name."""
-    made = Difference("", now.name, line=now.line)
+    made = SectionDifference("", now.name, line=now.line)
     one, other = _type(was, ros), _type(now, ros)
     if one != other or (one is None and was.type != now.type):
         is_bound = one is not None and other is not None and _unbounded(one) == _unbounded(other)

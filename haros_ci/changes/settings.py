@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.changes.change import ADDED, CHANGED, REMOVED, Difference, shown
-from haros_ci.changes.endpoints import Moved, Sides
+from haros_ci.changes.endpoints import Moved, NodePair
 from haros_ci.changes.names import is_known, relative
 from haros_ci.model.architecture import Architecture, Configuration, Node, Parameter, RemapRule
 from haros_ci.model.launch_facts import ArgumentDeclaration
@@ -28,7 +28,7 @@ class Value:
     location: Location
 
 
-def compare_remaps(sides: Sides) -> Iterator[Difference]:
+def compare_remaps(sides: NodePair) -> Iterator[Difference]:
     """The remapping rules of a node, as they are written."""
     base, head = _rules(sides.base), _rules(sides.head)
     for key in [key for key in (*base, *head) if key in base and key in head and base[key].target == head[key].target]:

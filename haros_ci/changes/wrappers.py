@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from haros_ci import syntax
-from haros_ci.changes.calls import Made, Rows, argument_of, made_by
+from haros_ci.changes.calls import EndpointCall, Rows, argument_of, made_by
 from haros_ci.syntax import Expression, Function, Program
 from haros_ci.syntax.walk import preorder
 
@@ -31,9 +31,9 @@ class Wrappers:
                 if function.body and function.parameters and function.name:
                     last = function.name.rpartition("::")[2].rpartition(".")[2]
                     self._functions.setdefault(last, []).append((function, own))
-        self._known: dict[str, Made | None] = {}
+        self._known: dict[str, EndpointCall | None] = {}
 
-    def named(self, name: str, depth: int = 0) -> Made | None:
+    def named(self, name: str, depth: int = 0) -> EndpointCall | None:
         """What a call of a function *name* makes, and of which of its arguments; None if it is no wrapper, or several differ."""
         if name not in self._known:
             self._known[name] = None  # a function that calls itself is none
@@ -43,7 +43,7 @@ class Wrappers:
                 self._known[name] = found.pop() if len(found) == 1 else None
         return self._known[name]
 
-    def _made(self, function: Function, rows: Rows, depth: int) -> Made | None:
+    def _made(self, function: Function, rows: Rows, depth: int) -> EndpointCall | None:
         names = [parameter.name.lstrip("*") for parameter in function.parameters]
         for call in preorder(function.body):
             if not isinstance(call, syntax.Call):
@@ -57,7 +57,7 @@ class Wrappers:
             at = _position(argument_of(made.name, call.arguments), names)
             if at is not None:
                 value = argument_of(made.value, call.arguments) if made.value is not None else None
-                return Made(made.what, at, _position(value, names))
+                return EndpointCall(made.what, at, _position(value, names))
         return None
 
 

@@ -22,7 +22,7 @@ _UNWRAPS = ("as_string", "get", "get_value", "get_parameter_value", "string_valu
 
 
 @dataclass(frozen=True, slots=True)
-class Frame:
+class BroadcastFrame:
     """A frame by its *text*, or by the *parameter* that says it."""
 
     text: str = ""
@@ -34,8 +34,8 @@ class Sent:
     """A transform that the function *owner* (a class) or a free one sends; None for a frame that is not known."""
 
     owner: str
-    child: Frame | None
-    parent: Frame | None
+    child: BroadcastFrame | None
+    parent: BroadcastFrame | None
     receiver: str
     line: int
     column: int
@@ -151,7 +151,7 @@ def _called(facts: _Facts, function: Function, key: str, call: syntax.Call, arou
 
 def _frames(
     facts: _Facts, program: Program, key: str, arguments: tuple[Expression, ...]
-) -> tuple[Frame | None, Frame | None]:
+) -> tuple[BroadcastFrame | None, BroadcastFrame | None]:
     """Child and parent of what sendTransform is *given*."""
     if len(arguments) == 5:  # tf of ROS 1 in Python: translation, rotation, time, child, parent
         return _frame(facts, program, key, arguments[3]), _frame(facts, program, key, arguments[4])
@@ -173,18 +173,18 @@ def _frames(
     return child, _set(facts, program, key, f"{path}.header.frame_id")
 
 
-def _set(facts: _Facts, program: Program, key: str, path: str) -> Frame | None:
+def _set(facts: _Facts, program: Program, key: str, path: str) -> BroadcastFrame | None:
     values = [*facts.assigned.get((key, path), ()), *facts.assigned.get(("", path), ())]
     frames = {_frame(facts, program, key, value) for value in values}
     return frames.pop() if len(frames) == 1 else None
 
 
-def _frame(facts: _Facts, program: Program, key: str, value: Expression, depth: int = 0) -> Frame | None:
+def _frame(facts: _Facts, program: Program, key: str, value: Expression, depth: int = 0) -> BroadcastFrame | None:
     """The frame that an expression says: a literal, a constant, or what is read from a parameter."""
     if depth > 5:
         return None
     if isinstance(value, syntax.String):
-        return Frame(value.value) if value.value else None
+        return BroadcastFrame(value.value) if value.value else None
     if isinstance(value, syntax.Call):
         return _read(facts, program, key, value, depth)
     if isinstance(value, syntax.Member) and value.name in _UNWRAPS:
@@ -202,13 +202,13 @@ def _frame(facts: _Facts, program: Program, key: str, value: Expression, depth: 
     return frames.pop() if len(frames) == 1 else None
 
 
-def _read(facts: _Facts, program: Program, key: str, call: syntax.Call, depth: int) -> Frame | None:
+def _read(facts: _Facts, program: Program, key: str, call: syntax.Call, depth: int) -> BroadcastFrame | None:
     callee = call.callee
     if isinstance(callee, syntax.Member) and callee.name in _UNWRAPS:
         return _frame(facts, program, key, callee.object, depth + 1)
     name = last_part(callee)
     if name in _READS and call.arguments and isinstance(call.arguments[0], syntax.String):
-        return Frame(parameter=call.arguments[0].value)
+        return BroadcastFrame(parameter=call.arguments[0].value)
     return None
 
 
@@ -255,7 +255,7 @@ def _expressions(statement: Statement) -> Iterator[Expression]:
         yield statement.test
 
 
-def resolved(frame: Frame | None, parameters: Mapping[str, str]) -> str | None:
+def resolved(frame: BroadcastFrame | None, parameters: Mapping[str, str]) -> str | None:
     """The frame's name, with the *parameters* of a node; None if it is not known."""
     if frame is None:
         return None

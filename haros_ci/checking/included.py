@@ -14,7 +14,7 @@ from haros_ci.model.location import Location
 MAX_FILES = 2_000
 
 
-class Included:
+class IncludedHeaders:
     """The headers that the targets of one package include, also by way of its own headers."""
 
     def __init__(self, package: ProjectPackage) -> None:

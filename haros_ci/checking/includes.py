@@ -24,7 +24,7 @@ MAX_FILES = 5_000
 
 
 @dataclass(frozen=True, slots=True)
-class Include:
+class QuotedInclude:
     """``#include`` of *header*, as written, *is_quoted* in quotes."""
 
     header: str
@@ -32,7 +32,7 @@ class Include:
     location: Location
 
 
-def includes(path: str, text: str) -> Iterator[Include]:
+def includes(path: str, text: str) -> Iterator[QuotedInclude]:
     """Those that no ``#if`` stands around, but for the include guard."""
     plain = _COMMENT.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text) if "/*" in text else text
     depth, guard, is_first, at, line = 0, "", True, 0, 1
@@ -55,7 +55,7 @@ def includes(path: str, text: str) -> Iterator[Include]:
             target = _TARGET.match(rest)
             if target is not None:
                 column = match[0].index("#") + 1
-                yield Include(target[2].strip(), target[1] == '"', Location(path, line, column))
+                yield QuotedInclude(target[2].strip(), target[1] == '"', Location(path, line, column))
         is_first = False
 
 
@@ -75,7 +75,7 @@ def is_compiled(package: ProjectPackage, path: str) -> bool:
     return not path.endswith(_HEADERS) or _MOC.search(package.project.text(path)) is not None
 
 
-def reached(package: ProjectPackage, sources: Sources, *, tests: bool = False) -> Iterator[Include]:
+def reached(package: ProjectPackage, sources: Sources, *, tests: bool = False) -> Iterator[QuotedInclude]:
     """What the compiled files include from elsewhere, and what the package's own headers that they include do."""
     todo = compiled(package, tests=tests)[::-1]
     seen = set(todo)

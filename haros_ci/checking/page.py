@@ -60,7 +60,7 @@ class Page:
 
 
 @dataclass(slots=True)
-class _Open:
+class _OpenFence:
     title: str
     is_bad: bool
     files: dict[str, str] = field(default_factory=dict)
@@ -70,12 +70,12 @@ class _Open:
 def read_page(text: str) -> Page:
     """The page in *text*; a page without a title or examples has none, which tests/test_checks.py refuses."""
     title, sections, section = "", [], ""
-    examples: list[_Open] = []
+    examples: list[_OpenFence] = []
     for kind, first, second in _parts(text):
         if kind != "head":
             if section in ("Bad", "Good"):
                 if not examples or examples[-1].is_bad != (section == "Bad"):
-                    examples.append(_Open(section, section == "Bad"))
+                    examples.append(_OpenFence(section, section == "Bad"))
                 examples[-1].files[first] = second
                 if kind == "program":
                     examples[-1].executables.add(first)
@@ -85,7 +85,7 @@ def read_page(text: str) -> Page:
             section = second
             sections.append(second)
         elif section in ("Bad", "Good"):
-            examples.append(_Open(second, section == "Bad"))
+            examples.append(_OpenFence(second, section == "Bad"))
     return Page(title, tuple(sections), tuple(_example(example, title) for example in examples if example.files))
 
 
@@ -101,7 +101,7 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
     yield from (("head", head[1], head[2].strip()) for head in _HEAD.finditer(text[at:]))
 
 
-def _example(found: _Open, rule: str) -> Example:
+def _example(found: _OpenFence, rule: str) -> Example:
     files = {path: text for path, text in found.files.items() if not path.startswith(BASE)}
     before = {path.removeprefix(BASE): text for path, text in found.files.items() if path.startswith(BASE)}
     base = {path: text for path, text in {**files, **before}.items() if text or path not in before} if before else None

@@ -25,7 +25,7 @@ from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.syntax import Program
 
 if TYPE_CHECKING:
-    from haros_ci.checking.included import Included
+    from haros_ci.checking.included import IncludedHeaders
     from haros_ci.code.codebase import Codebase
 
 
@@ -83,11 +83,11 @@ class ProjectPackage:
         return CMake(self)
 
     @cached_property
-    def included(self) -> Included:
+    def included(self) -> IncludedHeaders:
         """The headers that its targets include."""
-        from haros_ci.checking.included import Included
+        from haros_ci.checking.included import IncludedHeaders
 
-        return Included(self)
+        return IncludedHeaders(self)
 
     @cached_property
     def declared(self) -> frozenset[str]:

@@ -41,7 +41,7 @@ class Checked:
 
 
 @dataclass(frozen=True, slots=True)
-class _Told:
+class _ConfirmedFinding:
     check: Check
     finding: Finding
     system: System | None
@@ -68,7 +68,7 @@ def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, unde
     them, and is confirmed by running its check *under* them, where that can be done: else it is dropped, too. A check that
     fails, or that takes too long, is a notification, and loses no other check's findings.
     """
-    by_key: dict[tuple[object, ...], dict[tuple[str, ...], _Told]] = {}
+    by_key: dict[tuple[object, ...], dict[tuple[str, ...], _ConfirmedFinding]] = {}
     failures: dict[str, Notification] = {}
     confirm = _Confirmation(under)
     budget = Patience()
@@ -119,7 +119,7 @@ def run_on_project(checks: Sequence[Check], project: Project, tool: str) -> Chec
                 for finding in check.project(project):
                     if unseen and _OF_BUILDS.intersection(check.tags):
                         finding = _of_no_build(finding, unseen)
-                    checked = _Told(check, _mendable(finding, project.text), None, ())
+                    checked = _ConfirmedFinding(check, _mendable(finding, project.text), None, ())
                     results.setdefault((*checked.key, subject(finding.about)), _result(checked, (), tool))
         except Exception as err:  # a fault of one check must not lose the others
             message = f"the check {check.id} failed: {type(err).__name__}: {err}"
@@ -167,7 +167,7 @@ def _mendable(finding: Finding, text: Callable[[str], str]) -> Finding:
     return replace(finding, fixes=fixes)
 
 
-def _told(check: Check, finding: Finding, system: System) -> _Told | None:
+def _told(check: Check, finding: Finding, system: System) -> _ConfirmedFinding | None:
     """The finding with the arguments nearest to the defaults under which it can happen; None if there are none."""
     if system.workspace is not None:
         finding = _mendable(finding, system.workspace.text)
@@ -177,7 +177,7 @@ def _told(check: Check, finding: Finding, system: System) -> _Told | None:
     if presence is None:
         return None
     arguments = assignment(presence, system.arguments)
-    return None if arguments is None else _Told(check, finding, system, arguments)
+    return None if arguments is None else _ConfirmedFinding(check, finding, system, arguments)
 
 
 class _Confirmation:
@@ -188,7 +188,7 @@ class _Confirmation:
         self.systems: dict[tuple[str, Assigned], System | None] = {}
         self.said: dict[tuple[str, str, Assigned], frozenset[tuple[object, ...]]] = {}
 
-    def __call__(self, outcome: _Told) -> bool:
+    def __call__(self, outcome: _ConfirmedFinding) -> bool:
         run = outcome.check.run
         if self.under is None or outcome.system is None or run is None:
             return False
@@ -240,18 +240,18 @@ def command(system: System, arguments: Assigned) -> str:
     return " ".join(part for part in (start, package, path.rpartition("/")[2], in_words(arguments)) if part)
 
 
-def _best(alike: Iterable[_Told]) -> _Told:
+def _best(alike: Iterable[_ConfirmedFinding]) -> _ConfirmedFinding:
     return min(alike, key=lambda checked: checked.rank)
 
 
-def _other_names(best: _Told, alike: Iterable[tuple[str, ...]]) -> tuple[str, ...]:
+def _other_names(best: _ConfirmedFinding, alike: Iterable[tuple[str, ...]]) -> tuple[str, ...]:
     """The names of which the same is to be said at the same places as of those that *best* is about."""
     own = subject(best.finding.about)
     others = [group for group in alike if group != own]
     return tuple(sorted({name for names in others for name in names} - {*own})) or tuple(sorted(map(", ".join, others)))
 
 
-def _result(checked: _Told, others: tuple[str, ...], tool: str) -> Result:
+def _result(checked: _ConfirmedFinding, others: tuple[str, ...], tool: str) -> Result:
     """*others* are the names of which the same is to be said at the same places."""
     check, finding, system = checked.check, checked.finding, checked.system
     message = finding.message.rstrip(". ")

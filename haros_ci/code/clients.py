@@ -18,7 +18,7 @@ SELVES = frozenset(("shared_from_this", "get_node_base_interface", "weak_from_th
 
 
 @dataclass(frozen=True, slots=True)
-class Made:
+class ClientOrigin:
     """A client: the *node* that it is of and its callback *group*, as in ``Callback``."""
 
     node: str
@@ -45,7 +45,7 @@ def node_name(code: Codebase, routine: Routine, expression: Expression | None) -
     return None
 
 
-def client_made(code: Codebase, routine: Routine, expression: Expression) -> Made | None:
+def client_made(code: Codebase, routine: Routine, expression: Expression) -> ClientOrigin | None:
     """How the service client that an expression is was made: a member or local variable that has one origin; None if that is not known."""
     values: Sequence[tuple[Routine, Expression]] = ()
     if isinstance(expression, syntax.Name) and kinds.is_local(code, routine, expression.name) and not routine.is_python:
@@ -58,7 +58,7 @@ def client_made(code: Codebase, routine: Routine, expression: Expression) -> Mad
         is_member = isinstance(expression, syntax.Member) and isinstance(expression.object, syntax.This)
         owner = classes.owner_of(code, routine) if is_member or isinstance(expression, syntax.Name) else None
         values = kinds.attribute_values(code, owner, syntax.name_of(expression)) if owner is not None else ()
-    made: set[Made | None] = set()
+    made: set[ClientOrigin | None] = set()
     for where, value in values:
         if (
             not isinstance(value, syntax.Call)
@@ -68,7 +68,7 @@ def client_made(code: Codebase, routine: Routine, expression: Expression) -> Mad
             return None
         call = Call("create_client", value, ())
         node = node_name(code, where, call.receiver)
-        made.add(Made(node, group_of(code, where, call)) if node is not None else None)
+        made.add(ClientOrigin(node, group_of(code, where, call)) if node is not None else None)
     return made.pop() if len(made) == 1 else None
 
 

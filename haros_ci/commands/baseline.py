@@ -19,7 +19,7 @@ from haros_ci.results.rule import Level
 from haros_ci.writing import write
 
 if TYPE_CHECKING:
-    from haros_ci.results.known import Known, Sides
+    from haros_ci.results.known import ComparedFiles, KnownFinding
 
 
 @with_timings
@@ -45,7 +45,7 @@ def _holds_another(path: Path, text: str) -> bool:
     return not path.is_symlink() and path.is_file() and path.stat().st_size > 0 and path.read_bytes() != text.encode()
 
 
-def _difference(path: Path, settings: Settings, report: Report, sides: Sides) -> str:
+def _difference(path: Path, settings: Settings, report: Report, sides: ComparedFiles) -> str:
     """What a baseline of *report* would add to the one at *path*, what it would take away."""
     from haros_ci.report.summary import plural
     from haros_ci.report.text import one_line
@@ -105,7 +105,7 @@ def show(flags: Flags) -> int:
     return 0
 
 
-def examined(flags: Flags) -> tuple[Settings, Report, Sides]:
+def examined(flags: Flags) -> tuple[Settings, Report, ComparedFiles]:
     """Today's findings without any baseline, and the files as the matcher asks for them."""
     from haros_ci.results.known import sides
 
@@ -114,7 +114,7 @@ def examined(flags: Flags) -> tuple[Settings, Report, Sides]:
     return settings, report, sides(workspace, report.runs, settings.paths)
 
 
-def known_file(flags: Flags, settings: Settings) -> tuple[Known, ...]:
+def known_file(flags: Flags, settings: Settings) -> tuple[KnownFinding, ...]:
     path = baseline_path(flags, settings)
     if not path.exists():
         raise UserError(f"{path}: no such baseline", help="haros-ci baseline create writes one")
@@ -125,7 +125,7 @@ def baseline_path(flags: Flags, settings: Settings) -> Path:
     return Path(flags["file"]).absolute() if flags.get("file") else settings.root / COMPACT_NAME
 
 
-def keep(flags: Flags, known: tuple[Known, ...], report: Report, message: str) -> int:
+def keep(flags: Flags, known: tuple[KnownFinding, ...], report: Report, message: str) -> int:
     """Write the file, unless a tool failed: its findings would be missing from it."""
     from haros_ci.results.compact import write_compact
 

@@ -14,7 +14,16 @@ from typing import Any, TypeVar
 import click
 
 from haros_ci.baselines import COMPACT_NAME
-from haros_ci.commands.output import FOLDERS, SILENT, Outputs, RendererError, Renderers, View, parse_outputs, rendered
+from haros_ci.commands.output import (
+    FOLDERS,
+    SILENT,
+    Extras,
+    Outputs,
+    RendererError,
+    Renderers,
+    parse_outputs,
+    rendered,
+)
 from haros_ci.commands.timings import with_timings
 from haros_ci.config.settings import Settings
 from haros_ci.errors import EXIT_TOOL_TROUBLE, RunFailure, UserError
@@ -115,10 +124,10 @@ def written(
     return is_whole
 
 
-def view_of(workspace: Workspace, flags: Flags, *, to_file: bool) -> View:
+def view_of(workspace: Workspace, flags: Flags, *, to_file: bool) -> Extras:
     """What a renderer may ask for of *workspace*."""
     packages = {file.path: file.package or "" for file in workspace.files}
-    return View(workspace.text, flags, to_file, lambda path: packages.get(path, ""))
+    return Extras(workspace.text, flags, to_file, lambda path: packages.get(path, ""))
 
 
 def demand_base(settings: Settings) -> None:

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from haros_ci.results.fix import Edit, Fix, applied
 from haros_ci.results.result import Result
-from haros_ci.workspace.files import TooLarge, Tree, read_regular
+from haros_ci.workspace.files import FileTree, TooLarge, read_regular
 from haros_ci.writing import replace
 
 #: A file larger than this is left as it is; manifests, CMake and launch files are far smaller.
@@ -31,7 +31,7 @@ class Mended:
 
 
 @dataclass(frozen=True, slots=True)
-class Plan:
+class FixPlan:
     """What is to be written, and the findings that this mends."""
 
     files: tuple[Mended, ...] = ()
@@ -42,7 +42,7 @@ class Plan:
         return sum(not any(edit.path in paths for edit in result.fixes[0].edits) for result in self.mended)
 
 
-def plan(results: Iterable[Result], text: Callable[[str], str]) -> Plan:
+def plan(results: Iterable[Result], text: Callable[[str], str]) -> FixPlan:
     """The first fix of each of *results*, all of its edits or none; of two that overlap the earlier finding's."""
     edits: dict[str, list[Edit]] = {}
     executables: set[str] = set()
@@ -60,7 +60,7 @@ def plan(results: Iterable[Result], text: Callable[[str], str]) -> Plan:
     for path in sorted({*edits, *executables}):
         before = text(path)
         files.append(Mended(path, before, applied(before, edits.get(path, ())), path in executables))
-    return Plan(tuple(files), tuple(mended))
+    return FixPlan(tuple(files), tuple(mended))
 
 
 def _fits(fix: Fix, edits: dict[str, list[Edit]], text: Callable[[str], str]) -> bool:
@@ -74,7 +74,7 @@ def _fits(fix: Fix, edits: dict[str, list[Edit]], text: Callable[[str], str]) ->
     return True
 
 
-def patch(made: Plan) -> str:
+def patch(made: FixPlan) -> str:
     """The plan as a patch that ``git apply`` reads."""
     return "".join(line for file in made.files for line in _patch(file))
 
@@ -95,17 +95,17 @@ def _named(path: str) -> str:
     return f'"{"".join(plain)}"'
 
 
-def write(root: Path, made: Plan) -> dict[str, str]:
+def write(root: Path, made: FixPlan) -> dict[str, str]:
     """Write the plan below *root*; the paths of files that are left as they are, and why.
 
     A file is replaced as a whole, with its permissions: no symbolic link is followed, nothing but UTF-8 is touched, and nothing that has
     changed since it was read.
     """
-    tree = Tree(root)
+    tree = FileTree(root)
     return {file.path: problem for file in made.files if (problem := _write(tree, file))}
 
 
-def _write(tree: Tree, file: Mended) -> str:
+def _write(tree: FileTree, file: Mended) -> str:
     try:
         place = tree.place(file.path)
         data = read_regular(place, MAX_BYTES)

@@ -27,7 +27,7 @@ def completion_of(what: str) -> Callable[[click.Context, click.Parameter, str], 
     return complete
 
 
-class Words(click.ParamType):  # type: ignore[type-arg, unused-ignore]
+class CommaList(click.ParamType):  # type: ignore[type-arg, unused-ignore]
     """A comma-separated list, given once or several times."""
 
     name = "sel,..."
@@ -48,7 +48,7 @@ def options(*decorators: Callable[[Any], Any]) -> Callable[[Any], Any]:
 LEVELS = click.Choice(["error", "warning", "note", "never"])
 
 plugin_option = click.option(
-    "--plugin", type=Words(), metavar="MODULE", multiple=True, help="Take in this plug-in (docs/plugins.md)."
+    "--plugin", type=CommaList(), metavar="MODULE", multiple=True, help="Take in this plug-in (docs/plugins.md)."
 )
 
 path_arguments = click.argument("paths", nargs=-1, type=click.Path())
@@ -63,19 +63,21 @@ analysis_options = options(
     ),
     click.option(
         "--select",
-        type=Words(),
+        type=CommaList(),
         multiple=True,
         shell_complete=completion_of("rules"),
         help="Turn rules on: ids, tool:id, tools, globs or tags.",
     ),
     click.option(
-        "--ignore", type=Words(), multiple=True, shell_complete=completion_of("rules"), help="Turn rules off."
+        "--ignore", type=CommaList(), multiple=True, shell_complete=completion_of("rules"), help="Turn rules off."
     ),
     click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out."),
     click.option("--compile-database", type=click.Path(), help="compile_commands.json, or its directory."),
     plugin_option,
-    click.option("--plugin-whitelist", type=Words(), multiple=True, help="Of the HAROS plug-ins installed, run these."),
-    click.option("--plugin-blacklist", type=Words(), multiple=True, help="HAROS plug-ins that do not run."),
+    click.option(
+        "--plugin-whitelist", type=CommaList(), multiple=True, help="Of the HAROS plug-ins installed, run these."
+    ),
+    click.option("--plugin-blacklist", type=CommaList(), multiple=True, help="HAROS plug-ins that do not run."),
     click.option(
         "--plugin-export", type=click.Path(file_okay=False), help="Where the files go that HAROS plug-ins export."
     ),

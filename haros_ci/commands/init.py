@@ -17,7 +17,7 @@ from haros_ci.report.escape import terminal
 from haros_ci.starting import files
 from haros_ci.starting.seen import CONFIGURED, look
 from haros_ci.workspace.discover import discover
-from haros_ci.workspace.files import TooLarge, Tree, decode
+from haros_ci.workspace.files import FileTree, TooLarge, decode
 from haros_ci.workspace.git import GitError, Repository, run_git
 from haros_ci.workspace.provenance import provenance
 from haros_ci.workspace.roots import locate, work_tree
@@ -30,7 +30,7 @@ _LIMIT = 1_000_000
 
 
 @dataclass(frozen=True, slots=True)
-class Plan:
+class InitPlan:
     """A file to write: *text* at *path*, and *what* it is for. With *left* it is not written, and that is why."""
 
     path: str
@@ -65,38 +65,38 @@ def init(flags: Mapping[str, Any]) -> int:
     return 0
 
 
-def _plans(root: Path, tree: _Top) -> Iterator[Plan]:
+def _plans(root: Path, tree: _Top) -> Iterator[InitPlan]:
     """The workflow and the hooks, which need a git repository."""
     if work_tree(root) is None:
-        yield Plan(WORKFLOW, "", left="not in a git repository")
-        yield Plan(PRE_COMMIT[0], "", left="not in a git repository")
+        yield InitPlan(WORKFLOW, "", left="not in a git repository")
+        yield InitPlan(PRE_COMMIT[0], "", left="not in a git repository")
         return
     using = next((name for name in tree.workflows() if "haros-ci/haros-ci@" in tree.text(name)), None)
     branch = main_branch(root)
     if using:
-        yield Plan(using, "", left="it runs haros-ci already")
+        yield InitPlan(using, "", left="it runs haros-ci already")
     elif tree.text(".gitlab-ci.yml") and not tree.names((".github",)):
-        yield Plan(WORKFLOW, "", left="this is a GitLab project; docs/formats.md of haros-ci has the job to copy")
+        yield InitPlan(WORKFLOW, "", left="this is a GitLab project; docs/formats.md of haros-ci has the job to copy")
     else:
         what = f"annotates pull requests, and uploads to code scanning what is on {terminal(branch)}"
-        yield Plan(WORKFLOW, what, files.workflow(branch))
+        yield InitPlan(WORKFLOW, what, files.workflow(branch))
     there = next((name for name in PRE_COMMIT if tree.names((name,))), None)
     if there is None:
-        yield Plan(PRE_COMMIT[0], "two hooks; pre-commit install turns them on", files.pre_commit())
+        yield InitPlan(PRE_COMMIT[0], "two hooks; pre-commit install turns them on", files.pre_commit())
     elif "haros-ci" in tree.text(there):
-        yield Plan(there, "", left="it runs haros-ci already")
+        yield InitPlan(there, "", left="it runs haros-ci already")
     else:
         entry = "".join(f"    {line}\n" for line in files.pre_commit().splitlines()[1:])
-        yield Plan(there, "", left=f"it is yours; add this to its repos:\n{entry}".rstrip("\n"))
+        yield InitPlan(there, "", left=f"it is yours; add this to its repos:\n{entry}".rstrip("\n"))
 
 
-def _project(tree: _Top, text: str) -> Plan:
+def _project(tree: _Top, text: str) -> InitPlan:
     there = next((name for name in FILE_NAMES if tree.names((name,))), None)
     if there == FILE_NAMES[0]:
-        return Plan(there, "", left="it is there already")
+        return InitPlan(there, "", left="it is there already")
     if there:
-        return Plan(FILE_NAMES[0], "", left=f"{there} is the project file; another would take its place")
-    return Plan(FILE_NAMES[0], "the project file, to start from", text)
+        return InitPlan(FILE_NAMES[0], "", left=f"{there} is the project file; another would take its place")
+    return InitPlan(FILE_NAMES[0], "the project file, to start from", text)
 
 
 def main_branch(root: Path) -> str:
@@ -123,7 +123,7 @@ class _Top:
 
     def __init__(self, root: Path) -> None:
         self._root = root
-        self._tree = Tree(root)
+        self._tree = FileTree(root)
 
     def names(self, names: Iterator[str] | tuple[str, ...]) -> frozenset[str]:
         return frozenset(name for name in names if os.path.lexists(self._root / name))
@@ -143,7 +143,7 @@ class _Top:
             return ""
 
 
-def _write(root: Path, plan: Plan) -> None:
+def _write(root: Path, plan: InitPlan) -> None:
     """Creates the file; UserError if anything is in its place, or a link on the way would lead elsewhere."""
     try:
         create(root, plan.path, plan.text)

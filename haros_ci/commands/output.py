@@ -27,7 +27,7 @@ class RendererError(Exception):
 
 
 @dataclass(frozen=True, slots=True)
-class View:
+class Extras:
     """What a renderer may ask for beside the report.
 
     *source* gives the text of a file and *package* the name of its package, both "" where there is none. *flags* are those of
@@ -54,20 +54,20 @@ def text_style(*, to_file: bool) -> tuple[bool, int]:
     return color, min(int(columns), WIDEST) if is_number and int(columns) else USUAL_WIDTH
 
 
-def _text(report: Report, view: View) -> str:
+def _text(report: Report, view: Extras) -> str:
     from haros_ci.report.text import render
 
     color, width = text_style(to_file=view.to_file)
     return render(view.joined(report), color=color, width=width, why=view.flags["why"], source=view.source)
 
 
-def _sarif(report: Report, view: View) -> str:
+def _sarif(report: Report, view: Extras) -> str:
     from haros_ci.report.sarif import render
 
     return render(report, audience=view.flags["sarif_for"], source=view.source)
 
 
-def _github(report: Report, view: View) -> str:
+def _github(report: Report, view: Extras) -> str:
     from haros_ci.report.github import annotations, summary
 
     page = os.environ.get("GITHUB_STEP_SUMMARY")
@@ -81,50 +81,50 @@ def _github(report: Report, view: View) -> str:
     return annotations(report)
 
 
-def _json(report: Report, view: View) -> str:
+def _json(report: Report, view: Extras) -> str:
     from haros_ci.report.json_report import render
     from haros_ci.results.copied import copy_of
 
     return render(report, copy_of(view.joined(report)))
 
 
-def _junit(report: Report, view: View) -> str:
+def _junit(report: Report, view: Extras) -> str:
     from haros_ci.report.junit import render
 
     return render(report)
 
 
-def _gitlab(report: Report, view: View) -> str:
+def _gitlab(report: Report, view: Extras) -> str:
     from haros_ci.report.gitlab import render
 
     return render(report)
 
 
-def _rdjson(report: Report, view: View) -> str:
+def _rdjson(report: Report, view: Extras) -> str:
     from haros_ci.report.rdjson import render
 
     return render(report, source=view.source)
 
 
-def _checkstyle(report: Report, view: View) -> str:
+def _checkstyle(report: Report, view: Extras) -> str:
     from haros_ci.report.checkstyle import render
 
     return render(report)
 
 
-def _csv(report: Report, view: View) -> str:
+def _csv(report: Report, view: Extras) -> str:
     from haros_ci.report.csv_table import render
 
     return render(report, package=view.package)
 
 
-def _markdown(report: Report, view: View) -> str:
+def _markdown(report: Report, view: Extras) -> str:
     from haros_ci.report.markdown import render
 
     return render(view.joined(report))
 
 
-FORMATS: dict[str, Callable[[Report, View], str]] = {
+FORMATS: dict[str, Callable[[Report, Extras], str]] = {
     "text": _text,
     "sarif": _sarif,
     "github": _github,
@@ -174,7 +174,7 @@ def parse_outputs(outputs_given: tuple[str, ...], renderers: Renderers = Mapping
     return tuple(outputs)
 
 
-def rendered(report: Report, format: str, view: View, renderers: Renderers = MappingProxyType({})) -> str:
+def rendered(report: Report, format: str, view: Extras, renderers: Renderers = MappingProxyType({})) -> str:
     """*report* in one of ``FORMATS`` or of *renderers*, as it goes to a file or to stdout; RendererError if a plug-in's could not be made."""
     if format in renderers:
         return of_plugin(report, renderers[format], to_file=view.to_file)

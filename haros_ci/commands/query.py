@@ -20,7 +20,7 @@ from haros_ci.query.engine import Query, entities_of
 from haros_ci.query.fault import QueryError, place
 from haros_ci.query.findings import names_of, places_of, provenance
 from haros_ci.query.queries import VARIABLES, Scenes
-from haros_ci.query.values import Entity, Listing, Pair, Record, Value, words
+from haros_ci.query.values import QueryEntity, QueryList, QueryPair, QueryRecord, Value, words
 from haros_ci.report.escape import terminal
 from haros_ci.workspace.discover import discover
 
@@ -103,7 +103,7 @@ def show(matches: list[tuple[str, Value]], format: str) -> None:
 
 def as_json(value: Value) -> Any:
     """A value as JSON; an entity with its kind, its words, its names, where it stands and where it was learned."""
-    if isinstance(value, Entity):
+    if isinstance(value, QueryEntity):
         data: dict[str, Any] = {"kind": value.KIND, "text": value.words(), "names": list(names_of(value))}
         spots = places_of(value)
         if spots:
@@ -111,11 +111,11 @@ def as_json(value: Value) -> Any:
         if learned := provenance(value):
             data["source"] = list(learned)
         return data
-    if value.__class__ is Listing:
+    if value.__class__ is QueryList:
         return [as_json(item) for item in value]
-    if value.__class__ is Record:
+    if value.__class__ is QueryRecord:
         return {key if isinstance(key, str) else words(key): as_json(item) for key, item in value.items()}
-    if value.__class__ is Pair:
+    if value.__class__ is QueryPair:
         return {"key": as_json(value.key), "value": as_json(value.value)}
     if isinstance(value, float) and value - value != 0:
         return None  # neither infinity nor NaN is JSON

@@ -9,7 +9,7 @@ from typing import Any
 from haros_ci.config.exemptions import pattern
 from haros_ci.config.shapes import File, kind
 from haros_ci.config.suggestion import quoted
-from haros_ci.config.yaml_lines import Value
+from haros_ci.config.yaml_lines import YamlValue
 from haros_ci.model.declared_tool import FILE, FILES, OUTPUTS, PARTS, STREAMS, DeclaredTool
 from haros_ci.model.package import LANGUAGES
 from haros_ci.results.linear_regex import compiled
@@ -24,7 +24,7 @@ FORM = "my-tool: {exec: [my-tool, '{files}'], languages: [cpp], output: gcc}"
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+-]{0,59}")
 
 
-def read_declared(file: File, name: str, value: Value, *, trust: bool) -> DeclaredTool | None:
+def read_declared(file: File, name: str, value: YamlValue, *, trust: bool) -> DeclaredTool | None:
     """The tool *name* if its entry has an ``exec``; a note where the file is not trusted, so that it will not run."""
     entries = _entries(value)
     if "exec" not in entries:
@@ -62,21 +62,21 @@ def read_declared(file: File, name: str, value: Value, *, trust: bool) -> Declar
     return tool
 
 
-def _entries(value: Value) -> dict[str, Value]:
+def _entries(value: YamlValue) -> dict[str, YamlValue]:
     if not isinstance(value.data, dict):
         return {}
     return {str(key): item for key, item in value.data.items() if item.data is not None}
 
 
-def _output(entries: dict[str, Value]) -> object:
+def _output(entries: dict[str, YamlValue]) -> object:
     return entries["output"].data if "output" in entries else "gcc"
 
 
-def _choice(file: File, entries: dict[str, Value], key: str, known: tuple[str, ...], usual: str) -> str:
+def _choice(file: File, entries: dict[str, YamlValue], key: str, known: tuple[str, ...], usual: str) -> str:
     return file.choice(entries[key], f"'{key}'", known) if key in entries else usual
 
 
-def _argv(file: File, value: Value, what: str) -> tuple[str, ...]:
+def _argv(file: File, value: YamlValue, what: str) -> tuple[str, ...]:
     """The arguments, the program first: a list, as no shell takes a line apart."""
     if not isinstance(value.data, tuple):
         raise file.error(value.line, f"'exec' of {what} must be a list, not {kind(value)}", f"write {FORM}")
@@ -100,11 +100,11 @@ def _argv(file: File, value: Value, what: str) -> tuple[str, ...]:
     return tuple(argv)
 
 
-def _globs(file: File, entries: dict[str, Value], key: str) -> tuple[str, ...]:
+def _globs(file: File, entries: dict[str, YamlValue], key: str) -> tuple[str, ...]:
     return tuple(file.glob(named) for named in file.texts(entries[key], key)) if key in entries else ()
 
 
-def _languages(file: File, entries: dict[str, Value]) -> tuple[str, ...]:
+def _languages(file: File, entries: dict[str, YamlValue]) -> tuple[str, ...]:
     if "languages" not in entries:
         return ()
     file.texts(entries["languages"], "languages")
@@ -112,7 +112,7 @@ def _languages(file: File, entries: dict[str, Value]) -> tuple[str, ...]:
     return tuple(file.choice(item, "a language", LANGUAGES) for item in items)
 
 
-def _pattern(file: File, entries: dict[str, Value], what: str) -> str:
+def _pattern(file: File, entries: dict[str, YamlValue], what: str) -> str:
     expected = _output(entries) == "regex"
     if expected != ("pattern" in entries):
         line = entries["pattern" if not expected else "output"].key_line
@@ -141,7 +141,7 @@ def _spelt() -> str:
     return ", ".join(part.replace("-", "_") for part in PARTS)
 
 
-def _fields(file: File, entries: dict[str, Value], what: str) -> tuple[tuple[str, str], ...]:
+def _fields(file: File, entries: dict[str, YamlValue], what: str) -> tuple[tuple[str, str], ...]:
     """Where the parts of a finding stand in JSON; without it, under their own names."""
     if "fields" not in entries:
         return ()
@@ -159,7 +159,7 @@ def _fields(file: File, entries: dict[str, Value], what: str) -> tuple[tuple[str
     return tuple(sorted(found))
 
 
-def _levels(file: File, entries: dict[str, Value]) -> tuple[tuple[str, str], ...]:
+def _levels(file: File, entries: dict[str, YamlValue]) -> tuple[tuple[str, str], ...]:
     if "levels" not in entries:
         return ()
     found = []
@@ -170,7 +170,7 @@ def _levels(file: File, entries: dict[str, Value]) -> tuple[tuple[str, str], ...
     return tuple(sorted(found))
 
 
-def _exits(file: File, entries: dict[str, Value], what: str) -> tuple[int, ...]:
+def _exits(file: File, entries: dict[str, YamlValue], what: str) -> tuple[int, ...]:
     if "exit" not in entries:
         return (0, 1)
     value = entries["exit"]

@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from haros_ci.config.settings import Exemption, Policy, Settings
-from haros_ci.config.shapes import File, Named, kind
-from haros_ci.config.yaml_lines import Value
+from haros_ci.config.shapes import File, NamedShape, kind
+from haros_ci.config.yaml_lines import YamlValue
 from haros_ci.model import globs
 from haros_ci.model.workspace import Workspace
 from haros_ci.results.linear_regex import PatternError, compiled
@@ -25,7 +25,9 @@ FORM = "exceptions: [{files: ['test/**'], rules: [pylint], message: 'has no .* m
 Matches = Callable[[str, Result], bool]
 
 
-def read_exemptions(file: File, value: Value | None, selector: Callable[[Named], str]) -> tuple[Exemption, ...]:
+def read_exemptions(
+    file: File, value: YamlValue | None, selector: Callable[[NamedShape], str]
+) -> tuple[Exemption, ...]:
     """The entries of ``exceptions``; *selector* takes note of where each of ``rules`` stands."""
     if value is None:
         return ()
@@ -42,7 +44,7 @@ def read_exemptions(file: File, value: Value | None, selector: Callable[[Named],
     return tuple(found)
 
 
-def _read(file: File, entry: Value, selector: Callable[[Named], str]) -> Exemption:
+def _read(file: File, entry: YamlValue, selector: Callable[[NamedShape], str]) -> Exemption:
     parts = file.map(entry, "an entry of 'exceptions'", FORM, KEYS)
     if not any(key in parts for key in CRITERIA):
         raise file.error(entry.line, f"an exception needs one of {', '.join(CRITERIA)}", f"write {FORM}")
@@ -63,7 +65,7 @@ def _read(file: File, entry: Value, selector: Callable[[Named], str]) -> Exempti
     )
 
 
-def pattern(file: File, value: Value, what: str) -> str:
+def pattern(file: File, value: YamlValue, what: str) -> str:
     """A regular expression of linear_regex.py."""
     text = file.text(value, what)
     try:

@@ -11,9 +11,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from haros_ci.config.shapes import File, Named, kind
+from haros_ci.config.shapes import File, NamedShape, kind
 from haros_ci.config.suggestion import did_you_mean, quoted
-from haros_ci.config.yaml_lines import Value
+from haros_ci.config.yaml_lines import YamlValue
 
 #: Keys of a HAROS project file, and of HAROS's own configs.yaml.
 PROJECT_KEYS = ("project", "packages", "repositories", "configurations", "nodes", "rules", "analysis")
@@ -58,12 +58,12 @@ class HarosPart:
     """What a project file says in HAROS's words. *ignore* are selectors, *disabled* tools."""
 
     packages: tuple[str, ...] = ()
-    ignore: tuple[Named, ...] = ()
+    ignore: tuple[NamedShape, ...] = ()
     ignore_files: tuple[str, ...] = ()
-    disabled: tuple[Named, ...] = ()
+    disabled: tuple[NamedShape, ...] = ()
 
 
-def read_haros(file: File, top: dict[str, Value]) -> HarosPart:
+def read_haros(file: File, top: dict[str, YamlValue]) -> HarosPart:
     """Check and read the HAROS keys among *top*; UserError where HAROS would refuse the file as well."""
     if "configurations" in top:
         _check_configurations(file, top["configurations"])
@@ -93,7 +93,7 @@ def file_pattern(pattern: str) -> str:
     return pattern if pattern[0] in "/*?[" else f"*/{pattern}"
 
 
-def _analysis(file: File, value: Value | None) -> tuple[tuple[Named, ...], tuple[str, ...]]:
+def _analysis(file: File, value: YamlValue | None) -> tuple[tuple[NamedShape, ...], tuple[str, ...]]:
     if value is None:
         return (), ()
     analysis = file.map(value, "'analysis'", "analysis: {ignore: {tags: […], rules: […], files: […]}}", ("ignore",))
@@ -104,23 +104,25 @@ def _analysis(file: File, value: Value | None) -> tuple[tuple[Named, ...], tuple
     selectors = [*lists.get("tags", ()), *lists.get("rules", ())]
     for metric in lists.get("metrics", ()):
         if metric.text in METRIC_RULES:
-            selectors.extend(Named(rule, metric.line) for rule in METRIC_RULES[metric.text])
+            selectors.extend(NamedShape(rule, metric.line) for rule in METRIC_RULES[metric.text])
         else:
             file.note(f"no metric {quoted(metric.text)} here", metric.line, did_you_mean(metric.text, METRIC_RULES))
     return tuple(selectors), tuple(file_pattern(n.text) for n in lists.get("files", ()))
 
 
-def _blacklist(file: File, value: Value | None) -> tuple[Named, ...]:
+def _blacklist(file: File, value: YamlValue | None) -> tuple[NamedShape, ...]:
     if value is None:
         return ()
-    plugins = tuple(Named(n.text.removeprefix("haros_plugin_"), n.line) for n in file.names(value, "plugin_blacklist"))
+    plugins = tuple(
+        NamedShape(n.text.removeprefix("haros_plugin_"), n.line) for n in file.names(value, "plugin_blacklist")
+    )
     for plugin in plugins:
         if plugin.text not in PLUGIN_TOOLS:
             file.note(f"no tool here stands for the plug-in {quoted(plugin.text)}", plugin.line)
     return tuple(plugin for plugin in plugins if plugin.text in PLUGIN_TOOLS)
 
 
-def _say_idle(file: File, top: dict[str, Value]) -> None:
+def _say_idle(file: File, top: dict[str, YamlValue]) -> None:
     """Notes on what is read and has no effect: properties, and repositories to clone."""
     entries = [
         entry.data
@@ -139,13 +141,13 @@ def _say_idle(file: File, top: dict[str, Value]) -> None:
         )
 
 
-def _entries(top: dict[str, Value], key: str) -> dict[Any, Value]:
+def _entries(top: dict[str, YamlValue], key: str) -> dict[Any, YamlValue]:
     """What stands under a key whose value is known to be a map, if it is there."""
     value = top[key].data if key in top else None
     return value if isinstance(value, dict) else {}
 
 
-def _check_configurations(file: File, value: Value) -> None:
+def _check_configurations(file: File, value: YamlValue) -> None:
     form = "configurations: {robot: {launch: [package/launch/file.launch]}}"
     for name, item in file.map(value, "'configurations'", form).items():
         launch = item
@@ -175,7 +177,7 @@ def _check_configurations(file: File, value: Value) -> None:
                 )
 
 
-def _check_scalars(file: File, value: Value, what: str, example: str) -> None:
+def _check_scalars(file: File, value: YamlValue, what: str, example: str) -> None:
     """A map of texts, numbers, true and false; an empty value would be text that nobody wrote."""
     file.map(value, what, example)
     for key, item in value.data.items() if isinstance(value.data, dict) else ():
@@ -187,14 +189,14 @@ def _check_scalars(file: File, value: Value, what: str, example: str) -> None:
             )
 
 
-def _check_nodes(file: File, value: Value) -> None:
+def _check_nodes(file: File, value: YamlValue) -> None:
     for name, item in file.map(value, "'nodes'", "nodes: {package/executable: {…}}").items():
         if name.count("/") != 1:
             raise file.error(item.key_line, f"node {quoted(name)} must be named as package/executable")
         file.map(item, f"node {quoted(name)}", "package/executable: {hpl: {…}}")
 
 
-def _check_required(file: File, value: Value, what: str, required: tuple[str, ...]) -> None:
+def _check_required(file: File, value: YamlValue, what: str, required: tuple[str, ...]) -> None:
     form = f"{what}: {{name: {{{', '.join(f'{key}: …' for key in required)}}}}}"
     for name, item in file.map(value, f"'{what}'", form).items():
         entry = file.map(item, f"{quoted(name)} in '{what}'", form)

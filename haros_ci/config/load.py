@@ -21,7 +21,7 @@ FILE_NAMES = (".haros-ci.yaml", "haros.yaml")
 Read = Callable[[Path], bytes | None]
 
 
-class Base(Protocol):
+class BaseSettings(Protocol):
     """The base revision of a change (``workspace.base_commit.BaseCommit``)."""
 
     def holds(self, path: Path) -> bool:
@@ -34,7 +34,7 @@ class Base(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class ProjectFile:
     """A project file: the *name* messages give it, and its bytes."""
 
     name: str
@@ -47,7 +47,7 @@ def load(
     start: Path | None = None,
     project: Path | None = None,
     isolated: bool = False,
-    base: Base | None = None,
+    base: BaseSettings | None = None,
     base_missing: str = "",
     trust_config: bool = False,
     command_line: Mapping[str, Any] | None = None,
@@ -67,7 +67,7 @@ def load(
         raise UserError("--isolated and --project exclude each other", help="leave one of them out")
     if not isolated:
         found, notes = _find(
-            root, start or root, project, _Past(root, base, base_missing) if base or base_missing else None
+            root, start or root, project, _BaseFiles(root, base, base_missing) if base or base_missing else None
         )
         if found is not None:
             from haros_ci.config.project import read_project
@@ -80,11 +80,11 @@ def load(
 
 
 @dataclass(frozen=True, slots=True)
-class _Past:
+class _BaseFiles:
     """Where project files are read that a change could bring; *missing* says why they cannot be."""
 
     root: Path
-    base: Base | None
+    base: BaseSettings | None
     missing: str
 
     def holds(self, path: Path) -> bool:
@@ -97,7 +97,7 @@ class _Past:
             return _from_disk(path, self.root)
         return None if self.base is None else self.base.read(path)
 
-    def difference(self, base: Found | None, head: Found | None) -> tuple[str, ...]:
+    def difference(self, base: ProjectFile | None, head: ProjectFile | None) -> tuple[str, ...]:
         """What a change does to the settings takes effect once it is in the base revision, and is said until then."""
         if base == head:
             return ()
@@ -111,7 +111,9 @@ class _Past:
         return (f"{head.name} differs from the base revision's {base.name}, which this run uses",)
 
 
-def _find(root: Path, start: Path, project: Path | None, past: _Past | None) -> tuple[Found | None, tuple[str, ...]]:
+def _find(
+    root: Path, start: Path, project: Path | None, past: _BaseFiles | None
+) -> tuple[ProjectFile | None, tuple[str, ...]]:
     """The project file that counts, and what is to be said of the choice."""
     if project is not None:
         return _named(root, project, past)
@@ -121,31 +123,31 @@ def _find(root: Path, start: Path, project: Path | None, past: _Past | None) -> 
     try:
         head = _discover(root, start, lambda path: _from_disk(path, root))
     except UserError:  # the head's file is not used, so what is wrong with it matters only as a difference
-        head = Found("the project file", b"")
+        head = ProjectFile("the project file", b"")
     return base, past.difference(base, head)
 
 
-def _named(root: Path, project: Path, past: _Past | None) -> tuple[Found | None, tuple[str, ...]]:
+def _named(root: Path, project: Path, past: _BaseFiles | None) -> tuple[ProjectFile | None, tuple[str, ...]]:
     path = Path(os.path.abspath(project))
     name = path.relative_to(root).as_posix() if path.is_relative_to(root) else str(project)
     here = _from_disk(path)
-    head = None if here is None else Found(name, here)
+    head = None if here is None else ProjectFile(name, here)
     base = head
     if past is not None and past.holds(path):
         data = past.read(path)
-        base = None if data is None else Found(name, data)
+        base = None if data is None else ProjectFile(name, data)
     if base is None and head is None:
         raise UserError(f"{project}: no such project file", help="give --project the path of a YAML file")
     return base, past.difference(base, head) if past else ()
 
 
-def _discover(root: Path, start: Path, read: Read) -> Found | None:
+def _discover(root: Path, start: Path, read: Read) -> ProjectFile | None:
     directories = [start, *start.parents] if start.is_relative_to(root) else [root]
     for directory in directories:
         for name in FILE_NAMES:
             data = read(directory / name)
             if data is not None:
-                return Found((directory / name).relative_to(root).as_posix(), data)
+                return ProjectFile((directory / name).relative_to(root).as_posix(), data)
         if directory == root:
             break
     return None

@@ -11,9 +11,9 @@ from haros_ci.config.declared import EXEC_KEYS, read_declared
 from haros_ci.config.exemptions import read_exemptions
 from haros_ci.config.haros import HOME_KEYS, PROJECT_KEYS, read_haros
 from haros_ci.config.settings import PROFILES, LinterSettings, PackagePolicy, PathPolicy, Policy
-from haros_ci.config.shapes import MAX_ENTRIES, File, Named, kind
+from haros_ci.config.shapes import MAX_ENTRIES, File, NamedShape, kind
 from haros_ci.config.suggestion import quoted
-from haros_ci.config.yaml_lines import Value, parse, plain
+from haros_ci.config.yaml_lines import YamlValue, parse, plain
 from haros_ci.errors import UserError
 from haros_ci.model.api import RowError, load_row
 from haros_ci.model.declared_tool import DeclaredTool
@@ -100,7 +100,7 @@ class _Own:
     trust_config: bool
     origins: dict[str, str]
 
-    def simple(self, top: dict[str, Value]) -> dict[str, Any]:
+    def simple(self, top: dict[str, YamlValue]) -> dict[str, Any]:
         """The keys that set one value each."""
         file, trust = self.file, self.trust_config
         values: dict[str, Any] = {}
@@ -141,7 +141,7 @@ class _Own:
         if sum(len(entry.globs) for entry in per_path) > MAX_PATH_GLOBS:
             raise UserError(f"{self.file.name}: more than {MAX_PATH_GLOBS} globs in 'per-path'", help="use wider globs")
 
-    def check_apis(self, top: dict[str, Value]) -> None:
+    def check_apis(self, top: dict[str, YamlValue]) -> None:
         """Every API row is one that ``model.api.load_row`` takes."""
         if "apis" not in top:
             return
@@ -156,45 +156,45 @@ class _Own:
                 line, message = fault
                 raise self.file.error(line, f"row {number} of 'apis': {message}", "docs/adding-an-api.md has examples")
 
-    def policy(self, entries: dict[str, Value]) -> Policy:
+    def policy(self, entries: dict[str, YamlValue]) -> Policy:
         return Policy(
             select=self.selectors(entries, "select"),
             ignore=self.selectors(entries, "ignore"),
             levels=self.levels(entries),
         )
 
-    def selectors(self, entries: dict[str, Value], key: str) -> tuple[str, ...]:
+    def selectors(self, entries: dict[str, YamlValue], key: str) -> tuple[str, ...]:
         if key not in entries:
             return ()
         return tuple(self.selector(named) for named in self.file.texts(entries[key], key))
 
-    def selector(self, named: Named) -> str:
+    def selector(self, named: NamedShape) -> str:
         self.origins.setdefault(f"selector {named.text}", f"{self.file.name}:{named.line}")
         return named.text
 
-    def levels(self, entries: dict[str, Value]) -> tuple[tuple[str, Level | None], ...]:
+    def levels(self, entries: dict[str, YamlValue]) -> tuple[tuple[str, Level | None], ...]:
         if "levels" not in entries:
             return ()
         chosen: list[tuple[str, Level | None]] = []
         for text, value in self.file.map(entries["levels"], "'levels'", "levels: {unused-import: note}").items():
-            selector = self.selector(Named(text, value.key_line))
+            selector = self.selector(NamedShape(text, value.key_line))
             # YAML 1.1 reads a bare off as false
             word = "off" if value.data is False else self.file.choice(value, f"the level of {quoted(text)}", LEVELS)
             chosen.append((selector, None if word == "off" else Level(word)))
         return tuple(chosen)
 
-    def per_path(self, top: dict[str, Value]) -> tuple[PathPolicy, ...]:
+    def per_path(self, top: dict[str, YamlValue]) -> tuple[PathPolicy, ...]:
         if "per-path" not in top:
             return ()
         form = "per-path: {'test/**': {ignore: […]}}"
         policies: list[PathPolicy] = []
         for globs, value in self.file.map(top["per-path"], "'per-path'", form).items():
             policy, profile = self.local(globs, value, "per-path")
-            names = tuple(self.path_glob(Named(glob.strip(), value.key_line)) for glob in globs.split(","))
+            names = tuple(self.path_glob(NamedShape(glob.strip(), value.key_line)) for glob in globs.split(","))
             policies.append(PathPolicy(globs=names, policy=policy, profile=profile))
         return tuple(policies)
 
-    def per_package(self, top: dict[str, Value]) -> tuple[PackagePolicy, ...]:
+    def per_package(self, top: dict[str, YamlValue]) -> tuple[PackagePolicy, ...]:
         if "per-package" not in top:
             return ()
         form = "per-package: {my_driver: {profile: strict}}"
@@ -213,21 +213,23 @@ class _Own:
             raise UserError(f"{self.file.name}: more than {MAX_PATH_GLOBS} names in 'per-package'", help="use globs")
         return tuple(policies)
 
-    def local(self, names: str, value: Value, where: str) -> tuple[Policy, str | None]:
+    def local(self, names: str, value: YamlValue, where: str) -> tuple[Policy, str | None]:
         """The policy and the profile of an entry of ``per-path`` or ``per-package``."""
         form = f"{quoted(names)}: {{ignore: […]}}"
         entries = self.file.map(value, f"{where} {quoted(names)}", form, ("profile", *POLICY_KEYS))
         chosen = self.file.choice(entries["profile"], "'profile'", PROFILES) if "profile" in entries else None
         return self.policy(entries), chosen
 
-    def path_glob(self, glob: Named) -> str:
+    def path_glob(self, glob: NamedShape) -> str:
         if glob.text.startswith("!"):
             raise self.file.error(
                 glob.line, f"{quoted(glob.text)}: '!' has a meaning in 'exclude' only", "leave it out"
             )
         return self.file.glob(glob)
 
-    def linters(self, top: dict[str, Value], disabled: tuple[Named, ...]) -> tuple[tuple[str, LinterSettings], ...]:
+    def linters(
+        self, top: dict[str, YamlValue], disabled: tuple[NamedShape, ...]
+    ) -> tuple[tuple[str, LinterSettings], ...]:
         """By tool, sorted; what our own key says of a tool beats HAROS's plugin_blacklist."""
         chosen = {named.text: LinterSettings(enabled=False) for named in disabled}
         if "linters" in top:
@@ -236,7 +238,7 @@ class _Own:
                 chosen[tool] = self.linter(tool, value)
         return tuple(sorted(chosen.items(), key=lambda entry: entry[0]))
 
-    def declared(self, top: dict[str, Value]) -> tuple[DeclaredTool, ...]:
+    def declared(self, top: dict[str, YamlValue]) -> tuple[DeclaredTool, ...]:
         """The tools with an ``exec``, in the order of their names."""
         entries = top["linters"].data if "linters" in top else None
         if not isinstance(entries, dict):
@@ -244,7 +246,7 @@ class _Own:
         found = (read_declared(self.file, str(tool), value, trust=self.trust_config) for tool, value in entries.items())
         return tuple(sorted((tool for tool in found if tool is not None), key=lambda tool: tool.name))
 
-    def linter(self, tool: str, value: Value) -> LinterSettings:
+    def linter(self, tool: str, value: YamlValue) -> LinterSettings:
         file, what = self.file, f"linter {quoted(tool)}"
         if isinstance(value.data, bool):
             return LinterSettings(enabled=value.data)
@@ -265,7 +267,7 @@ class _Own:
         )
 
 
-def row_fault(row: Value) -> tuple[int, str] | None:
+def row_fault(row: YamlValue) -> tuple[int, str] | None:
     """Line and text of the first thing that is wrong with an API row; None if it is right.
 
     Keys, and the entries of ``makes``, are looked at one by one, so that each has its own line.
@@ -290,7 +292,7 @@ def row_fault(row: Value) -> tuple[int, str] | None:
     return None
 
 
-def _odd(value: Value, named: bool = True) -> tuple[int, str] | None:
+def _odd(value: YamlValue, named: bool = True) -> tuple[int, str] | None:
     """A text without end in an API row, or a key of the row or of an entry (*named* maps) that is no text."""
     if isinstance(value.data, str):
         too_long = len(value.data) > MAX_ROW_TEXT

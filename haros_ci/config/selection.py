@@ -22,7 +22,7 @@ _Decision = tuple[bool, Level | None]
 
 
 @dataclass(frozen=True, slots=True)
-class _State:
+class _RuleState:
     """What the layers so far make of a rule; *off* when its level is off."""
 
     on: bool
@@ -90,12 +90,12 @@ class Selection:
     def may_want(self, tool: str, rule: str | Rule) -> bool:
         """Whether *rule* can be on in any file, whatever packages and paths there are; True where that is not certain."""
         settings, rule = self._settings, self.rule(tool, rule)
-        state = _State(settings.profile == "all" or settings.profile in rule.profiles)
+        state = _RuleState(settings.profile == "all" or settings.profile in rule.profiles)
         state = _apply(settings.policy, tool, rule, state)
         for entry in settings.local:
             selectors = (*entry.policy.select, *(selector for selector, level in entry.policy.levels if level))
             if entry.profile or _best(selectors, tool, rule) > NO_MATCH:
-                state = _State(True)
+                state = _RuleState(True)
         state = _apply(settings.command_line, tool, rule, state)
         return state.on and not state.off
 
@@ -174,13 +174,15 @@ class Selection:
         settings = self._settings
         local = [settings.local[i] for i in zone]
         profile = next((entry.profile for entry in reversed(local) if entry.profile), settings.profile)
-        state = _State((profile == "all" or profile in rule.profiles) and not (is_hint and profile in WITHOUT_HINTS))
+        state = _RuleState(
+            (profile == "all" or profile in rule.profiles) and not (is_hint and profile in WITHOUT_HINTS)
+        )
         for policy in (settings.policy, *(entry.policy for entry in local), settings.command_line):
             state = _apply(policy, tool, rule, state)
         return state.on and not state.off, state.level
 
 
-def _apply(policy: Policy, tool: str, rule: Rule, before: _State) -> _State:
+def _apply(policy: Policy, tool: str, rule: Rule, before: _RuleState) -> _RuleState:
     selected = _best(policy.select, tool, rule)
     ignored = _best(policy.ignore, tool, rule)
     mapped, mapping = NO_MATCH, before.level
@@ -196,7 +198,7 @@ def _apply(policy: Policy, tool: str, rule: Rule, before: _State) -> _State:
         on = False
     if mapped > NO_MATCH:
         off = mapping is None and mapped >= selected
-    return _State(on, mapping or before.level, off)
+    return _RuleState(on, mapping or before.level, off)
 
 
 def _best(selectors: tuple[str, ...], tool: str, rule: Rule) -> Rank:

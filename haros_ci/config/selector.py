@@ -85,7 +85,7 @@ def check_selectors(
     written = _written(settings)
     if not written:
         return ()
-    known = _Known(names, catalogue, open_tools, identifiers)
+    known = _KnownNames(names, catalogue, open_tools, identifiers)
     idle: list[str] = []
     notes: list[str] = []
     for selector in written:
@@ -137,11 +137,11 @@ def slip_finder(
     if it is a known one but for a slip, or if it stands behind the name of a tool and the tool can have no such rule.
     """
     names = tuple(sorted(tools))
-    known: list[_Known] = []  # made when first needed
+    known: list[_KnownNames] = []  # made when first needed
 
     def slip(selector: str) -> str:
         if not known:
-            known.append(_Known(names, catalogue, open_tools, identifiers))
+            known.append(_KnownNames(names, catalogue, open_tools, identifiers))
         if is_glob(selector) or selector.startswith("user:") or known[0].names_something(selector):
             return ""
         if selector in unserved or selector.removeprefix(_HAROS).partition(":")[2] in unserved:
@@ -181,7 +181,7 @@ def _is_user_query(selector: str, settings: Settings) -> bool:
     return isinstance(rules, dict) and selector.startswith("user:") and selector.removeprefix("user:") in rules
 
 
-class _Known:
+class _KnownNames:
     """Every name that a selector can have, gathered once."""
 
     def __init__(

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from haros_ci.config.suggestion import did_you_mean, quoted, suggestion
-from haros_ci.config.yaml_lines import Value
+from haros_ci.config.yaml_lines import YamlValue
 from haros_ci.errors import UserError
 from haros_ci.model import globs
 
@@ -18,7 +18,7 @@ LARGEST_COUNT = 1_000_000_000_000
 
 
 @dataclass(frozen=True, slots=True)
-class Named:
+class NamedShape:
     """A text of the file and its line."""
 
     text: str
@@ -57,7 +57,7 @@ class File:
         near = did_you_mean(key, known) if len(self.remarks) < MAX_NOTES else None
         self.note(f"key {quoted(key)} has no effect", line, near)
 
-    def map(self, value: Value, what: str, form: str, known: tuple[str, ...] | None = None) -> dict[str, Value]:
+    def map(self, value: YamlValue, what: str, form: str, known: tuple[str, ...] | None = None) -> dict[str, YamlValue]:
         """A map with text keys (HAROS takes any scalar); keys with an empty value are left out, as if not there.
 
         A key that is not *known* is an error; in a HAROS file, which may hold any, a note.
@@ -73,50 +73,50 @@ class File:
                 self.unknown(str(key), item.key_line, known)
         return {str(key): item for key, item in value.data.items() if item.data is not None}
 
-    def texts(self, value: Value, what: str) -> tuple[Named, ...]:
+    def texts(self, value: YamlValue, what: str) -> tuple[NamedShape, ...]:
         """A list of non-empty texts."""
         form = f"write {what}: [{quoted(value.data) if isinstance(value.data, str) else '…'}]"
         if not isinstance(value.data, tuple):
             raise self.error(value.line, f"'{what}' must be a list, not {kind(value)}", form)
         self.bounded(value, what)
-        return tuple(Named(self.text(item, f"an entry of '{what}'"), item.line) for item in value.data)
+        return tuple(NamedShape(self.text(item, f"an entry of '{what}'"), item.line) for item in value.data)
 
-    def names(self, value: Value, what: str) -> tuple[Named, ...]:
+    def names(self, value: YamlValue, what: str) -> tuple[NamedShape, ...]:
         """A list as HAROS takes it: of any scalars; a lone scalar is a list of one, a map is its keys."""
         self.bounded(value, what)
         if isinstance(value.data, dict):
-            return tuple(Named(str(key), item.key_line) for key, item in value.data.items())
+            return tuple(NamedShape(str(key), item.key_line) for key, item in value.data.items())
         items = value.data if isinstance(value.data, tuple) else (value,)
         for item in items:
             if isinstance(item.data, (dict, tuple)):
                 raise self.error(item.line, f"an entry of '{what}' must be text, not {kind(item)}")
-        return tuple(Named(str(item.data), item.line) for item in items if item.data not in (None, ""))
+        return tuple(NamedShape(str(item.data), item.line) for item in items if item.data not in (None, ""))
 
-    def bounded(self, value: Value, what: str) -> None:
+    def bounded(self, value: YamlValue, what: str) -> None:
         """Every entry is held against every rule or file, so lists have an end."""
         if isinstance(value.data, (dict, tuple)) and len(value.data) > MAX_ENTRIES:
             raise self.error(value.line, f"'{what}' has more than {MAX_ENTRIES} entries", "use globs or tags")
 
-    def text(self, value: Value, what: str) -> str:
+    def text(self, value: YamlValue, what: str) -> str:
         if not isinstance(value.data, str):
             raise self.error(value.line, f"{what} must be text, not {kind(value)}", "put it in quotes")
         if not value.data.strip():
             raise self.error(value.line, f"{what} is empty", "write something or leave it out")
         return value.data
 
-    def choice(self, value: Value, what: str, known: tuple[str, ...]) -> str:
+    def choice(self, value: YamlValue, what: str, known: tuple[str, ...]) -> str:
         if not isinstance(value.data, str) or value.data not in known:
             shown = quoted(value.data) if not isinstance(value.data, (dict, tuple)) else kind(value)
             help_ = suggestion(str(value.data), known) if isinstance(value.data, str) else None
             raise self.error(value.line, f"{what} cannot be {shown}", help_ or f"one of: {', '.join(known)}")
         return value.data
 
-    def flag(self, value: Value, what: str) -> bool:
+    def flag(self, value: YamlValue, what: str) -> bool:
         if not isinstance(value.data, bool):
             raise self.error(value.line, f"{what} must be true or false, not {kind(value)}", "write true or false")
         return value.data
 
-    def number(self, value: Value, what: str, unit: str) -> float:
+    def number(self, value: YamlValue, what: str, unit: str) -> float:
         """A finite number above 0."""
         number = value.data
         if isinstance(number, bool) or not isinstance(number, (int, float)):
@@ -128,20 +128,20 @@ class File:
             raise self.error(value.line, f"{what} is too large a number of {unit}", f"write at most {most}")
         return number
 
-    def count(self, value: Value, what: str, unit: str) -> int:
+    def count(self, value: YamlValue, what: str, unit: str) -> int:
         """A whole number above 0."""
         number = self.number(value, what, unit)
         if not isinstance(number, int):
             raise self.error(value.line, f"{what} must be a whole number of {unit}", "leave out the fraction")
         return number
 
-    def glob(self, glob: Named) -> str:
+    def glob(self, glob: NamedShape) -> str:
         fault = globs.fault(glob.text)
         if fault is not None:
             raise self.error(glob.line, f"{quoted(glob.text)}: {fault}", "write it like src/third_party/**")
         return glob.text
 
-    def path(self, value: Value, what: str, *, anywhere: bool) -> str:
+    def path(self, value: YamlValue, what: str, *, anywhere: bool) -> str:
         """A path relative to the workspace root; one that leads out of it only if *anywhere*."""
         path = self.text(value, what)
         if not anywhere and (path.startswith(("/", "~")) or ".." in path.split("/")):
@@ -153,7 +153,7 @@ class File:
         return path
 
 
-def kind(value: Value) -> str:
+def kind(value: YamlValue) -> str:
     """What a value is, in words."""
     match value.data:
         case None:

@@ -27,14 +27,14 @@ _BREAK = re.compile("\r\n|[\r\n\x85\u2028\u2029]")  # what libyaml counts as the
 
 
 @dataclass(frozen=True, slots=True)
-class Value:
+class YamlValue:
     """A scalar, list or map and the line it begins on; ``key_line`` is the line of the key it stands under.
 
     ``size`` counts the values in it, itself included, aliases as often as they are used.
     """
 
     line: int
-    data: Scalar | tuple[Value, ...] | dict[Scalar, Value]
+    data: Scalar | tuple[YamlValue, ...] | dict[Scalar, YamlValue]
     key_line: int = 0
     size: int = 1
 
@@ -52,7 +52,7 @@ class Duplicate:
 class Document:
     """A parsed file: its top value (None if it is empty) and its repeated keys."""
 
-    top: Value | None
+    top: YamlValue | None
     duplicates: tuple[Duplicate, ...] = ()
 
 
@@ -66,7 +66,7 @@ def parse(data: bytes, name: str) -> Document:
         line = data.count(b"\n", 0, err.start) + 1
         raise UserError(f"{name}:{line}: not UTF-8 text", help="save the file as UTF-8") from err
 
-    composer = _Composer(text)
+    composer = _LineComposer(text)
     try:
         top = composer.document()
     except YamlFault as fault:
@@ -97,7 +97,7 @@ def _refused(fault: YamlFault, text: str, name: str) -> UserError:
     return UserError(f"{name}:{fault.line}: {fault.problem}", help=fault.advice)
 
 
-def plain(value: Value) -> object:
+def plain(value: YamlValue) -> object:
     """The value as bare lists, dicts and scalars."""
     match value.data:
         case dict():
@@ -112,7 +112,7 @@ def _indent(here: str) -> str:
     return here[: len(here) - len(here.lstrip())]
 
 
-class _Composer(Composer[Value]):
+class _LineComposer(Composer[YamlValue]):
     quoted = staticmethod(quoted)
     SAYS: ClassVar = {
         **Composer.SAYS,
@@ -141,14 +141,14 @@ class _Composer(Composer[Value]):
             raise self.fault(event, "scalar", quoted(event.tag))
         return self.number(event, tag) if tag in _NUMBERS else str(event.value)
 
-    def made(self, event: Any, data: Any, size: int) -> Value:
-        return Value(event.start_mark.line + 1, data, size=size)
+    def made(self, event: Any, data: Any, size: int) -> YamlValue:
+        return YamlValue(event.start_mark.line + 1, data, size=size)
 
-    def under(self, value: Value, event: Any) -> Value:
+    def under(self, value: YamlValue, event: Any) -> YamlValue:
         return replace(value, key_line=event.start_mark.line + 1)
 
-    def again(self, value: Value, event: Any) -> Value:
+    def again(self, value: YamlValue, event: Any) -> YamlValue:
         return replace(value, line=event.start_mark.line + 1)
 
-    def twice(self, key: Any, event: Any, first: Value) -> None:
+    def twice(self, key: Any, event: Any, first: YamlValue) -> None:
         self.duplicates.append(Duplicate(key, event.start_mark.line + 1, first.key_line))

@@ -45,13 +45,13 @@ _MOST = 100_000
 
 
 @dataclass(frozen=True, slots=True)
-class Declared:
+class DeclaredEntity:
     """One entity of a file: what is given of it by key, and the complete lists of its *ends* that are given."""
 
     name: str
     type: str | None
     fields: Mapping[str, Any]
-    ends: Mapping[str, tuple[Declared, ...]] = field(default_factory=dict)
+    ends: Mapping[str, tuple[DeclaredEntity, ...]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +93,7 @@ class Reading:
         return found
 
 
-def read_nodes(entry: Mapping[str, Any], reading: Reading, at: str) -> tuple[Declared, ...] | None:
+def read_nodes(entry: Mapping[str, Any], reading: Reading, at: str) -> tuple[DeclaredEntity, ...] | None:
     """The ``nodes`` of a configuration in a ground truth; None if they are not given, or in a wrong shape."""
     entries = reading.map(entry.get("nodes"), f"{at}.nodes")
     if not isinstance(entry.get("nodes"), Mapping):
@@ -110,11 +110,11 @@ def read_nodes(entry: Mapping[str, Any], reading: Reading, at: str) -> tuple[Dec
                 reading.say(f"{here}.{kind} must be a list, not {_kind(node[kind])}")
         fields = reading.fields(node, NODE_KEYS, here)
         if _global(name, reading, here):
-            nodes.append(Declared(name, fields.get("node_type"), fields, ends))
+            nodes.append(DeclaredEntity(name, fields.get("node_type"), fields, ends))
     return tuple(nodes)
 
 
-def read_parameters(entry: Mapping[str, Any], reading: Reading, at: str) -> tuple[Declared, ...] | None:
+def read_parameters(entry: Mapping[str, Any], reading: Reading, at: str) -> tuple[DeclaredEntity, ...] | None:
     """The ``parameters`` of a configuration in a ground truth, maps unfolded to leaves; None as for ``read_nodes``."""
     all_given = reading.map(entry.get("parameters"), f"{at}.parameters")
     if not isinstance(entry.get("parameters"), Mapping):
@@ -128,13 +128,13 @@ def read_parameters(entry: Mapping[str, Any], reading: Reading, at: str) -> tupl
         if not _global(name, reading, here) or not fields.keys() >= set(values):
             continue
         if not values:
-            found.append(Declared(name, fields.get("param_type"), fields))
+            found.append(DeclaredEntity(name, fields.get("param_type"), fields))
             continue
         for full, leaf in unfolded(name, fields[values[0]], reading, here):
             own = {key: value for key, value in fields.items() if key not in ("value", "param_type")}
             own["default_value"] = leaf
             kind = fields.get("param_type") if full == name else value_type(leaf)
-            found.append(Declared(full, kind, own if kind is None else {**own, "param_type": kind}))
+            found.append(DeclaredEntity(full, kind, own if kind is None else {**own, "param_type": kind}))
     return tuple(found)
 
 
@@ -186,7 +186,7 @@ def is_name(value: object) -> bool:
     return isinstance(value, str) and _NAME.fullmatch(value) is not None
 
 
-def _ends(items: Sequence[object], kind: str, reading: Reading, at: str) -> Iterator[Declared]:
+def _ends(items: Sequence[object], kind: str, reading: Reading, at: str) -> Iterator[DeclaredEntity]:
     name_key, type_key, value_key, _ = LINKS[kind]
     keys = [type_key, *END_KEYS, *end_keys(kind), *(["value"] if value_key else [])]
     for number, item in enumerate(items):
@@ -195,7 +195,7 @@ def _ends(items: Sequence[object], kind: str, reading: Reading, at: str) -> Iter
         fields = reading.fields(entry, keys, here)
         name = entry.get(name_key)
         if isinstance(name, str) and _global(name, reading, here):
-            yield Declared(name, fields.get(type_key), fields)
+            yield DeclaredEntity(name, fields.get(type_key), fields)
         elif not isinstance(name, str):
             reading.say(f"{here} needs a {name_key!r}: the full name, as text")
 

@@ -13,7 +13,7 @@ from haros_ci.declared.declared import (
     LINKS,
     PLACE,
     TYPE_ALIASES,
-    Declared,
+    DeclaredEntity,
     Reading,
     near,
     place,
@@ -33,7 +33,7 @@ T = TypeVar("T", Node, Endpoint, Parameter)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Difference:
+class Deviation:
     """One deviation; *kind* is missing, unexpected, different or unknown, the last at level note.
 
     *entity* is node, parameter, configuration or the last word of a row of ``LINKS``; *node* its node's name or "";
@@ -64,7 +64,7 @@ class _About:
     unknowns: tuple[Unknown, ...] = ()
 
 
-def compare(configuration: Configuration, expected: object, packages: Sequence[Package]) -> tuple[Difference, ...]:
+def compare(configuration: Configuration, expected: object, packages: Sequence[Package]) -> tuple[Deviation, ...]:
     """How *configuration* deviates from its entry in *expected*, a file's parsed YAML ``{configuration: {...}}``.
 
     Only keys that are given are compared; a list or map that is given is complete, but for implicit endpoints. Within a
@@ -76,7 +76,7 @@ def compare(configuration: Configuration, expected: object, packages: Sequence[P
     if not isinstance(declared, Mapping):
         return ()
     quiet: list[Problem] = []
-    found: list[Difference] = []
+    found: list[Deviation] = []
     launch = declared.get("launch")
     if isinstance(launch, list) and tuple(launch) != configuration.launch:
         about = _About("configuration", "", configuration.name)
@@ -125,7 +125,9 @@ def _glob(pattern: str, name: str) -> bool:
     return True
 
 
-def _nodes(nodes: Sequence[Node], declared: Sequence[Declared], packages: Sequence[Package]) -> Iterator[Difference]:
+def _nodes(
+    nodes: Sequence[Node], declared: Sequence[DeclaredEntity], packages: Sequence[Package]
+) -> Iterator[Deviation]:
     yield from _all("node", "", nodes, declared, (), packages)
     for expected, node in _pairs(nodes, declared, packages)[0]:
         for kind, ends in expected.ends.items():
@@ -140,10 +142,10 @@ def _all(
     entity: str,
     node: str,
     found: Sequence[T],
-    declared: Sequence[Declared],
+    declared: Sequence[DeclaredEntity],
     opaque: Sequence[Unknown],
     packages: Sequence[Package],
-) -> Iterator[Difference]:
+) -> Iterator[Deviation]:
     """The differences of all of one kind; *opaque* says why there may be more than *found*."""
     pairs, missing, left = _pairs(found, declared, packages)
     for expected, item in pairs:
@@ -163,8 +165,8 @@ def _all(
 
 
 def _attributes(
-    about: _About, declared: Declared, item: Node | Endpoint | Parameter, packages: Sequence[Package]
-) -> Iterator[Difference]:
+    about: _About, declared: DeclaredEntity, item: Node | Endpoint | Parameter, packages: Sequence[Package]
+) -> Iterator[Deviation]:
     there = place(item.location, packages)
     unsure = any(why.field == "conditions" for why in item.unknowns)
     for key, expected in declared.fields.items():
@@ -209,7 +211,7 @@ def _type(item: Node | Endpoint | Parameter) -> str | None:
     return TYPE_ALIASES.get(item.type, item.type) if item.type else None
 
 
-def _told(kind: str, about: _About, attribute: str = "", expected: Any = None, found: Any = None) -> Difference:
+def _told(kind: str, about: _About, attribute: str = "", expected: Any = None, found: Any = None) -> Deviation:
     what = f"{about.entity} {about.name}" + (f" of node {about.node}" if about.node else "")
     label = {"launch": "launch", "traceability": "place"}.get(attribute, attribute)
     reason = next((f" ({w.reason})" for w in about.unknowns if w.field in (attribute, "type", "name", "endpoints")), "")
@@ -224,7 +226,7 @@ def _told(kind: str, about: _About, attribute: str = "", expected: Any = None, f
             message = f"{what}: {label} is not known{reason}, {shown(expected)} is declared."
         case _:
             message = f"{what}: whether it is as declared is not known{reason}."
-    return Difference(
+    return Deviation(
         kind=kind,
         rule=_RULES[kind],
         level="note" if kind == "unknown" else "warning",
@@ -240,12 +242,12 @@ def _told(kind: str, about: _About, attribute: str = "", expected: Any = None, f
 
 
 def _pairs(
-    found: Sequence[T], declared: Sequence[Declared], packages: Sequence[Package]
-) -> tuple[list[tuple[Declared, T]], list[Declared], list[T]]:
+    found: Sequence[T], declared: Sequence[DeclaredEntity], packages: Sequence[Package]
+) -> tuple[list[tuple[DeclaredEntity, T]], list[DeclaredEntity], list[T]]:
     """One to one by name, the same type and place first; then by what an unknown name may be, as many as possible."""
-    pairs: list[tuple[Declared, T]] = []
+    pairs: list[tuple[DeclaredEntity, T]] = []
     left, missing = list(found), list(declared)
-    passes: tuple[Callable[[Declared, T], bool], ...] = (
+    passes: tuple[Callable[[DeclaredEntity, T], bool], ...] = (
         lambda w, f: (
             w.type == _type(f) and w.fields.get("traceability", {}).items() <= place(f.location, packages).items()
         ),
@@ -276,7 +278,7 @@ def _pairs(
     return pairs, [w for n, w in enumerate(missing) if n not in chosen], [i for i in left if id(i) not in used]
 
 
-def _can_be(expected: Declared, item: Node | Endpoint | Parameter) -> bool:
+def _can_be(expected: DeclaredEntity, item: Node | Endpoint | Parameter) -> bool:
     kind = _type(item)
     return may_be(item.name, expected.name) and (kind is None or "?" in kind or expected.type in (None, kind))
 

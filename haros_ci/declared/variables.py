@@ -44,7 +44,7 @@ MAX_LISTED = 5
 
 
 @dataclass(frozen=True, slots=True)
-class Variable:
+class UnknownAttribute:
     """An unknown of the endpoint at *index* of a node; *name* is ``KEY@attributeN``."""
 
     name: str
@@ -58,7 +58,7 @@ class Variable:
         return f'"{self.name}": {ATTRIBUTES[self.attribute]}'
 
 
-def variables(node: Node) -> tuple[Variable, ...]:
+def variables(node: Node) -> tuple[UnknownAttribute, ...]:
     """The unknowns of *node*; N counts those of one key and attribute from 1, in order of location."""
     found = []
     counts: Counter[str] = Counter()
@@ -70,7 +70,7 @@ def variables(node: Node) -> tuple[Variable, ...]:
                 stem = f"{CALLS[end.kind]}@{attribute}"
                 counts[stem] += 1
                 reason, location = reasons[attribute]
-                found.append(Variable(f"{stem}{counts[stem]}", attribute, index, reason, location))
+                found.append(UnknownAttribute(f"{stem}{counts[stem]}", attribute, index, reason, location))
     return tuple(found)
 
 
@@ -80,7 +80,7 @@ def fill(configuration: Configuration, fix: object, reading: Reading, packages: 
     An entry that fits no single unknown is said, with the unknowns there are.
     """
     there = [(n, variable) for n, node in enumerate(configuration.nodes) for variable in variables(node)]
-    chosen: list[tuple[int, Variable, object]] = []
+    chosen: list[tuple[int, UnknownAttribute, object]] = []
     for key, value in reading.map(fix, "hints.fix").items():
         if not key.startswith("/"):
             chosen += _fitting(configuration, there, key, value, "hints.fix", reading)
@@ -165,13 +165,13 @@ def _reasons(end: Endpoint) -> dict[str, tuple[str, Location | None]]:
 
 def _fitting(
     configuration: Configuration,
-    there: Sequence[tuple[int, Variable]],
+    there: Sequence[tuple[int, UnknownAttribute]],
     name: str,
     value: object,
     at: str,
     reading: Reading,
     node: str | None = None,
-) -> Iterator[tuple[int, Variable, object]]:
+) -> Iterator[tuple[int, UnknownAttribute, object]]:
     fits = [pair for pair in there if pair[1].name == name]
     if len(fits) == 1:
         yield *fits[0], value
@@ -193,7 +193,7 @@ def _fitting(
 
 
 def _filled(
-    node: Node, end: Endpoint, variable: Variable, value: object, reading: Reading, packages: Sequence[Package]
+    node: Node, end: Endpoint, variable: UnknownAttribute, value: object, reading: Reading, packages: Sequence[Package]
 ) -> Endpoint:
     at = f"hints.fix: {variable.name}"
     if variable.attribute in ("name", "namespace"):
@@ -205,7 +205,9 @@ def _filled(
     return edited(end, reading.fields({key: value}, (key,), at), reading, packages, at)
 
 
-def _name_filled(node: Node, end: Endpoint, variable: Variable, value: object, reading: Reading, at: str) -> Endpoint:
+def _name_filled(
+    node: Node, end: Endpoint, variable: UnknownAttribute, value: object, reading: Reading, at: str
+) -> Endpoint:
     if not (isinstance(value, str) and is_name(value)):
         reading.say(f"{at} must be a name as text")
         return end

@@ -11,8 +11,8 @@ from typing import Any
 from haros_ci.haros_json.issues import Asking, Issues, asking, is_there, issues
 from haros_ci.haros_json.names import safe, unique
 from haros_ci.haros_json.packages import measurement_json, needed, package_json
-from haros_ci.haros_json.places import Places
-from haros_ci.haros_json.rules import Named, Rules, metrics_json
+from haros_ci.haros_json.places import JsonPlaces
+from haros_ci.haros_json.rules import Named, RuleTable, metrics_json
 from haros_ci.haros_json.summary import nodes_of, summary_json, with_history
 from haros_ci.haros_json.systems import Shown
 from haros_ci.haros_json.texts import name
@@ -26,7 +26,7 @@ from haros_ci.model.workspace import Workspace
 from haros_ci.query.findings import Match, grouped
 from haros_ci.query.queries import Scenes
 from haros_ci.query.queries import run as ask
-from haros_ci.query.system import System
+from haros_ci.query.system import QuerySystem
 from haros_ci.results.result import Report, Result
 from haros_ci.results.rule import Rule
 
@@ -62,7 +62,7 @@ class Input:
 def documents(inputs: Input) -> dict[str, str]:
     """The files by their path in the folder, ``projects.json`` last: the text of each is the same for the same input."""
     workspace = inputs.workspace
-    places = Places(workspace.packages)
+    places = JsonPlaces(workspace.packages)
     project = safe(str(inputs.project.get("project") or DEFAULT))
     results = [result for result in inputs.report.results if is_there(result)]
     shown = _packages(workspace, places, results)
@@ -78,7 +78,7 @@ def documents(inputs: Input) -> dict[str, str]:
             lengths[path] = sum(not line.isspace() for line in workspace.text(path).splitlines() if line)
         return lengths[path]
 
-    rules = Rules(_rules(inputs.report, results), inputs.documented, inputs.scopes, inputs.queries)
+    rules = RuleTable(_rules(inputs.report, results), inputs.documented, inputs.scopes, inputs.queries)
     scenes = Scenes(inputs.architecture, workspace.files, inputs.project)
     systems = _systems(inputs.architecture, scenes, places)
     found = issues(results, systems, _matches(inputs, scenes, results), places, rules)
@@ -172,7 +172,7 @@ def _with_others(mine: Mapping[str, Any], before: str | None) -> str:
     return _text([*others, mine] if at is None else [*others[:at], mine, *others[at + 1 :]])
 
 
-def _packages(workspace: Workspace, places: Places, results: Iterable[Result]) -> list[Package]:
+def _packages(workspace: Workspace, places: JsonPlaces, results: Iterable[Result]) -> list[Package]:
     """The packages that the run is about: all, or those with a file that it reports on."""
     if workspace.targets is None:
         return list(places.packages)
@@ -186,8 +186,10 @@ def _rules(report: Report, results: Iterable[Result]) -> dict[str, Named]:
     return {one.full_id: known.get(one.full_id, (one.tool, Rule(one.rule, ""))) for one in results}
 
 
-def _systems(architecture: Architecture, scenes: Scenes, places: Places) -> list[Shown]:
-    empty = (System(one, scenes.world) for one in architecture.configurations if not one.nodes)  # no query sees them
+def _systems(architecture: Architecture, scenes: Scenes, places: JsonPlaces) -> list[Shown]:
+    empty = (
+        QuerySystem(one, scenes.world) for one in architecture.configurations if not one.nodes
+    )  # no query sees them
     named = sorted((*scenes.systems, *empty), key=lambda system: (system.made.name, system.made.launch))
     keys = [(system.made.name, str(number)) for number, system in enumerate(named)]
     ids = unique(keys)

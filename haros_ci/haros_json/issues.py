@@ -7,14 +7,14 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from haros_ci.haros_json.places import Places
-from haros_ci.haros_json.rules import Rules
+from haros_ci.haros_json.places import JsonPlaces
+from haros_ci.haros_json.rules import RuleTable
 from haros_ci.haros_json.systems import Object, Shown
 from haros_ci.haros_json.texts import paragraphs, words
 from haros_ci.model.location import Location
 from haros_ci.query.engine import entities_of
 from haros_ci.query.findings import Match
-from haros_ci.query.links import Link
+from haros_ci.query.links import QueryLink
 from haros_ci.query.resources import Resource
 from haros_ci.report.message import plain
 from haros_ci.results.counted import is_set_aside
@@ -54,8 +54,8 @@ def issues(
     results: Iterable[Result],
     systems: Sequence[Shown],
     matches: Mapping[Asking, Sequence[Match]],
-    places: Places,
-    rules: Rules,
+    places: JsonPlaces,
+    rules: RuleTable,
 ) -> Issues:
     """*results* in HAROS's places. Those of *matches* are in every configuration that their query has found them in."""
     made = Issues()
@@ -84,7 +84,7 @@ def issues(
     return made
 
 
-def _issue(result: Result, places: Places, rules: Rules) -> dict[str, Any]:
+def _issue(result: Result, places: JsonPlaces, rules: RuleTable) -> dict[str, Any]:
     scope = result.scope or (result.identity.scope if result.identity is not None else "")
     return {
         "rule": rules.id(result.full_id),
@@ -103,7 +103,7 @@ def _in_configurations(
         if match.configuration in shown:
             objects = by_name.setdefault(match.configuration, {})
             for entity in entities_of(match.value):
-                if isinstance(entity, (Resource, Link)):
+                if isinstance(entity, (Resource, QueryLink)):
                     objects.update(_known(shown[match.configuration].object(entity)))
     if not by_name and result.graph in shown:
         by_name[result.graph] = _of_check(result, shown[result.graph])

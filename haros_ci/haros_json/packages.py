@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping
 from math import isfinite
 from typing import Any
 
-from haros_ci.haros_json.places import Places
+from haros_ci.haros_json.places import JsonPlaces
 from haros_ci.haros_json.texts import link, name, words
 from haros_ci.model.location import Location
 from haros_ci.model.manifest import Manifest
@@ -30,7 +30,7 @@ def package_json(
     files: Iterable[SourceFile],
     issues: Iterable[Mapping[str, Any]],
     measurements: Iterable[Measurement],
-    places: Places,
+    places: JsonPlaces,
     sloc: Callable[[str], int],
 ) -> dict[str, Any]:
     """The entry of ``packages.json``; *sloc* counts a file's lines that are not blank."""
@@ -58,7 +58,7 @@ def package_json(
     }
 
 
-def measurement_json(one: Measurement, places: Places) -> dict[str, Any]:
+def measurement_json(one: Measurement, places: JsonPlaces) -> dict[str, Any]:
     """The entry of a package's file of measurements."""
     place = Location(one.path, one.line or None) if one.path else None
     location = places.location(place, function=one.function or None, class_name=one.class_name or None)

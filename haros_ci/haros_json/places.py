@@ -12,7 +12,7 @@ from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 
 
-class Places:
+class JsonPlaces:
     """Where the packages are, and under which ids they are shown."""
 
     def __init__(self, packages: Iterable[Package]) -> None:

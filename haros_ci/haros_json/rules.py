@@ -110,7 +110,7 @@ def is_harosid(alias: str) -> bool:
 
 
 @dataclass(frozen=True, slots=True)
-class Rules:
+class RuleTable:
     """The rules of a run by ``tool:id``; *scopes* are those of checks and queries, *queries* the texts of the latter.
 
     *documented* are all that there are: a rule goes by its HAROS id if it has one, and no other rule has the same.

@@ -14,13 +14,13 @@ from hashlib import sha256
 from typing import Any
 
 from haros_ci.declared.variables import variables
-from haros_ci.haros_json.places import Places
+from haros_ci.haros_json.places import JsonPlaces
 from haros_ci.haros_json.texts import name, words
 from haros_ci.model.architecture import Condition, Node
 from haros_ci.model.location import Location
-from haros_ci.query.links import Link
-from haros_ci.query.resources import NodeInstance, Parameter, Resource
-from haros_ci.query.system import System
+from haros_ci.query.links import QueryLink
+from haros_ci.query.resources import NodeInstance, QueryParameter, Resource
+from haros_ci.query.system import QuerySystem
 from haros_ci.report.model_json import plain
 
 #: HAROS's lists of links, and ours that are in them.
@@ -64,7 +64,7 @@ class Object:
 class Shown:
     """A configuration with a uid for each of its resources: of its content, the same in every run."""
 
-    def __init__(self, system: System, id: str, places: Places) -> None:
+    def __init__(self, system: QuerySystem, id: str, places: JsonPlaces) -> None:
         self.system = system
         self.id = id
         self.places = places
@@ -83,14 +83,14 @@ class Shown:
         self.unknowns = {id_of(one): tuple(variables(one.made)) for one in self.nodes}
         self._indices = {id_of(one): _places_in(one.made) for one in self.nodes}
 
-    def object(self, entity: Resource | Link) -> Object | None:
+    def object(self, entity: Resource | QueryLink) -> Object | None:
         """What *entity* is here; None if it is of another configuration."""
-        resource = entity.resource if isinstance(entity, Link) else entity
+        resource = entity.resource if isinstance(entity, QueryLink) else entity
         uid = self.uids.get(id_of(resource))
         if uid is None:
             return None
         shown = Object(kind=TYPES[resource.TYPE], name=name(resource.full), uid=uid)
-        if not isinstance(entity, Link):
+        if not isinstance(entity, QueryLink):
             return shown
         node = entity.node
         return Object(kind=shown.kind, name=shown.name, uid=uid, node=name(node.full), node_uid=self.uids[id_of(node)])
@@ -164,7 +164,7 @@ class Shown:
             **self._explained(one),
         }
 
-    def _parameter(self, one: Parameter) -> dict[str, Any]:
+    def _parameter(self, one: QueryParameter) -> dict[str, Any]:
         value = plain(one.made.value) if one.made is not None else None
         made = self._channel(one, "reads", "writes")
         return {**{key: made.pop(key) for key in ("uid", "name", "type")}, "value": value, **made}
@@ -226,13 +226,13 @@ def _places_in(node: Node) -> dict[int, int]:
     return {id_of(end): index for index, end in enumerate(node.endpoints)}
 
 
-def _ends(one: Resource, kind: str) -> list[Link]:
+def _ends(one: Resource, kind: str) -> list[QueryLink]:
     """The links of *one* in HAROS's list *kind*, by name and place."""
     found = [link for own in LINKS[kind] for link in one.links.get(own, ())]
     return sorted(found, key=_key)
 
 
-def _key(link: Link) -> tuple[Any, ...]:
+def _key(link: QueryLink) -> tuple[Any, ...]:
     end = link.end
     place = end.location.sort_key if end.location is not None else ()
     return (link.node.full, link.resource.full, end.original_name, place, end.kind)

@@ -9,7 +9,7 @@ from types import ModuleType
 from typing import Any
 
 from haros_ci.haros_plugins.interface import Described, Measurement, PluginInterface, Say, Violation, location_of
-from haros_ci.haros_plugins.views import Model, View, install
+from haros_ci.haros_plugins.views import EntityView, Model, install
 from haros_ci.query.queries import Scenes
 
 #: The kinds of scopes with hooks of their own, in HAROS's order.
@@ -29,7 +29,7 @@ class Hosted:
         packages = [
             views.view(package) for package in scenes.world.packages.values() if package.name in job["packages"]
         ]
-        self.scopes: dict[str, list[View]] = {
+        self.scopes: dict[str, list[EntityView]] = {
             "file": [file for package in packages for file in package.source_files if file._entity.path in paths],
             "package": packages,
             "configuration": [views.view(system) for system in scenes.systems],
@@ -76,15 +76,15 @@ class Hosted:
         if hasattr(module, "post_process"):
             module.post_process(self.iface)
 
-    def _violations(self, request: Mapping[str, Any], scope: View) -> Iterator[Violation]:
+    def _violations(self, request: Mapping[str, Any], scope: EntityView) -> Iterator[Violation]:
         for data in request["violations"].get(scope.id, ()):
             rule = Described(data["rule"], data["name"], description=data["description"], tags=data["tags"])
             yield Violation(rule, self._location(data, scope), data["message"], [scope])
 
-    def _metrics(self, request: Mapping[str, Any], scope: View) -> Iterator[Measurement]:
+    def _metrics(self, request: Mapping[str, Any], scope: EntityView) -> Iterator[Measurement]:
         for data in request["metrics"].get(scope.id, ()):
             metric = self.metrics.get(data["metric"]) or Described(data["metric"], data["metric"])
             yield Measurement(metric, self._location(data, scope), data["value"])
 
-    def _location(self, data: Mapping[str, Any], scope: View) -> Any:
+    def _location(self, data: Mapping[str, Any], scope: EntityView) -> Any:
         return scope.location if scope in self.scopes["configuration"] else location_of(data, scope)

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from haros_ci.haros_plugins.views import CLASSES, Location, View
+from haros_ci.haros_plugins.views import CLASSES, EntityView, ReportedLocation
 
 Say = Callable[[dict[str, Any]], None]
 
@@ -83,11 +83,11 @@ class PluginInterface:
         home: str,
         rules: Mapping[str, Described],
         metrics: Mapping[str, Described],
-        scopes: Mapping[str, View],
+        scopes: Mapping[str, EntityView],
         say: Say,
     ) -> None:
         self.state: Any = None
-        self._scope: View | None = None
+        self._scope: EntityView | None = None
         self._name, self._home, self._say = name, home, say
         self._rules, self._metrics, self._scopes = rules, metrics, scopes
 
@@ -188,7 +188,7 @@ class PluginInterface:
         return known.get(id) or known.get(str(id).removeprefix(f"{self._name}:"))
 
 
-def _resource(view: View) -> dict[str, Any]:
+def _resource(view: EntityView) -> dict[str, Any]:
     """The name of a resource, or of what a link leads to, and where it stands."""
     entity = view._entity
     place = getattr(entity, "place", None)
@@ -211,8 +211,10 @@ def _bounds(low: float | None, high: float | None) -> str:
     )
 
 
-def location_of(data: Mapping[str, Any], scope: View) -> Location:
+def location_of(data: Mapping[str, Any], scope: EntityView) -> ReportedLocation:
     """The place of a datum of another plug-in, or of haros-ci, in *scope*."""
     file = scope if isinstance(scope, CLASSES["SourceFile"]) else None
     package = scope.package if file is not None else scope if isinstance(scope, CLASSES["Package"]) else None
-    return Location(package, file, data.get("line"), None, data.get("function") or None, data.get("class") or None)
+    return ReportedLocation(
+        package, file, data.get("line"), None, data.get("function") or None, data.get("class") or None
+    )

@@ -41,7 +41,7 @@ class Scene:
 
 
 @dataclass(slots=True)
-class Told:
+class PluginOutput:
     """What a plug-in has said. *failures* ended it; what it had said before stays."""
 
     plugin: HarosPlugin
@@ -79,20 +79,20 @@ def run(
     violations: ByScope,
     metrics: ByScope,
     export: Path | None,
-) -> tuple[Told, ...]:
+) -> tuple[PluginOutput, ...]:
     """What each plug-in says of *scene*, in at most so many *seconds* a phase (by name).
 
     *violations* and *metrics* are haros-ci's own, which the hooks of processing see beside those of all plug-ins. Files that a plug-in
     exports go into a directory of its name in *export*; None leaves them out.
     """
-    outputs: list[Told] = []
-    open_ones: list[tuple[Told, Conversation, Path]] = []
+    outputs: list[PluginOutput] = []
+    open_ones: list[tuple[PluginOutput, Conversation, Path]] = []
     with ExitStack() as stack:
         directory = stack.enter_context(scratch_directory("haros-ci-"))
         model = directory / "model"
         model.write_bytes(pickle.dumps(scene.model))
         for plugin in plugins:
-            output = Told(plugin)
+            output = PluginOutput(plugin)
             outputs.append(output)
             scratch = directory / plugin.name
             talk = _started(output, scene, model, scratch, seconds[plugin.name], stack)
@@ -114,7 +114,7 @@ def run(
 
 
 def _started(
-    output: Told, scene: Scene, model: Path, scratch: Path, seconds: float, stack: ExitStack
+    output: PluginOutput, scene: Scene, model: Path, scratch: Path, seconds: float, stack: ExitStack
 ) -> Conversation | None:
     argv = (sys.executable, "-I", "-X", "utf8", str(Path(__file__).with_name("child.py")))
     programs = [os.path.join(sys.prefix, "bin"), *search_path(os.environ, scene.root)]  # tools beside us come first
@@ -157,7 +157,7 @@ def _job(plugin: HarosPlugin, scene: Scene, model: Path) -> Data:
     }
 
 
-def _asked(output: Told, talk: Conversation, request: Data) -> bool:
+def _asked(output: PluginOutput, talk: Conversation, request: Data) -> bool:
     """Whether the plug-in did what was asked of it; what it says meanwhile is taken."""
     before = len(output.failures)
     try:
@@ -200,7 +200,7 @@ def _merged(parts: Iterable[ByScope]) -> dict[str, list[Data]]:
     return found
 
 
-def _exported(output: Told, scratch: Path, export: Path | None) -> None:
+def _exported(output: PluginOutput, scratch: Path, export: Path | None) -> None:
     """Copy what the plug-in wants kept: plain files of its own directory, up to a limit."""
     if not output.exported:
         return

@@ -8,7 +8,7 @@ from types import ModuleType
 from typing import Any
 
 from haros_ci.query.calls import CALLS
-from haros_ci.query.values import Entity, Listing, Pair, Record
+from haros_ci.query.values import QueryEntity, QueryList, QueryPair, QueryRecord
 
 #: The kinds of metamodel.py by the class that they derive from there; ours are added where they fit.
 KINDS: dict[str, tuple[str, ...]] = {
@@ -34,7 +34,7 @@ ALIASES = {
 }
 
 
-class View:
+class EntityView:
     """One entity. What it has is read from the entity when it is asked for, and is the same object every time."""
 
     _entity: Any
@@ -58,7 +58,7 @@ class View:
         return value
 
     def __eq__(self, other: object) -> bool:
-        return bool(self._entity == (other._entity if isinstance(other, View) else other))
+        return bool(self._entity == (other._entity if isinstance(other, EntityView) else other))
 
     def __hash__(self) -> int:
         return hash(self._entity)
@@ -81,7 +81,7 @@ class View:
         return self._items()[index]
 
     def __contains__(self, item: object) -> bool:
-        if isinstance(item, View):
+        if isinstance(item, EntityView):
             return item in self._items()
         return any(getattr(entry, "id", entry) == item for entry in self._items())
 
@@ -100,11 +100,11 @@ class View:
         }
 
 
-class MetamodelObject(View):
+class MetamodelObject(EntityView):
     """What a plug-in may report on."""
 
 
-class Location:
+class ReportedLocation:
     """A place to report; what is not known is None."""
 
     def __init__(
@@ -146,7 +146,7 @@ def _language(language: str, path: str) -> str:
 
 
 def _classes() -> dict[str, type]:
-    made: dict[str, type] = {"View": View, "MetamodelObject": MetamodelObject, "Location": Location}
+    made: dict[str, type] = {"View": EntityView, "MetamodelObject": MetamodelObject, "Location": ReportedLocation}
     for base, kinds in KINDS.items():
         if base not in made:
             made[base] = type(base, (MetamodelObject,), {})
@@ -174,38 +174,38 @@ class Model:
 
     def __init__(self, root: str) -> None:
         self.root = root
-        self._views: dict[int, tuple[Any, View]] = {}
+        self._views: dict[int, tuple[Any, EntityView]] = {}
 
-    def view(self, entity: Any) -> View:
+    def view(self, entity: Any) -> EntityView:
         """The view of *entity*, always the same one."""
         known = self._views.get(id(entity))
         if known is None:
             kind = getattr(entity, "kind", None) if entity.KIND == "RosPrimitiveCall" else entity.KIND
-            made = CLASSES.get(str(kind), View)(entity, self)
+            made = CLASSES.get(str(kind), EntityView)(entity, self)
             known = self._views[id(entity)] = (entity, made)
             self._complete(made)
         return known[1]
 
     def shown(self, value: Any) -> Any:
         """A value of the query language as Python has it."""
-        if isinstance(value, Entity):
+        if isinstance(value, QueryEntity):
             if value.KIND == "Location":
                 place: Any = value
-                return Location(self.shown(place.package), self.shown(place.file), place.line, place.column)
+                return ReportedLocation(self.shown(place.package), self.shown(place.file), place.line, place.column)
             return self.view(value)
-        if isinstance(value, Listing):
+        if isinstance(value, QueryList):
             return [self.shown(item) for item in value]
-        if isinstance(value, Record):
+        if isinstance(value, QueryRecord):
             return {self.shown(key): self.shown(item) for key, item in value.items()}
-        if isinstance(value, Pair):
+        if isinstance(value, QueryPair):
             return (self.shown(value.key), self.shown(value.value))
         return str(value) if isinstance(value, str) else value
 
     def meant(self, value: Any) -> Any:
         """The other way: an argument that a plug-in gives."""
-        return value._entity if isinstance(value, View) else value
+        return value._entity if isinstance(value, EntityView) else value
 
-    def _complete(self, made: View) -> None:
+    def _complete(self, made: EntityView) -> None:
         """What plug-ins see otherwise than queries: absolute paths, HAROS's words for languages."""
         entity, own = made._entity, made.__dict__
         if entity.KIND == "SourceFile":

@@ -44,7 +44,7 @@ class Consulted:
 
 
 @dataclass(slots=True)
-class Change:
+class SourceChange:
     """What of the C++ and Python files is not as it was.
 
     Of all files, *paths*; *names* that mean something else, *bodies* of functions that do something else, and the names of those of them
@@ -134,7 +134,7 @@ class Now:
     relevance: Callable[[str, int, frozenset[str]], Relevance | None]
 
 
-def holds(consulted: Consulted, change: Change, now: Now) -> bool:
+def holds(consulted: Consulted, change: SourceChange, now: Now) -> bool:
     """Whether what was consulted is as it was."""
     if change.is_all or not change.paths.isdisjoint(consulted.paths):
         return False
@@ -179,9 +179,9 @@ def change_of(
     source_now: Callable[[str], Source | None],
     relevance: Callable[[str], Sequence[Relevance]],
     aliases: Mapping[str, object],
-) -> Change:
+) -> SourceChange:
     """What has changed from the files *before* to those of *now* (digests by path); *aliases* are those of C++ by name."""
-    change = Change()
+    change = SourceChange()
     if before.keys() != now.keys():
         change.is_all = True
         return change
@@ -202,7 +202,7 @@ def change_of(
 
 
 def _only_bodies(
-    change: Change,
+    change: SourceChange,
     path: str,
     before: Source,
     now: Source,
@@ -229,7 +229,7 @@ def _only_bodies(
     return True
 
 
-def _compare(change: Change, path: str, before: Source, now: Source, relevance: Sequence[Relevance]) -> None:
+def _compare(change: SourceChange, path: str, before: Source, now: Source, relevance: Sequence[Relevance]) -> None:
     old, new = before.program, now.program
     if (old.includes, old.scopes, old.registered) != (new.includes, new.scopes, new.registered):
         change.includes.add(path)

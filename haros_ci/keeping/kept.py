@@ -19,7 +19,7 @@ from haros_ci.follow.made import Made
 from haros_ci.follow.twins import Twin
 from haros_ci.graph.ros2_process import RosNode
 from haros_ci.keeping.consulted import Consulted, Effect
-from haros_ci.keeping.kept_json import Lost, Unfit, from_json, moved, to_json
+from haros_ci.keeping.kept_json import PlaceLost, Unfit, from_json, moved, to_json
 from haros_ci.keeping.moves import Lines
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
@@ -176,7 +176,7 @@ def read(
                 continue
             try:
                 now = moved(item, lines) if lines else item
-            except Lost:
+            except PlaceLost:
                 continue
             is_as_it_was = now == item
             if is_as_it_was and number in earlier.made:

@@ -23,7 +23,7 @@ class Unfit(Exception):
     """The value cannot be kept, or is not what was written."""
 
 
-class Lost(Exception):
+class PlaceLost(Exception):
     """Nobody knows where a place of an edited file is now."""
 
 
@@ -192,7 +192,7 @@ def _now(line: Any, known: Mapping[int, int]) -> int | None:
     if line is None:
         return None
     if line.__class__ is not int or line not in known:
-        raise Lost
+        raise PlaceLost
     return known[line]
 
 

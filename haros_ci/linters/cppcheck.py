@@ -15,7 +15,7 @@ from haros_ci.linters.catalogue.cppcheck import UNSURE
 from haros_ci.linters.cppcheck_doubts import is_refuted, self_initialized_line
 from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
-from haros_ci.linters.tool_xml import Element, elements
+from haros_ci.linters.tool_xml import ToolElement, elements
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
@@ -175,7 +175,7 @@ def _is_source(path: str) -> bool:
     return path.rpartition(".")[2].lower() in SOURCES
 
 
-def _units(error: Element, batch: Batch) -> list[str]:
+def _units(error: ToolElement, batch: Batch) -> list[str]:
     """The file under analysis; where that is not told, as in preprocessing, every file that sees the place."""
     paths = [file.path for file in batch.files]
     first_file, place = error.attributes.get("file0"), error.children[0]["file"]
@@ -185,7 +185,7 @@ def _units(error: Element, batch: Batch) -> list[str]:
     return [path for path in paths if place in includes.closure(path, direct)]
 
 
-def _gave_up(unit: str, error: Element, workspace: Workspace) -> GaveUp:
+def _gave_up(unit: str, error: ToolElement, workspace: Workspace) -> GaveUp:
     """The reason; a file that is not of the workspace (``#include "/etc/passwd"``) is not quoted."""
     path, line = error.children[0]["file"], int(error.children[0]["line"])
     if all(file.path != path for file in workspace.files):
@@ -194,7 +194,7 @@ def _gave_up(unit: str, error: Element, workspace: Workspace) -> GaveUp:
     return GaveUp(unit, reason, line or None) if path == unit else GaveUp(unit, f"{reason} ({path}:{line})")
 
 
-def _result(error: Element, workspace: Workspace) -> Result:
+def _result(error: ToolElement, workspace: Workspace) -> Result:
     first, *others = (_location(child, workspace) for child in error.children)
     messages = [child.get("info") or "see here" for child in error.children[1:]]
     return Result(
@@ -207,7 +207,7 @@ def _result(error: Element, workspace: Workspace) -> Result:
     )
 
 
-def _level(error: Element) -> Level:
+def _level(error: ToolElement) -> Level:
     if error.attributes.get("inconclusive") == "true":
         return Level.NOTE
     level = LEVELS.get(error.attributes["severity"], Level.NOTE)

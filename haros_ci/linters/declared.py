@@ -11,7 +11,7 @@ from posixpath import normpath
 
 from haros_ci.linters import installed
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, Unread, When
-from haros_ci.linters.tool_text import MAX_RULE, Said, clean, read
+from haros_ci.linters.tool_text import MAX_RULE, ToolFinding, clean, read
 from haros_ci.model.declared_tool import FILE, FILES, ROOT, DeclaredTool
 from haros_ci.model.location import Location
 from haros_ci.model.package import LANGUAGES, OTHER, SourceFile
@@ -103,7 +103,7 @@ class DeclaredLinter:
         return streams[self.tool.stream]
 
     def _text(self, data: bytes, code: int, batch: Batch) -> Iterator[Finding]:
-        places = _Places(batch, self.tool)
+        places = _OutputPlaces(batch, self.tool)
         count = 0
         for entry in read(self.tool, data):
             count += 1
@@ -122,7 +122,7 @@ class DeclaredLinter:
     def _sarif(self, data: bytes, code: int, batch: Batch) -> Iterator[Finding]:
         from haros_ci.results.sarif_reader import read_sarif
 
-        places = _Places(batch, self.tool)
+        places = _OutputPlaces(batch, self.tool)
         for run in read_sarif(data, "its output", root=os.path.realpath(batch.workspace.root)):
             if not run.successful:
                 raise Unread("its log says that it did not succeed")
@@ -152,7 +152,7 @@ class DeclaredLinter:
         return tuple(sorted({*named, *(path for path in files if self.tool.depends_on(path))}))
 
 
-class _Places:
+class _OutputPlaces:
     """Which file of the workspace a path in a tool's output means, and whose analysis said it."""
 
     def __init__(self, batch: Batch, tool: DeclaredTool) -> None:
@@ -186,7 +186,7 @@ class _Places:
         return self.first
 
 
-def _location(entry: Said, places: _Places) -> Location | None:
+def _location(entry: ToolFinding, places: _OutputPlaces) -> Location | None:
     path = places.known(entry.path.strip())
     if path is None:
         return None

@@ -28,14 +28,14 @@ HOW = {
 
 
 @dataclass(frozen=True, slots=True)
-class Distribution:
+class InstalledDistribution:
     """An installed Python distribution: the directory that it lies in, and its version."""
 
     directory: Path
     version: str
 
 
-def distribution(name: str) -> Distribution | None:
+def distribution(name: str) -> InstalledDistribution | None:
     """The distribution *name* for this interpreter, by its ``.dist-info`` directory.
 
     Reading the directory is much faster than importlib.metadata. Only absolute ``site-packages`` count: ``python -m``
@@ -47,7 +47,7 @@ def distribution(name: str) -> Distribution | None:
         for found in sorted(_listing(entry)):
             head, _, version = found.removesuffix(".dist-info").partition("-")
             if found.endswith(".dist-info") and head.lower() == name:
-                return Distribution(Path(entry), version)
+                return InstalledDistribution(Path(entry), version)
     return None
 
 

@@ -44,7 +44,7 @@ def measure(source: bytes) -> dict[str, Any]:
     if b"\0" in source:
         raise Unmeasurable("not text")
     code = _decode(source)
-    lines = _Lines()
+    lines = _LizardLines()
     counters = (lizard.preprocessing, lizard.comment_counter, lizard.line_counter, lizard.condition_counter)
     analyze = lizard.FileAnalyzer([lines.watch, *counters])
     parsed = analyze.analyze_source_code("x.cpp", code)
@@ -71,7 +71,7 @@ def _decode(source: bytes) -> str:
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
-class _Lines:
+class _LizardLines:
     """What the lines and tokens of a file are, gathered while lizard reads it."""
 
     def __init__(self) -> None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from haros_ci.linters.linter import Linter, LintOptions, Program
 from haros_ci.linters.run import Progress, complete
-from haros_ci.linters.work import Digests, Installed, Work
+from haros_ci.linters.work import Digests, InstalledTools, Work
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.results.result import Run
 
@@ -24,7 +24,7 @@ class Answered:
     value: object
 
 
-class Noted(Installed):
+class Noted(InstalledTools):
     """The tools of this machine, and which of them were asked for."""
 
     def __init__(self) -> None:

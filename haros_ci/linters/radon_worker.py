@@ -29,7 +29,7 @@ def measure(source: bytes) -> dict[str, Any]:
     warnings.simplefilter("ignore")
     text = _decode(source)
     tree = _parse(text)
-    lines = _Lines(text, tree)
+    lines = _RadonLines(text, tree)
     rows = text.split("\n")
     functions = [_function(node, name, owner, rows, lines) for node, name, owner in _functions(tree)]
     halstead = HalsteadVisitor.from_ast(tree)
@@ -63,7 +63,7 @@ def _parse(text: str) -> ast.Module:
         raise Unmeasurable("not Python source") from error
 
 
-class _Lines:
+class _RadonLines:
     """The lines of code and of comment; ``effective`` ones are more than closing brackets and other punctuation."""
 
     def __init__(self, text: str, tree: ast.Module) -> None:
@@ -106,7 +106,7 @@ def _functions(tree: ast.Module) -> Iterator[tuple[Function, str, ast.AST]]:
         pending.extend((child, scope, owner) for child in reversed(children))
 
 
-def _function(node: Function, name: str, owner: ast.AST, rows: list[str], lines: _Lines) -> dict[str, Any]:
+def _function(node: Function, name: str, owner: ast.AST, rows: list[str], lines: _RadonLines) -> dict[str, Any]:
     from radon.visitors import ComplexityVisitor  # type: ignore[import-not-found,import-untyped,unused-ignore]
 
     span = range(node.lineno, (node.end_lineno or node.lineno) + 1)

@@ -13,7 +13,7 @@ from haros_ci.model.location import Location
 from haros_ci.results.result import Related, Result
 from haros_ci.results.rule import Level
 
-Wanted = Callable[[str, str, str], bool]
+IsSelected = Callable[[str, str, str], bool]
 
 #: What a row leaves out at its end: scope, value, limit, subject, related.
 _DEFAULTS: tuple[Any, ...] = ("", None, None, (), ())
@@ -45,7 +45,7 @@ def encode(answer: Answer) -> dict[str, Any]:
     }
 
 
-def decode(value: object, unit: str, is_selected: Wanted, known: Collection[str]) -> Answer | None:
+def decode(value: object, unit: str, is_selected: IsSelected, known: Collection[str]) -> Answer | None:
     """The wanted part of a cached answer; None if *value* is not one: what lies in a cache is data, not trust.
 
     Results outside the *known* files are dropped, as they are when a tool reports them.
@@ -72,7 +72,9 @@ def _place(location: Location) -> list[Any]:
     return [location.path, location.line, location.column, location.end_line, location.end_column]
 
 
-def _results(tool: object, rule: object, rows: Any, is_selected: Wanted, known: Collection[str]) -> Iterator[Result]:
+def _results(
+    tool: object, rule: object, rows: Any, is_selected: IsSelected, known: Collection[str]
+) -> Iterator[Result]:
     tool, rule = _text(tool), _text(rule)
     selected: dict[str, bool] = {}
     for row in rows:
@@ -124,4 +126,4 @@ def _real(value: object) -> float | None:
     return value  # type: ignore[return-value]
 
 
-__all__ = ["Answer", "Wanted", "decode", "encode"]
+__all__ = ["Answer", "IsSelected", "decode", "encode"]

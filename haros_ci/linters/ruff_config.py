@@ -35,7 +35,7 @@ MAX_DEPTH = 20
 
 
 @dataclass(frozen=True, slots=True)
-class Link:
+class ConfigFile:
     """One file of a chain: what ruff may have of it, and what the project says of Python's version."""
 
     path: str
@@ -43,25 +43,25 @@ class Link:
     python: str | None = None
 
 
-def chain(workspace: Workspace, path: str, problems: list[Problem] | None = None) -> tuple[Link, ...]:
+def chain(workspace: Workspace, path: str, problems: list[Problem] | None = None) -> tuple[ConfigFile, ...]:
     """The settings file at *path* and what it extends, each once; *problems* takes what does not count, and why.
 
     A file that cannot be read as TOML is as if it were empty.
     """
-    found: list[Link] = []
+    found: list[ConfigFile] = []
     notes: list[Problem] = [] if problems is None else problems
     while path:
         try:
             table = settings_files.tables(workspace.setting(path))
         except (ValueError, RecursionError):
             notes.append(Problem(path, "ruff has no settings from this file: it is not valid TOML"))
-            return (*found, Link(path, {}))
+            return (*found, ConfigFile(path, {}))
         project = table.get("project")
         options, python = table, None
         if basename(path) == PYPROJECT:
             options = _table(_table(table.get("tool")).get("ruff"))
             python = _text(_table(project).get("requires-python"))
-        found.append(Link(path, _harmless(path, options, notes), python))
+        found.append(ConfigFile(path, _harmless(path, options, notes), python))
         named = options.get("extend")
         if named is None:
             break
@@ -72,7 +72,7 @@ def chain(workspace: Workspace, path: str, problems: list[Problem] | None = None
     return tuple(found)
 
 
-def write(links: tuple[Link, ...], directory: Path) -> Path:
+def write(links: tuple[ConfigFile, ...], directory: Path) -> Path:
     """Copies of *links* below *directory*, each in a directory of its own; the first one is the file to name to ruff."""
     for number, link in enumerate(links):
         place = directory / str(number)
@@ -97,7 +97,7 @@ def json_text(text: str) -> str:
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
-def _name(link: Link) -> str:
+def _name(link: ConfigFile) -> str:
     return PYPROJECT if basename(link.path) == PYPROJECT else "ruff.toml"
 
 

@@ -14,9 +14,9 @@ from haros_ci.linters.gate import Gate
 from haros_ci.linters.linter import GaveUp, Linter, LintOptions, Unit
 from haros_ci.linters.process import Processes
 from haros_ci.linters.recorded import Recorded
-from haros_ci.linters.rows import Answer, Wanted
+from haros_ci.linters.rows import Answer, IsSelected
 from haros_ci.linters.view import views
-from haros_ci.linters.work import Digests, Installed, Work, works
+from haros_ci.linters.work import Digests, InstalledTools, Work, works
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.results.result import Notification, Run, Tool
 from haros_ci.scratch import place_in_memory, scratch_directory
@@ -32,7 +32,7 @@ def lint(
     linters: Iterable[Linter],
     options: LintOptions,
     store: Store,
-    is_selected: Wanted,
+    is_selected: IsSelected,
     progress: Progress | None = None,
     recorded: Recorded | None = None,
 ) -> tuple[Run, ...]:
@@ -50,7 +50,7 @@ def lint(
     def keep(tool: str, rule: str, path: str) -> bool:
         return workspace.reports_on(path) and path not in unlinted and is_selected(tool, rule, path)
 
-    planned = works(workspace, linters, options, store, digests, Installed() if recorded is None else recorded)
+    planned = works(workspace, linters, options, store, digests, InstalledTools() if recorded is None else recorded)
     complete(
         [work for work in planned if isinstance(work, Work)],
         workspace,
@@ -69,7 +69,7 @@ def complete(
     workspace: Workspace,
     options: LintOptions,
     store: Store,
-    keep: Wanted,
+    keep: IsSelected,
     digests: Digests,
     progress: Progress | None = None,
     recorded: Recorded | None = None,
@@ -84,7 +84,7 @@ def complete(
         _analyse(incomplete, workspace, options, store, keep, digests, progress)
 
 
-def _recall(work: Work, store: Store | Recorded, keep: Wanted, digests: Digests) -> None:
+def _recall(work: Work, store: Store | Recorded, keep: IsSelected, digests: Digests) -> None:
     """Take what is known; what is not is then missing. A file that no tool can be asked about is not missed."""
     name = work.linter.NAME
     for unit in work.units:
@@ -105,7 +105,7 @@ def _analyse(
     workspace: Workspace,
     options: LintOptions,
     store: Store,
-    keep: Wanted,
+    keep: IsSelected,
     digests: Digests,
     progress: Progress | None,
 ) -> None:

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import TypeVar
 
-Made = TypeVar("Made")
+T = TypeVar("T")
 
 # -- the kernel's interface: include/uapi/linux/landlock.h, prctl.h, seccomp.h, filter.h, audit.h
 
@@ -85,7 +85,7 @@ def state(trusted: bool = False) -> str:
     return "off" if switched_off else "none"
 
 
-def confined(start: Callable[[], Made], confinement: Confinement | None) -> Made:
+def confined(start: Callable[[], T], confinement: Confinement | None) -> T:
     """What *start* returns, called where all processes that it starts are confined; as it is where nothing can be enforced.
 
     Raises what *start* raises, and OSError if the kernel refuses what it has offered.
@@ -93,7 +93,7 @@ def confined(start: Callable[[], Made], confinement: Confinement | None) -> Made
     can = protection()
     if confinement is None or not (can.files or can.network):
         return start()
-    made: list[Made] = []
+    made: list[T] = []
     raised: list[BaseException] = []
 
     def inside() -> None:

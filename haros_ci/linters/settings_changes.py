@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from posixpath import dirname, join
 
 from haros_ci.linters import settings_files
-from haros_ci.linters.silencing import SETTINGS, Row
+from haros_ci.linters.silencing import SETTINGS, SilencingRow
 from haros_ci.linters.switches import Keys, Switches, turned_off
 from haros_ci.linters.tool_switches import KEYS
 from haros_ci.model.workspace import Problem, Workspace
@@ -64,7 +64,7 @@ def _changes(head: Workspace, base: Workspace) -> dict[str, _Change]:
     return found
 
 
-def _changed(row: Row, path: str, head: Workspace, base: Workspace) -> Iterator[str]:
+def _changed(row: SilencingRow, path: str, head: Workspace, base: Workspace) -> Iterator[str]:
     """*path* and the files that it refers to on either side, as far as they differ for the tool."""
     if head.setting(path) == base.setting(path) == "":
         return
@@ -77,7 +77,7 @@ def _changed(row: Row, path: str, head: Workspace, base: Workspace) -> Iterator[
                     yield other
 
 
-def _compare(row: Row, path: str, head: Workspace, base: Workspace, change: _Change) -> None:
+def _compare(row: SilencingRow, path: str, head: Workspace, base: Workspace, change: _Change) -> None:
     change.tools.add(row.tool)
     keys = KEYS.get(row.tool, Keys())
     try:
@@ -92,7 +92,7 @@ def _compare(row: Row, path: str, head: Workspace, base: Workspace, change: _Cha
     change.off.update(turned_off(row.tool, before, after, keys))
 
 
-def _switches(row: Row, path: str, side: Workspace) -> Switches:
+def _switches(row: SilencingRow, path: str, side: Workspace) -> Switches:
     """What holds where the file at *path* lies: by the nearest file, or for a tool that adds them up by this one."""
     assert row.read is not None
     if row.tool == "cpplint" or path.endswith("-ignore"):
@@ -103,13 +103,13 @@ def _switches(row: Row, path: str, side: Workspace) -> Switches:
     return row.read(side, config or "") if config or row.tool in ("yamllint", "clang-format") else Switches()
 
 
-def _counts(row: Row, path: str, side: Workspace) -> bool:
+def _counts(row: SilencingRow, path: str, side: Workspace) -> bool:
     text = side.setting(path)
     marks = row.marks[path.rpartition("/")[2]]
     return any(mark in text for mark in marks) if marks else bool(text.strip())
 
 
-def _part(row: Row, side: Workspace, path: str) -> object:
+def _part(row: SilencingRow, side: Workspace, path: str) -> object:
     """What of the file is the tool's: its sections, or all of the text."""
     text = side.setting(path)
     if not _counts(row, path, side):

@@ -43,7 +43,7 @@ _PAGES = "tests/test_checks.py::test_a_page_is_true"
 _GIT = "tests/hostile/test_hostile_git.py::test_a_pull_request_cannot_judge_itself"
 
 
-class Origin(Enum):
+class SettingOrigin(Enum):
     """Where a file is read on a run with a base revision."""
 
     BASE = "the base revision"
@@ -52,7 +52,7 @@ class Origin(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class SilencingRow:
     """*files* that can silence *tool* (names, or kinds of files) by *what*, read at *origin*; *test* shows it.
 
     Settings of tools also have *read*: what the file at a path switches off. With *marks* the nearest file counts, else each
@@ -62,7 +62,7 @@ class Row:
     tool: str
     files: tuple[str, ...]
     what: str
-    origin: Origin
+    origin: SettingOrigin
     test: str
     read: Callable[[Workspace, str], Switches] | None = None
     marks: Marks = field(default_factory=dict)
@@ -75,8 +75,8 @@ def _settings(
     read: Callable[[Workspace, str], Switches],
     marks: Marks,
     refers: Callable[[Workspace, str], Iterable[str]] = lambda workspace, path: (),
-) -> Row:
-    return Row(tool, tuple(marks), what, Origin.BASE, f"{_ROWS}[{tool}]", read, marks, refers)
+) -> SilencingRow:
+    return SilencingRow(tool, tuple(marks), what, SettingOrigin.BASE, f"{_ROWS}[{tool}]", read, marks, refers)
 
 
 def _chain(workspace: Workspace, path: str) -> Iterable[str]:
@@ -105,7 +105,7 @@ _PYLINT: Marks = {
 assert tuple(_PYLINT) == pylint_config.NAMES
 
 #: The settings of tools, which a run with a base revision takes from there.
-SETTINGS: tuple[Row, ...] = (
+SETTINGS: tuple[SilencingRow, ...] = (
     _settings("bandit", "`skips`, fewer `tests`, `exclude`, `exclude_dirs`", reading.of_bandit, bandit.MARKS),
     _settings("black", "`exclude`, `extend-exclude`, `force-exclude`", reading.of_black, black.MARKS),
     _settings(
@@ -168,167 +168,171 @@ SETTINGS: tuple[Row, ...] = (
 )
 
 #: For all that is no settings file of a tool.
-OTHERS: tuple[Row, ...] = (
-    Row(
-        OWN, (".haros-ci.yaml", "haros.yaml"), "`ignore`, `exclude`, `levels`, `fail-on`, `linters`", Origin.BASE, _GIT
+OTHERS: tuple[SilencingRow, ...] = (
+    SilencingRow(
+        OWN,
+        (".haros-ci.yaml", "haros.yaml"),
+        "`ignore`, `exclude`, `levels`, `fail-on`, `linters`",
+        SettingOrigin.BASE,
+        _GIT,
     ),
-    Row(OWN, (".haros-ci-baseline.jsonl",), "known findings", Origin.BASE, _GIT),
-    Row(
+    SilencingRow(OWN, (".haros-ci-baseline.jsonl",), "known findings", SettingOrigin.BASE, _GIT),
+    SilencingRow(
         OWN,
         ("comments `haros: ignore[…]`",),
         "findings on that line; each needs a reason to be shown, and unused ones are findings",
-        Origin.HEAD,
+        SettingOrigin.HEAD,
         "tests/results/test_suppress.py",
     ),
-    Row(
+    SilencingRow(
         "all tools",
         (
             "the tool's own comments (`# noqa`, `NOLINT`, `pylint: disable`; for pylint also `# noqa: CODE` of flake8 or ruff for the same "
             "defect)",
         ),
         "findings on that line or in that file",
-        Origin.HEAD,
+        SettingOrigin.HEAD,
         "tests/hostile/test_hostile_hiding_comments.py::test_they_are_counted_everywhere",
     ),
-    Row(
+    SilencingRow(
         "all linters",
         ("a first comment that calls the file generated (`DO NOT EDIT`, `auto-generated`)",),
         "all that linters report on that file",
-        Origin.BASE,
+        SettingOrigin.BASE,
         "tests/hostile/test_hostile_hiding_comments.py::test_a_change_that_calls_a_file_generated",
     ),
-    Row(
+    SilencingRow(
         "all tools",
         (
             "directories called `third_party`, `vendor`, `external` …, a licence in a directory inside a package, the version of a release in the name of a directory, and the files of a well-known library",
         ),
         "all findings in that directory",
-        Origin.BASE,
+        SettingOrigin.BASE,
         "tests/hostile/test_hostile_hiding_comments.py::test_a_change_that_calls_a_directory_third_party",
     ),
-    Row(
+    SilencingRow(
         "all tools",
         (
             "the name and the first comment of a well-known library's single file (`json.hpp`, `stb_image.h`, `httplib.h` …)",
         ),
         "all findings in that file",
-        Origin.BASE,
+        SettingOrigin.BASE,
         "tests/hostile/test_hostile_hiding_comments.py::test_a_change_that_calls_a_file_a_known_library",
     ),
-    Row(
+    SilencingRow(
         "all linters",
         (
             "a first comment with a copyright line and a licence that nothing else in the project names",
             "`package.xml`, `setup.py` and first comments that would name them",
         ),
         "all that linters report on that file in the profiles `ros` and `bugs-only`",
-        Origin.BASE,
+        SettingOrigin.BASE,
         "tests/hostile/test_hostile_hiding_comments.py::test_a_change_that_calls_a_file_another_owners",
     ),
-    Row(
+    SilencingRow(
         "all linters",
         ("a C++ source that no target compiles, a superseded Python module (`…_old.py`) that nothing names",),
         "all that linters report on that file in the profiles `ros` and `bugs-only`",
-        Origin.BASE,
+        SettingOrigin.BASE,
         "tests/hostile/test_hostile_hiding_comments.py::test_a_change_that_takes_a_file_from_its_target",
     ),
-    Row(
+    SilencingRow(
         "cppcheck, pylint, ruff",
         ("directories called `test`, `tests` …, files called `test_…` or `…_test`",),
         "in the profiles `ros` and `bugs-only` what tests do on purpose (unused values and objects, equal operands, unreachable code)",
-        Origin.HEAD,
+        SettingOrigin.HEAD,
         "tests/linters/test_in_default.py",
     ),
-    Row(
+    SilencingRow(
         "cppcheck, clang-tidy",
         ("compile_commands.json",),
         "definitions (`-D`) and include directories; it is made by a build and seldom part of a change",
-        Origin.HEAD,
+        SettingOrigin.HEAD,
         "tests/linters/test_linter_inputs.py",
     ),
-    Row(
+    SilencingRow(
         "clang-tidy",
         (".clang-tidy",),
         "`Checks: -…`; read with `--trust-config` alone",
-        Origin.NEVER,
+        SettingOrigin.NEVER,
         f"{_HERE}::test_clang_tidy_has_no_settings_of_the_workspace",
     ),
-    Row(
+    SilencingRow(
         OWN,
         (
             *("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE", ".catkin", ".colcon_install_layout", ".built_by"),
             *("CMakeCache.txt", "pyvenv.cfg", ".catkin_workspace", "setup.bash", "package.xml", "CMakeLists.txt"),
         ),
         "all files below, where such a file is added (or the last two removed); what would be hidden is analysed and listed",
-        Origin.BASE,
+        SettingOrigin.BASE,
         "tests/hostile/test_hostile_hiding_markers.py::test_a_change_hides_nothing",
     ),
-    Row(
+    SilencingRow(
         OWN,
         (".gitignore",),
         "files that git does not track; a file of a commit is analysed whatever stands there",
-        Origin.HEAD,
+        SettingOrigin.HEAD,
         f"{_HERE}::test_a_tracked_file_is_analysed_whatever_gitignore_says",
     ),
-    Row(
+    SilencingRow(
         OWN,
         (".gitignore",),
         "missing launch, parameter and share files that git ignores are notes",
-        Origin.BASE,
+        SettingOrigin.BASE,
         f"{_HERE}::test_gitignore_of_the_change_lowers_no_finding",
     ),
-    Row(
+    SilencingRow(
         OWN,
         ("pages and scripts that build or source a devel space", "debian/rules"),
         "directory-not-installed and target-not-installed in packages of ROS 1 that no distribution has are notes",
-        Origin.BASE,
+        SettingOrigin.BASE,
         "tests/checking/test_devel_spaces.py::test_a_change_alone_shows_nothing",
     ),
-    Row(
+    SilencingRow(
         OWN,
         ("setup.py", "setup.cfg", "pyproject.toml", "requirements*.txt that pages and scripts install"),
         "undeclared-import of a module that the package leaves to pip is a note",
-        Origin.BASE,
+        SettingOrigin.BASE,
         "tests/checking/test_unreached.py::test_a_change_alone_leaves_nothing_to_pip",
     ),
-    Row(
+    SilencingRow(
         OWN,
         ("pages and scripts that are for ROS Noetic and no older distribution",),
         "script-not-runnable of a .cfg file of dynamic_reconfigure is a note",
-        Origin.BASE,
+        SettingOrigin.BASE,
         "tests/test_script_not_runnable.py::test_files_of_dynamic_reconfigure",
     ),
-    *(Row(OWN, files, what, Origin.HEAD, test) for files, what, test in CHANGE),
-    Row(
+    *(SilencingRow(OWN, files, what, SettingOrigin.HEAD, test) for files, what, test in CHANGE),
+    SilencingRow(
         OWN,
         (".gitmodules",),
         "missing files below a directory that it names and that has no file (python-package-incomplete, missing launch and parameter files, "
         "meshes, catkin_lint's MISSING_*)",
-        Origin.HEAD,
+        SettingOrigin.HEAD,
         "tests/linters/test_catkin_doubts.py::test_submodules_that_are_not_checked_out",
     ),
-    Row(
+    SilencingRow(
         "pylint, ruff, flake8, mypy",
         (
             "code that loads Python files by path (`imp.load_source`, `runpy.run_path`, `exec(open(…))`), and the YAML, launch and XML files "
             "that name them",
         ),
         "undefined names in those files",
-        Origin.HEAD,
+        SettingOrigin.HEAD,
         "tests/linters/test_undefined_names.py::test_files_that_are_loaded_by_path",
     ),
-    Row(
+    SilencingRow(
         OWN,
         ("a comment before `<robot>` that says `autogenerated by xacro`",),
         "undefined-in-xacro in that file, unless a launch file runs xacro on it",
-        Origin.HEAD,
+        SettingOrigin.HEAD,
         _PAGES,
     ),
-    Row(
+    SilencingRow(
         "all tools",
         (".editorconfig", ".gitattributes"),
         "nothing",
-        Origin.NEVER,
+        SettingOrigin.NEVER,
         f"{_HERE}::test_a_tracked_file_is_analysed_whatever_gitignore_says",
     ),
 )

@@ -36,7 +36,7 @@ _GCC_RULE = re.compile(r"[^\s\[\]][^\[\]]{0,199}")
 
 
 @dataclass(slots=True)
-class Said:
+class ToolFinding:
     """One finding as the tool tells it: numbers are 1-based, 0 for none; *level* is the tool's own word."""
 
     path: str
@@ -47,12 +47,12 @@ class Said:
     end_column: int = 0
     rule: str = ""
     level: str = ""
-    notes: list[Said] = field(default_factory=list)
+    notes: list[ToolFinding] = field(default_factory=list)
 
 
-def read(tool: DeclaredTool, data: bytes) -> Iterator[Said]:
+def read(tool: DeclaredTool, data: bytes) -> Iterator[ToolFinding]:
     """Every finding in *data*, in its order. Raises ValueError, RecursionError for what is not of the tool's format."""
-    readers: dict[str, Callable[[DeclaredTool, bytes], Iterator[Said]]] = {
+    readers: dict[str, Callable[[DeclaredTool, bytes], Iterator[ToolFinding]]] = {
         "gcc": _gcc,
         "regex": _regex,
         "checkstyle": _checkstyle,
@@ -75,13 +75,13 @@ def _lines(data: bytes) -> Iterator[str]:
         yield _ESCAPES.sub("", line[: 2 * MAX_LINE]).rstrip("\r")[:MAX_LINE]
 
 
-def _gcc(tool: DeclaredTool, data: bytes) -> Iterator[Said]:
+def _gcc(tool: DeclaredTool, data: bytes) -> Iterator[ToolFinding]:
     """``path:line:column: level: message [rule]``, as GCC, Clang and many others write it.
 
     A note without a rule belongs to what is above it.
     """
     own_words = {word for word, _ in tool.levels}
-    pending: Said | None = None
+    pending: ToolFinding | None = None
     for line in _lines(data):
         match = _GCC.match(line)
         if match is None or not line[match.end() :].strip():
@@ -91,7 +91,9 @@ def _gcc(tool: DeclaredTool, data: bytes) -> Iterator[Said]:
         is_level = level.lower() in WORDS or level in own_words
         message, rule = _apart(line[word.end() if word and is_level else match.end() :].strip())
         level = level if is_level else ""
-        entry = Said(match["path"], message, _number(match["line"]), _number(match["column"]), rule=rule, level=level)
+        entry = ToolFinding(
+            match["path"], message, _number(match["line"]), _number(match["column"]), rule=rule, level=level
+        )
         if level == "note" and not rule and pending is not None and "note" not in own_words:
             pending.notes.append(entry)
             continue
@@ -110,7 +112,7 @@ def _apart(text: str) -> tuple[str, str]:
     return text, ""
 
 
-def _regex(tool: DeclaredTool, data: bytes) -> Iterator[Said]:
+def _regex(tool: DeclaredTool, data: bytes) -> Iterator[ToolFinding]:
     pattern = compiled(tool.pattern)
     for line in _lines(data):
         groups = pattern.search(line)
@@ -118,14 +120,14 @@ def _regex(tool: DeclaredTool, data: bytes) -> Iterator[Said]:
             yield _said({name.replace("_", "-"): value for name, value in groups.items()})
 
 
-def _checkstyle(tool: DeclaredTool, data: bytes) -> Iterator[Said]:
+def _checkstyle(tool: DeclaredTool, data: bytes) -> Iterator[ToolFinding]:
     for file in elements(data, "file", "error"):
         for error in file.children:
             rule = {"rule": error.get("source"), "level": error.get("severity")}
             yield _said({**error, **rule, "path": file.attributes.get("name")})
 
 
-def _json(tool: DeclaredTool, data: bytes) -> Iterator[Said]:
+def _json(tool: DeclaredTool, data: bytes) -> Iterator[ToolFinding]:
     """Entries under ``results``; a part that an entry lacks is looked for in what encloses it, from the inside out."""
     fields = dict(tool.fields)
     text = data.decode("utf-8-sig", "replace").strip()
@@ -136,7 +138,7 @@ def _json(tool: DeclaredTool, data: bytes) -> Iterator[Said]:
             yield _from_json(chain, fields)
 
 
-def _json_lines(tool: DeclaredTool, data: bytes) -> Iterator[Said]:
+def _json_lines(tool: DeclaredTool, data: bytes) -> Iterator[ToolFinding]:
     fields = {key: value for key, value in tool.fields if key != "results"}
     for line in data.decode("utf-8-sig", "replace").split("\n"):
         if line.strip():
@@ -169,7 +171,7 @@ def _entries(document: object, steps: list[str]) -> Iterator[list[object]]:
             waiting.append(([*chain, here[left[0]]], left[1:]))
 
 
-def _from_json(chain: list[object], fields: dict[str, str]) -> Said:
+def _from_json(chain: list[object], fields: dict[str, str]) -> ToolFinding:
     parts = {}
     for part in ("path", "line", "column", "end-line", "end-column", "rule", "message", "level"):
         steps = fields.get(part, part).split(".")
@@ -193,9 +195,9 @@ def _at(value: object, steps: list[str]) -> object:
     return value if isinstance(value, str | int | float) else None
 
 
-def _said(parts: dict[str, object] | dict[str, str | None] | dict[str, str]) -> Said:
+def _said(parts: dict[str, object] | dict[str, str | None] | dict[str, str]) -> ToolFinding:
     numbers = {key: _number(parts.get(key)) for key in ("line", "column", "end-line", "end-column")}
-    return Said(
+    return ToolFinding(
         path=_word(parts.get("path")),
         message=_word(parts.get("message")),
         line=numbers["line"],

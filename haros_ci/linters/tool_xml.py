@@ -11,22 +11,22 @@ _FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]")
 
 
 @dataclass(slots=True)
-class Element:
+class ToolElement:
     """An element of interest: its attributes, and those of the children that were asked for."""
 
     attributes: dict[str, str]
     children: list[dict[str, str]] = field(default_factory=list)
 
 
-def elements(data: bytes, name: str, child: str) -> list[Element]:
+def elements(data: bytes, name: str, child: str) -> list[ToolElement]:
     """All elements called *name*, each with its children called *child*. Raises ValueError if *data* is not XML."""
     from xml.parsers import expat
 
-    found: list[Element] = []
+    found: list[ToolElement] = []
 
     def start(tag: str, attributes: dict[str, str]) -> None:
         if tag == name:
-            found.append(Element(attributes))
+            found.append(ToolElement(attributes))
         elif tag == child and found:
             found[-1].children.append(attributes)
 

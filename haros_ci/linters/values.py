@@ -38,7 +38,7 @@ FILE_METRICS = {
 }
 
 
-class Values:
+class ValuesLinter:
     """An adapter beside *of*: the same process, and of its answer a result for each value, its rule the metric."""
 
     def __init__(self, of: Linter) -> None:
@@ -79,4 +79,4 @@ def _value(metric: str, place: Location, value: float, scope: str = "") -> Findi
     return Finding(place.path, Result(TOOL, metric, Level.NOTE, "", place, scope=scope, value=value))
 
 
-ADAPTERS: tuple[Linter, ...] = (Values(lizard), Values(radon))
+ADAPTERS: tuple[Linter, ...] = (ValuesLinter(lizard), ValuesLinter(radon))

@@ -24,7 +24,7 @@ MOST_BY_LINKS = 5_000
 
 
 @dataclass(frozen=True, slots=True)
-class Kind:
+class ViewKind:
     """What decides which view a tool gets: the *languages* of the files in it, whether the tool *includes* files by itself,
     and whether it asks for the *names* of files that are not analysed.
     """
@@ -34,11 +34,11 @@ class Kind:
     names: bool = False
 
 
-def kind_of(linter: Linter) -> Kind:
+def kind_of(linter: Linter) -> ViewKind:
     """The kind of view for *linter*, by the optional names of adapters: ``SEES``, languages of the files that it reads if these
     are not those that it analyses, ``FOLLOWS_INCLUDES`` and ``SEES_NAMES``.
     """
-    return Kind(
+    return ViewKind(
         frozenset(getattr(linter, "SEES", linter.LANGUAGES)),
         includes=getattr(linter, "FOLLOWS_INCLUDES", False),
         names=getattr(linter, "SEES_NAMES", False),
@@ -50,7 +50,7 @@ def views(workspace: Workspace, works: Iterable[Work], directory: Path) -> dict[
 
     The views lie below *directory*; tools of one kind share one. Tools whose adapters are ``TRUSTED`` get none.
     """
-    by_kind: dict[Kind, list[Work]] = {}
+    by_kind: dict[ViewKind, list[Work]] = {}
     for work in works:
         if work.missing and not getattr(work.linter, "TRUSTED", False):
             by_kind.setdefault(kind_of(work.linter), []).append(work)
@@ -65,14 +65,14 @@ def views(workspace: Workspace, works: Iterable[Work], directory: Path) -> dict[
 
 def of_cpp(workspace: Workspace, directory: Path) -> Workspace:
     """The workspace with a view at *directory*, which is made, as a compiler's front end gets it."""
-    _Layer(workspace, Kind(frozenset({"cpp"}), includes=True), directory, set()).lay()
+    _Layer(workspace, ViewKind(frozenset({"cpp"}), includes=True), directory, set()).lay()
     return replace(workspace, root=directory)
 
 
 class _Layer:
     """Lays one view: the files of its languages, and those *needed* besides."""
 
-    def __init__(self, workspace: Workspace, kind: Kind, root: Path, needed: set[str]) -> None:
+    def __init__(self, workspace: Workspace, kind: ViewKind, root: Path, needed: set[str]) -> None:
         self._workspace = workspace
         self._kind = kind
         self._root = root

@@ -27,7 +27,7 @@ class Tools(Protocol):
     def fingerprint(self, linter: Linter, workspace: Workspace, options: LintOptions) -> str: ...
 
 
-class Installed:
+class InstalledTools:
     """The tools of this machine."""
 
     def program(self, linter: Linter, options: LintOptions) -> Program | None:

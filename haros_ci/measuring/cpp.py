@@ -14,7 +14,7 @@ from haros_ci.extract.cpp.grammar import errors, kinds, table
 from haros_ci.extract.cpp.grammar import field as field_of
 from haros_ci.extract.cpp.read import LARGEST, tree_of
 from haros_ci.extract.cpp.unit import DEEPEST, Unit, unit_of
-from haros_ci.measuring.cpp_body import Body
+from haros_ci.measuring.cpp_body import CppBody
 from haros_ci.measuring.cpp_mentions import mentions
 from haros_ci.measuring.facts import MOST_PROBLEMS, TOO_DEEP, ClassFacts, FileFacts, FunctionFacts
 
@@ -69,7 +69,7 @@ class _Scope:
 
 
 @dataclass(slots=True)
-class _File:
+class _CppFile:
     unit: Unit
     functions: list[FunctionFacts] = field(default_factory=list)
     classes: list[ClassFacts] = field(default_factory=list)
@@ -92,14 +92,14 @@ def read_cpp(text: str) -> FileFacts:
     data, root = tree_of(_MACROS.sub(lambda match: _VISIBLE.sub(" ", match.group()), blanks.readable(text)))
     if root is None:
         return FileFacts(problems=((1, "too unlike C++ to parse in reasonable time: the file is not measured"),))
-    file = _File(unit_of(data))
+    file = _CppFile(unit_of(data))
     _visit(file, root.children, _Scope(), 0)
     functions = sorted(file.functions, key=lambda f: (f.line, f.column))
     classes = sorted(file.classes, key=lambda c: (c.line, c.column))
     return FileFacts(tuple(functions), tuple(classes), tuple(file.problems))
 
 
-def _visit(file: _File, nodes: Iterable[Node], scope: _Scope, depth: int) -> None:
+def _visit(file: _CppFile, nodes: Iterable[Node], scope: _Scope, depth: int) -> None:
     for node in nodes:
         handler = _HANDLERS.get(node.kind_id)
         if handler is not None:
@@ -109,11 +109,11 @@ def _visit(file: _File, nodes: Iterable[Node], scope: _Scope, depth: int) -> Non
             handler(file, node, scope, depth + 1)
 
 
-def _inside(file: _File, node: Node, scope: _Scope, depth: int) -> None:
+def _inside(file: _CppFile, node: Node, scope: _Scope, depth: int) -> None:
     _visit(file, node.children, scope, depth)
 
 
-def _namespace(file: _File, node: Node, scope: _Scope, depth: int) -> None:
+def _namespace(file: _CppFile, node: Node, scope: _Scope, depth: int) -> None:
     """Unnamed and inline namespaces are as good as not there."""
     named, body = node.child_by_field_id(_NAME), node.child_by_field_id(_BODY)
     name = scope.name
@@ -123,17 +123,17 @@ def _namespace(file: _File, node: Node, scope: _Scope, depth: int) -> None:
         _visit(file, body.children, _Scope(name, name), depth)
 
 
-def _friend(file: _File, node: Node, scope: _Scope, depth: int) -> None:
+def _friend(file: _CppFile, node: Node, scope: _Scope, depth: int) -> None:
     """A friend is no method; one that is defined here belongs to the namespace."""
     _visit(file, node.children, _Scope(scope.space, scope.space), depth)
 
 
-def _access(file: _File, node: Node, scope: _Scope, depth: int) -> None:
+def _access(file: _CppFile, node: Node, scope: _Scope, depth: int) -> None:
     if scope.inside is not None:
         scope.inside.is_public = any(child.kind_id in _PUBLIC for child in node.children)
 
 
-def _class(file: _File, node: Node, scope: _Scope, depth: int, alias: str = "") -> None:
+def _class(file: _CppFile, node: Node, scope: _Scope, depth: int, alias: str = "") -> None:
     body = node.child_by_field_id(_BODY)
     if body is None:
         return
@@ -150,14 +150,14 @@ def _class(file: _File, node: Node, scope: _Scope, depth: int, alias: str = "") 
     )
 
 
-def _typedef(file: _File, node: Node, scope: _Scope, depth: int) -> None:
+def _typedef(file: _CppFile, node: Node, scope: _Scope, depth: int) -> None:
     alias = next((file.unit.cut(child) for child in reversed(node.children) if child.kind_id in _TYPEDEF_NAME), "")
     for child in node.children:
         if child.kind_id in _CLASS:
             _class(file, child, scope, depth, alias)
 
 
-def _declaration(file: _File, node: Node, scope: _Scope, depth: int) -> None:
+def _declaration(file: _CppFile, node: Node, scope: _Scope, depth: int) -> None:
     """Methods that are declared, and classes with the variables that are declared of them."""
     before = types.specifiers(file.unit, node.children, depth)
     if before.node is not None and before.node.kind_id in _CLASS:
@@ -183,7 +183,7 @@ def _method(owner: _Class, name: str, node: Node, has_type: bool) -> bool:
     return True
 
 
-def _function(file: _File, node: Node, scope: _Scope, depth: int) -> None:
+def _function(file: _CppFile, node: Node, scope: _Scope, depth: int) -> None:
     unit = file.unit
     before = types.specifiers(unit, node.children, depth)
     declarator = next((child for child in before.rest if child.kind_id in types.DECLARATORS), None)
@@ -205,7 +205,7 @@ def _function(file: _File, node: Node, scope: _Scope, depth: int) -> None:
         last = re.sub(r"\s*\(\s*", "(", re.sub(r"\s*,\s*", ", ", last))
     name = _OPERATOR.sub("operator", last if is_macro else scope.qualified(last))
     line, column = unit.position(declared.node)
-    body = Body(unit)
+    body = CppBody(unit)
     body.take(parts)
     counts = body.counts
     owner = (
@@ -232,14 +232,14 @@ def _function(file: _File, node: Node, scope: _Scope, depth: int) -> None:
     _visit(file, body.local, _Scope(name, name), depth)
 
 
-def _stray(file: _File, node: Node, scope: _Scope, depth: int) -> None:
+def _stray(file: _CppFile, node: Node, scope: _Scope, depth: int) -> None:
     """The body of a function that declares its parameters before it, as C did before ANSI; else something is lost."""
     head = node.prev_sibling if node.kind_id in _COMPOUND and scope.inside is None else None
     while head is not None and head.kind_id in _DECLARATION:
         made = next((child for child in head.children if child.kind_id in _MADE), None)
         if made is not None and made.children[-1].kind_id in _ARGUMENTS:
             name = scope.qualified(file.unit.cut(made.children[0]))
-            body = Body(file.unit)
+            body = CppBody(file.unit)
             body.take([node])
             counts, (line, column) = body.counts, file.unit.position(made)
             numbers = (counts.complexity, counts.nesting, counts.calls, len(counts.names), body.paths)
@@ -258,7 +258,7 @@ def _is_lost(error: Node) -> bool:
     return any(child.kind_id in _LOST for child in error.children)
 
 
-_Handler = Callable[[_File, Node, _Scope, int], None]
+_Handler = Callable[[_CppFile, Node, _Scope, int], None]
 _HANDLERS: dict[int, _Handler] = table(
     {
         "declaration field_declaration": _declaration,

@@ -15,7 +15,7 @@ from tree_sitter import Node
 from haros_ci.extract.cpp import types
 from haros_ci.extract.cpp.grammar import field, kinds, table
 from haros_ci.extract.cpp.unit import Unit
-from haros_ci.measuring.facts import DEEPEST, MOST_PATHS, Counts, times
+from haros_ci.measuring.facts import DEEPEST, MOST_PATHS, FunctionCounts, times
 
 _BODY, _FUNCTION, _FIELD, _CONDITION = field("body"), field("function"), field("field"), field("condition")
 _CONSEQUENCE, _ALTERNATIVE, _VALUE, _NAME = field("consequence"), field("alternative"), field("value"), field("name")
@@ -42,12 +42,12 @@ _NOT_CALLED = frozenset(
 _MACRO = re.compile(r"[A-Z][A-Z0-9_]+")
 
 
-class Body:
+class CppBody:
     """Counts what is in a function's *parts*; local classes and functions are put aside, in the order of the text."""
 
     def __init__(self, unit: Unit) -> None:
         self.unit = unit
-        self.counts = Counts()
+        self.counts = FunctionCounts()
         self.local: list[Node] = []
         self.paths = 1
 
@@ -214,15 +214,15 @@ def _after_colon(case: Node) -> list[Node]:
 
 _STATEMENTS = table(
     {
-        "compound_statement preproc_if preproc_ifdef ERROR": Body._block,
-        "if_statement": Body._if,
-        "for_statement for_range_loop while_statement do_statement": Body._loop,
-        "switch_statement": Body._switch,
-        "try_statement constructor_try_statement seh_try_statement": Body._try,
-        "labeled_statement attributed_statement": Body._last,
-        "class_specifier struct_specifier union_specifier template_declaration": Body._elsewhere,
-        "function_definition": Body._behind_macro,
+        "compound_statement preproc_if preproc_ifdef ERROR": CppBody._block,
+        "if_statement": CppBody._if,
+        "for_statement for_range_loop while_statement do_statement": CppBody._loop,
+        "switch_statement": CppBody._switch,
+        "try_statement constructor_try_statement seh_try_statement": CppBody._try,
+        "labeled_statement attributed_statement": CppBody._last,
+        "class_specifier struct_specifier union_specifier template_declaration": CppBody._elsewhere,
+        "function_definition": CppBody._behind_macro,
         "comment preproc_def preproc_function_def preproc_call preproc_include identifier type_identifier"
-        " break_statement continue_statement goto_statement": Body._nothing,
+        " break_statement continue_statement goto_statement": CppBody._nothing,
     }
 )

@@ -58,7 +58,7 @@ class FileFacts:
 
 
 @dataclass(slots=True)
-class Counts:
+class FunctionCounts:
     """What is being counted in a function. *apart* are paths of lambdas beyond the first: they run on their own."""
 
     complexity: int = 1

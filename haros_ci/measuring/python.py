@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from haros_ci.extract.python.read import tree_of
 from haros_ci.extract.python.source import Source, place
 from haros_ci.measuring.facts import MOST_PROBLEMS, TOO_DEEP, ClassFacts, FileFacts, FunctionFacts
-from haros_ci.measuring.python_body import Body
+from haros_ci.measuring.python_body import PythonBody
 from haros_ci.syntax import Program
 
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
@@ -20,7 +20,7 @@ _BUILT_IN = frozenset(dir(builtins)) | {"self", "cls"}
 
 
 @dataclass(slots=True)
-class _File:
+class _PythonFile:
     source: Source
     functions: list[FunctionFacts] = field(default_factory=list)
     classes: list[ClassFacts] = field(default_factory=list)
@@ -33,7 +33,7 @@ def read_python(text: str) -> FileFacts:
     if isinstance(found, Program):
         return FileFacts(problems=found.problems)
     tree, source = found
-    file = _File(source)
+    file = _PythonFile(source)
     try:
         _visit(file, tree.body)
     except RecursionError:
@@ -43,7 +43,7 @@ def read_python(text: str) -> FileFacts:
     return FileFacts(tuple(functions), tuple(classes), tuple(file.problems))
 
 
-def _visit(file: _File, statements: Iterable[ast.stmt]) -> None:
+def _visit(file: _PythonFile, statements: Iterable[ast.stmt]) -> None:
     waiting = [(node, "", "") for node in _definitions(statements)]
     while waiting:
         node, scope, owner = waiting.pop()
@@ -68,10 +68,10 @@ def _definitions(statements: Iterable[ast.stmt]) -> Iterator[ast.FunctionDef | a
 
 
 def _function(
-    file: _File, node: ast.FunctionDef | ast.AsyncFunctionDef, name: str, owner: str
+    file: _PythonFile, node: ast.FunctionDef | ast.AsyncFunctionDef, name: str, owner: str
 ) -> list[ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef]:
     """Measure a function; what is defined in it."""
-    body = Body()
+    body = PythonBody()
     body.take(node.body)
     counts = body.counts
     line, column = _place(file.source, node)
@@ -94,7 +94,7 @@ def _function(
     return body.local
 
 
-def _class(file: _File, node: ast.ClassDef, name: str, inner: Iterable[ast.stmt]) -> ClassFacts:
+def _class(file: _PythonFile, node: ast.ClassDef, name: str, inner: Iterable[ast.stmt]) -> ClassFacts:
     """Methods of one name are one: a property with its setter, the overloads of a stub."""
     names = {other_node.name for other_node in inner if isinstance(other_node, _FUNCTIONS)}
     public = {item for item in names if not item.startswith("_")}

@@ -11,16 +11,16 @@ import ast
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
-from haros_ci.measuring.facts import DEEPEST, MOST_PATHS, Counts, times
+from haros_ci.measuring.facts import DEEPEST, MOST_PATHS, FunctionCounts, times
 
 Definition = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef
 
 
-class Body:
+class PythonBody:
     """Counts what is in a function; functions and classes defined in it are put aside, in the order of the text."""
 
     def __init__(self) -> None:
-        self.counts = Counts()
+        self.counts = FunctionCounts()
         self.local: list[Definition] = []
         self.paths = 1
 
@@ -138,19 +138,19 @@ def _called(node: ast.expr) -> str:
     return f"{node.lineno}:{node.col_offset}"
 
 
-_Handler = Callable[[Body, Any, int, int], int]
+_Handler = Callable[[PythonBody, Any, int, int], int]
 _STATEMENTS: dict[type[ast.AST], _Handler] = {
-    ast.If: Body._if,
-    ast.For: Body._loop,
-    ast.AsyncFor: Body._loop,
-    ast.While: Body._loop,
-    ast.With: Body._with,
-    ast.AsyncWith: Body._with,
-    ast.Try: Body._try,
-    ast.Match: Body._match,
-    ast.FunctionDef: Body._definition,
-    ast.AsyncFunctionDef: Body._definition,
-    ast.ClassDef: Body._definition,
+    ast.If: PythonBody._if,
+    ast.For: PythonBody._loop,
+    ast.AsyncFor: PythonBody._loop,
+    ast.While: PythonBody._loop,
+    ast.With: PythonBody._with,
+    ast.AsyncWith: PythonBody._with,
+    ast.Try: PythonBody._try,
+    ast.Match: PythonBody._match,
+    ast.FunctionDef: PythonBody._definition,
+    ast.AsyncFunctionDef: PythonBody._definition,
+    ast.ClassDef: PythonBody._definition,
 }
 if hasattr(ast, "TryStar"):  # Python 3.11
-    _STATEMENTS[ast.TryStar] = Body._try
+    _STATEMENTS[ast.TryStar] = PythonBody._try

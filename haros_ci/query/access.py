@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from haros_ci.query.fault import QueryError, suggestion
 from haros_ci.query.functions import METHODS, Builtin
 from haros_ci.query.machine import Machine, Scope
-from haros_ci.query.values import Entity, Listing, Pair, Record, UnknownText, Value, kind_of, weight_of
+from haros_ci.query.values import QueryEntity, QueryList, QueryPair, QueryRecord, UnknownText, Value, kind_of, weight_of
 
 
 class Own:
@@ -24,13 +24,13 @@ class Own:
 
 def attribute(value: Value, name: str, at: int) -> Value:
     """``value.name``; None has only attributes that are None, as what is not known."""
-    if isinstance(value, Entity):
+    if isinstance(value, QueryEntity):
         getter = value.ATTRIBUTES.get(name)
         if getter is not None:
             return getter(value)
     elif value is None:
         return None
-    elif value.__class__ is Pair and name in ("key", "value"):
+    elif value.__class__ is QueryPair and name in ("key", "value"):
         return value.key if name == "key" else value.value
     if name in methods(value):
         raise QueryError(f"{name} of a {kind_of(value)} is a method", at, f"call it: {name}()")
@@ -40,13 +40,13 @@ def attribute(value: Value, name: str, at: int) -> Value:
 
 def attributes(value: Value) -> tuple[str, ...]:
     """The names of the attributes and methods that *value* has."""
-    if isinstance(value, Entity):
+    if isinstance(value, QueryEntity):
         return (*value.ATTRIBUTES, *value.METHODS)
-    return ("key", "value") if value.__class__ is Pair else tuple(methods(value))
+    return ("key", "value") if value.__class__ is QueryPair else tuple(methods(value))
 
 
 def methods(value: Value) -> Mapping[str, tuple[int, int, Callable[..., Value]]]:
-    if isinstance(value, Entity):
+    if isinstance(value, QueryEntity):
         return value.METHODS
     return METHODS.get(str if value.__class__ is UnknownText else value.__class__, {})
 
@@ -86,12 +86,12 @@ def indexed(value: Value, key: Value) -> Value:
     """``value[key]``."""
     if value is None:
         return None
-    if value.__class__ is Record:
+    if value.__class__ is QueryRecord:
         if key not in value:
             raise QueryError(f"the map has no key {str(key)[:40]!r}")
         return value[key]
-    row = value.items if isinstance(value, Entity) else value
-    if not (row.__class__ is Listing or isinstance(row, str)):
+    row = value.items if isinstance(value, QueryEntity) else value
+    if not (row.__class__ is QueryList or isinstance(row, str)):
         raise QueryError(f"a {kind_of(value)} has no elements")
     if not isinstance(key, int):
         raise QueryError(f"elements are counted by whole numbers, not by a {kind_of(key)}")

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from haros_ci.model.architecture import Endpoint, Node
 from haros_ci.model.location import Location as Place
 from haros_ci.query.places import RosName, SourceCondition, readers
-from haros_ci.query.values import NOTHING, UNKNOWN, Entity, Listing, Value
+from haros_ci.query.values import NOTHING, UNKNOWN, QueryEntity, QueryList, Value
 
 if TYPE_CHECKING:
-    from haros_ci.query.source import World
+    from haros_ci.query.source import SourceModel
 
 LOOPS = ("for", "while", "do")
 #: Lists of calls of a node type, by the kind of endpoint; and what HAROS calls them.
@@ -26,7 +26,7 @@ CALLS = {
 }
 
 
-class RosCall(Entity):
+class RosCall(QueryEntity):
     """A call that makes an endpoint (HAROS: RosPrimitiveCall): its name as written, in the namespace of its handle."""
 
     __slots__ = ("end", "kind", "node", "world")
@@ -40,7 +40,7 @@ class RosCall(Entity):
     }  # fmt: skip
     METHODS: ClassVar[dict[str, Any]] = {"variables": (0, 0, lambda self: NOTHING)}
 
-    def __init__(self, kind: str, node: Node, end: Endpoint, world: World) -> None:
+    def __init__(self, kind: str, node: Node, end: Endpoint, world: SourceModel) -> None:
         self.kind = kind
         self.node = node
         self.end = end
@@ -73,8 +73,8 @@ class RosCall(Entity):
         return self.end.type or UNKNOWN
 
     @property
-    def conditions(self) -> Listing:
-        return Listing.of(SourceCondition(one, self.world) for one in self.end.conditions)
+    def conditions(self) -> QueryList:
+        return QueryList.of(SourceCondition(one, self.world) for one in self.end.conditions)
 
     @property
     def control_depth(self) -> int:

@@ -30,7 +30,7 @@ LONGEST_DETAILS = 1000
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Declared:
+class DeclaredQuery:
     """One query: *configurations* are those that it is asked of, None for all; *place* is its key in the project file."""
 
     id: str
@@ -58,7 +58,7 @@ class Declared:
         )
 
 
-def declared(project: Mapping[str, Any]) -> tuple[tuple[Declared, ...], tuple[str, ...]]:
+def declared(project: Mapping[str, Any]) -> tuple[tuple[DeclaredQuery, ...], tuple[str, ...]]:
     """The queries of a project file, in its order; and sentences on what cannot be one."""
     problems: list[str] = []
     found = [*_of_rules(project.get("rules"), problems), *_of_configurations(project.get("configurations"), problems)]
@@ -72,7 +72,7 @@ def rules(project: Mapping[str, Any]) -> dict[str, Rule]:
     return {one.id: one.rule() for one in declared(project)[0]}
 
 
-def _of_rules(entries: Any, problems: list[str]) -> Iterator[Declared]:
+def _of_rules(entries: Any, problems: list[str]) -> Iterator[DeclaredQuery]:
     for key, entry in entries.items() if isinstance(entries, Mapping) else ():
         place = f"rules.{key}"
         if not isinstance(entry, Mapping) or entry.get("query") is None:
@@ -83,7 +83,7 @@ def _of_rules(entries: Any, problems: list[str]) -> Iterator[Declared]:
         elif scope not in SCOPES:
             problems.append(f"{place}: 'scope' is {short(str(scope))}, and must be one of {', '.join(SCOPES)}")
         else:
-            yield Declared(
+            yield DeclaredQuery(
                 id=f"user:{key}",
                 title=_text(entry.get("name")) or str(key),
                 text=text,
@@ -96,7 +96,7 @@ def _of_rules(entries: Any, problems: list[str]) -> Iterator[Declared]:
             )
 
 
-def _of_configurations(entries: Any, problems: list[str]) -> Iterator[Declared]:
+def _of_configurations(entries: Any, problems: list[str]) -> Iterator[DeclaredQuery]:
     for name, entry in entries.items() if isinstance(entries, Mapping) else ():
         data = entry.get("user_data") if isinstance(entry, Mapping) else None
         queries = data.get(PLUGIN) if isinstance(data, Mapping) else None
@@ -113,7 +113,7 @@ def _of_configurations(entries: Any, problems: list[str]) -> Iterator[Declared]:
                 continue
             title = _text(query.get("name"))
             named = _text(query.get("id")) or slug(title)
-            yield Declared(
+            yield DeclaredQuery(
                 id=f"user:{named or slug(str(name)) + '-' + digest(query['query'])}",
                 title=title or f"Query {number + 1} of {name}",
                 text=query["query"],
@@ -128,9 +128,9 @@ def _of_configurations(entries: Any, problems: list[str]) -> Iterator[Declared]:
             )
 
 
-def _distinct(found: list[Declared]) -> Iterator[Declared]:
+def _distinct(found: list[DeclaredQuery]) -> Iterator[DeclaredQuery]:
     """One for each id: what several configurations ask is asked of all of them; another query of that name gets a digest."""
-    kept: dict[str, Declared] = {}
+    kept: dict[str, DeclaredQuery] = {}
     for one in found:
         before = kept.get(one.id)
         if before is not None and not _same(before, one):
@@ -144,7 +144,7 @@ def _distinct(found: list[Declared]) -> Iterator[Declared]:
     yield from kept.values()
 
 
-def _same(one: Declared, other: Declared) -> bool:
+def _same(one: DeclaredQuery, other: DeclaredQuery) -> bool:
     return one.aliases == other.aliases and digest(one.text) == digest(other.text)
 
 

@@ -11,7 +11,7 @@ from haros_ci.query.functions import BUILTINS
 from haros_ci.query.machine import STEPS, Machine
 from haros_ci.query.parser import parse
 from haros_ci.query.syntax import Flwr
-from haros_ci.query.values import Entity, Listing, Record, Value
+from haros_ci.query.values import QueryEntity, QueryList, QueryRecord, Value
 
 
 class Query:
@@ -49,8 +49,8 @@ class Query:
         except (ArithmeticError, TypeError, ValueError, AttributeError) as err:
             raise QueryError(f"the query cannot be evaluated: {type(err).__name__}") from None
         if self._is_collection:
-            maps = (found,) if isinstance(found, Record) else found
-            return tuple(Record({"key": key, "value": value}) for one in maps for key, value in one.items())
+            maps = (found,) if isinstance(found, QueryRecord) else found
+            return tuple(QueryRecord({"key": key, "value": value}) for one in maps for key, value in one.items())
         return tuple(found)
 
     def notes(self) -> tuple[tuple[int, str], ...]:
@@ -62,12 +62,12 @@ class Query:
         return tuple((at, f"{message}; {help}" if help else message) for (at, message), help in helps.items())
 
 
-def entities_of(match: Value) -> tuple[Entity, ...]:
+def entities_of(match: Value) -> tuple[QueryEntity, ...]:
     """The entities of a match: itself, or those in the tuple or map that it is (HAROS ``_report``)."""
-    if isinstance(match, Entity):
+    if isinstance(match, QueryEntity):
         return (match,)
-    if isinstance(match, Record):
+    if isinstance(match, QueryRecord):
         return tuple(found for item in match.values() for found in entities_of(item))
-    if isinstance(match, Listing):
+    if isinstance(match, QueryList):
         return tuple(found for item in match for found in entities_of(item))
     return ()

@@ -20,27 +20,27 @@ from haros_ci.query.syntax import (
     And,
     Arithmetic,
     Attribute,
-    Call,
     Chain,
     Compare,
     DictOf,
     Flwr,
-    Function,
-    If,
-    Index,
     ListOf,
     Literal,
-    Member,
+    Membership,
     Negative,
     Not,
     Or,
     Path,
     Quantified,
+    QueryCall,
+    QueryFunction,
+    QueryIf,
+    QuerySubscript,
     SetCompare,
     SetOperation,
     Tree,
 )
-from haros_ci.query.values import Listing, Record, Value, elements, items_of, kind_of, weight_of
+from haros_ci.query.values import QueryList, QueryRecord, Value, elements, items_of, kind_of, weight_of
 
 Run = Callable[[Scope], Value]
 Names = frozenset[str]
@@ -81,7 +81,7 @@ class Compiler:
 
     def condition(self, tree: Tree, names: Names) -> Callable[[Scope], bool]:
         run = self.make(tree, names)
-        if isinstance(tree, (Compare, Member, SetCompare, Quantified, Not, And, Or)):
+        if isinstance(tree, (Compare, Membership, SetCompare, Quantified, Not, And, Or)):
             return run
         return lambda scope: truth(run(scope))
 
@@ -108,13 +108,13 @@ class Compiler:
 
     def _list(self, tree: ListOf, names: Names) -> Run:
         items = [self.make(item, names) for item in tree.items]
-        return self.placed(lambda scope: Listing.of([item(scope) for item in items]), tree.at)
+        return self.placed(lambda scope: QueryList.of([item(scope) for item in items]), tree.at)
 
     def _dict(self, tree: DictOf, names: Names) -> Run:
         pairs = [(self.make(key, names), self.make(value, names)) for key, value in tree.pairs]
-        return self.placed(lambda scope: Record({key(scope): value(scope) for key, value in pairs}), tree.at)
+        return self.placed(lambda scope: QueryRecord({key(scope): value(scope) for key, value in pairs}), tree.at)
 
-    def _if(self, tree: If, names: Names) -> Run:
+    def _if(self, tree: QueryIf, names: Names) -> Run:
         condition = self.condition(tree.condition, names)
         then, otherwise = self.make(tree.then, names), self.make(tree.otherwise, names)
         return lambda scope: then(scope) if condition(scope) else otherwise(scope)
@@ -146,11 +146,11 @@ class Compiler:
         links = list(tree.links)
         while links:
             link = links.pop(0)
-            if isinstance(link, Attribute) and links and isinstance(links[0], Call):
+            if isinstance(link, Attribute) and links and isinstance(links[0], QueryCall):
                 run = self._method(run, link, links.pop(0), names)
             elif isinstance(link, Attribute):
                 run = self._attribute(run, link)
-            elif isinstance(link, Index):
+            elif isinstance(link, QuerySubscript):
                 run = self._index(run, link, names)
             else:
                 run = self._call(run, link, names)
@@ -161,7 +161,7 @@ class Compiler:
 
         def read(scope: Scope) -> Value:
             value = attribute(run(scope), name, at)
-            if value.__class__ is Listing or value.__class__ is Record:
+            if value.__class__ is QueryList or value.__class__ is QueryRecord:
                 machine.tick(value.weight >> 3)
             return value
 
@@ -174,12 +174,12 @@ class Compiler:
             lambda scope: call_method(machine, run(scope), name, [one(scope) for one in arguments], at), at
         )
 
-    def _call(self, run: Run, link: Call, names: Names) -> Run:
+    def _call(self, run: Run, link: QueryCall, names: Names) -> Run:
         arguments = [self.make(argument, names) for argument in link.arguments]
         machine = self.machine
         return self.placed(lambda scope: call(machine, run(scope), [one(scope) for one in arguments]), link.at)
 
-    def _index(self, run: Run, link: Index, names: Names) -> Run:
+    def _index(self, run: Run, link: QuerySubscript, names: Names) -> Run:
         key = self.make(link.key, names)
         return self.placed(lambda scope: indexed(run(scope), key(scope)), link.at)
 
@@ -214,7 +214,7 @@ class Compiler:
 
         def compared(scope: Scope) -> bool:
             a, b = left(scope), right(scope)
-            if a.__class__ is Listing or a.__class__ is Record:
+            if a.__class__ is QueryList or a.__class__ is QueryRecord:
                 machine.tick(weight_of(a))
             try:
                 return compare(a, b)
@@ -223,7 +223,7 @@ class Compiler:
 
         return compared
 
-    def _member(self, tree: Member, names: Names) -> Run:
+    def _member(self, tree: Membership, names: Names) -> Run:
         item, container, expected = self.make(tree.item, names), self.make(tree.container, names), not tree.negated
         machine = self.machine
 
@@ -293,7 +293,7 @@ class Compiler:
                         continue
                     kept(value, condition, own, found)
                 level = found
-            return Listing.of(level, True)
+            return QueryList.of(level, True)
 
         return self.placed(path, tree.at)
 
@@ -316,7 +316,7 @@ class Compiler:
 
         return make_flwr(self, tree, names)
 
-    def function(self, tree: Function, names: Names) -> Run:
+    def function(self, tree: QueryFunction, names: Names) -> Run:
         from haros_ci.query.flwr import make_function
 
         return make_function(self, tree, names)
@@ -329,8 +329,8 @@ def _at(err: QueryError, at: int) -> QueryError:
 
 
 _MAKERS: dict[type, str] = {
-    Literal: "_literal", ListOf: "_list", DictOf: "_dict", Chain: "_chain", If: "_if", Arithmetic: "_arithmetic",
-    Negative: "_negative", Not: "_not", And: "_and", Or: "_or", Compare: "_compare", Member: "_member",
+    Literal: "_literal", ListOf: "_list", DictOf: "_dict", Chain: "_chain", QueryIf: "_if", Arithmetic: "_arithmetic",
+    Negative: "_negative", Not: "_not", And: "_and", Or: "_or", Compare: "_compare", Membership: "_member",
     SetCompare: "_set_compare", Quantified: "_quantified", Path: "_path", SetOperation: "_set_operation",
-    Function: "function", Flwr: "_flwr",
+    QueryFunction: "function", Flwr: "_flwr",
 }  # fmt: skip

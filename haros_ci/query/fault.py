@@ -24,7 +24,7 @@ class QueryError(Exception):
         return f"line {line}, column {column}: {self.message}{f'; {self.help}' if self.help else ''}"
 
 
-class Exhausted(QueryError):
+class QueryBudgetExhausted(QueryError):
     """A query has taken more steps than it may."""
 
 

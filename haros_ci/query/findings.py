@@ -9,13 +9,13 @@ from dataclasses import dataclass
 
 from haros_ci.model.location import Location
 from haros_ci.query.calls import RosCall
-from haros_ci.query.declared import Declared
+from haros_ci.query.declared import DeclaredQuery
 from haros_ci.query.engine import entities_of
-from haros_ci.query.links import Link
-from haros_ci.query.resources import NodeInstance, Parameter, Resource
+from haros_ci.query.links import QueryLink
+from haros_ci.query.resources import NodeInstance, QueryParameter, Resource
 from haros_ci.query.source import SourceEntity
-from haros_ci.query.system import System
-from haros_ci.query.values import Entity, Value, words
+from haros_ci.query.system import QuerySystem
+from haros_ci.query.values import QueryEntity, Value, words
 from haros_ci.results.own import TOOL
 from haros_ci.results.result import Related, Result
 
@@ -28,7 +28,7 @@ _FIELD = re.compile(r"\{\{|\}\}|\{(entities|value|n)\}")
 class Match:
     """*value* is what the *query* has found in *configuration*; "" outside any."""
 
-    query: Declared
+    query: DeclaredQuery
     value: Value
     configuration: str = ""
 
@@ -91,24 +91,24 @@ def filled(details: str, fields: Mapping[str, str]) -> str:
     return _FIELD.sub(lambda found: fields[found[1]] if found[1] else found[0][0], details)
 
 
-def places(entities: Iterable[Entity]) -> tuple[Location, ...]:
+def places(entities: Iterable[QueryEntity]) -> tuple[Location, ...]:
     """The places of *entities*, the main one of each first."""
     every = [places_of(entity) for entity in entities]
     first = [one[0] for one in every if one]
     return tuple(dict.fromkeys((*first, *(place for one in every for place in one[1:]))))
 
 
-def places_of(entity: Entity) -> tuple[Location, ...]:
+def places_of(entity: QueryEntity) -> tuple[Location, ...]:
     """Where *entity* stands, the main place first."""
     if isinstance(entity, Resource):
         return entity.places()
-    if isinstance(entity, (Link, RosCall, SourceEntity, System)):
+    if isinstance(entity, (QueryLink, RosCall, SourceEntity, QuerySystem)):
         return (entity.place,) if entity.place is not None else ()
     place = getattr(entity, "place", None)
     return (place,) if isinstance(place, Location) else ()
 
 
-def _related(entities: Iterable[Entity], at: Location) -> tuple[Related, ...]:
+def _related(entities: Iterable[QueryEntity], at: Location) -> tuple[Related, ...]:
     """The other entities, and the other ends of a topic, service, action or parameter."""
     found: dict[Location, str] = {}
     for entity in entities:
@@ -122,34 +122,34 @@ def _related(entities: Iterable[Entity], at: Location) -> tuple[Related, ...]:
     return tuple(Related(place, text) for place, text in list(found.items())[:MOST_RELATED])
 
 
-def provenance(entity: Entity) -> tuple[str, ...]:
+def provenance(entity: QueryEntity) -> tuple[str, ...]:
     """Where *entity* was learned: source, launch, hint, known-node, exact-tier."""
-    if isinstance(entity, (Link, RosCall)):
+    if isinstance(entity, (QueryLink, RosCall)):
         return (entity.end.source,)
     if isinstance(entity, NodeInstance):
         return (entity.made.source,)
     if isinstance(entity, Resource):
-        own = (entity.made.source,) if isinstance(entity, Parameter) and entity.made is not None else ()
+        own = (entity.made.source,) if isinstance(entity, QueryParameter) and entity.made is not None else ()
         return tuple(dict.fromkeys((*own, *(link.end.source for link in entity.all_links()))))
     return ()
 
 
-def names_of(entity: Entity) -> tuple[str, ...]:
+def names_of(entity: QueryEntity) -> tuple[str, ...]:
     """The names that a result about *entity* is about."""
-    if isinstance(entity, Link):
+    if isinstance(entity, QueryLink):
         return (entity.node.full, entity.resource.full)
     if isinstance(entity, Resource):
         return (entity.full,)
     if isinstance(entity, RosCall):
         return (f"{entity.node.package}/{entity.node.type}", entity.name)
-    if isinstance(entity, (SourceEntity, System)):
+    if isinstance(entity, (SourceEntity, QuerySystem)):
         return (entity.id,)
     return (entity.words(),)
 
 
-def role(entity: Entity) -> str:
+def role(entity: QueryEntity) -> str:
     """What *entity* is, apart from names that a user gives."""
-    if isinstance(entity, Link):
+    if isinstance(entity, QueryLink):
         return f"{entity.KIND} of {entity.node.type}"
     if isinstance(entity, RosCall):
         return f"{entity.kind} of {entity.node.package}/{entity.node.type}"

@@ -8,16 +8,16 @@ from typing import TYPE_CHECKING
 
 from haros_ci.query.access import Own, call
 from haros_ci.query.fault import QueryError
-from haros_ci.query.joins import Plan, rows
+from haros_ci.query.joins import JoinPlan, rows
 from haros_ci.query.machine import Scope
-from haros_ci.query.syntax import Collect, Flwr, Function, Order, Output
-from haros_ci.query.values import Entity, Listing, Record, Value, items_of, kind_of, words
+from haros_ci.query.syntax import Collect, Flwr, Order, QueryFunction, ReturnedValue
+from haros_ci.query.values import QueryEntity, QueryList, QueryRecord, Value, items_of, kind_of, words
 
 if TYPE_CHECKING:
     from haros_ci.query.evaluate import Compiler, Names, Run
 
 
-def make_function(compiler: Compiler, tree: Function, names: Names) -> Run:
+def make_function(compiler: Compiler, tree: QueryFunction, names: Names) -> Run:
     """A function sees all variables around it, those let after it included."""
     body = compiler.make(tree.body, names | set(tree.parameters))
     return lambda scope: Own(tree.parameters, body, scope)
@@ -28,7 +28,7 @@ def make_flwr(compiler: Compiler, tree: Flwr, names: Names) -> Run:
     variables = [one.name for one in tree.fors]
     lets = _lets(compiler, tree, names | set(variables))
     inner = names | set(variables) | {let.name for let in tree.lets}
-    plan = Plan.of(compiler, tree, names, lets)
+    plan = JoinPlan.of(compiler, tree, names, lets)
     machine = compiler.machine
 
     def scopes(scope: Scope) -> Iterator[Scope]:
@@ -65,8 +65,8 @@ def make_flwr(compiler: Compiler, tree: Flwr, names: Names) -> Run:
             else:
                 found.append(value)
             if len(found) & 1023 == 0:
-                Listing.of(found)  # too many are told in time
-        return Listing.of(found if tree.order is None else in_order(found, tree.order, output), True)
+                QueryList.of(found)  # too many are told in time
+        return QueryList.of(found if tree.order is None else in_order(found, tree.order, output), True)
 
     return compiler.placed(run, tree.at)
 
@@ -87,31 +87,31 @@ def _lets(compiler: Compiler, tree: Flwr, names: Names) -> list[tuple[str, Run]]
     every = names | {let.name for let in tree.lets}
     found = []
     for let in tree.lets:
-        is_function = isinstance(let.value, Function)
+        is_function = isinstance(let.value, QueryFunction)
         found.append((let.name, compiler.make(let.value, every if is_function else names)))
         names |= {let.name}
     return found
 
 
-def _output(compiler: Compiler, output: Output, names: Names) -> Run:
+def _output(compiler: Compiler, output: ReturnedValue, names: Names) -> Run:
     values = [compiler.make(value, names) for value in output.values]
     if output.names:
-        return lambda scope: Record({name: value(scope) for name, value in zip(output.names, values, strict=True)})
+        return lambda scope: QueryRecord({name: value(scope) for name, value in zip(output.names, values, strict=True)})
     if len(values) == 1:
         return values[0]
-    return lambda scope: Listing.of((value(scope) for value in values), True)
+    return lambda scope: QueryList.of((value(scope) for value in values), True)
 
 
 def flattened(value: Value) -> Iterator[Value]:
     """The values in tuples and sets, and in those within them."""
-    if value.__class__ is Listing and value.flat:
+    if value.__class__ is QueryList and value.flat:
         for item in value:
             yield from flattened(item)
     else:
         yield value
 
 
-def in_order(found: list[Value], order: Order, output: Output) -> list[Value]:
+def in_order(found: list[Value], order: Order, output: ReturnedValue) -> list[Value]:
     """*found*, sorted by one of the values returned."""
 
     def key(value: Value) -> tuple[int, Value]:
@@ -132,9 +132,9 @@ def sort_key(value: Value) -> tuple[int, Value]:
         return (1, value)
     if isinstance(value, str):
         return (2, str(value))
-    if value.__class__ is Listing:
+    if value.__class__ is QueryList:
         return (4, tuple(sort_key(item) for item in value))
-    return (3, words(value)) if isinstance(value, Entity) else (5, words(value))
+    return (3, words(value)) if isinstance(value, QueryEntity) else (5, words(value))
 
 
 def _collecting(
@@ -157,7 +157,7 @@ def _collecting(
                 except QueryError as err:
                     err.at = at if err.at < 0 else err.at
                     raise
-        found = [Record(one) for one in maps]
-        return found[0] if len(found) == 1 else Listing.of(found, True)
+        found = [QueryRecord(one) for one in maps]
+        return found[0] if len(found) == 1 else QueryList.of(found, True)
 
     return run

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import fields
 from typing import Any
 
-from haros_ci.query.syntax import And, Chain, Flwr, Function, Path, Quantified, Tree
+from haros_ci.query.syntax import And, Chain, Flwr, Path, Quantified, QueryFunction, Tree
 
 
 def free(tree: Any) -> frozenset[str]:
@@ -20,7 +20,7 @@ def free(tree: Any) -> frozenset[str]:
         return free(tree.links) | {tree.name}
     if isinstance(tree, Quantified):
         return free(tree.source) | (free(tree.condition) - {tree.name})
-    if isinstance(tree, Function):
+    if isinstance(tree, QueryFunction):
         return free(tree.body) - set(tree.parameters)
     if isinstance(tree, Flwr):
         bound = {*(one.name for one in tree.fors), *(one.name for one in tree.lets)}

@@ -9,7 +9,7 @@ from typing import Any
 
 from haros_ci.query.fault import QueryError
 from haros_ci.query.operators import NUMBERS, narrow, ordered, power, quotient, text
-from haros_ci.query.values import LONGEST, Entity, Listing, Record, Value, items_of, kind_of
+from haros_ci.query.values import LONGEST, QueryEntity, QueryList, QueryRecord, Value, items_of, kind_of
 
 
 class Builtin:
@@ -32,7 +32,7 @@ class Builtin:
 
 def is_rosglobal(name: Value) -> bool:
     """Whether a name begins with ``/`` (HAROS ``QueryEngine.is_rosglobal``)."""
-    plain = getattr(name, "full", None) if isinstance(name, Entity) else name
+    plain = getattr(name, "full", None) if isinstance(name, QueryEntity) else name
     return isinstance(plain, str) and plain.startswith("/")
 
 
@@ -112,14 +112,14 @@ def rounded(value: Value, digits: Value = None) -> Value:
     return round(plain, digits) if digits is not None else round(plain)
 
 
-def both(left: Value, right: Value) -> Listing:
+def both(left: Value, right: Value) -> QueryList:
     """``divmod``."""
     a, b = number(left), number(right)
     if b == 0:
         raise QueryError("division by zero")
     if isinstance(a, float) or isinstance(b, float):
         quotient(a, b)  # raises where the result is too large
-    return Listing.of(divmod(a, b), True)
+    return QueryList.of(divmod(a, b), True)
 
 
 def compared(left: Value, right: Value) -> int:
@@ -129,7 +129,7 @@ def compared(left: Value, right: Value) -> int:
 
 def is_instance(value: Value, kind: Value) -> bool:
     """``isinstance``: *kind* is ``bool``, ``int``, ``long`` or ``float``, the name of an entity's kind, or a list of these."""
-    if kind.__class__ is Listing:
+    if kind.__class__ is QueryList:
         return any(is_instance(value, item) for item in kind)
     if isinstance(kind, str):
         return kind_of(value) == kind or (kind == "str" and isinstance(value, str))
@@ -168,7 +168,7 @@ BUILTINS: dict[str, Value] = {
 
 def truth(value: Value) -> bool:
     """Whether *value* counts as true: not None, False, 0 or empty."""
-    if isinstance(value, Entity):
+    if isinstance(value, QueryEntity):
         return value.items is None or bool(value.items)
     return bool(value)
 
@@ -193,7 +193,7 @@ def _edge(method: Callable[..., bool]) -> Callable[..., Value]:
     """``startswith`` and ``endswith``: of one text, or of any of a list."""
 
     def call(value: str, edge: Value) -> bool:
-        edges = edge if edge.__class__ is Listing else (edge,)
+        edges = edge if edge.__class__ is QueryList else (edge,)
         _texts(*edges)
         return any(method(str(value), str(item)) for item in edges)
 
@@ -214,7 +214,7 @@ def _split(method: Callable[..., list[str]]) -> Callable[..., Value]:
             _texts(separator)
         if separator == "":
             raise QueryError("an empty text cannot separate")
-        return Listing.of(method(str(value), separator, int(number(most))))
+        return QueryList.of(method(str(value), separator, int(number(most))))
 
     return call
 
@@ -230,11 +230,11 @@ def _join(value: str, items: Value) -> Value:
     return text(str(value).join(parts))
 
 
-def _get(value: Record, key: Value, default: Value = None) -> Value:
+def _get(value: QueryRecord, key: Value, default: Value = None) -> Value:
     return value[key] if key in value else default
 
 
-def _position(value: Listing, item: Value) -> int:
+def _position(value: QueryList, item: Value) -> int:
     if item not in value.members:
         raise QueryError("the list does not have this element")
     return value.index(item)
@@ -262,14 +262,14 @@ METHODS: dict[type, dict[str, tuple[int, int, Callable[..., Value]]]] = {
         "rsplit": (0, 2, _split(str.rsplit)),
         "join": (1, 1, _join),
     },
-    Listing: {
+    QueryList: {
         "count": (1, 1, lambda value, item: value.count(item)),
         "index": (1, 1, _position),
     },
-    Record: {
+    QueryRecord: {
         "get": (1, 2, _get),
-        "keys": (0, 0, lambda value: Listing.of(value, True)),
-        "values": (0, 0, lambda value: Listing.of(value.values(), True)),
-        "items": (0, 0, lambda value: Listing.of((Listing.of(pair, True) for pair in value.items()), True)),
+        "keys": (0, 0, lambda value: QueryList.of(value, True)),
+        "values": (0, 0, lambda value: QueryList.of(value.values(), True)),
+        "items": (0, 0, lambda value: QueryList.of((QueryList.of(pair, True) for pair in value.items()), True)),
     },
 }

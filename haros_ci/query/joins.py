@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.query.fault import Exhausted, QueryError
+from haros_ci.query.fault import QueryBudgetExhausted, QueryError
 from haros_ci.query.free import conjuncts, free
 from haros_ci.query.machine import Machine, Scope
 from haros_ci.query.syntax import Compare, Flwr, Tree
@@ -29,7 +29,7 @@ MOST_ROWS = 1_000_000
 
 
 @dataclass(frozen=True, slots=True)
-class Use:
+class JoinOperand:
     """An expression of one variable, with the ``let`` that it needs."""
 
     variable: int
@@ -44,7 +44,7 @@ class Use:
             for name, let in self.lets:
                 own[name] = let(own)
             return self.run(own)
-        except Exhausted:
+        except QueryBudgetExhausted:
             raise
         except QueryError:
             return WILD
@@ -55,31 +55,31 @@ class Part:
     """A condition of ``where``: *filter* on one variable, or equality of *sides*, or neither."""
 
     condition: Condition
-    filter: Use | None = None
-    sides: tuple[Use, Use] | None = None
+    filter: JoinOperand | None = None
+    sides: tuple[JoinOperand, JoinOperand] | None = None
 
 
 @dataclass(frozen=True, slots=True)
-class Plan:
+class JoinPlan:
     """*parts* of ``where``, in order; *where* is the whole."""
 
     parts: tuple[Part, ...]
 
     @staticmethod
-    def of(compiler: Compiler, tree: Flwr, names: Names, lets: Sequence[tuple[str, Run]]) -> Plan:
+    def of(compiler: Compiler, tree: Flwr, names: Names, lets: Sequence[tuple[str, Run]]) -> JoinPlan:
         variables = [one.name for one in tree.fors]
         let_names = [let.name for let in tree.lets]
         inner = names | set(variables) | set(let_names)
         is_clear = len({*variables, *let_names}) == len(variables) + len(let_names) and len(variables) > 1
         uses = {let.name: free(let.value) for let in tree.lets}
 
-        def use(part: Tree, run: Callable[[Scope], Value]) -> Use | None:
+        def use(part: Tree, run: Callable[[Scope], Value]) -> JoinOperand | None:
             needed = _closure(free(part), uses)
             mine = [name for name in variables if name in needed]
             if len(mine) != 1:
                 return None
             own = tuple((name, let) for name, let in lets if name in needed)
-            return Use(variables.index(mine[0]), mine[0], own, run)
+            return JoinOperand(variables.index(mine[0]), mine[0], own, run)
 
         parts = []
         for part in conjuncts(tree.where):
@@ -91,7 +91,7 @@ class Plan:
                 right = use(part.right, compiler.make(part.right, inner))
                 sides = (left, right) if left and right else None
             parts.append(Part(condition, found, sides))
-        return Plan(tuple(parts))
+        return JoinPlan(tuple(parts))
 
 
 def _closure(names: frozenset[str], uses: dict[str, frozenset[str]]) -> set[str]:
@@ -107,7 +107,7 @@ def _closure(names: frozenset[str], uses: dict[str, frozenset[str]]) -> set[str]
 
 
 def rows(
-    plan: Plan, machine: Machine, pools: Sequence[tuple[Value, ...]], scope: Scope
+    plan: JoinPlan, machine: Machine, pools: Sequence[tuple[Value, ...]], scope: Scope
 ) -> Iterator[tuple[tuple[Value, ...], Sequence[Condition]]]:
     """The rows that may satisfy ``where``, in the order of nested loops, each with the conditions that are still to be held."""
     everything = [part.condition for part in plan.parts]
@@ -137,7 +137,7 @@ def _product(pools: Sequence[tuple[Value, ...]], machine: Machine) -> Iterator[t
 
 
 def _filtered(
-    plan: Plan, machine: Machine, pools: Sequence[tuple[Value, ...]], scope: Scope
+    plan: JoinPlan, machine: Machine, pools: Sequence[tuple[Value, ...]], scope: Scope
 ) -> tuple[list[list[int]], bool]:
     """Positions of the elements that their own conditions leave, and whether all of these could be evaluated."""
     left = [list(range(len(pool))) for pool in pools]
@@ -164,7 +164,7 @@ def _filtered(
 
 
 @dataclass(frozen=True, slots=True)
-class Edge:
+class JoinCondition:
     """An equality between two variables: the key of each element that is left, by position."""
 
     variables: tuple[int, int]
@@ -179,12 +179,12 @@ class Edge:
 
 
 def _edge(
-    sides: tuple[Use, Use],
+    sides: tuple[JoinOperand, JoinOperand],
     pools: Sequence[tuple[Value, ...]],
     left: Sequence[list[int]],
     scope: Scope,
     machine: Machine,
-) -> Edge:
+) -> JoinCondition:
     keys: list[dict[int, Value]] = []
     is_exact = True
     for use in sides:
@@ -195,10 +195,10 @@ def _edge(
             if value is WILD or value.__class__ is UnknownText or value == "?" or value != value:
                 is_exact = False  # equal keys are not all that == asks for
         keys.append(found)
-    return Edge((sides[0].variable, sides[1].variable), (keys[0], keys[1]), is_exact)
+    return JoinCondition((sides[0].variable, sides[1].variable), (keys[0], keys[1]), is_exact)
 
 
-def _joined(left: Sequence[list[int]], edges: Sequence[Edge], machine: Machine) -> list[tuple[int, ...]]:
+def _joined(left: Sequence[list[int]], edges: Sequence[JoinCondition], machine: Machine) -> list[tuple[int, ...]]:
     """The rows, as positions, in the order of nested loops; found in the order that makes few of them."""
     order = _order(left, edges)
     partial: list[tuple[int, ...]] = [()]
@@ -212,7 +212,7 @@ def _joined(left: Sequence[list[int]], edges: Sequence[Edge], machine: Machine) 
             grown.extend((*row, n) for n in found)
             if len(grown) > MOST_ROWS:
                 help = "tie the variables together with == in where"
-                raise Exhausted(f"more than {MOST_ROWS:,} rows have to be looked at", -1, help)
+                raise QueryBudgetExhausted(f"more than {MOST_ROWS:,} rows have to be looked at", -1, help)
         partial = grown
     if order != sorted(order):
         back = [order.index(variable) for variable in range(len(order))]
@@ -220,7 +220,7 @@ def _joined(left: Sequence[list[int]], edges: Sequence[Edge], machine: Machine) 
     return partial
 
 
-def _order(left: Sequence[list[int]], edges: Sequence[Edge]) -> list[int]:
+def _order(left: Sequence[list[int]], edges: Sequence[JoinCondition]) -> list[int]:
     """The variable with the fewest elements first, then always one that an equality ties to those before, if there is one."""
     waiting = set(range(len(left)))
     order: list[int] = []
@@ -233,7 +233,7 @@ def _order(left: Sequence[list[int]], edges: Sequence[Edge]) -> list[int]:
 
 
 def _partners(
-    variable: int, positions: list[int], edges: Sequence[Edge], before: Sequence[int]
+    variable: int, positions: list[int], edges: Sequence[JoinCondition], before: Sequence[int]
 ) -> Callable[[tuple[int, ...]], Sequence[int]]:
     """For a row of the variables *before*, the positions of *variable* that its equalities allow."""
     if not edges:

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from haros_ci.model.architecture import Endpoint
 from haros_ci.model.location import Location as Place
-from haros_ci.query.places import Qos, RosName, SourceCondition, readers
-from haros_ci.query.values import UNKNOWN, Entity, Listing, Value
+from haros_ci.query.places import QueryQos, RosName, SourceCondition, readers
+from haros_ci.query.values import UNKNOWN, QueryEntity, QueryList, Value
 
 if TYPE_CHECKING:
     from haros_ci.query.resources import NodeInstance, Resource
@@ -19,7 +19,7 @@ COMMON = (
 )  # fmt: skip
 
 
-class Link(Entity):
+class QueryLink(QueryEntity):
     """An end of *resource* in *node*. Every link is equal to itself only."""
 
     __slots__ = ("end", "node", "resource")
@@ -45,8 +45,8 @@ class Link(Entity):
         return self.end.type or UNKNOWN
 
     @property
-    def conditions(self) -> Listing:
-        return Listing.of(SourceCondition(one, self.node.system.world) for one in self.end.conditions)
+    def conditions(self) -> QueryList:
+        return QueryList.of(SourceCondition(one, self.node.system.world) for one in self.end.conditions)
 
     @property
     def source_location(self) -> Value:
@@ -94,11 +94,11 @@ class Link(Entity):
 
     @property
     def qos(self) -> Value:
-        return Qos(self.end.qos) if self.end.qos is not None else None
+        return QueryQos(self.end.qos) if self.end.qos is not None else None
 
     @property
     def range(self) -> Value:
-        return Listing.of(self.end.range, True) if self.end.range is not None else None
+        return QueryList.of(self.end.range, True) if self.end.range is not None else None
 
     @property
     def place(self) -> Place | None:
@@ -117,7 +117,7 @@ def attributes(*more: str, **named: str) -> dict[str, Any]:
     }
 
 
-class PublishLink(Link):
+class PublishLink(QueryLink):
     __slots__ = ()
     KIND = "PublishLink"
     FORM = "Publication of node '{}' to topic '{}' of type '{}'"
@@ -126,14 +126,14 @@ class PublishLink(Link):
     )
 
 
-class SubscribeLink(Link):
+class SubscribeLink(QueryLink):
     __slots__ = ()
     KIND = "SubscribeLink"
     FORM = "Subscription of node '{}' to topic '{}' of type '{}'"
     ATTRIBUTES: ClassVar[dict[str, Any]] = attributes("queue_size", "qos", topic="resource", topic_name="end.name")
 
 
-class ServiceLink(Link):
+class ServiceLink(QueryLink):
     __slots__ = ()
     KIND = "ServiceLink"
     FORM = "Service({}, {}, {})"
@@ -142,42 +142,42 @@ class ServiceLink(Link):
     )
 
 
-class ClientLink(Link):
+class ClientLink(QueryLink):
     __slots__ = ()
     KIND = "ClientLink"
     FORM = "Client({}, {}, {})"
     ATTRIBUTES: ClassVar[dict[str, Any]] = ServiceLink.ATTRIBUTES
 
 
-class ActionServerLink(Link):
+class ActionServerLink(QueryLink):
     __slots__ = ()
     KIND = "ActionServerLink"
     FORM = "ActionServer({}, {}, {})"
     ATTRIBUTES: ClassVar[dict[str, Any]] = attributes(action="resource", topic_name="end.name", action_name="end.name")
 
 
-class ActionClientLink(Link):
+class ActionClientLink(QueryLink):
     __slots__ = ()
     KIND = "ActionClientLink"
     FORM = "ActionClient({}, {}, {})"
     ATTRIBUTES: ClassVar[dict[str, Any]] = ActionServerLink.ATTRIBUTES
 
 
-class ReadLink(Link):
+class ReadLink(QueryLink):
     __slots__ = ()
     KIND = "ReadLink"
     FORM = "Read({}, {}, {})"
     ATTRIBUTES: ClassVar[dict[str, Any]] = attributes("value", parameter="resource", param_name="end.name")
 
 
-class WriteLink(Link):
+class WriteLink(QueryLink):
     __slots__ = ()
     KIND = "WriteLink"
     FORM = "Write({}, {}, {})"
     ATTRIBUTES: ClassVar[dict[str, Any]] = ReadLink.ATTRIBUTES
 
 
-class DeclareLink(Link):
+class DeclareLink(QueryLink):
     """A ROS 2 node's declaration of a parameter: *value* is its default, *effective* what it has when started."""
 
     __slots__ = ()
@@ -189,7 +189,7 @@ class DeclareLink(Link):
 
 
 #: By the kind of endpoint: the link, the list of a node and of a resource that it is in, and the kind of resource.
-LINKS: dict[str, tuple[type[Link], str, str]] = {
+LINKS: dict[str, tuple[type[QueryLink], str, str]] = {
     "publishers": (PublishLink, "publishers", "topics"),
     "subscribers": (SubscribeLink, "subscribers", "topics"),
     "servers": (ServiceLink, "servers", "services"),

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from haros_ci.query.fault import Exhausted, QueryError
+from haros_ci.query.fault import QueryBudgetExhausted, QueryError
 from haros_ci.query.values import Value
 
 #: Calls of a query's own functions within each other.
@@ -35,7 +35,7 @@ class Machine:
         if self.left < 0:
             self.left = 0
             help = "make the paths shorter, or join with == in where"
-            raise Exhausted(f"the query was stopped after {STEPS:,} steps", -1, help)
+            raise QueryBudgetExhausted(f"the query was stopped after {STEPS:,} steps", -1, help)
 
     def enter(self) -> None:
         """A function of the query is called."""

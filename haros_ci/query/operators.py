@@ -6,7 +6,17 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from haros_ci.query.fault import QueryError
-from haros_ci.query.values import LONGEST, WIDEST, Entity, Listing, Record, UnknownText, Value, kind_of, weight_of
+from haros_ci.query.values import (
+    LONGEST,
+    WIDEST,
+    QueryEntity,
+    QueryList,
+    QueryRecord,
+    UnknownText,
+    Value,
+    kind_of,
+    weight_of,
+)
 
 NUMBERS = (int, float)  # and bool
 
@@ -53,7 +63,7 @@ def ordered(sign: str) -> Callable[[Value, Value], bool]:
 def _comparable(left: Value, right: Value) -> bool:
     if isinstance(left, NUMBERS) or isinstance(left, str):
         return isinstance(right, NUMBERS if isinstance(left, NUMBERS) else str)
-    return left.__class__ is Listing and right.__class__ is Listing
+    return left.__class__ is QueryList and right.__class__ is QueryList
 
 
 def plus(left: Value, right: Value) -> Value:
@@ -61,15 +71,15 @@ def plus(left: Value, right: Value) -> Value:
         return narrow(left + right)
     if isinstance(left, str) and isinstance(right, str):
         return text(str(left) + str(right))
-    if left.__class__ is Listing and right.__class__ is Listing:
-        return Listing.of((*left, *right), left.flat)
+    if left.__class__ is QueryList and right.__class__ is QueryList:
+        return QueryList.of((*left, *right), left.flat)
     raise _unfit("+", left, right)
 
 
 def minus(left: Value, right: Value) -> Value:
     if isinstance(left, NUMBERS) and isinstance(right, NUMBERS):
         return narrow(left - right)
-    if left.__class__ is Listing and right.__class__ is Listing:
+    if left.__class__ is QueryList and right.__class__ is QueryList:
         return difference(left, right)
     raise _unfit("-", left, right)
 
@@ -79,10 +89,10 @@ def times(left: Value, right: Value) -> Value:
         return narrow(left * right)
     if isinstance(left, int):
         left, right = right, left
-    if isinstance(right, int) and (isinstance(left, str) or left.__class__ is Listing):
+    if isinstance(right, int) and (isinstance(left, str) or left.__class__ is QueryList):
         if right > 0 and (len(left) * right > LONGEST or weight_of(left) * right > LONGEST):
             raise QueryError(f"the product has more than {LONGEST} elements")
-        return str(left) * right if isinstance(left, str) else Listing.of(tuple(left) * right, left.flat)
+        return str(left) * right if isinstance(left, str) else QueryList.of(tuple(left) * right, left.flat)
     raise _unfit("*", left, right)
 
 
@@ -147,40 +157,40 @@ def power(base: Value, exponent: Value, modulus: Value = None) -> Value:
 
 def contains(container: Value, item: Value) -> bool:
     """``item in container``."""
-    if container.__class__ is Listing:
+    if container.__class__ is QueryList:
         return item in container.members
     if isinstance(container, str):
         if not isinstance(item, str):
             raise QueryError(f"only a text can be in a text, not a {kind_of(item)}")
         return str(item) in str(container)
-    if isinstance(container, Record):
+    if isinstance(container, QueryRecord):
         return item in container
-    if isinstance(container, Entity) and container.items is not None:
+    if isinstance(container, QueryEntity) and container.items is not None:
         return item in container.items.members or item in getattr(container, "by_name", ())
     raise QueryError(f"nothing can be in a {kind_of(container)}", -1, "write a path as in <topics/publishers>")
 
 
-def union(left: Listing, right: Listing) -> Listing:
-    return Listing.of(dict.fromkeys((*left, *right)), True)
+def union(left: QueryList, right: QueryList) -> QueryList:
+    return QueryList.of(dict.fromkeys((*left, *right)), True)
 
 
-def intersection(left: Listing, right: Listing) -> Listing:
+def intersection(left: QueryList, right: QueryList) -> QueryList:
     """In the order of *right*, as in pyflwor."""
-    return Listing.of((item for item in right if item in left.members), True)
+    return QueryList.of((item for item in right if item in left.members), True)
 
 
-def difference(left: Listing, right: Listing) -> Listing:
-    return Listing.of((item for item in left if item not in right.members), True)
+def difference(left: QueryList, right: QueryList) -> QueryList:
+    return QueryList.of((item for item in left if item not in right.members), True)
 
 
-SETS: dict[str, Callable[[Listing, Listing], Listing]] = {"|": union, "&": intersection, "-": difference}
+SETS: dict[str, Callable[[QueryList, QueryList], QueryList]] = {"|": union, "&": intersection, "-": difference}
 ARITHMETIC: dict[str, Callable[[Value, Value], Value]] = {"+": plus, "-": minus, "*": times, "/": divided}
 COMPARISONS: dict[str, Callable[[Value, Value], bool]] = {
     "==": equal,
     "!=": differ,
     **{sign: ordered(sign) for sign in ("<", "<=", ">", ">=")},
 }
-SET_COMPARISONS: dict[str, Callable[[Listing, Listing], bool]] = {
+SET_COMPARISONS: dict[str, Callable[[QueryList, QueryList], bool]] = {
     "is": lambda left, right: left.members == right.members,
     "is not": lambda left, right: left.members != right.members,
     "subset": lambda left, right: left.members <= right.members,

@@ -14,27 +14,27 @@ from haros_ci.query.syntax import (
     And,
     Arithmetic,
     Attribute,
-    Call,
     Chain,
     Compare,
     DictOf,
-    Function,
-    If,
-    Index,
     ListOf,
     Literal,
-    Member,
+    Membership,
     Negative,
     Not,
     Or,
     Path,
+    PathStep,
     Quantified,
+    QueryCall,
+    QueryFunction,
+    QueryIf,
+    QuerySubscript,
     SetCompare,
     SetOperation,
-    Step,
     Tree,
 )
-from haros_ci.query.tokens import WORDS, Token, tokens
+from haros_ci.query.tokens import WORDS, QueryToken, tokens
 
 #: Brackets, functions and queries within each other.
 DEEPEST = 30
@@ -47,7 +47,7 @@ def parse(query: str) -> Tree:
     """The tree of *query*; QueryError says what is wrong and where."""
     from haros_ci.query.parser_flwr import flwr
 
-    reader = Reader(tokens(query))
+    reader = QueryReader(tokens(query))
     try:
         tree = flwr(reader) if reader.kind in FLWR else reader.set()
     except RecursionError:
@@ -57,16 +57,16 @@ def parse(query: str) -> Tree:
     return tree
 
 
-class Reader:
+class QueryReader:
     """The words still to be read, and the rules for expressions."""
 
-    def __init__(self, words: tuple[Token, ...]) -> None:
+    def __init__(self, words: tuple[QueryToken, ...]) -> None:
         self.words = words
         self.number = 0
         self.depth = 0
 
     @property
-    def token(self) -> Token:
+    def token(self) -> QueryToken:
         return self.words[self.number]
 
     @property
@@ -76,7 +76,7 @@ class Reader:
     def next_kind(self) -> str:
         return self.words[min(self.number + 1, len(self.words) - 1)].kind
 
-    def take(self, kind: str, what: str = "") -> Token:
+    def take(self, kind: str, what: str = "") -> QueryToken:
         """The next word, which must be of this *kind*."""
         token = self.token
         if token.kind != kind:
@@ -129,14 +129,14 @@ class Reader:
             steps.append(self._step(self.member_name()))
         return Path(tuple(steps), at)
 
-    def _step(self, name: Token) -> Step:
+    def _step(self, name: QueryToken) -> PathStep:
         condition = None
         if self.skip("["):
             condition = self.nested(self.condition)
             self.take("]")
-        return Step(name.text, condition, name.at)
+        return PathStep(name.text, condition, name.at)
 
-    def member_name(self) -> Token:
+    def member_name(self) -> QueryToken:
         token = self.token
         if token.kind != "name" and token.kind not in WORDS:
             raise self.unexpected("the name of an attribute")
@@ -182,7 +182,7 @@ class Reader:
         negated = token.kind == "not" and self.next_kind() == "in"
         if negated or token.kind == "in":
             self.number += 1 + negated
-            return Member(left, self.value_or_query(), negated, at)
+            return Membership(left, self.value_or_query(), negated, at)
         return left
 
     def _quantified(self) -> Tree:
@@ -295,12 +295,12 @@ class Reader:
         self.take("then")
         then = self.value_or_query()
         self.take("else")
-        return If(condition, then, self.value_or_query(), at)
+        return QueryIf(condition, then, self.value_or_query(), at)
 
     def chain(self) -> Chain:
         """``name(arguments)[key].attribute``."""
         head = self.take("name", "a name")
-        links: list[Attribute | Call | Index] = []
+        links: list[Attribute | QueryCall | QuerySubscript] = []
         while self.kind in (".", "(", "["):
             at = self.token.at
             if self.skip("."):
@@ -308,11 +308,11 @@ class Reader:
                 links.append(Attribute(name.text, name.at))
             elif self.skip("("):
                 self.depth += 1
-                links.append(Call(self._arguments(), at))
+                links.append(QueryCall(self._arguments(), at))
                 self.depth -= 1
             else:
                 self.take("[")
-                links.append(Index(self.nested(self.arithmetic), at))
+                links.append(QuerySubscript(self.nested(self.arithmetic), at))
                 self.take("]")
         return Chain(head.text, tuple(links), head.at)
 
@@ -325,7 +325,7 @@ class Reader:
         self.take(")")
         return tuple(found)
 
-    def function(self) -> Function:
+    def function(self) -> QueryFunction:
         """``function(a, b) { body }``."""
         from haros_ci.query.parser_flwr import flwr
 
@@ -340,7 +340,7 @@ class Reader:
         self.take("{")
         body = self.nested((lambda: flwr(self)) if self.kind in FLWR else self.arithmetic)
         self.take("}")
-        return Function(tuple(names), body, at)
+        return QueryFunction(tuple(names), body, at)
 
 
 _ATOMS = {"(": "_in_parentheses", "[": "_list", "{": "_dict", "if": "_choice"}

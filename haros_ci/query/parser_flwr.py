@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 from haros_ci.query.fault import QueryError
-from haros_ci.query.parser import Reader
-from haros_ci.query.syntax import Collect, Flwr, For, Let, Order, Output, Tree
+from haros_ci.query.parser import QueryReader
+from haros_ci.query.syntax import Collect, Flwr, For, Let, Order, ReturnedValue, Tree
 
 #: Variables of one ``for``.
 MOST_VARIABLES = 12
 
 
-def braced(reader: Reader) -> Tree:
+def braced(reader: QueryReader) -> Tree:
     """``{for ... return ...}``."""
     reader.take("{")
     tree = reader.nested(lambda: flwr(reader))
@@ -19,7 +19,7 @@ def braced(reader: Reader) -> Tree:
     return tree
 
 
-def flwr(reader: Reader) -> Flwr:
+def flwr(reader: QueryReader) -> Flwr:
     """for, let, where, order by, and what it gives."""
     at = reader.token.at
     fors = _fors(reader) if reader.skip("for") else ()
@@ -33,7 +33,7 @@ def flwr(reader: Reader) -> Flwr:
     output, flatten, collects = None, False, []
     if reader.skip("return"):
         flatten = reader.skip("flatten")
-        output = Output((reader.value_or_query(),)) if flatten else _output(reader)
+        output = ReturnedValue((reader.value_or_query(),)) if flatten else _output(reader)
     else:
         while reader.kind == "collect":
             collects.append(_collect(reader))
@@ -44,7 +44,7 @@ def flwr(reader: Reader) -> Flwr:
     return Flwr(fors, tuple(lets), where, order, output, flatten, tuple(collects), at)
 
 
-def _fors(reader: Reader) -> tuple[For, ...]:
+def _fors(reader: QueryReader) -> tuple[For, ...]:
     found: list[For] = []
     while True:
         name = reader.take("name", "the name of a variable")
@@ -60,14 +60,14 @@ def _fors(reader: Reader) -> tuple[For, ...]:
     return tuple(found)
 
 
-def _let(reader: Reader) -> Let:
+def _let(reader: QueryReader) -> Let:
     name = reader.take("name", "the name of a variable")
     reader.take("=")
     value = reader.function() if reader.kind == "function" else reader.value_or_query()
     return Let(name.text, value, name.at)
 
 
-def _order(reader: Reader) -> Order:
+def _order(reader: QueryReader) -> Order:
     at = reader.take("order").at
     reader.take("by")
     token = reader.token
@@ -81,7 +81,7 @@ def _order(reader: Reader) -> Order:
     return Order(token.value, descending, at)
 
 
-def _check(order: Order, output: Output) -> None:
+def _check(order: Order, output: ReturnedValue) -> None:
     """Named output is ordered by a name, positional by a number."""
     if isinstance(order.key, str):
         if not output.names:
@@ -94,7 +94,7 @@ def _check(order: Order, output: Output) -> None:
         raise QueryError(f"return gives {len(output.values)} values, the first is number 0", order.at)
 
 
-def _output(reader: Reader) -> Output:
+def _output(reader: QueryReader) -> ReturnedValue:
     names, values = [], []
     while True:
         if reader.kind == "text" and reader.next_kind() == ":":
@@ -106,10 +106,10 @@ def _output(reader: Reader) -> Output:
         if len(names) not in (0, len(values)):
             raise reader.unexpected("values without names, as before")
         if not reader.skip(","):
-            return Output(tuple(values), tuple(names))
+            return ReturnedValue(tuple(values), tuple(names))
 
 
-def _collect(reader: Reader) -> Collect:
+def _collect(reader: QueryReader) -> Collect:
     at = reader.take("collect").at
     output = _output(reader)
     reader.take("as")

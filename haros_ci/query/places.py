@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from haros_ci.model.architecture import Condition
 from haros_ci.model.architecture import Qos as ModelQos
 from haros_ci.model.location import Location as Place
-from haros_ci.query.values import UNKNOWN, Entity, Value
+from haros_ci.query.values import UNKNOWN, QueryEntity, Value
 
 if TYPE_CHECKING:
-    from haros_ci.query.source import Package, SourceFile, World
+    from haros_ci.query.source import QueryPackage, QuerySourceFile, SourceModel
 
 
 def readers(*names: str) -> dict[str, Any]:
@@ -33,7 +33,7 @@ def kept(get: Callable[[Any], Value]) -> Any:
     return property(value)
 
 
-class RosName(Entity):
+class RosName(QueryEntity):
     """A name, resolved (*full*) and as it was *given*; the same as its full text."""
 
     __slots__ = ("full", "given_text")
@@ -89,7 +89,7 @@ class RosName(Entity):
         return self.full
 
 
-class Location(Entity):
+class QueryLocation(QueryEntity):
     """A place in the source, with the entities that it is in."""
 
     __slots__ = ("file", "package", "place")
@@ -100,7 +100,7 @@ class Location(Entity):
         "class_": lambda self: None,
     }
 
-    def __init__(self, place: Place, package: Package | None, file: SourceFile | None) -> None:
+    def __init__(self, place: Place, package: QueryPackage | None, file: QuerySourceFile | None) -> None:
         self.place = place
         self.package = package
         self.file = file
@@ -125,7 +125,7 @@ class Location(Entity):
         return f"in {self.place}"
 
 
-class Location2(Entity):
+class Location2(QueryEntity):
     """A place in words: the names of package and file, line and column."""
 
     __slots__ = ("column", "file", "line", "package")
@@ -151,7 +151,7 @@ class Location2(Entity):
         return f"{self.package}/{self.file}:{self.line}:{self.column}"
 
 
-class RuntimeLocation(Entity):
+class RuntimeLocation(QueryEntity):
     """The place of what exists only when the system runs: its configuration."""
 
     __slots__ = ("configuration",)
@@ -162,21 +162,21 @@ class RuntimeLocation(Entity):
         "smallest_scope": attrgetter("configuration"),
     }
 
-    def __init__(self, configuration: Entity) -> None:
+    def __init__(self, configuration: QueryEntity) -> None:
         self.configuration = configuration
 
     def words(self) -> str:
         return f"in configuration {getattr(self.configuration, 'name', '?')}"
 
 
-class SourceCondition(Entity):
+class SourceCondition(QueryEntity):
     """A statement that an entity stands under."""
 
     __slots__ = ("made", "world")
     KIND = "SourceCondition"
     ATTRIBUTES: ClassVar[dict[str, Any]] = readers("statement", "condition", "location", "location2", "language")
 
-    def __init__(self, made: Condition, world: World) -> None:
+    def __init__(self, made: Condition, world: SourceModel) -> None:
         self.made = made
         self.world = world
 
@@ -211,7 +211,7 @@ class SourceCondition(Entity):
         return f"{self.statement} {self.condition}"
 
 
-class Qos(Entity):
+class QueryQos(QueryEntity):
     """The quality of service of a ROS 2 end: None is the middleware's default."""
 
     __slots__ = ("made",)
@@ -225,7 +225,7 @@ class Qos(Entity):
         self.made = made
 
     def __eq__(self, other: object) -> bool:
-        return self.made == other.made if isinstance(other, Qos) else NotImplemented
+        return self.made == other.made if isinstance(other, QueryQos) else NotImplemented
 
     def __hash__(self) -> int:
         return hash(self.made)

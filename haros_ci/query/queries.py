@@ -10,14 +10,14 @@ from typing import Any
 from haros_ci.model.architecture import LIBRARY, Architecture
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
-from haros_ci.query.declared import Declared, declared
+from haros_ci.query.declared import DeclaredQuery, declared
 from haros_ci.query.engine import Query
 from haros_ci.query.fault import QueryError
 from haros_ci.query.findings import Match, results
 from haros_ci.query.machine import STEPS
-from haros_ci.query.source import World
-from haros_ci.query.system import System
-from haros_ci.query.values import Listing, Value
+from haros_ci.query.source import SourceModel
+from haros_ci.query.system import QuerySystem
+from haros_ci.query.values import QueryList, Value
 from haros_ci.results.own import FAILED_QUERY, TOOL
 from haros_ci.results.result import Notification, Result
 from haros_ci.results.rule import Level, Rule
@@ -40,7 +40,7 @@ Variables = dict[str, Value]
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class QueryOutcome:
     """What the queries gave. *failed* are the ids of those that could not be read or evaluated, of which the *results* say why.
 
     *matches* are what the *results* tell of.
@@ -61,7 +61,7 @@ def run(
     *,
     wanted: Callable[[Rule], bool] = lambda rule: True,
     scenes: Scenes | None = None,
-) -> Asked:
+) -> QueryOutcome:
     """Ask the queries of the *project* file *where* of the architecture *found*; of them, those whose rule is *wanted*.
 
     A query that is wrong is a result of its own and stops no other; what is no query at all is an error notification. *scenes* are those of *found*, if they have been made.
@@ -91,7 +91,7 @@ def run(
             notifications.append(Notification(Level.WARNING, text, TOOL, where, configuration=True))
         matches += own[:MOST_MATCHES]
         notifications += _notes(query, compiled, where)
-    return Asked(
+    return QueryOutcome(
         rules=tuple(query.rule() for query in every),
         results=(*results(matches, Location(where)), *faults),
         notifications=tuple(notifications),
@@ -105,19 +105,19 @@ class Scenes:
 
     def __init__(self, found: Architecture, files: Iterable[SourceFile], project: Mapping[str, Any]) -> None:
         systems = [one for one in found.configurations if not all(node.kind == LIBRARY for node in one.nodes)]
-        self.world = World(found.packages, files, systems)
+        self.world = SourceModel(found.packages, files, systems)
         entries = project.get("configurations")
-        self.systems = tuple(System(one, self.world, _properties(entries, one.name)) for one in systems)
+        self.systems = tuple(QuerySystem(one, self.world, _properties(entries, one.name)) for one in systems)
         self.world.systems = self.systems
 
     def of(self, scope: str, names: Iterable[str] | None = None) -> Iterator[tuple[str, Variables]]:
         """The name of a configuration ("" outside any) and the variables, one after the other; of *names*, if there are any."""
         world = self.world
         everything = {
-            "files": Listing.of(world.files.values(), True),
-            "packages": Listing.of(world.packages.values(), True),
-            "nodes": Listing.of(world.nodes.values(), True),
-            "configs": Listing.of(self.systems, True),
+            "files": QueryList.of(world.files.values(), True),
+            "packages": QueryList.of(world.packages.values(), True),
+            "nodes": QueryList.of(world.nodes.values(), True),
+            "configs": QueryList.of(self.systems, True),
         }
         if scope == "global":
             yield "", everything
@@ -144,12 +144,12 @@ def _properties(entries: object, name: str) -> tuple[tuple[str, ...], tuple[str,
     return found[0], found[1]
 
 
-def _fault(query: Declared, err: QueryError, where: str) -> Result:
+def _fault(query: DeclaredQuery, err: QueryError, where: str) -> Result:
     text = f"The query {query.id} ({query.place}) has no result: {err.told(query.text)}"
     return Result(TOOL, FAILED_QUERY.id, FAILED_QUERY.level, text, Location(where))
 
 
-def _notes(query: Declared, compiled: Query | None, where: str) -> Iterator[Notification]:
+def _notes(query: DeclaredQuery, compiled: Query | None, where: str) -> Iterator[Notification]:
     for at, text in compiled.notes() if compiled is not None else ():
         message = QueryError(text, at).told(query.text)
         yield Notification(Level.NOTE, f"the query {query.id}: {message}", TOOL, where, configuration=True)

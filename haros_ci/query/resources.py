@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from haros_ci.model.architecture import Condition, Node
 from haros_ci.model.architecture import Parameter as ModelParameter
 from haros_ci.model.location import Location as Place
-from haros_ci.query.links import LINKS, Link
+from haros_ci.query.links import LINKS, QueryLink
 from haros_ci.query.places import RosName, SourceCondition, kept, readers
-from haros_ci.query.values import UNKNOWN, Entity, Listing, Record, Value
+from haros_ci.query.values import UNKNOWN, QueryEntity, QueryList, QueryRecord, Value
 
 if TYPE_CHECKING:
-    from haros_ci.query.system import System
+    from haros_ci.query.system import QuerySystem
 
 COMMON = (
     "id", "name", "namespace", "rosname", "conditions", "enabled", "disabled", "conditional", "unresolved", "location",
@@ -37,7 +37,7 @@ def resolve_name(self: Resource, name: Value) -> Value:
     return text if text.startswith("/") else f"{self.namespace.rstrip('/')}/{text}"
 
 
-class Resource(Entity):
+class Resource(QueryEntity):
     """What has a name in a configuration; equal to what has the same name there, if that is known."""
 
     __slots__ = ("cache", "full", "links", "system")
@@ -45,13 +45,13 @@ class Resource(Entity):
     METHODS: ClassVar[dict[str, Any]] = {
         "resolve_name": (1, 1, resolve_name),
         "traceability": (0, 0, lambda self: self.traceability()),
-        "traceability2": (0, 0, lambda self: Listing.of(self.system.world.location2(p) for p in self.places())),
+        "traceability2": (0, 0, lambda self: QueryList.of(self.system.world.location2(p) for p in self.places())),
     }
 
-    def __init__(self, full: str, system: System) -> None:
+    def __init__(self, full: str, system: QuerySystem) -> None:
         self.full = full
         self.system = system
-        self.links: dict[str, list[Link]] = {}
+        self.links: dict[str, list[QueryLink]] = {}
         self.cache: dict[str, Value] = {}
 
     @property
@@ -104,10 +104,10 @@ class Resource(Entity):
         return self.TYPE
 
     @kept
-    def conditions(self) -> Listing:
+    def conditions(self) -> QueryList:
         return self.conditions_of_ends()
 
-    def conditions_of_ends(self) -> Listing:
+    def conditions_of_ends(self) -> QueryList:
         """None if an end in an unconditional node has none, else those of all ends, and of the nodes if all have some."""
         found: list[Condition] = []
         is_conditional = True
@@ -116,17 +116,17 @@ class Resource(Entity):
             if not of_node:
                 is_conditional = False
                 if not link.end.conditions:
-                    return Listing.of(())
+                    return QueryList.of(())
             found += [*link.end.conditions, *(of_node if is_conditional else ())]
-        return Listing.of(SourceCondition(one, self.system.world) for one in dict.fromkeys(found))
+        return QueryList.of(SourceCondition(one, self.system.world) for one in dict.fromkeys(found))
 
-    def all_links(self) -> Iterator[Link]:
+    def all_links(self) -> Iterator[QueryLink]:
         for kind in ORDER:
             yield from self.links.get(kind, ())
 
-    def of(self, kind: str) -> Listing:
+    def of(self, kind: str) -> QueryList:
         if kind not in self.cache:
-            self.cache[kind] = Listing.of(self.links.get(kind, ()))
+            self.cache[kind] = QueryList.of(self.links.get(kind, ()))
         return self.cache[kind]  # type: ignore[no-any-return]
 
     def places(self) -> tuple[Place, ...]:
@@ -137,14 +137,14 @@ class Resource(Entity):
     def place(self) -> Place | None:
         return next(iter(self.places()), None)
 
-    def traceability(self) -> Listing:
-        return Listing.of(self.system.world.location(place) for place in self.places())
+    def traceability(self) -> QueryList:
+        return QueryList.of(self.system.world.location(place) for place in self.places())
 
     @kept
-    def types(self) -> Listing:
+    def types(self) -> QueryList:
         """The types of its ends that are known."""
         known = dict.fromkeys(link.end.type for link in self.all_links() if link.end.type is not None)
-        return Listing.of(known or (UNKNOWN,), True)
+        return QueryList.of(known or (UNKNOWN,), True)
 
     @property
     def type(self) -> Value:
@@ -176,10 +176,10 @@ class NodeInstance(Resource):
         **readers(*COMMON, "node", "launch", "argv", "remaps", "rt_outlinks", "package"),
         **listed(*ORDER),
         **{name: attrgetter(f"made.{name}") for name in ("kind", "container", "process", "ros", "source")},
-        "variables": lambda self: Listing.of(()),
+        "variables": lambda self: QueryList.of(()),
     }
 
-    def __init__(self, made: Node, system: System) -> None:
+    def __init__(self, made: Node, system: QuerySystem) -> None:
         super().__init__(made.name, system)
         self.made = made
 
@@ -209,15 +209,15 @@ class NodeInstance(Resource):
         return self.made.arguments
 
     @kept
-    def remaps(self) -> Record:
-        return Record(dict(self.made.remaps))
+    def remaps(self) -> QueryRecord:
+        return QueryRecord(dict(self.made.remaps))
 
     @kept
-    def conditions(self) -> Listing:
-        return Listing.of(SourceCondition(one, self.system.world) for one in self.made.conditions)
+    def conditions(self) -> QueryList:
+        return QueryList.of(SourceCondition(one, self.system.world) for one in self.made.conditions)
 
     @kept
-    def rt_outlinks(self) -> Listing:
+    def rt_outlinks(self) -> QueryList:
         """The node, and those that its messages and calls reach, one after the other."""
         found = {id(self): self}
         waiting: list[NodeInstance] = [self]
@@ -229,7 +229,7 @@ class NodeInstance(Resource):
                 if id(end.node) not in found:
                     found[id(end.node)] = end.node
                     waiting.append(end.node)
-        return Listing.of(found.values())
+        return QueryList.of(found.values())
 
     def places(self) -> tuple[Place, ...]:
         if self.made.location is not None:
@@ -247,7 +247,7 @@ class Topic(Resource):
     ATTRIBUTES: ClassVar[dict[str, Any]] = {
         **readers(*COMMON, "types", "is_disconnected"),
         **listed("publishers", "subscribers"),
-        "variables": lambda self: Listing.of(()),
+        "variables": lambda self: QueryList.of(()),
     }
 
     @property
@@ -264,7 +264,7 @@ class Service(Resource):
     ATTRIBUTES: ClassVar[dict[str, Any]] = {
         **readers(*COMMON, "types", "is_disconnected", "server"),
         **listed("servers", "clients"),
-        "variables": lambda self: Listing.of(()),
+        "variables": lambda self: QueryList.of(()),
     }
 
     @property
@@ -278,7 +278,7 @@ class Service(Resource):
         return ends[0] != ends[1] and "?" not in self.full
 
 
-class Action(Resource):
+class QueryAction(Resource):
     __slots__ = ()
     KIND = "Action"
     TYPE = "action"
@@ -286,7 +286,7 @@ class Action(Resource):
         **readers(*COMMON, "types", "is_disconnected"),
         "servers": lambda self: self.of("action_servers"),
         "clients": lambda self: self.of("action_clients"),
-        "variables": lambda self: Listing.of(()),
+        "variables": lambda self: QueryList.of(()),
     }
 
     @property
@@ -295,7 +295,7 @@ class Action(Resource):
         return ends[0] != ends[1] and "?" not in self.full
 
 
-class Parameter(Resource):
+class QueryParameter(Resource):
     """A parameter that something sets, reads or declares; *made* is what sets it from outside."""
 
     __slots__ = ("made",)
@@ -304,11 +304,11 @@ class Parameter(Resource):
     ATTRIBUTES: ClassVar[dict[str, Any]] = {
         **readers(*COMMON, "types", "value", "node_scope", "launch"),
         **listed("reads", "writes", "declarations"),
-        "variables": lambda self: Listing.of(()),
+        "variables": lambda self: QueryList.of(()),
         "source": lambda self: self.made.source if self.made is not None else None,
     }
 
-    def __init__(self, full: str, system: System, made: ModelParameter | None = None) -> None:
+    def __init__(self, full: str, system: QuerySystem, made: ModelParameter | None = None) -> None:
         super().__init__(full, system)
         self.made = made
 
@@ -333,10 +333,10 @@ class Parameter(Resource):
         return self.system.world.files.get(place.path) if place is not None else None
 
     @kept
-    def conditions(self) -> Listing:
+    def conditions(self) -> QueryList:
         if self.made is None:
             return Resource.conditions_of_ends(self)
-        return Listing.of(SourceCondition(one, self.system.world) for one in self.made.conditions)
+        return QueryList.of(SourceCondition(one, self.system.world) for one in self.made.conditions)
 
     def places(self) -> tuple[Place, ...]:
         own = (self.made.origin or self.made.location) if self.made is not None else None

@@ -12,21 +12,21 @@ from haros_ci.model.location import Location as Place
 from haros_ci.model.package import Package as ModelPackage
 from haros_ci.model.package import SourceFile as ModelFile
 from haros_ci.query.calls import CALLS, RosCall
-from haros_ci.query.places import Location, Location2, kept, readers
-from haros_ci.query.values import NOTHING, Entity, Listing, Value
+from haros_ci.query.places import Location2, QueryLocation, kept, readers
+from haros_ci.query.values import NOTHING, QueryEntity, QueryList, Value
 
 SCOPES = ("file", "node", "package", "repository", "project")
 
 
-class World:
+class SourceModel:
     """What stands in the workspace: packages, files, node types; made once for all queries."""
 
     def __init__(
         self, packages: Iterable[ModelPackage], files: Iterable[ModelFile], configurations: Iterable[Configuration]
     ) -> None:
-        self.packages = {one.name: Package(one, self) for one in packages}
+        self.packages = {one.name: QueryPackage(one, self) for one in packages}
         self.roots = {one.made.path: one for one in self.packages.values()}
-        self.files = {one.path: SourceFile(one, self) for one in files}
+        self.files = {one.path: QuerySourceFile(one, self) for one in files}
         self.nodes: dict[tuple[str, str], SourceNode] = {}
         self.systems: tuple[Any, ...] = ()  # a System each
         for configuration in configurations:
@@ -34,7 +34,7 @@ class World:
                 key = (node.package, node.type)
                 self.nodes.setdefault(key, SourceNode(key, self)).made.append(node)
 
-    def package_of(self, path: str) -> Package | None:
+    def package_of(self, path: str) -> QueryPackage | None:
         """The innermost package that the file at *path* is in."""
         directory = path
         while directory:
@@ -43,10 +43,10 @@ class World:
                 return self.roots[directory]
         return self.roots.get(".")
 
-    def location(self, place: Place | None) -> Location | None:
+    def location(self, place: Place | None) -> QueryLocation | None:
         if place is None:
             return None
-        return Location(place, self.package_of(place.path), self.files.get(place.path))
+        return QueryLocation(place, self.package_of(place.path), self.files.get(place.path))
 
     def location2(self, place: Place | None) -> Location2:
         if place is None:
@@ -57,7 +57,7 @@ class World:
         return Location2(package.name, package.inside(place.path), place.line, place.column)
 
 
-class SourceEntity(Entity):
+class SourceEntity(QueryEntity):
     """What HAROS calls a SourceObject: it has an id, and is equal to what has the same one."""
 
     __slots__ = ()
@@ -78,7 +78,7 @@ class SourceEntity(Entity):
         return None
 
 
-class Package(SourceEntity):
+class QueryPackage(SourceEntity):
     __slots__ = ("cache", "id", "made", "world")
     KIND = "Package"
     ATTRIBUTES: ClassVar[dict[str, Any]] = {
@@ -91,7 +91,7 @@ class Package(SourceEntity):
         "description": lambda self: "",
     }  # fmt: skip
 
-    def __init__(self, made: ModelPackage, world: World) -> None:
+    def __init__(self, made: ModelPackage, world: SourceModel) -> None:
         self.made = made
         self.world = world
         self.id = f"package:{made.name}"
@@ -118,12 +118,12 @@ class Package(SourceEntity):
         return self.world.location(self.place)
 
     @kept
-    def source_files(self) -> Listing:
-        return Listing.of((one for one in self.world.files.values() if one.made.package == self.made.name), True)
+    def source_files(self) -> QueryList:
+        return QueryList.of((one for one in self.world.files.values() if one.made.package == self.made.name), True)
 
     @kept
-    def nodes(self) -> Listing:
-        return Listing.of((one for key, one in self.world.nodes.items() if key[0] == self.made.name), True)
+    def nodes(self) -> QueryList:
+        return QueryList.of((one for key, one in self.world.nodes.items() if key[0] == self.made.name), True)
 
     @property
     def file_count(self) -> int:
@@ -140,7 +140,7 @@ class Package(SourceEntity):
     @kept
     def dependencies(self) -> Value:
         names = dict.fromkeys(one.name for one in self.made.dependencies)
-        return DependencySet(Listing.of(names, True))
+        return DependencySet(QueryList.of(names, True))
 
     @kept
     def topological_tier(self) -> int:
@@ -163,7 +163,7 @@ class Package(SourceEntity):
         return tiers.get(self.made.name, -1)
 
 
-class DependencySet(Entity):
+class DependencySet(QueryEntity):
     """The names of the packages that a package depends on."""
 
     __slots__ = ("packages",)
@@ -173,11 +173,11 @@ class DependencySet(Entity):
         **{name: (lambda self: NOTHING) for name in ("files", "arguments", "environment")},
     }
 
-    def __init__(self, packages: Listing) -> None:
+    def __init__(self, packages: QueryList) -> None:
         self.packages = packages
 
 
-class SourceFile(SourceEntity):
+class QuerySourceFile(SourceEntity):
     __slots__ = ("id", "made", "world")
     KIND = "SourceFile"
     ATTRIBUTES: ClassVar[dict[str, Any]] = {
@@ -188,7 +188,7 @@ class SourceFile(SourceEntity):
         **{name: (lambda self: None) for name in ("tree", "sloc", "timestamp")},
     }  # fmt: skip
 
-    def __init__(self, made: ModelFile, world: World) -> None:
+    def __init__(self, made: ModelFile, world: SourceModel) -> None:
         self.made = made
         self.world = world
         package = world.packages.get(made.package or "")
@@ -201,7 +201,7 @@ class SourceFile(SourceEntity):
     scope = "file"
 
     @property
-    def package(self) -> Package | None:
+    def package(self) -> QueryPackage | None:
         return self.world.packages.get(self.made.package or "")
 
     @property
@@ -250,12 +250,12 @@ class SourceNode(SourceEntity):
     METHODS: ClassVar[dict[str, Any]] = {"variables": (0, 0, lambda self: NOTHING)}
     scope = "node"
 
-    def __init__(self, key: tuple[str, str], world: World) -> None:
+    def __init__(self, key: tuple[str, str], world: SourceModel) -> None:
         self.key = key
         self.world = world
         self.made: list[Node] = []
         self.id = f"node:{key[0]}/{key[1]}"
-        self._calls: dict[str, Listing] = {}
+        self._calls: dict[str, QueryList] = {}
         self.cache: dict[str, Value] = {}
 
     @property
@@ -279,12 +279,12 @@ class SourceNode(SourceEntity):
         return (self.made[0].class_name or self.key[1]) if self.is_nodelet else None
 
     @kept
-    def instances(self) -> Listing:
+    def instances(self) -> QueryList:
         """Its nodes in all configurations."""
         nodes = (node for system in self.world.systems for node in system.nodes.items)
-        return Listing.of(node for node in nodes if (node.made.package, node.made.type) == self.key)
+        return QueryList.of(node for node in nodes if (node.made.package, node.made.type) == self.key)
 
-    def calls(self, name: str) -> Listing:
+    def calls(self, name: str) -> QueryList:
         """Its calls of one kind, each once."""
         if name not in self._calls:
             kind, called = CALLS[name]
@@ -294,7 +294,7 @@ class SourceNode(SourceEntity):
                     if end.kind == kind and not end.implicit:
                         call = RosCall(called, node, end, self.world)
                         found.setdefault((end.location, call.name, call.type), call)
-            self._calls[name] = Listing.of(found.values())
+            self._calls[name] = QueryList.of(found.values())
         return self._calls[name]
 
     advertise = property(lambda self: self.calls("advertise"))
@@ -305,10 +305,10 @@ class SourceNode(SourceEntity):
     write_param = property(lambda self: self.calls("write_param"))
 
     @kept
-    def source_files(self) -> Listing:
+    def source_files(self) -> QueryList:
         """The files that its calls stand in."""
         paths = {e.location.path for node in self.made for e in node.endpoints if e.location is not None}
-        return Listing.of((self.world.files[path] for path in sorted(paths) if path in self.world.files), True)
+        return QueryList.of((self.world.files[path] for path in sorted(paths) if path in self.world.files), True)
 
     @property
     def language(self) -> Value:

@@ -31,13 +31,13 @@ class Attribute:
 
 
 @dataclass(frozen=True, slots=True)
-class Call:
+class QueryCall:
     arguments: tuple[Tree, ...]
     at: int
 
 
 @dataclass(frozen=True, slots=True)
-class Index:
+class QuerySubscript:
     key: Tree
     at: int
 
@@ -47,12 +47,12 @@ class Chain:
     """``name``, and what follows it: ``.attribute``, ``(arguments)``, ``[key]``."""
 
     name: str
-    links: tuple[Attribute | Call | Index, ...]
+    links: tuple[Attribute | QueryCall | QuerySubscript, ...]
     at: int
 
 
 @dataclass(frozen=True, slots=True)
-class If:
+class QueryIf:
     condition: Tree
     then: Tree
     otherwise: Tree
@@ -103,7 +103,7 @@ class Compare:
 
 
 @dataclass(frozen=True, slots=True)
-class Member:
+class Membership:
     item: Tree
     container: Tree
     negated: bool
@@ -130,7 +130,7 @@ class Quantified:
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class PathStep:
     name: str
     condition: Tree | None
     at: int
@@ -140,7 +140,7 @@ class Step:
 class Path:
     """``a/b[condition]/c``; the first step is a variable."""
 
-    steps: tuple[Step, ...]
+    steps: tuple[PathStep, ...]
     at: int
 
 
@@ -154,7 +154,7 @@ class SetOperation:
 
 
 @dataclass(frozen=True, slots=True)
-class Function:
+class QueryFunction:
     parameters: tuple[str, ...]
     body: Tree
     at: int
@@ -182,7 +182,7 @@ class Order:
 
 
 @dataclass(frozen=True, slots=True)
-class Output:
+class ReturnedValue:
     """What a row gives: one value, several (a tuple), or several with *names* (a map)."""
 
     values: tuple[Tree, ...]
@@ -191,7 +191,7 @@ class Output:
 
 @dataclass(frozen=True, slots=True)
 class Collect:
-    output: Output
+    output: ReturnedValue
     key: Tree
     reducer: Tree
     at: int
@@ -205,13 +205,13 @@ class Flwr:
     lets: tuple[Let, ...]
     where: Tree | None
     order: Order | None
-    output: Output | None
+    output: ReturnedValue | None
     flatten: bool
     collects: tuple[Collect, ...]
     at: int
 
 
 Tree = (
-    Literal | ListOf | DictOf | Chain | If | Arithmetic | Negative | Not | And | Or | Compare | Member | SetCompare
-    | Quantified | Path | SetOperation | Function | Flwr
+    Literal | ListOf | DictOf | Chain | QueryIf | Arithmetic | Negative | Not | And | Or | Compare | Membership | SetCompare
+    | Quantified | Path | SetOperation | QueryFunction | Flwr
 )  # fmt: skip

@@ -12,14 +12,19 @@ from haros_ci.model.location import Location as Place
 from haros_ci.query.fault import QueryError
 from haros_ci.query.links import LINKS
 from haros_ci.query.places import RuntimeLocation, kept, readers
-from haros_ci.query.resources import Action, NodeInstance, Parameter, Resource, Service, Topic
-from haros_ci.query.source import DependencySet, World
-from haros_ci.query.values import DEEPEST, Entity, Listing, Record, Value
+from haros_ci.query.resources import NodeInstance, QueryAction, QueryParameter, Resource, Service, Topic
+from haros_ci.query.source import DependencySet, SourceModel
+from haros_ci.query.values import DEEPEST, QueryEntity, QueryList, QueryRecord, Value
 
-KINDS: dict[str, type[Resource]] = {"topics": Topic, "services": Service, "actions": Action, "parameters": Parameter}
+KINDS: dict[str, type[Resource]] = {
+    "topics": Topic,
+    "services": Service,
+    "actions": QueryAction,
+    "parameters": QueryParameter,
+}
 
 
-class Collection(Entity):
+class Collection(QueryEntity):
     """The nodes, topics, services, actions or parameters of a configuration (HAROS: ResourceCollection)."""
 
     __slots__ = ("all", "by_name", "cache")
@@ -32,52 +37,52 @@ class Collection(Entity):
     }
 
     def __init__(self, resources: Iterable[Resource]) -> None:
-        self.all = Listing.of(resources)
+        self.all = QueryList.of(resources)
         self.cache: dict[str, Value] = {}
         self.by_name: dict[str, list[Resource]] = {}
         for one in self.all:
             self.by_name.setdefault(one.full, []).append(one)
 
     @property
-    def items(self) -> Listing:
+    def items(self) -> QueryList:
         return self.all
 
     @kept
-    def enabled(self) -> Listing:
-        return Listing.of(one for one in self.all if not one.conditions)
+    def enabled(self) -> QueryList:
+        return QueryList.of(one for one in self.all if not one.conditions)
 
     @kept
-    def conditional(self) -> Listing:
-        return Listing.of(one for one in self.all if one.conditions)
+    def conditional(self) -> QueryList:
+        return QueryList.of(one for one in self.all if one.conditions)
 
     @kept
-    def unresolved(self) -> Listing:
-        return Listing.of(one for one in self.all if one.unresolved)
+    def unresolved(self) -> QueryList:
+        return QueryList.of(one for one in self.all if one.unresolved)
 
     @kept
-    def counter(self) -> Record:
+    def counter(self) -> QueryRecord:
         """How many there are of each name."""
-        return Record({name: len(found) for name, found in self.by_name.items()})
+        return QueryRecord({name: len(found) for name, found in self.by_name.items()})
 
-    def get_all(self, name: Value, conditional: Value = True) -> Listing:
-        return Listing.of(one for one in self.by_name.get(name, ()) if conditional or not one.conditions)
+    def get_all(self, name: Value, conditional: Value = True) -> QueryList:
+        return QueryList.of(one for one in self.by_name.get(name, ()) if conditional or not one.conditions)
 
     def get(self, name: Value, conditional: Value = True) -> Value:
         """The last one with that name, as in HAROS."""
         return (self.get_all(name, conditional) or (None,))[-1]
 
 
-class System(Entity):
+class QuerySystem(QueryEntity):
     """A configuration. What it has is made when something asks for it."""
 
     __slots__ = ("_made", "cache", "hpl", "made", "world")
     KIND = "Configuration"
     ATTRIBUTES: ClassVar[dict[str, Any]] = {
         **readers("id", "name", "nodes", *KINDS, "roslaunch", "launch_commands", "user_attributes", "location", "dependencies"),
-        "arguments": lambda self: Record(dict(self.made.arguments)),
-        "environment": lambda self: Record({}),
-        "hpl_properties": lambda self: Listing.of(self.hpl[0]),
-        "hpl_assumptions": lambda self: Listing.of(self.hpl[1]),
+        "arguments": lambda self: QueryRecord(dict(self.made.arguments)),
+        "environment": lambda self: QueryRecord({}),
+        "hpl_properties": lambda self: QueryList.of(self.hpl[0]),
+        "hpl_assumptions": lambda self: QueryList.of(self.hpl[1]),
     }  # fmt: skip
     METHODS: ClassVar[dict[str, Any]] = {
         "get_collisions": (0, 0, lambda self: self.collision_count),
@@ -87,7 +92,7 @@ class System(Entity):
     }
 
     def __init__(
-        self, made: Configuration, world: World, hpl: tuple[tuple[str, ...], tuple[str, ...]] = ((), ())
+        self, made: Configuration, world: SourceModel, hpl: tuple[tuple[str, ...], tuple[str, ...]] = ((), ())
     ) -> None:
         self.made = made
         self.world = world
@@ -146,27 +151,27 @@ class System(Entity):
         return next(iter(places), None)
 
     @kept
-    def roslaunch(self) -> Listing:
+    def roslaunch(self) -> QueryList:
         files = self.world.files
-        return Listing.of(files[place.path] for place in self.launch_places() if place.path in files)
+        return QueryList.of(files[place.path] for place in self.launch_places() if place.path in files)
 
     @property
-    def launch_commands(self) -> Listing:
+    def launch_commands(self) -> QueryList:
         verb = "ros2 launch" if any(node.ros == 2 for node in self.made.nodes) else "roslaunch"
         commands = ((verb, item.partition("/")) for item in self.made.launch)
-        return Listing.of(Listing.of((v, f"{p} {f.rpartition('/')[2]}"), True) for v, (p, _, f) in commands)
+        return QueryList.of(QueryList.of((v, f"{p} {f.rpartition('/')[2]}"), True) for v, (p, _, f) in commands)
 
     @kept
     def dependencies(self) -> DependencySet:
-        return DependencySet(Listing.of(dict.fromkeys(node.package for node in self.made.nodes), True))
+        return DependencySet(QueryList.of(dict.fromkeys(node.package for node in self.made.nodes), True))
 
     @kept
     def user_attributes(self) -> Value:
         data = self.made.user_data
-        return plain(data) if isinstance(data, Mapping) else Record({})
+        return plain(data) if isinstance(data, Mapping) else QueryRecord({})
 
     def __eq__(self, other: object) -> bool:
-        return self.made.name == other.made.name if isinstance(other, System) else NotImplemented
+        return self.made.name == other.made.name if isinstance(other, QuerySystem) else NotImplemented
 
     def __hash__(self) -> int:
         return hash(self.made.name)
@@ -175,7 +180,7 @@ class System(Entity):
         return f"Configuration {self.made.name}"
 
 
-def _resources(system: System) -> dict[str, Collection]:
+def _resources(system: QuerySystem) -> dict[str, Collection]:
     """Everything of a configuration; what the client library makes for every node, and what an action consists of, is left out.
 
     Ends with the same name meet; one whose name is not known meets no other.
@@ -184,7 +189,7 @@ def _resources(system: System) -> dict[str, Collection]:
     found: dict[str, dict[object, Resource]] = {kind: {} for kind in KINDS}
     for number, made in enumerate(system.made.parameters):
         key: object = made.name if made.name not in found["parameters"] else number
-        found["parameters"][key] = Parameter(made.name, system, made)
+        found["parameters"][key] = QueryParameter(made.name, system, made)
     for node in nodes:
         for end in node.made.endpoints:
             if end.implicit or end.kind not in LINKS:
@@ -210,9 +215,9 @@ def plain(value: Any, depth: int = 0) -> Value:
         return None
     try:
         if isinstance(value, Mapping):
-            return Record({str(key): plain(item, depth + 1) for key, item in value.items()})
+            return QueryRecord({str(key): plain(item, depth + 1) for key, item in value.items()})
         if isinstance(value, (list, tuple)):
-            return Listing.of(plain(item, depth + 1) for item in value)
+            return QueryList.of(plain(item, depth + 1) for item in value)
     except QueryError:
         return None
     return str(value)[:1000]

@@ -28,7 +28,7 @@ _TOKEN = re.compile(
 
 
 @dataclass(frozen=True, slots=True)
-class Token:
+class QueryToken:
     """One word: *kind* is ``number``, ``name``, ``text``, ``end``, or the sign or reserved word itself."""
 
     kind: str
@@ -37,7 +37,7 @@ class Token:
     value: int | float | str | None = None
 
 
-def tokens(query: str) -> tuple[Token, ...]:
+def tokens(query: str) -> tuple[QueryToken, ...]:
     """The words of *query*, comments left out, an ``end`` last; QueryError at what is none."""
     if len(query) > LONGEST_QUERY:
         raise QueryError(f"the query has more than {LONGEST_QUERY} characters", 0, "take it apart")
@@ -48,15 +48,15 @@ def tokens(query: str) -> tuple[Token, ...]:
             raise _stray(query, at)
         kind, text = str(match.lastgroup), match.group()
         if kind == "number":
-            found.append(Token("number", text, at, _number(text, at)))
+            found.append(QueryToken("number", text, at, _number(text, at)))
         elif kind == "name":
-            found.append(Token(text if text in WORDS else "name", text, at, text))
+            found.append(QueryToken(text if text in WORDS else "name", text, at, text))
         elif kind == "text":
-            found.append(Token("text", text, at, text[1:-1]))
+            found.append(QueryToken("text", text, at, text[1:-1]))
         elif kind == "sign":
-            found.append(Token(text, text, at))
+            found.append(QueryToken(text, text, at))
         at = match.end()
-    return (*found, Token("end", "", len(query)))
+    return (*found, QueryToken("end", "", len(query)))
 
 
 def _stray(query: str, at: int) -> QueryError:

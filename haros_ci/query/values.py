@@ -32,7 +32,7 @@ class UnknownText(str):
 UNKNOWN = UnknownText("?")
 
 
-class Listing(tuple[Value, ...]):
+class QueryList(tuple[Value, ...]):
     """A list, tuple or set of values, in order. *flat* ones (tuples and sets) are taken apart by ``flatten``."""
 
     weight: int
@@ -41,9 +41,9 @@ class Listing(tuple[Value, ...]):
     _members: frozenset[Value] | None
 
     @staticmethod
-    def of(items: Iterable[Value], flat: bool = False) -> Listing:
+    def of(items: Iterable[Value], flat: bool = False) -> QueryList:
         """A list of *items*; QueryError if it is too big or too deep."""
-        made = Listing(items)
+        made = QueryList(items)
         made.weight, made.depth = measured(made)
         made.flat = flat
         made._members = None
@@ -57,14 +57,14 @@ class Listing(tuple[Value, ...]):
         return self._members
 
 
-class Record(Mapping[Value, Value]):
+class QueryRecord(Mapping[Value, Value]):
     """A map that does not change; a path takes it apart into pairs with ``key`` and ``value``."""
 
     __slots__ = ("_data", "_hash", "_pairs", "depth", "weight")
 
     def __init__(self, data: Mapping[Value, Value]) -> None:
         self._data = dict(data)
-        self._pairs: tuple[Pair, ...] | None = None
+        self._pairs: tuple[QueryPair, ...] | None = None
         self.weight, self.depth = measured((*self._data, *self._data.values()))
         self._hash: int | None = None
 
@@ -83,16 +83,16 @@ class Record(Mapping[Value, Value]):
         return self._hash
 
     def __eq__(self, other: object) -> bool:
-        return self._data == other._data if isinstance(other, Record) else NotImplemented
+        return self._data == other._data if isinstance(other, QueryRecord) else NotImplemented
 
     @property
-    def pairs(self) -> tuple[Pair, ...]:
+    def pairs(self) -> tuple[QueryPair, ...]:
         if self._pairs is None:
-            self._pairs = tuple(Pair(key, value) for key, value in self._data.items())
+            self._pairs = tuple(QueryPair(key, value) for key, value in self._data.items())
         return self._pairs
 
 
-class Pair:
+class QueryPair:
     """An entry of a map, as paths see it; each is equal to itself only (pyflwor ``KeyValuePair``)."""
 
     __slots__ = ("key", "value")
@@ -102,7 +102,7 @@ class Pair:
         self.value = value
 
 
-class Entity:
+class QueryEntity:
     """A thing of the model: queries read what ``ATTRIBUTES`` and ``METHODS`` of its class list, nothing else."""
 
     __slots__ = ()
@@ -117,7 +117,7 @@ class Entity:
         return self.KIND
 
     @property
-    def items(self) -> Listing | None:
+    def items(self) -> QueryList | None:
         """What a path, ``for`` and ``len`` go through, if it is a collection."""
         return None
 
@@ -127,7 +127,7 @@ def measured(items: Iterable[Value]) -> tuple[int, int]:
     weight, depth = 1, 0
     for item in items:
         weight += 1
-        if item.__class__ is Listing or item.__class__ is Record:
+        if item.__class__ is QueryList or item.__class__ is QueryRecord:
             weight += item.weight
             depth = max(depth, item.depth)
     if weight > HEAVIEST:
@@ -139,34 +139,41 @@ def measured(items: Iterable[Value]) -> tuple[int, int]:
 
 def weight_of(value: Value) -> int:
     """What it costs to compare or copy *value*, in steps."""
-    if value.__class__ is Listing or value.__class__ is Record:
+    if value.__class__ is QueryList or value.__class__ is QueryRecord:
         return int(value.weight)
     return len(value) >> 6 if isinstance(value, str) else 1
 
 
 def elements(value: Value) -> Iterable[Value]:
     """What a path goes through: the items of a list or collection, the pairs of a map; None is nothing, any other value alone."""
-    if isinstance(value, Listing):
+    if isinstance(value, QueryList):
         return value
-    if isinstance(value, Record):
+    if isinstance(value, QueryRecord):
         return value.pairs
-    if isinstance(value, Entity) and value.items is not None:
+    if isinstance(value, QueryEntity) and value.items is not None:
         return value.items
     return () if value is None else (value,)
 
 
 def items_of(value: Value) -> Iterable[Value] | None:
     """What ``for`` goes through, as Python does: the items, the keys of a map, the characters of a text; else None."""
-    if isinstance(value, (Listing, Record, str)):
+    if isinstance(value, (QueryList, QueryRecord, str)):
         return value
-    return value.items if isinstance(value, Entity) else None
+    return value.items if isinstance(value, QueryEntity) else None
 
 
 def kind_of(value: Value) -> str:
     """What a value is called in messages."""
-    if isinstance(value, Entity):
+    if isinstance(value, QueryEntity):
         return value.KIND
-    names = {Listing: "list", Record: "map", Pair: "pair", str: "text", UnknownText: "text", type(None): "None"}
+    names = {
+        QueryList: "list",
+        QueryRecord: "map",
+        QueryPair: "pair",
+        str: "text",
+        UnknownText: "text",
+        type(None): "None",
+    }
     return names.get(value.__class__) or {bool: "boolean", int: "number", float: "number"}.get(
         value.__class__, "function"
     )
@@ -176,13 +183,13 @@ def words(value: Value, room: int = 2000) -> str:
     """A value as text, cut where it gets too long."""
     if isinstance(value, str):
         text = repr(str(value))
-    elif isinstance(value, Entity):
+    elif isinstance(value, QueryEntity):
         text = value.words()
-    elif value.__class__ is Listing:
+    elif value.__class__ is QueryList:
         text = _joined("[]", (words(item, room) for item in value), room)
-    elif value.__class__ is Record:
+    elif value.__class__ is QueryRecord:
         text = _joined("{}", (f"{words(k, room)}: {words(v, room)}" for k, v in value.items()), room)
-    elif value.__class__ is Pair:
+    elif value.__class__ is QueryPair:
         text = f"{words(value.key, room)}: {words(value.value, room)}"
     elif value is None or isinstance(value, (bool, int, float)):
         text = str(value)
@@ -202,4 +209,4 @@ def _joined(brackets: str, parts: Iterator[str], room: int) -> str:
 
 
 #: The list without elements.
-NOTHING = Listing.of(())
+NOTHING = QueryList.of(())

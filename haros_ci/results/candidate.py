@@ -9,7 +9,7 @@ from operator import itemgetter
 
 from haros_ci.results.assignment import Place
 from haros_ci.results.fingerprint import EDGE
-from haros_ci.results.known import Known
+from haros_ci.results.known import KnownFinding
 from haros_ci.results.result import Identity
 
 #: Feature letters of a key, in the order of Candidate.features:
@@ -22,7 +22,7 @@ Key = tuple[object, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Pair:
+class MatchedPair:
     """Result *new* is known finding *old* (positions in the inputs), for the reason *evidence*."""
 
     new: int
@@ -31,7 +31,7 @@ class Pair:
 
 
 @dataclass(slots=True)
-class Candidate:
+class MatchCandidate:
     """A result or a known finding as the passes see it; *index* is its position in the input."""
 
     index: int
@@ -45,7 +45,13 @@ class Candidate:
 
 
 def features(
-    thing: Candidate, rule: str, seen: Identity | Known, text: str | None, message: str, metric: bool, blind: bool
+    thing: MatchCandidate,
+    rule: str,
+    seen: Identity | KnownFinding,
+    text: str | None,
+    message: str,
+    metric: bool,
+    blind: bool,
 ) -> Key:
     """In the order of LETTERS; None where a feature is missing or says too little to be evidence."""
     return (
@@ -74,10 +80,10 @@ def picker(letters: str) -> Callable[[Key], Key]:
 
 
 def grouped(
-    things: Iterable[Candidate], pick: Callable[[Key], Key], requested: Container[Key]
-) -> dict[Key, list[Candidate]]:
+    things: Iterable[MatchCandidate], pick: Callable[[Key], Key], requested: Container[Key]
+) -> dict[Key, list[MatchCandidate]]:
     """The things by key, for keys that are *wanted* and of which no feature is missing."""
-    groups: dict[Key, list[Candidate]] = {}
+    groups: dict[Key, list[MatchCandidate]] = {}
     for thing in things:
         key = pick(thing.features)
         if key in requested and None not in key:

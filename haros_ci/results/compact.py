@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterable
 
 from haros_ci.results.fingerprint import MOST_NAMES, names_digest
-from haros_ci.results.known import Known
+from haros_ci.results.known import KnownFinding
 
 VERSION_KEY = "haros-ci-baseline"
 VERSION = 1
@@ -49,13 +49,13 @@ class BaselineFormatError(ValueError):
         self.message = message
 
 
-def write_compact(known: Iterable[Known]) -> str:
+def write_compact(known: Iterable[KnownFinding]) -> str:
     """The file's text: the same findings give the same bytes."""
     lines = (json.dumps(_entry(entry)) for entry in sorted(known, key=lambda entry: entry.sort_key))
     return "\n".join((json.dumps({VERSION_KEY: VERSION}), *dict.fromkeys(lines), ""))
 
 
-def read_compact(data: bytes, name: str) -> tuple[Known, ...]:
+def read_compact(data: bytes, name: str) -> tuple[KnownFinding, ...]:
     """The known findings in the bytes *data* of the file *name*. Raises BaselineFormatError."""
     if len(data) > MAX_BYTES:
         raise BaselineFormatError(1, f"{name} is larger than {MAX_BYTES // 1_000_000} MB, which no baseline is")
@@ -65,7 +65,7 @@ def read_compact(data: bytes, name: str) -> tuple[Known, ...]:
         raise BaselineFormatError(data.count(b"\n", 0, err.start) + 1, f"not UTF-8; {_ANEW}") from None
     if len(lines) > MAX_ENTRIES:
         raise BaselineFormatError(MAX_ENTRIES, f"more than {MAX_ENTRIES} lines, which no baseline has")
-    entries: dict[Known, None] = {}
+    entries: dict[KnownFinding, None] = {}
     versioned = False
     for number, line in enumerate(lines, 1):
         if line.startswith(_CONFLICT):
@@ -86,7 +86,7 @@ def read_compact(data: bytes, name: str) -> tuple[Known, ...]:
     return tuple(sorted(entries, key=lambda entry: entry.sort_key))
 
 
-def _entry(known: Known) -> dict[str, object]:
+def _entry(known: KnownFinding) -> dict[str, object]:
     fields: dict[str, object] = {key: getattr(known, field) for key, field in _STRINGS.items() if getattr(known, field)}
     if known.subject:
         fields["subject"] = list(known.subject)
@@ -113,7 +113,7 @@ def _check_version(fields: dict[str, object], number: int) -> None:
         raise BaselineFormatError(number, f"format version {version!s:.20}; this haros-ci reads {VERSION}")
 
 
-def _known(fields: dict[str, object], number: int) -> Known:
+def _known(fields: dict[str, object], number: int) -> KnownFinding:
     strings: dict[str, str] = {}
     occurrence = 1
     subject: tuple[str, ...] = ()
@@ -138,7 +138,7 @@ def _known(fields: dict[str, object], number: int) -> Known:
             raise BaselineFormatError(number, f"'{key}' is missing")
     if strings["path"].startswith("/") or ".." in strings["path"].split("/"):
         raise BaselineFormatError(number, "'path' is not relative to the workspace root")
-    return Known(
+    return KnownFinding(
         tool=strings["tool"],
         rule=strings["rule"],
         path=strings["path"],

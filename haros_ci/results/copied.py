@@ -18,7 +18,7 @@ from posixpath import splitext
 from haros_ci.model.location import Location
 from haros_ci.results.comments import bare, lines_of, syntax
 from haros_ci.results.result import BaselineState, Related, Report, Result, Run
-from haros_ci.results.scope import Scopes, scopes
+from haros_ci.results.scope import LineScopes, scopes
 
 #: A finding names no more other places than this.
 MOST = 40
@@ -122,7 +122,7 @@ class _Texts:
         self._units: dict[tuple[str, int, int], tuple[str, ...]] = {}
         self._names: dict[str, frozenset[str]] = {}
         self._functions: dict[tuple[str, int], tuple[tuple[int, int], ...]] = {}
-        self._scopes: dict[str, Scopes] = {}
+        self._scopes: dict[str, LineScopes] = {}
 
     def names(self, path: str) -> frozenset[str]:
         """What a file is called by: its package, its directories, and itself without its ending."""

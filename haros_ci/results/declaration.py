@@ -26,7 +26,7 @@ _LONGEST_ARGUMENTS = 120
 Item = str | list[str]  # a token, or the tokens of one parenthesis
 
 
-class Kind(Enum):
+class DeclarationKind(Enum):
     """CONTAINER holds declarations; BODY is skipped and ends the declaration; PART is skipped within it."""
 
     CONTAINER = 1
@@ -34,22 +34,22 @@ class Kind(Enum):
     PART = 3
 
 
-def classify(head: Sequence[str], last: str, inside: str) -> tuple[Kind, str]:
+def classify(head: Sequence[str], last: str, inside: str) -> tuple[DeclarationKind, str]:
     """Kind and name of what ``{`` begins after the tokens *head*, the last of them *last*, in the class *inside*."""
     items = _items(head)
     if not items:
-        return Kind.BODY, ""
+        return DeclarationKind.BODY, ""
     if "namespace" in items:
-        return Kind.CONTAINER, _qualified_from(items, items.index("namespace") + 1)
+        return DeclarationKind.CONTAINER, _qualified_from(items, items.index("namespace") + 1)
     if items[0] == "extern" and len(items) == 2 and isinstance(items[1], str) and items[1].startswith('"'):
-        return Kind.CONTAINER, ""
+        return DeclarationKind.CONTAINER, ""
     if "=" in items:
-        return Kind.PART, ""
+        return DeclarationKind.PART, ""
     key = next((i for i, item in enumerate(items) if isinstance(item, str) and item in _CLASS_KEYS), None)
     if key is not None:
         name = _class_name(items[key + 1 :])
         if name is not None:
-            return (Kind.BODY if items[key] == "enum" else Kind.CONTAINER), name
+            return (DeclarationKind.BODY if items[key] == "enum" else DeclarationKind.CONTAINER), name
     return _function(items, last, inside)
 
 
@@ -137,27 +137,27 @@ def _class_name(after: Sequence[Item]) -> str | None:
     return _qualified_from(head, start)
 
 
-def _function(items: Sequence[Item], last: str, inside: str) -> tuple[Kind, str]:
+def _function(items: Sequence[Item], last: str, inside: str) -> tuple[DeclarationKind, str]:
     groups = [i for i, item in enumerate(items) if isinstance(item, list)]
     if not groups:
         control = any(item in _CONTROL for item in items if isinstance(item, str))
-        return (Kind.BODY if control else Kind.PART), ""
+        return (DeclarationKind.BODY if control else DeclarationKind.PART), ""
     colon = next((i for i in range(groups[0], len(items)) if items[i] == ":"), len(items))
     if colon < len(items) and (_WORD.match(last) or last == ">") and last != "try":
-        return Kind.PART, ""  # a member's initializer in braces
+        return DeclarationKind.PART, ""  # a member's initializer in braces
     found = [(start, name, i) for i in groups if i < colon for start, name in _named(items, i)]
     if not found:
-        return Kind.BODY, ""
+        return DeclarationKind.BODY, ""
     start, name, group = found[0]
     if start == 0 and "::" not in name and name != inside:
         for later_start, later_name, later_group in found[1:]:
             before = items[later_start - 1]
             typed = isinstance(before, str) and before not in _QUALIFIERS and (before in "*&" or _WORD.match(before))
             if typed or "::" in later_name or later_name == inside:
-                return Kind.BODY, later_name
+                return DeclarationKind.BODY, later_name
         if _MACRO.match(name) and name != inside:
-            return Kind.BODY, f"{name}({_arguments(items[group])})"
-    return Kind.BODY, name
+            return DeclarationKind.BODY, f"{name}({_arguments(items[group])})"
+    return DeclarationKind.BODY, name
 
 
 def _named(items: Sequence[Item], group: int) -> list[tuple[int, str]]:

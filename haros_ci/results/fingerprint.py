@@ -13,7 +13,7 @@ from itertools import islice
 from haros_ci.results.comments import bare, lines_of, syntax
 from haros_ci.results.line_hash import github_line_hashes
 from haros_ci.results.result import Identity, Result, Run
-from haros_ci.results.scope import Scopes, scopes
+from haros_ci.results.scope import LineScopes, scopes
 
 #: The hash of nothing: a context with this value begins or ends the file.
 EDGE = sha256(b"").hexdigest()[:16]
@@ -44,7 +44,7 @@ def fingerprint(runs: Iterable[Run], text: Callable[[str], str], language: Calla
     for index, result in enumerate(results):
         by_path.setdefault(result.location.path, []).append(index)
     for path, indexes in sorted(by_path.items()):
-        file = _Lines(path, text(path), language(path))
+        file = _FileLines(path, text(path), language(path))
         for index, identity in zip(indexes, _identities([results[i] for i in indexes], file), strict=True):
             result = results[index]
             results[index] = replace(result, identity=identity, scope=result.scope or identity.scope)
@@ -141,7 +141,7 @@ def digest(text: str) -> str:
 
 
 @dataclass(slots=True)
-class _Lines:
+class _FileLines:
     """A file's lines; normalised ones are made on demand and kept."""
 
     path: str
@@ -176,12 +176,12 @@ def _context_hash(text: str) -> str:
     return digest(text) if not text or len(_NO_WORD.sub("", text)) >= _LEAST_CONTEXT else ""
 
 
-def _identities(results: list[Result], file: _Lines) -> list[Identity]:
+def _identities(results: list[Result], file: _FileLines) -> list[Identity]:
     """Identities of the results of one file, in the order given."""
     placed = {line for result in results if 0 < (line := result.location.line or 0) <= len(file.lines)}
     hashes = github_line_hashes(file.text, placed) if file.text else {}
     own = file.language in _SCOPED
-    names = scopes(file.text, file.language) if own and placed else Scopes()
+    names = scopes(file.text, file.language) if own and placed else LineScopes()
     counts: dict[tuple[str, str, str, str], int] = {}
     identities = [Identity()] * len(results)
     for index in sorted(range(len(results)), key=lambda i: results[i].sort_key):

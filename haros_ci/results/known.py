@@ -16,7 +16,7 @@ ABSENT = BaselineState.ABSENT
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Known:
+class KnownFinding:
     """One finding of the past. The fields up to ``reason`` are all that a compact baseline holds.
 
     ``scope`` to ``roles`` are those of Identity, ``subject`` are Result's names, sorted; ``graph`` is Result's and
@@ -62,7 +62,7 @@ def _nothing(path: str) -> str:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Sides:
+class ComparedFiles:
     """The files behind a comparison, read on demand.
 
     *head* and *base* give a file's text, "" where there is none; *base* is None where the past's files cannot be had.
@@ -84,12 +84,12 @@ class Sides:
     head_names: Mapping[str, frozenset[str]] = field(default_factory=dict)
     base_names: Mapping[str, frozenset[str]] | None = None
 
-    def rule(self, known: Known) -> str:
+    def rule(self, known: KnownFinding) -> str:
         """Today's ``tool:rule`` of a known finding."""
         name = f"{known.tool}:{known.rule}"
         return self.aliases.get(name, name)
 
-    def answered(self, known: Known) -> bool:
+    def answered(self, known: KnownFinding) -> bool:
         """Whether this run can tell that a known finding is gone."""
         if known.names and not self.architecture:
             return False
@@ -97,13 +97,13 @@ class Sides:
         return self.analysed(known.tool, now) if self.exists(now) else not self.partial
 
 
-def known_from_results(results: Iterable[Result]) -> tuple[Known, ...]:
+def known_from_results(results: Iterable[Result]) -> tuple[KnownFinding, ...]:
     """What a baseline remembers, sorted by content: every result that is neither set aside nor absent."""
     found = (known_from(result) for result in results if not is_set_aside(result) and result.state != ABSENT)
     return tuple(sorted(found, key=lambda known: known.sort_key))
 
 
-def known_from_sarif(runs: Iterable[Run]) -> tuple[Known, ...]:
+def known_from_sarif(runs: Iterable[Run]) -> tuple[KnownFinding, ...]:
     """What the runs of a SARIF log remember."""
     return known_from_results(result for run in runs for result in run.results)
 
@@ -117,10 +117,10 @@ def identity_of(result: Result) -> Identity:
     return Identity(scope=result.scope, template=template, names=names, roles=roles)
 
 
-def known_from(result: Result, reason: str = "") -> Known:
+def known_from(result: Result, reason: str = "") -> KnownFinding:
     """One result as a known finding."""
     identity = identity_of(result)
-    return Known(
+    return KnownFinding(
         tool=result.tool,
         rule=result.rule,
         path=result.location.path,
@@ -169,7 +169,7 @@ def sides(
     base: Workspace | None = None,
     renames: Mapping[str, str] | None = None,
     past: tuple[Run, ...] | None = None,
-) -> Sides:
+) -> ComparedFiles:
     """The files on the two sides of a comparison, as the matcher asks for them.
 
     *paths* are the arguments of the run: of a file outside them it cannot be said that it is gone, nor of a
@@ -180,7 +180,7 @@ def sides(
     present = {file.path for file in workspace.files}
     analysed = {run.tool.name: run.analysed for run in runs}
     above = tuple(f"{path}/" for path in paths if path != ".")
-    return Sides(
+    return ComparedFiles(
         head=workspace.text,
         language=lambda path: language.get(path, ""),
         exists=lambda path: path in present or ("." not in paths and not path.startswith(above)),

@@ -7,13 +7,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from haros_ci.model.location import Location
-from haros_ci.results.known import Known, Sides, identity_of
+from haros_ci.results.known import ComparedFiles, KnownFinding, identity_of
 from haros_ci.results.pairing import pair
 from haros_ci.results.result import BaselineState, Identity, Result
 from haros_ci.results.rule import Level
 
 
-def match(new: Sequence[Result], known: Sequence[Known], sides: Sides) -> tuple[Result, ...]:
+def match(new: Sequence[Result], known: Sequence[KnownFinding], sides: ComparedFiles) -> tuple[Result, ...]:
     """The results with ``state`` and ``reason`` set, in their order, then the absent ones, sorted.
 
     *new* are fingerprinted; suppressed ones take part. A result is *updated* when its text, message, level, metric
@@ -21,7 +21,7 @@ def match(new: Sequence[Result], known: Sequence[Known], sides: Sides) -> tuple[
     its file in this run, or the file is gone; of a file that was not looked at nothing is said.
     """
     pairs = {found.new: found for found in pair(new, known, sides)}
-    past = _Past(known, sides)
+    past = _KnownBefore(known, sides)
     found = [
         _matched(result, known[pairs[i].old], pairs[i].evidence)
         if i in pairs
@@ -33,10 +33,10 @@ def match(new: Sequence[Result], known: Sequence[Known], sides: Sides) -> tuple[
     return (*found, *sorted(removed, key=lambda result: result.sort_key))
 
 
-class _Past:
+class _KnownBefore:
     """What the baseline knew, to say why a result is new."""
 
-    def __init__(self, known: Sequence[Known], sides: Sides) -> None:
+    def __init__(self, known: Sequence[KnownFinding], sides: ComparedFiles) -> None:
         self.rules: set[str] = set()
         self.files: set[tuple[str, str]] = set()
         self.texts: set[tuple[str, str, str]] = set()
@@ -70,7 +70,7 @@ class _Past:
         return f"new: no earlier '{result.rule}' is about {names}, or about names that gave way to them"
 
 
-def _matched(result: Result, known: Known, evidence: str) -> Result:
+def _matched(result: Result, known: KnownFinding, evidence: str) -> Result:
     now, place = identity_of(result), result.location
     changes = []
     if known.path != place.path:
@@ -91,7 +91,7 @@ def _matched(result: Result, known: Known, evidence: str) -> Result:
     return replace(result, state=state, reason="; ".join((evidence + _way(known, place), *changes)))
 
 
-def _way(known: Known, place: Location) -> str:
+def _way(known: KnownFinding, place: Location) -> str:
     """From where to where, as far as the baseline tells."""
     if known.path != place.path:
         return f" ({Location(known.path, known.line)} → {Location(place.path, place.line)})"
@@ -100,7 +100,7 @@ def _way(known: Known, place: Location) -> str:
     return f" (line {place.line})" if known.line == place.line else f" ({known.line} → {place.line})"
 
 
-def _renamed(result: Result, known: Known) -> str:
+def _renamed(result: Result, known: KnownFinding) -> str:
     """Which names gave way to which."""
     old, new = sorted({*known.subject} - {*result.subject}), sorted({*result.subject} - {*known.subject})
     if old and not new:
@@ -108,7 +108,7 @@ def _renamed(result: Result, known: Known) -> str:
     return f"names changed: {', '.join(old) or '?'} → {', '.join(new) or '?'}"
 
 
-def _absent(known: Known, sides: Sides) -> Result:
+def _absent(known: KnownFinding, sides: ComparedFiles) -> Result:
     now = sides.renames.get(known.path, known.path)
     return Result(
         tool=known.tool,

@@ -8,12 +8,12 @@ from collections.abc import Callable, Container, Iterable, Sequence
 from dataclasses import dataclass
 
 from haros_ci.results.assignment import assign
-from haros_ci.results.candidate import Candidate, Key, Pair, features, grouped, picker
+from haros_ci.results.candidate import Key, MatchCandidate, MatchedPair, features, grouped, picker
 from haros_ci.results.comments import lines_of
 from haros_ci.results.fingerprint import quoted_names, text_hashes
-from haros_ci.results.known import Known, Sides, identity_of
+from haros_ci.results.known import ComparedFiles, KnownFinding, identity_of
 from haros_ci.results.line_map import line_mapper, words
-from haros_ci.results.renaming import Evidence, pair_partly_mended, pair_renamed
+from haros_ci.results.renaming import RenamingEvidence, pair_partly_mended, pair_renamed
 from haros_ci.results.result import Result
 
 #: Lines that a mapped line may be off.
@@ -113,7 +113,7 @@ _MOVED = (
 _RENAMED = (_Pass("RNSM", "same message in a file of the same name; the old file is gone", gone=True),)
 
 
-def pair(new: Sequence[Result], known: Sequence[Known], sides: Sides) -> tuple[Pair, ...]:
+def pair(new: Sequence[Result], known: Sequence[KnownFinding], sides: ComparedFiles) -> tuple[MatchedPair, ...]:
     """Pair results with known findings. No two pairs share a side; copies of a known finding stay unpaired."""
     matcher = _Matcher(new, known, sides)
     matcher.run_named()
@@ -128,11 +128,11 @@ def pair(new: Sequence[Result], known: Sequence[Known], sides: Sides) -> tuple[P
 class _Matcher:
     """What is still unpaired on each side, between passes."""
 
-    def __init__(self, new: Sequence[Result], known: Sequence[Known], sides: Sides) -> None:
+    def __init__(self, new: Sequence[Result], known: Sequence[KnownFinding], sides: ComparedFiles) -> None:
         self.sides = sides
         self.known = known
         self.results = new
-        self.pairs: list[Pair] = []
+        self.pairs: list[MatchedPair] = []
         self.maps: dict[str, Callable[[int], int | None] | None] = {}
         self.texts: dict[tuple[bool, str], frozenset[str]] = {}
         self.old_paths = {now: before for before, now in sides.renames.items()}
@@ -141,18 +141,18 @@ class _Matcher:
         rules = {sides.rule(k) for k in known}
         self.new = [self.of_result(i, result) for i, result in enumerate(new) if result.full_id in rules]
 
-    def of_result(self, index: int, result: Result) -> Candidate:
+    def of_result(self, index: int, result: Result) -> MatchCandidate:
         seen, line = identity_of(result), result.location.line
-        thing = Candidate(index, result.location.path, line, (line or 0, index), seen.scope, seen.text, seen.names)
+        thing = MatchCandidate(index, result.location.path, line, (line or 0, index), seen.scope, seen.text, seen.names)
         text = seen.text if seen.text or line is None else None
         thing.features = features(thing, result.full_id, seen, text, result.message, result.value is not None, True)
         return thing
 
-    def of_known(self, index: int, known: Known, path: str | None = None) -> Candidate:
+    def of_known(self, index: int, known: KnownFinding, path: str | None = None) -> MatchCandidate:
         path = path or self.sides.renames.get(known.path, known.path)
         line = self.mapped(known.line, known.path, path)
         place = (line or known.line or 0, known.occurrence)
-        thing = Candidate(index, path, line, place, known.scope, known.text, known.names)
+        thing = MatchCandidate(index, path, line, place, known.scope, known.text, known.names)
         blind = not known.text and known.line is not None
         text = None if blind else known.text
         thing.features = features(thing, self.sides.rule(known), known, text, known.message, True, blind)
@@ -181,11 +181,11 @@ class _Matcher:
             return
         self.run(_NAMED)
         self.take(pair_partly_mended(self.new, self.old, self.results, self.known))
-        evidence = Evidence(self.results, self.known, self.sides, self.place_of)
+        evidence = RenamingEvidence(self.results, self.known, self.sides, self.place_of)
         self.take(pair_renamed(self.sides, self.new, self.old, evidence))
         self.old = [thing for thing in self.old if not thing.names]
 
-    def take(self, found: Iterable[Pair]) -> None:
+    def take(self, found: Iterable[MatchedPair]) -> None:
         """Pairs that another than the passes found."""
         pairs = tuple(found)
         self.pairs += pairs
@@ -193,7 +193,7 @@ class _Matcher:
         self.old = _without(self.old, {pair.old for pair in pairs})
 
     def run(self, passes: Iterable[_Pass]) -> None:
-        pools: dict[str, tuple[list[Candidate], list[Candidate]]] = {}
+        pools: dict[str, tuple[list[MatchCandidate], list[MatchCandidate]]] = {}
         for step in passes:
             if step.anchor not in pools:
                 pools[step.anchor] = _common(self.old, self.new, picker(step.anchor))
@@ -221,13 +221,13 @@ class _Matcher:
                         continue
                     taken_new.add(here[a].index)
                     taken_old.add(there[b].index)
-                    self.pairs.append(Pair(here[a].index, there[b].index, step.evidence))
+                    self.pairs.append(MatchedPair(here[a].index, there[b].index, step.evidence))
             if not taken_old:
                 continue
             self.old, self.new = _without(self.old, taken_old), _without(self.new, taken_new)
             pools = {key: (_without(o, taken_old), _without(n, taken_new)) for key, (o, n) in pools.items()}
 
-    def fits(self, thing: Candidate, step: _Pass) -> bool:
+    def fits(self, thing: MatchCandidate, step: _Pass) -> bool:
         """Whether a known finding may take part in a pass."""
         if (step.near and thing.line is None) or (step.scoped and not thing.scope):
             return False
@@ -240,18 +240,18 @@ class _Matcher:
             return True
         return not step.gone and self.sides.answered(known)
 
-    def is_gone(self, thing: Candidate) -> bool:
+    def is_gone(self, thing: MatchCandidate) -> bool:
         """Whether the line of a known finding stands in its file no more: else it was mended where it is."""
         return not thing.text or thing.text not in self.lines(self.sides.head, thing.path, is_head=True)
 
-    def is_fresh(self, thing: Candidate) -> bool:
+    def is_fresh(self, thing: MatchCandidate) -> bool:
         """Whether the line of a result was not in the old file: else something else made the result."""
         base = self.sides.base
         if base is None or not thing.text:
             return True
         return thing.text not in self.lines(base, self.old_paths.get(thing.path, thing.path), is_head=False)
 
-    def akin(self, old: Candidate, new: Candidate) -> bool:
+    def akin(self, old: MatchCandidate, new: MatchCandidate) -> bool:
         """Whether one line is mostly part of the other, as when an expression was spread over several lines."""
         base, line = self.sides.base, self.known[old.index].line
         if base is None or line is None or new.line is None:
@@ -261,7 +261,7 @@ class _Matcher:
         least = min(here.total(), there.total())
         return least > 0 and (here & there).total() >= _KINSHIP * least
 
-    def is_rewritten(self, old: Candidate, new: Candidate) -> bool:
+    def is_rewritten(self, old: MatchCandidate, new: MatchCandidate) -> bool:
         """Whether the two are about other names, in lines that have neither their shape nor most of their other words in common."""
         known, result = self.known[old.index], self.results[new.index]
         before, after = quoted_names(known.message), quoted_names(result.message)
@@ -303,13 +303,13 @@ class _Matcher:
 
 
 def _common(
-    old: list[Candidate], new: list[Candidate], pick: Callable[[Key], Key]
-) -> tuple[list[Candidate], list[Candidate]]:
+    old: list[MatchCandidate], new: list[MatchCandidate], pick: Callable[[Key], Key]
+) -> tuple[list[MatchCandidate], list[MatchCandidate]]:
     """Those of each side whose key the other side has too, and that lack no part of it."""
     keys = {pick(thing.features) for thing in old} & {pick(thing.features) for thing in new}
     keys = {key for key in keys if None not in key}
     return [t for t in old if pick(t.features) in keys], [t for t in new if pick(t.features) in keys]
 
 
-def _without(things: list[Candidate], taken: Container[int]) -> list[Candidate]:
+def _without(things: list[MatchCandidate], taken: Container[int]) -> list[MatchCandidate]:
     return [thing for thing in things if thing.index not in taken]

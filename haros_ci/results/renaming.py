@@ -12,8 +12,8 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from haros_ci.results.candidate import Candidate, Key, Pair, grouped, picker
-from haros_ci.results.known import Known, Sides, identity_of
+from haros_ci.results.candidate import Key, MatchCandidate, MatchedPair, grouped, picker
+from haros_ci.results.known import ComparedFiles, KnownFinding, identity_of
 from haros_ci.results.result import Result
 
 #: Where a line of an old path stands in a new one; None if it is gone or nothing can be said.
@@ -37,17 +37,17 @@ _BY_TEXT = (
 
 
 def pair_renamed(
-    sides: Sides, new: Iterable[Candidate], old: Iterable[Candidate], evidence: Evidence
-) -> tuple[Pair, ...]:
+    sides: ComparedFiles, new: Iterable[MatchCandidate], old: Iterable[MatchCandidate], evidence: RenamingEvidence
+) -> tuple[MatchedPair, ...]:
     """Pairs of those in *new* and *old*, all of one comparison, that are named otherwise and are the same finding."""
     new, old = [thing for thing in new if thing.names], [thing for thing in old if thing.names]
-    pairs: dict[int, Pair] = {}
+    pairs: dict[int, MatchedPair] = {}
     for letters, words in _BY_TEXT if sides.base is None else _BY_LINE:
         pick = picker(letters)
         olds = grouped(old, pick, {pick(thing.features) for thing in new})
         news = grouped(new, pick, olds)
         for key, here in news.items():
-            pairs.update((a, Pair(a, b, words)) for a, b in _assigned(here, olds[key], evidence))
+            pairs.update((a, MatchedPair(a, b, words)) for a, b in _assigned(here, olds[key], evidence))
         removed = {pair.old for pair in pairs.values()}
         new = [thing for thing in new if thing.index not in pairs]
         old = [thing for thing in old if thing.index not in removed]
@@ -55,8 +55,11 @@ def pair_renamed(
 
 
 def pair_partly_mended(
-    new: Iterable[Candidate], old: Iterable[Candidate], results: Sequence[Result], known: Sequence[Known]
-) -> tuple[Pair, ...]:
+    new: Iterable[MatchCandidate],
+    old: Iterable[MatchCandidate],
+    results: Sequence[Result],
+    known: Sequence[KnownFinding],
+) -> tuple[MatchedPair, ...]:
     """Pairs of findings of one rule and file of which the result is about some of the names, and no other.
 
     Two names at least: a single one says too little of what was wrong with it.
@@ -75,11 +78,14 @@ def pair_partly_mended(
                     choices.append((removed, abs(a.place[0] - b.place[0]), a.place, b.place, a.index, b.index))
     found = _one_to_one((new, old) for *_, new, old in sorted(choices))
     return tuple(
-        Pair(new, old, "some of the same ROS names in the same file; the others were mended") for new, old in found
+        MatchedPair(new, old, "some of the same ROS names in the same file; the others were mended")
+        for new, old in found
     )
 
 
-def _assigned(here: list[Candidate], there: list[Candidate], evidence: Evidence) -> list[tuple[int, int]]:
+def _assigned(
+    here: list[MatchCandidate], there: list[MatchCandidate], evidence: RenamingEvidence
+) -> list[tuple[int, int]]:
     """One to one: those that have most names in common first, then the nearest."""
     if len(here) * len(there) > _MOST_CHOICES:
         return []
@@ -105,10 +111,12 @@ def _one_to_one(choices: Iterable[tuple[int, int]]) -> list[tuple[int, int]]:
     return found
 
 
-class Evidence:
+class RenamingEvidence:
     """What tells a renaming from one defect mended and another made."""
 
-    def __init__(self, results: Sequence[Result], known: Sequence[Known], sides: Sides, mapped: Mapped) -> None:
+    def __init__(
+        self, results: Sequence[Result], known: Sequence[KnownFinding], sides: ComparedFiles, mapped: Mapped
+    ) -> None:
         self.results, self.known, self.sides, self.mapped = results, known, sides, mapped
         self.now = _System(sides.head_names, ((result.graph, result.subject) for result in results))
         self.past = _System(sides.base_names or {}, ((entry.graph, entry.subject) for entry in known))
@@ -143,7 +151,7 @@ class Evidence:
         renamed = Counter(subject - {old} | {new} for subject in subjects if old in subject)
         return renamed.total() == len(subjects) and renamed == Counter(self.news[kind])
 
-    def in_place(self, result: Result, known: Known) -> bool:
+    def in_place(self, result: Result, known: KnownFinding) -> bool:
         """Whether the further places of a known finding are further places of the result, moved or edited."""
         places = {(near.location.path, near.location.line) for near in result.related}
         return all(self.mapped(path, line) in places for path, line in known.related)

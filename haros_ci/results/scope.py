@@ -10,7 +10,7 @@ from haros_ci.results.comments import lines_of
 
 
 @dataclass(frozen=True, slots=True)
-class Scopes:
+class LineScopes:
     """Qualified names by line: *names[i]* holds from line *starts[i]* up to the next start."""
 
     starts: tuple[int, ...] = ()
@@ -22,7 +22,7 @@ class Scopes:
         return self.names[index] if index >= 0 else ""
 
 
-def scopes(text: str, language: str) -> Scopes:
+def scopes(text: str, language: str) -> LineScopes:
     """The scopes of a C, C++ or Python text, in linear time; none for other languages. Broken input never raises.
 
     A scope begins where its declaration does and ends with its last line of code. Lambdas and blocks are no scopes;
@@ -34,9 +34,9 @@ def scopes(text: str, language: str) -> Scopes:
     elif language == "python":
         from haros_ci.results.scope_python import python_marks as marks
     else:
-        return Scopes()
+        return LineScopes()
     found = marks("\n".join(lines_of(text)))
-    return Scopes(tuple(line for line, _ in found), tuple(name for _, name in found))
+    return LineScopes(tuple(line for line, _ in found), tuple(name for _, name in found))
 
 
 def mark(marks: list[tuple[int, str]], line: int, name: str) -> None:

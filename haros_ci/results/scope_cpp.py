@@ -8,7 +8,7 @@ from bisect import bisect_right
 from dataclasses import dataclass, field, replace
 
 from haros_ci.results.comments import C_SKIPPED
-from haros_ci.results.declaration import KEYS, Kind, classify
+from haros_ci.results.declaration import KEYS, DeclarationKind, classify
 from haros_ci.results.scope import mark
 
 _SKIPPED = rf"{C_SKIPPED}|(?<=\#)(?:[^\n\\/]+|\\[\s\S]?|//[^\n]*|/\*[\s\S]*?(?:\*/|\Z)|/)*"
@@ -33,7 +33,7 @@ class _Container:
 
 
 @dataclass(slots=True)
-class _State:
+class _ScanState:
     """Where the scan is: in *container*, or *depth* braces deep in a body within it.
 
     The declaration at hand is the tokens *head*, the first of them at offset *begin*, and the text from *read* on.
@@ -62,8 +62,8 @@ def cpp_marks(text: str) -> list[tuple[int, str]]:
     """(line, qualified name from there on), ascending."""
     marks: list[tuple[int, str]] = []
     breaks = [match.start() for match in re.finditer("\n", text)]
-    state = _State(_Container("", "", None))
-    conditions: list[tuple[_State | None, bool]] = []  # (state at #if, its branch is "#if 0")
+    state = _ScanState(_Container("", "", None))
+    conditions: list[tuple[_ScanState | None, bool]] = []  # (state at #if, its branch is "#if 0")
     position = 0
     while match := (_IN_BODY if state.depth else _IN_CONTAINER).search(text, position):
         position = match.end()
@@ -93,7 +93,7 @@ def cpp_marks(text: str) -> list[tuple[int, str]]:
     return marks
 
 
-def _read(state: _State, text: str, end: int) -> list[str]:
+def _read(state: _ScanState, text: str, end: int) -> list[str]:
     """Move the text up to *end* into the head; returns its tokens."""
     tokens: list[str] = []
     for match in _TOKEN.finditer(text, state.read, end):
@@ -118,7 +118,7 @@ def _read(state: _State, text: str, end: int) -> list[str]:
     return tokens
 
 
-def _open(state: _State, tokens: list[str], position: int, marks: list[tuple[int, str]], line: int) -> None:
+def _open(state: _ScanState, tokens: list[str], position: int, marks: list[tuple[int, str]], line: int) -> None:
     """Go through an opening brace into what the declaration makes of it; *tokens* are those since its last part."""
     state.depth, state.body = 1, state.container.name
     if state.parens or (state.part and state.last not in (")", "}") and KEYS.isdisjoint(tokens)):
@@ -129,19 +129,19 @@ def _open(state: _State, tokens: list[str], position: int, marks: list[tuple[int
     qualified = f"{outer}::{name}" if outer and name else outer or name
     if len(qualified) > _LONGEST_NAME:
         qualified = outer
-    state.part = kind is Kind.PART
-    if kind is Kind.CONTAINER:
+    state.part = kind is DeclarationKind.PART
+    if kind is DeclarationKind.CONTAINER:
         state.depth = 0
         state.container = _Container(qualified, name.rpartition("::")[2], state.container)
         state.next_declaration(position)
-    if kind is not Kind.PART:
+    if kind is not DeclarationKind.PART:
         state.body = qualified
         mark(marks, line, qualified)
 
 
 def _conditional(
-    match: re.Match[str], text: str, state: _State, conditions: list[tuple[_State | None, bool]]
-) -> _State:
+    match: re.Match[str], text: str, state: _ScanState, conditions: list[tuple[_ScanState | None, bool]]
+) -> _ScanState:
     """Both branches of ``#if`` start from the same state, so that each may open the same brace."""
     found = _CONDITIONAL.match(match[0])
     if not found:

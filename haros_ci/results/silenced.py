@@ -19,7 +19,7 @@ _LARGEST_MAPPED = 1_000_000
 
 
 @dataclass(frozen=True, slots=True)
-class Pair:
+class SilencedPair:
     """A changed file: its path and text now and, if it was there before, its text then (None: it is new)."""
 
     path: str
@@ -39,7 +39,7 @@ class _Mark:
     is_own: bool
 
 
-def silenced(pairs: Iterable[Pair], removed: Iterable[tuple[str, str, str]], runs: Iterable[Run]) -> Silenced:
+def silenced(pairs: Iterable[SilencedPair], removed: Iterable[tuple[str, str, str]], runs: Iterable[Run]) -> Silenced:
     """The comments that are new in *pairs*, and how many results of *runs* are suppressed by new ones alone.
 
     A comment is old if one with the same words stands in the base on the line that maps to its own, or beside the same code: in the same
@@ -84,7 +84,7 @@ def _marks(path: str, language: str, text: str) -> Iterator[_Mark]:
         yield _Mark(Location(path, found.line), found.words, found.code, found.form.name, is_own=False)
 
 
-def _unmapped(pair: Pair, marks: list[_Mark], before: list[_Mark]) -> tuple[list[_Mark], list[_Mark]]:
+def _unmapped(pair: SilencedPair, marks: list[_Mark], before: list[_Mark]) -> tuple[list[_Mark], list[_Mark]]:
     """The *marks* that do not stand where an equal one of *before* stood, and those of *before* that remain."""
     if not marks or not before or pair.base is None:
         return marks, before

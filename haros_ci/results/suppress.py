@@ -50,7 +50,7 @@ def suppress(
     silenced = tuple(
         replace(run, results=tuple(_silenced(result, by_line, matches, used) for result in run.results)) for run in runs
     )
-    judge = _Judge(runs, matches, enabled)
+    judge = _CommentJudge(runs, matches, enabled)
     unused = []
     for directive in found:
         if directive.metrics_only:
@@ -83,7 +83,7 @@ def _silenced(
     return replace(result, suppressions=tuple(suppressions))
 
 
-class _Judge:
+class _CommentJudge:
     """Whether this run could have reported what a comment names."""
 
     def __init__(self, runs: tuple[Run, ...], matches: Matches, enabled: Enabled | None) -> None:

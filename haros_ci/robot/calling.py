@@ -13,7 +13,7 @@ from typing import Any
 from haros_ci.robot.evaluating import Evaluating
 from haros_ci.robot.expressions import Invalid, Undefined
 from haros_ci.robot.nodes import Node
-from haros_ci.robot.scopes import Macro, Macros, Scope
+from haros_ci.robot.scopes import Macros, XacroMacro, XacroScope
 from haros_ci.robot.sources import Sources
 from haros_ci.robot.unknown import UNKNOWN, Unknown
 
@@ -29,17 +29,17 @@ class Calling(Evaluating):
         super().__init__(sources, path, arguments)
         self.is_whole = True
 
-    def content(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+    def content(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
         """Evaluate the attributes and the text of *node*, and what is in it, *into* an element that comes out."""
         raise NotImplementedError
 
-    def inside(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+    def inside(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
         """What is in *node*, without *node*; attributes that it sets are lost with it."""
         holder = Node(node.tag, {}, node.location)
         self.content(node, macros, scope, holder)
         into.children += holder.children
 
-    def dynamic_call(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+    def dynamic_call(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
         """``xacro:call``: the macro's name is evaluated."""
         name = self.words(node.attributes.get("macro", ""), scope, node)
         if isinstance(name, Unknown):
@@ -48,7 +48,7 @@ class Calling(Evaluating):
         left = {key: value for key, value in node.attributes.items() if key != "macro"}
         self.call(replace(node, attributes=left), name, macros, scope, into)
 
-    def call(self, node: Node, name: str, macros: Macros, scope: Scope, into: Node) -> None:
+    def call(self, node: Node, name: str, macros: Macros, scope: XacroScope, into: Node) -> None:
         """xacro's handle_macro_call."""
         found = _resolved(name, macros, scope)
         if found is None or not found[2].certain:
@@ -58,7 +58,7 @@ class Calling(Evaluating):
             self.world.is_open = self.world.is_open or found is not None
             return
         around, outer, macro = found
-        inner = Scope(self.world, outer)
+        inner = XacroScope(self.world, outer)
         left = list(macro.parameters)
         self.spend(len(left) * (len(node.attributes) + 1) // 64)
         for key, value in node.attributes.items():
@@ -82,7 +82,9 @@ class Calling(Evaluating):
         self.inside(macro.body, Macros(self.world, around), inner, into)
         self.way = before
 
-    def _blocks(self, node: Node, blocks: list[Node], left: list[str], macro: Macro, inner: Scope) -> list[str]:
+    def _blocks(
+        self, node: Node, blocks: list[Node], left: list[str], macro: XacroMacro, inner: XacroScope
+    ) -> list[str]:
         """Give the elements in a call to the block parameters, in order; the parameters that are left."""
         certain = [block for block in blocks if block.certain]
         for key in [item for item in left if item.startswith("*")]:
@@ -98,7 +100,7 @@ class Calling(Evaluating):
             blocks = certain = blocks[1:]
         return left
 
-    def _default(self, key: str, macro: Macro, scope: Scope, node: Node) -> Any:
+    def _default(self, key: str, macro: XacroMacro, scope: XacroScope, node: Node) -> Any:
         if key not in macro.defaults:
             return UNKNOWN
         forward, default = macro.defaults[key]
@@ -121,7 +123,7 @@ def _similar(name: str, known: Iterable[str], cutoff: float = 0.7) -> tuple[str,
     return tuple(get_close_matches(name, near, 3, cutoff)) if len(name) <= MAX_NAME else ()
 
 
-def _resolved(name: str, macros: Macros, scope: Scope) -> tuple[Macros, Scope, Macro] | None:
+def _resolved(name: str, macros: Macros, scope: XacroScope) -> tuple[Macros, XacroScope, XacroMacro] | None:
     """The macro *name*, with the macros and properties that it sees; ``ns.name`` is looked up in the namespace."""
     found = macros.get(name)
     if found is not None:

@@ -36,7 +36,7 @@ MAX_CALLERS = 5_000_000
 
 
 @dataclass(slots=True)
-class Included:
+class IncludedFiles:
     """Names of files as includes have them; what is computed in one may be anything."""
 
     names: set[str] = field(default_factory=set)
@@ -176,9 +176,9 @@ class Descriptions:
                         return
                     yield text
 
-    def _included(self) -> Included:
+    def _included(self) -> IncludedFiles:
         """The names of files that some xacro may include."""
-        found = Included()
+        found = IncludedFiles()
         for file in self.workspace.files:
             if file.language != "xml" or "include" not in self.workspace.text(file.path):
                 continue

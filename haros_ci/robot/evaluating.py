@@ -15,7 +15,7 @@ from haros_ci.model.robot import Fault, Way
 from haros_ci.robot.expressions import Invalid, Undefined, evaluate, is_open, parsed
 from haros_ci.robot.functions import LIMITS, Function, Module, NotFollowed, TooMuch, tokenize
 from haros_ci.robot.nodes import Node
-from haros_ci.robot.scopes import Scope, World
+from haros_ci.robot.scopes import XacroGlobals, XacroScope
 from haros_ci.robot.sources import FIND, HERE, Sources
 from haros_ci.robot.texts import parts_of
 from haros_ci.robot.unknown import UNKNOWN, Unknown
@@ -47,7 +47,7 @@ class Evaluating:
         self.steps = min(MAX_STEPS, max(sources.steps, LEAST_STEPS))
         self.takes_any = False
         self.environment: Mapping[str, str] = {}
-        self.world = World(self.text, self._offers())
+        self.world = XacroGlobals(self.text, self._offers())
         self._loaded: dict[str, Any] = {}
 
     def spend(self, steps: int) -> None:
@@ -69,20 +69,20 @@ class Evaluating:
                 kind=kind, name=name, location=at, certain=certain, of=of, similar=found, way=self.way
             )
 
-    def words(self, text: str | Unknown, scope: Scope, node: Node) -> str | Unknown:
+    def words(self, text: str | Unknown, scope: XacroScope, node: Node) -> str | Unknown:
         """*text* evaluated, as a text."""
         if isinstance(text, str) and "$" not in text:
             return text
         value = self.value(text, scope, node)
         if isinstance(value, (list, tuple, dict)):
             self.spend(weight(value, LIMITS) // 8)
-        if is_open(value) or isinstance(value, (Scope, Function, Module)):
+        if is_open(value) or isinstance(value, (XacroScope, Function, Module)):
             return UNKNOWN
         found = str(value)
         self.spend(len(found) // 64)
         return found
 
-    def value(self, text: str | Unknown, scope: Scope, node: Node) -> Any:
+    def value(self, text: str | Unknown, scope: XacroScope, node: Node) -> Any:
         """*text* evaluated at *node*; UNKNOWN where it is not known, with a fault where that is why."""
         if isinstance(text, Unknown):
             return UNKNOWN
@@ -96,7 +96,7 @@ class Evaluating:
             self.fault("expression", str(err), node)
         return UNKNOWN
 
-    def text(self, text: str, scope: Scope) -> Any:
+    def text(self, text: str, scope: XacroScope) -> Any:
         """xacro's eval_text: one part alone keeps its type, several are joined."""
         self.spend(1)
         if "$" not in text:
@@ -114,20 +114,20 @@ class Evaluating:
                 found.append(content)
         if len(found) == 1:
             return found[0]
-        if is_open(found) or any(isinstance(item, (Scope, Function, Module)) for item in found):
+        if is_open(found) or any(isinstance(item, (XacroScope, Function, Module)) for item in found):
             return UNKNOWN
         joined = "".join(map(str, found))
         if len(joined) > MAX_TEXT:
             raise TooMuch
         return joined
 
-    def _expression(self, content: str, scope: Scope) -> Any:
+    def _expression(self, content: str, scope: XacroScope) -> Any:
         written = self.text(content, scope)
         if isinstance(written, Unknown):
             return UNKNOWN
         return evaluate(str(written), scope, self.spend)
 
-    def _substitution(self, content: str, scope: Scope) -> Any:
+    def _substitution(self, content: str, scope: XacroScope) -> Any:
         """``$(…)``: find, arg, env, optenv, eval, cwd and dirname of xacro's substitution_args."""
         written = self.text(content, scope)
         if not isinstance(written, str):
@@ -167,7 +167,7 @@ class Evaluating:
         names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
         if any(isinstance(node, ast.Call) for node in ast.walk(tree)):
             return UNKNOWN
-        scope = Scope(self.world)
+        scope = XacroScope(self.world)
         for name in names & self.arguments.keys():
             value = self.arguments[name]
             scope.put(name, value, lazy=False, location=None)
@@ -209,6 +209,6 @@ class Evaluating:
 
     def _number(self, text: str) -> object:
         try:
-            return evaluate(text, Scope(self.world), self.spend)
+            return evaluate(text, XacroScope(self.world), self.spend)
         except (Undefined, Invalid):
             return UNKNOWN

@@ -16,7 +16,7 @@ from haros_ci.robot.calling import Calling
 from haros_ci.robot.functions import TooMuch
 from haros_ci.robot.legacy import LEGACY, is_call
 from haros_ci.robot.nodes import Node
-from haros_ci.robot.scopes import Macro, Macros, Scope
+from haros_ci.robot.scopes import Macros, XacroMacro, XacroScope
 from haros_ci.robot.sources import Sources, said
 from haros_ci.robot.texts import is_read, parameters_of, truth
 from haros_ci.robot.unknown import UNKNOWN, Unknown
@@ -73,7 +73,7 @@ class Expansion(Calling):
             return Expanded(source, (), (self.path,), (), True)  # none that xacro is run on
         root = replace(source, children=[], attributes={})
         try:
-            self.content(source, Macros(self.world), Scope(self.world), root)
+            self.content(source, Macros(self.world), XacroScope(self.world), root)
         except (TooMuch, RecursionError):
             self.give_up()
         whole = self.is_whole and not self.world.is_open
@@ -91,7 +91,7 @@ class Expansion(Calling):
             replace(fault, defined_later=True) if fault.name in ever else fault for fault in self.faults.values()
         )
 
-    def content(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+    def content(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
         """Evaluate the attributes and the text of *node*, and what is in it, *into* an element that comes out."""
         self.depth += 1
         if self.depth > MAX_DEPTH:
@@ -108,7 +108,7 @@ class Expansion(Calling):
             self.child(child, macros, scope, into)
         self.depth -= 1
 
-    def child(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+    def child(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
         tag = node.tag
         if self.legacy and tag in LEGACY:
             tag = f"xacro:{tag}"
@@ -126,14 +126,14 @@ class Expansion(Calling):
                     return
             self.element(node, node.tag, macros, scope, into)
 
-    def element(self, node: Node, tag: str, macros: Macros, scope: Scope, into: Node) -> None:
+    def element(self, node: Node, tag: str, macros: Macros, scope: XacroScope, into: Node) -> None:
         """A tag that is none of xacro's."""
         certain = self.world.maybe == 0
         made = Node(tag, {}, node.location, certain=certain and node.certain, way=node.way or self.way)
         self.content(node, macros, scope, made)
         into.children.append(made)
 
-    def named_element(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+    def named_element(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
         """``xacro:element``: a tag whose name is evaluated."""
         name = self.words(node.attributes.get("xacro:name", ""), scope, node)
         if isinstance(name, Unknown) or not name:
@@ -141,13 +141,13 @@ class Expansion(Calling):
             return
         self.child(replace(node, tag=name), macros, scope, into)
 
-    def attribute(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+    def attribute(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
         name = self.words(node.attributes.get("name", ""), scope, node)
         value = self.words(node.attributes.get("value", ""), scope, node)
         if isinstance(name, str) and name:
             into.attributes[name] = value if self.world.maybe == 0 else UNKNOWN
 
-    def insert_block(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+    def insert_block(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
         name = str(node.attributes.get("name", ""))
         for key, whole in (("**" + name, False), ("*" + name, True)):
             if not scope.is_set(key):
@@ -166,7 +166,7 @@ class Expansion(Calling):
         else:
             self.fault("block", name, node, of=name if is_parameter else "")
 
-    def condition(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+    def condition(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
         value = self.value(node.attributes.get("value", ""), scope, node)
         known = None if isinstance(value, Unknown) else truth(value)
         if known is None:
@@ -177,7 +177,7 @@ class Expansion(Calling):
         elif known is not node.tag.endswith("unless"):
             self.inside(replace(node, attributes={}), macros, scope, into)
 
-    def argument(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+    def argument(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
         name = str(node.attributes.get("name", ""))
         if self.takes_any:
             return
@@ -188,7 +188,7 @@ class Expansion(Calling):
             value = self.words(node.attributes["default"], scope, node)
             self.arguments[name] = value if self.world.maybe == 0 else UNKNOWN
 
-    def property(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+    def property(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
         """xacro's grab_property."""
         attributes = node.attributes
         name = self.words(attributes.get("name", ""), scope, node)
@@ -213,7 +213,7 @@ class Expansion(Calling):
             value = self.value(value, scope, node)
         where.put(name, value, lazy=lazy, location=node.location)
 
-    def macro(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+    def macro(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
         """xacro's grab_macro."""
         name = str(node.attributes.get("name", "")).removeprefix("xacro:")
         params = str(node.attributes.get("params", ""))
@@ -222,10 +222,10 @@ class Expansion(Calling):
         defaults = {key: (forward, default) for key, forward, default in found if forward or default is not None}
         certain = self.world.maybe <= macros.maybe or macros.get(name) is None
         certain = certain and is_read(key for key, _, _ in found)
-        macros.found[name] = Macro(name, node, tuple(key for key, _, _ in found), defaults, certain)
+        macros.found[name] = XacroMacro(name, node, tuple(key for key, _, _ in found), defaults, certain)
         self.defined[name] = None
 
-    def include(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+    def include(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
         """xacro's process_include."""
         if "ns" in node.attributes:
             space = self.words(node.attributes["ns"], scope, node)
@@ -234,7 +234,7 @@ class Expansion(Calling):
                 return
             around = scope
             macros.namespaces[space] = macros = Macros(self.world)
-            scope.namespaces[space] = scope = Scope(self.world, around, is_namespace=True)
+            scope.namespaces[space] = scope = XacroScope(self.world, around, is_namespace=True)
         name = self.words(node.attributes.get("filename", ""), scope, node)
         if isinstance(name, Unknown):
             self.world.is_open = True
@@ -255,7 +255,7 @@ class Expansion(Calling):
         elif not located.is_missing:
             self.world.is_open = True
 
-    def included(self, path: str, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+    def included(self, path: str, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
         source = self.sources.read(path)
         if source is None:
             self.world.is_open = True

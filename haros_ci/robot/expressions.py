@@ -30,7 +30,7 @@ class Invalid(Exception):
     """An expression or a text that xacro refuses, or that is not followed here: its value is not known."""
 
 
-class Names(Protocol):
+class ExpressionNames(Protocol):
     """What an expression asks for names."""
 
     def look_up(self, name: str) -> Any:
@@ -48,7 +48,7 @@ def parsed(text: str) -> ast.expr | None:
         return None
 
 
-def evaluate(text: str, names: Names, spend: Callable[[int], None]) -> Any:
+def evaluate(text: str, names: ExpressionNames, spend: Callable[[int], None]) -> Any:
     """The value of the expression *text*, UNKNOWN if it is not known. *spend* is told each step. Undefined, Invalid."""
     tree = parsed(text)
     if tree is None:
@@ -90,7 +90,7 @@ class _Xacro(language.Language):
     has_keywords = True
     has_functions = True
 
-    def __init__(self, names: Names, spend: Callable[[int], None]) -> None:
+    def __init__(self, names: ExpressionNames, spend: Callable[[int], None]) -> None:
         self.names = names
         self.spend = spend
 

@@ -26,10 +26,10 @@ class _Entry:
 
 
 @dataclass(slots=True)
-class World:
+class XacroGlobals:
     """What all scopes of one expansion share. *text* evaluates a text in a scope; *is_open* says that names may come from what is not read."""
 
-    text: Callable[[str, Scope], Any]
+    text: Callable[[str, XacroScope], Any]
     xacro: Module
     is_open: bool = False
     maybe: int = 0
@@ -38,15 +38,15 @@ class World:
     ever: set[str] = field(default_factory=set)
 
 
-class Scope:
+class XacroScope:
     """Properties by name, with those around. A namespace (``ns=`` of an include) passes values on to its caller's scope."""
 
-    def __init__(self, world: World, parent: Scope | None = None, *, is_namespace: bool = False) -> None:
+    def __init__(self, world: XacroGlobals, parent: XacroScope | None = None, *, is_namespace: bool = False) -> None:
         self.world = world
         self.parent = parent
         self.is_namespace = is_namespace
         self.entries: dict[str, _Entry] = {}
-        self.namespaces: dict[str, Scope] = {}
+        self.namespaces: dict[str, XacroScope] = {}
         self.maybe = world.maybe
 
     def put(self, name: str, value: Any, *, lazy: bool, location: Location | None) -> None:
@@ -60,7 +60,7 @@ class Scope:
         self.entries[name] = _Entry(value, lazy and isinstance(value, str), location)
 
     def remove(self, name: str) -> None:
-        scope: Scope | None = self
+        scope: XacroScope | None = self
         while scope is not None:
             if self.world.maybe > scope.maybe:
                 self.world.is_open = True
@@ -81,16 +81,16 @@ class Scope:
                 return scope._resolve(name)
         raise Undefined("property", name)
 
-    def namespace(self, name: str) -> Scope | None:
+    def namespace(self, name: str) -> XacroScope | None:
         return next((scope.namespaces[name] for scope in self._chain() if name in scope.namespaces), None)
 
-    def top(self) -> Scope:
+    def top(self) -> XacroScope:
         scope = self
         while scope.parent is not None:
             scope = scope.parent
         return scope
 
-    def around(self) -> Scope | None:
+    def around(self) -> XacroScope | None:
         """The scope that ``scope="parent"`` means."""
         target = self.parent
         if not self.is_namespace:
@@ -116,8 +116,8 @@ class Scope:
         """``namespace.name`` inside an expression."""
         return self.look_up(name)
 
-    def _chain(self) -> Iterator[Scope]:
-        scope: Scope | None = self
+    def _chain(self) -> Iterator[XacroScope]:
+        scope: XacroScope | None = self
         while scope is not None:
             yield scope
             scope = scope.parent
@@ -143,7 +143,7 @@ class Scope:
         return value
 
 
-def _offered(name: str, world: World) -> Any:
+def _offered(name: str, world: XacroGlobals) -> Any:
     """What xacro itself offers under a name; None if it is nothing."""
     if name in MATH:
         return MATH[name]
@@ -159,7 +159,7 @@ def _offered(name: str, world: World) -> Any:
 
 
 @dataclass(frozen=True, slots=True)
-class Macro:
+class XacroMacro:
     """A macro: its *body* is its element as written. Not *certain*: another one may be meant by its name."""
 
     name: str
@@ -172,14 +172,14 @@ class Macro:
 class Macros:
     """Macros by name, with those around, and namespaces of them."""
 
-    def __init__(self, world: World, parent: Macros | None = None) -> None:
+    def __init__(self, world: XacroGlobals, parent: Macros | None = None) -> None:
         self.world = world
         self.parent = parent
-        self.found: dict[str, Macro] = {}
+        self.found: dict[str, XacroMacro] = {}
         self.namespaces: dict[str, Macros] = {}
         self.maybe = world.maybe
 
-    def get(self, name: str) -> Macro | None:
+    def get(self, name: str) -> XacroMacro | None:
         scope: Macros | None = self
         while scope is not None:
             if name in scope.found:

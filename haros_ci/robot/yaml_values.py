@@ -30,7 +30,7 @@ class YamlDict(dict[Any, Any]):
     """A mapping whose keys can be had with a dot, as xacro wraps them."""
 
 
-class _TooMuch(Exception):
+class _YamlTooLarge(Exception):
     pass
 
 
@@ -40,12 +40,12 @@ def yaml_value(text: str, number: Callable[[str], object]) -> object:
         documents = list(nodes(text, LIMITS))
         if len(documents) > 1:
             return UNKNOWN
-        return _Reader(number).value(documents[0], 0) if documents else None
-    except (YamlFault, yaml.YAMLError, _TooMuch, RecursionError, ValueError, OverflowError):
+        return _YamlReader(number).value(documents[0], 0) if documents else None
+    except (YamlFault, yaml.YAMLError, _YamlTooLarge, RecursionError, ValueError, OverflowError):
         return UNKNOWN
 
 
-class _Reader:
+class _YamlReader:
     def __init__(self, number: Callable[[str], object]) -> None:
         self.number = number
         self.left = MAX_NODES
@@ -53,7 +53,7 @@ class _Reader:
     def value(self, node: yaml.Node, depth: int) -> object:
         self.left -= 1
         if self.left < 0 or depth > MAX_DEPTH:
-            raise _TooMuch
+            raise _YamlTooLarge
         if isinstance(node, yaml.ScalarNode):
             return self._scalar(node)
         if isinstance(node, yaml.SequenceNode):

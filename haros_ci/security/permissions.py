@@ -37,7 +37,7 @@ _NEWS = ("feedback", "status")
 
 
 @dataclass(frozen=True, slots=True)
-class Need:
+class PermissionNeed:
     """To ``publish`` or ``subscribe`` a topic of DDS."""
 
     verb: str
@@ -59,15 +59,15 @@ class Permission:
         return any(sign in self.name for sign in "*?[")
 
 
-def needs_of(kind: str, name: str) -> tuple[Need, ...]:
+def needs_of(kind: str, name: str) -> tuple[PermissionNeed, ...]:
     """What an end of this *kind* (as in the model) of the full *name* needs, or a rule about such ends is about."""
     if kind == "publishers":
-        return (Need("publish", f"rt{name}"),)
+        return (PermissionNeed("publish", f"rt{name}"),)
     if kind == "subscribers":
-        return (Need("subscribe", f"rt{name}"),)
+        return (PermissionNeed("subscribe", f"rt{name}"),)
     if kind in ("servers", "clients"):
         asks, answers = ("subscribe", "publish") if kind == "servers" else ("publish", "subscribe")
-        return (Need(asks, f"rq{name}Request"), Need(answers, f"rr{name}Reply"))
+        return (PermissionNeed(asks, f"rq{name}Request"), PermissionNeed(answers, f"rr{name}Reply"))
     if kind in ("action_servers", "action_clients"):
         inner, news = ("servers", "publishers") if kind == "action_servers" else ("clients", "subscribers")
         services = [need for part in _PARTS for need in needs_of(inner, f"{name}/_action/{part}")]
@@ -87,8 +87,8 @@ class Rules:
     """The rules of one enclave, put in order for many questions. Not *is_whole* if there are more patterns than are looked at."""
 
     def __init__(self, rules: Iterable[Permission]) -> None:
-        self._plain: dict[Need, bool] = {}
-        self._patterns: dict[Need, bool] = {}
+        self._plain: dict[PermissionNeed, bool] = {}
+        self._patterns: dict[PermissionNeed, bool] = {}
         self._said: dict[tuple[str, str], str] = {}
         for rule in rules:
             found = self._patterns if rule.is_pattern else self._plain

@@ -63,10 +63,10 @@ class Policy:
 def read_policy(path: str, element: Callable[[str], Element | None]) -> Policy | None:
     """The policy at *path*; None if the file is none. *element* gives the root of an XML file."""
     root = element(path)
-    return _Reader(element).policy(path, root) if root is not None and root.tag == "policy" else None
+    return _PolicyReader(element).policy(path, root) if root is not None and root.tag == "policy" else None
 
 
-class _Reader:
+class _PolicyReader:
     def __init__(self, element: Callable[[str], Element | None]) -> None:
         self.element = element
         self.is_whole = True

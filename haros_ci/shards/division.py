@@ -16,14 +16,14 @@ _SHARD = re.compile(r"([1-9][0-9]{0,3})/([1-9][0-9]{0,3})")
 
 
 @dataclass(frozen=True, slots=True)
-class Job:
+class ShardJob:
     """Work that is not divided further; *names* tell it from all others, *cost* is in CPU microseconds."""
 
     names: tuple[str, ...]
     cost: int
 
 
-def divide(jobs: Sequence[Job], shards: int) -> tuple[int, ...]:
+def divide(jobs: Sequence[ShardJob], shards: int) -> tuple[int, ...]:
     """For each job the number of its shard, from 1 on."""
     loads = [(0, number) for number in range(1, shards + 1)]
     heapify(loads)
@@ -35,7 +35,7 @@ def divide(jobs: Sequence[Job], shards: int) -> tuple[int, ...]:
     return tuple(shard_of)
 
 
-def plan_digest(jobs: Sequence[Job], shard_of: Sequence[int], shards: int) -> str:
+def plan_digest(jobs: Sequence[ShardJob], shard_of: Sequence[int], shards: int) -> str:
     """SHA-256 of the whole division: equal for shards that have divided the same work in the same way."""
     rows = sorted([number, *job.names] for job, number in zip(jobs, shard_of, strict=True))
     return hashlib.sha256(json.dumps([shards, rows]).encode()).hexdigest()

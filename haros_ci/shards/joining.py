@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from haros_ci.results.result import Run
-from haros_ci.shards.shard import BASE, HEAD, Header, Said, Shard, ShardError
+from haros_ci.shards.shard import BASE, HEAD, Header, RecordedAnswer, Shard, ShardError
 from haros_ci.shards.shard_file import SAME, value_of
 
 
@@ -19,10 +19,10 @@ class OtherSettings(Exception):
         self.names = tuple(names)
 
 
-class Values(Mapping[tuple[str, str], object]):
+class AnswerValues(Mapping[tuple[str, str], object]):
     """The answers by tool and key, parsed when they are asked for."""
 
-    def __init__(self, answers: Mapping[tuple[str, str], Said]) -> None:
+    def __init__(self, answers: Mapping[tuple[str, str], RecordedAnswer]) -> None:
         self._said = answers
 
     def __getitem__(self, key: tuple[str, str]) -> object:
@@ -43,7 +43,7 @@ class Joined:
     """All that the shards say. ``wholes`` are by name and side, ``costs`` CPU microseconds by tool and path."""
 
     header: Header
-    answers: Values
+    answers: AnswerValues
     failures: Mapping[tuple[str, str], tuple[tuple[str, tuple[str, ...]], ...]]
     wholes: Mapping[tuple[str, str], Run]
     costs: Mapping[str, Mapping[str, int]]
@@ -80,7 +80,7 @@ def join(shards: Iterable[Shard]) -> Joined:
     if missing:
         shown = ", ".join(f"{n}/{first.header.of}" for n in missing[:8]) + (" …" if len(missing) > 8 else "")
         raise ShardError(f"missing: shard {shown}", help="without all of them nothing can be said of the workspace")
-    answers: dict[tuple[str, str], Said] = {}
+    answers: dict[tuple[str, str], RecordedAnswer] = {}
     owners: dict[tuple[str, str], Shard] = {}
     failures: dict[tuple[str, str], dict[tuple[str, tuple[str, ...]], None]] = {}
     wholes: dict[tuple[str, str], Run] = {}
@@ -106,7 +106,7 @@ def join(shards: Iterable[Shard]) -> Joined:
                 costs.setdefault("", {})[whole.name] = whole.cost
     return Joined(
         first.header,
-        Values(answers),
+        AnswerValues(answers),
         {key: tuple(found) for key, found in failures.items()},
         wholes,
         costs,

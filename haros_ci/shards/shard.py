@@ -36,7 +36,7 @@ class Had:
 
 
 @dataclass(frozen=True, slots=True)
-class Said:
+class RecordedAnswer:
     """A tool's answer for one unit, as JSON text (linters/rows.py); *cost* in CPU microseconds, None if it is not known."""
 
     tool: str
@@ -57,7 +57,7 @@ class Failed:
 
 
 @dataclass(frozen=True, slots=True)
-class Whole:
+class WorkspaceRun:
     """Work that is done once for the whole workspace: the run that came of it, on one *side*."""
 
     name: str
@@ -91,7 +91,7 @@ class Shard:
     """One shard file; *name* is how the user calls it."""
 
     header: Header
-    answers: tuple[Said, ...] = ()
+    answers: tuple[RecordedAnswer, ...] = ()
     failures: tuple[Failed, ...] = ()
-    wholes: tuple[Whole, ...] = ()
+    wholes: tuple[WorkspaceRun, ...] = ()
     name: str = ""

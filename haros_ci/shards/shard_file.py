@@ -10,7 +10,7 @@ from typing import Any
 
 from haros_ci.results.confined import SENTENCES
 from haros_ci.results.values import LARGEST, NotThat, is_inside, plain, read
-from haros_ci.shards.shard import SIDES, Failed, Had, Header, Said, Shard, ShardError, Whole
+from haros_ci.shards.shard import SIDES, Failed, Had, Header, RecordedAnswer, Shard, ShardError, WorkspaceRun
 
 FORMAT = 1
 #: Bytes of a file, and of one line of it.
@@ -56,9 +56,9 @@ def parsed(data: bytes, name: str) -> Shard:
     last = _loaded(lines[-2], name, len(lines) - 1) if len(lines) > 2 and not lines[-1] else None
     if last != {"lines": len(lines) - 1}:
         raise ShardError(f"{name}: is cut short", help="write or upload it anew")
-    answers: list[Said] = []
+    answers: list[RecordedAnswer] = []
     failures: list[Failed] = []
-    wholes: list[Whole] = []
+    wholes: list[WorkspaceRun] = []
     for number, line in enumerate(lines[1:-2], 2):
         try:
             match = _ANSWER.fullmatch(line) if len(line) <= MAX_LINE else None
@@ -70,7 +70,7 @@ def parsed(data: bytes, name: str) -> Shard:
             if kind == "failure":
                 failures.append(_failed(read(Failed, row[1])))
             elif kind == "whole":
-                wholes.append(_whole(read(Whole, row[1])))
+                wholes.append(_whole(read(WorkspaceRun, row[1])))
             else:
                 raise NotThat("neither an answer nor a failure nor a run")
         except NotThat as err:
@@ -128,14 +128,14 @@ def _no_shard(name: str) -> ShardError:
     return ShardError(f"{name}: not a shard file", help="give the files that haros-ci check --shard has written")
 
 
-def _answer(match: re.Match[str]) -> Said:
+def _answer(match: re.Match[str]) -> RecordedAnswer:
     try:
         tool, path = json.loads(match[1]), json.loads(match[2])
     except ValueError as err:
         raise NotThat("a name that is not JSON text") from err
     if not is_inside(path):
         raise NotThat("a path that leads out of the workspace")
-    return Said(tool, path, match[3], None if match[4] == "null" else int(match[4]), match[5])
+    return RecordedAnswer(tool, path, match[3], None if match[4] == "null" else int(match[4]), match[5])
 
 
 def _failed(failed: Failed) -> Failed:
@@ -146,7 +146,7 @@ def _failed(failed: Failed) -> Failed:
     return failed
 
 
-def _whole(whole: Whole) -> Whole:
+def _whole(whole: WorkspaceRun) -> WorkspaceRun:
     if whole.side not in SIDES or (whole.cost is not None and not 0 <= whole.cost <= LARGEST):
         raise NotThat("a run of no side")
     if any(result.tool != _SPEAKS.get(whole.name) for result in whole.run.results):
@@ -154,7 +154,7 @@ def _whole(whole: Whole) -> Whole:
     return whole
 
 
-def value_of(answer: Said) -> object | None:
+def value_of(answer: RecordedAnswer) -> object | None:
     """The answer itself, None if it is no JSON: the reader of rows refuses that, too."""
     try:
         value: object = _bounded(answer.value)

@@ -37,9 +37,20 @@ from haros_ci.pipeline import (
 from haros_ci.registry import registry
 from haros_ci.results.result import Report, Run
 from haros_ci.shards.costs import Costs
-from haros_ci.shards.division import Job, divide, plan_digest
+from haros_ci.shards.division import ShardJob, divide, plan_digest
 from haros_ci.shards.joining import ANEW, Joined, fits
-from haros_ci.shards.shard import BASE, HEAD, SIDES, Failed, Had, Header, Said, Shard, ShardError, Whole
+from haros_ci.shards.shard import (
+    BASE,
+    HEAD,
+    SIDES,
+    Failed,
+    Had,
+    Header,
+    RecordedAnswer,
+    Shard,
+    ShardError,
+    WorkspaceRun,
+)
 from haros_ci.workspace.base import Base
 
 #: CPU microseconds for a byte of code, where nothing is remembered: 3 to 10 were measured for the first (docs/scale.md).
@@ -68,8 +79,8 @@ def part(
         wholes = {name: costs.get("", {}).get(name, makers.guess(name)) for name in makers.needed}
         parts = portions([_works(side) for side in planned], costs, of, sum(wholes.values()))
         jobs = [
-            *(Job(("", name), cost) for name, cost in wholes.items()),
-            *(Job((portion.tool, *portion.keys), portion.cost) for portion in parts),
+            *(ShardJob(("", name), cost) for name, cost in wholes.items()),
+            *(ShardJob((portion.tool, *portion.keys), portion.cost) for portion in parts),
         ]
         shard_of = divide(jobs, of)
         mine = {
@@ -78,7 +89,7 @@ def part(
             if who == number
             for key in job.names[1:]
         }
-        reported: dict[tuple[str, str], Said] = {}
+        reported: dict[tuple[str, str], RecordedAnswer] = {}
         failed: list[Failed] = []
         for side, plan, hashed in zip(sides, planned, digests, strict=True):
             left = mine - reported.keys()
@@ -86,7 +97,7 @@ def part(
             for answer in answers(plan, left, side, options, store, hashed, progress):
                 cost = remembered.cost(answer.tool, answer.path, answer.seconds)
                 value = json.dumps(answer.value, separators=(",", ":"), allow_nan=False)
-                reported[answer.tool, answer.key] = Said(answer.tool, answer.path, answer.key, cost, value)
+                reported[answer.tool, answer.key] = RecordedAnswer(answer.tool, answer.path, answer.key, cost, value)
             failed += _failures(plan)
             mine -= {(failure.tool, key) for failure in failed for key in failure.keys}
         runs = tuple(run for name in wholes if ("", name) in mine for run in makers.runs(name))
@@ -187,7 +198,7 @@ class _Makers:
         code = sum(file.size for side, _ in self._sides for file in side.files if file.language in ("cpp", "python"))
         return int(code * WHOLE_COSTS[name])
 
-    def runs(self, name: str) -> Iterator[Whole]:
+    def runs(self, name: str) -> Iterator[WorkspaceRun]:
         """Those of the sides that need it; what all of them cost is told of the first."""
         before = _cpu()
         made = [
@@ -197,7 +208,7 @@ class _Makers:
         ]
         spent: int | None = int((_cpu() - before) * 1e6)
         for word, run in made:
-            yield Whole(name, word, spent, replace(run, analysed=frozenset()) if name == ARCHITECTURE else run)
+            yield WorkspaceRun(name, word, spent, replace(run, analysed=frozenset()) if name == ARCHITECTURE else run)
             spent = None
 
     def _needs(self, name: str, side: Workspace, selection: Selection) -> bool:
@@ -225,7 +236,7 @@ def _had(noted: Iterable[Noted]) -> Iterator[Had]:
 
 
 def _trouble(
-    planned: Iterable[Iterable[Work | Run]], failed: Iterable[Failed], wholes: Iterable[Whole]
+    planned: Iterable[Iterable[Work | Run]], failed: Iterable[Failed], wholes: Iterable[WorkspaceRun]
 ) -> tuple[str, ...]:
     """Sentences on what did not succeed, each once; merge says them again and decides what follows."""
     sentences = [failure.message for failure in failed]

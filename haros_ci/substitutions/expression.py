@@ -74,7 +74,7 @@ class Wrong(Exception):
 
 
 @dataclass(frozen=True, slots=True)
-class Scopes:
+class ExpressionScopes:
     """The args, environment look-up and directory that an expression sees."""
 
     args: Mapping[str, Text]
@@ -85,7 +85,7 @@ class Scopes:
     compared: set[str] = field(default_factory=set)
 
 
-def evaluate(source: str, scopes: Scopes) -> str:
+def evaluate(source: str, scopes: ExpressionScopes) -> str:
     """The text of the value of *source*, as roslaunch makes it; Undecided or Wrong if there is none.
 
     Args are converted as ``auto`` parameters are. Paths (``find``, ``dirname``) can be passed on and appended to, but
@@ -98,7 +98,7 @@ def evaluate(source: str, scopes: Scopes) -> str:
     return text
 
 
-def compute(source: str, scopes: Scopes) -> object:
+def compute(source: str, scopes: ExpressionScopes) -> object:
     """The value of the expression *source*; errors as evaluate has them."""
     if "__" in source:
         raise Wrong("double underscores are not allowed")
@@ -131,7 +131,7 @@ class _Roslaunch(Language):
     operators: ClassVar = {**ARITHMETIC, **POWER}
     has_formats = True
 
-    def __init__(self, scopes: Scopes) -> None:
+    def __init__(self, scopes: ExpressionScopes) -> None:
         self.scopes = scopes
 
     def name(self, name: str) -> object:
@@ -150,7 +150,7 @@ class _Roslaunch(Language):
         return _compare(op, left, right, self.scopes.compared)
 
 
-def _name(name: str, scopes: Scopes) -> object:
+def _name(name: str, scopes: ExpressionScopes) -> object:
     if name in _CONSTANTS:
         return _CONSTANTS[name]
     if name in _MATH or name in _OTHER_MATH:
@@ -162,14 +162,14 @@ def _name(name: str, scopes: Scopes) -> object:
     raise Wrong(f"{quoted(name)} is not an argument declared above", missing=name)
 
 
-def _argument(name: str, scopes: Scopes) -> object:
+def _argument(name: str, scopes: ExpressionScopes) -> object:
     text = scopes.args[name]
     if not text.known:
         raise Undecided(f"argument {quoted(name)}: {text.reasons[0]}")
     return convert(text.raw, "auto")
 
 
-def _call(name: str, operands: list[Any], scopes: Scopes) -> object:
+def _call(name: str, operands: list[Any], scopes: ExpressionScopes) -> object:
     if name in ("arg", "env", "optenv", "find", "anon", "dirname"):
         return _substitution(name, operands, scopes)
     function = _MATH.get(name)
@@ -184,7 +184,7 @@ def _call(name: str, operands: list[Any], scopes: Scopes) -> object:
     return function(*operands)
 
 
-def _substitution(name: str, operands: list[Any], scopes: Scopes) -> object:
+def _substitution(name: str, operands: list[Any], scopes: ExpressionScopes) -> object:
     counts = {"dirname": (0, 0), "optenv": (1, 2)}.get(name, (1, 1))
     if not counts[0] <= len(operands) <= counts[1] or not all(isinstance(operand, str) for operand in operands):
         raise TypeError

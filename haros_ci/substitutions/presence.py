@@ -50,7 +50,7 @@ def is_elsewhere(text: Text) -> bool:
 
 
 @dataclass(slots=True)
-class Argument:
+class LaunchArgument:
     """A launch argument of the configuration's own files: its value, and its choices where it declares any."""
 
     text: Text
@@ -70,7 +70,7 @@ class Argument:
 class Arguments:
     """The launch arguments of a configuration, in the order of their declarations."""
 
-    known: dict[str, Argument] = field(default_factory=dict)
+    known: dict[str, LaunchArgument] = field(default_factory=dict)
     #: What texts are where arguments are assumed; with their origins, for these to stay.
     again: dict[tuple[object, ...], tuple[Origin, Text | None]] = field(default_factory=dict)
 
@@ -98,7 +98,7 @@ class Arguments:
         """*text* as the value of argument *name*, from now on; the first declaration counts."""
         before = derived((text.origin,), text.origin.again) if text.origin is not None else None
         allowed = tuple(dict.fromkeys(choices))
-        made = self.known.setdefault(name, Argument(text, allowed if MARK not in "".join(allowed) else ()))
+        made = self.known.setdefault(name, LaunchArgument(text, allowed if MARK not in "".join(allowed) else ()))
 
         def again(assumed: Assumed) -> Text | None:
             found = assumed.get(name)

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from haros_ci.model.environment import chosen_of, lost_of
-from haros_ci.substitutions.expression import Scopes, Undecided, Wrong, evaluate
+from haros_ci.substitutions.expression import ExpressionScopes, Undecided, Wrong, evaluate
 from haros_ci.substitutions.names import Text, join_texts, literal, quoted, unknown
 
 COMMANDS = ("find", "env", "optenv", "dirname", "anon", "arg")
@@ -163,7 +163,7 @@ def anonymous_text(name: str) -> Text:
 
 def _eval(expression: str, sources: Sources) -> Substituted:
     try:
-        scopes = Scopes(
+        scopes = ExpressionScopes(
             sources.args,
             lambda name: environment_text(name, sources),
             sources.environment,

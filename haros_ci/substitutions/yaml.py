@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from haros_ci.bounded_yaml import MAX_NUMBER, MERGE, TAG, Composer, Limits, YamlFault
-from haros_ci.substitutions.expression import Scopes, Undecided, Wrong, compute
+from haros_ci.substitutions.expression import ExpressionScopes, Undecided, Wrong, compute
 from haros_ci.substitutions.names import MARK, Text, quoted, unknown
 
 LIMITS = Limits(characters=1_000_000, depth=50, aliases=1_000, values=50_000)
@@ -47,7 +47,7 @@ class YamlValue:
 
 def read_yaml(text: Text) -> YamlValue:
     """The one document in *text*, None as data if it is empty; YamlError for what roslaunch or a limit refuses."""
-    return _Composer(text).document() or YamlValue(1, None)
+    return _SubstitutingComposer(text).document() or YamlValue(1, None)
 
 
 def plain(data: Any) -> object:
@@ -71,7 +71,7 @@ def parts(value: YamlValue) -> list[Any]:
     return found
 
 
-class _Composer(Composer[YamlValue]):
+class _SubstitutingComposer(Composer[YamlValue]):
     quoted = staticmethod(quoted)
     SAYS: ClassVar = {
         **Composer.SAYS,
@@ -124,7 +124,7 @@ class _Composer(Composer[YamlValue]):
         try:
             if kind == "deg":
                 return float(source[:MAX_NUMBER]) * math.pi / 180.0
-            number = compute(source, Scopes({}, unknown, {}, ""))
+            number = compute(source, ExpressionScopes({}, unknown, {}, ""))
             return float(str(number)) if isinstance(number, (int, float)) else self.no_angle(event)
         except Undecided as err:
             return Opaque(str(err).replace("$(eval ...)", quoted(event.value)), "double")

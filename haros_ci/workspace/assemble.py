@@ -30,7 +30,7 @@ class Content:
 
 
 @dataclass(frozen=True, slots=True)
-class Alias:
+class SymbolicLink:
     """A symbolic link at *path*, and what it leads to."""
 
     path: str
@@ -48,7 +48,7 @@ class Skipped:
 
 def assemble(
     root: Path,
-    contents: Iterable[Content | Alias | Problem | Skipped],
+    contents: Iterable[Content | SymbolicLink | Problem | Skipped],
     *,
     listed: Iterable[str],
     problems: Iterable[Problem],
@@ -92,7 +92,7 @@ def assemble(
             is_brought = content.is_source and differs is not None and differs(content.path)
             (unread if is_brought else found).append(content.problem)
             continue
-        if isinstance(content, Alias):
+        if isinstance(content, SymbolicLink):
             links[content.path] = content.target
             continue
         usable, problem = examine(content.path, content.language, content.data)

@@ -20,7 +20,7 @@ from haros_ci.workspace.excludes import Excludes
 from haros_ci.workspace.git import BaselineUnavailable, GitError, Repository, merge_base, repository_of, resolve_commit
 from haros_ci.workspace.objects import Blob, read_blobs, read_links, read_tree
 from haros_ci.workspace.renames import find_renames
-from haros_ci.workspace.selection import Also, Candidate, Scope, select
+from haros_ci.workspace.selection import Also, AnalysedPaths, CandidatePath, select
 from haros_ci.workspace.tool_settings import TOOL_SETTINGS
 
 __all__ = ["Base", "BaselineUnavailable", "base_workspace"]
@@ -80,7 +80,7 @@ def base_workspace(
             renames = find_renames(place, root, *_moved(tree, selected, workspace))
             copied = _copy_settings(workspace, directory, selected) if trusted else []
             settings = None if trusted else _settings(workspace, repository, tree, selected, max_file_size)
-            manifests = [Candidate(path, "package") for path in manifests_above(scope) if path in tree]
+            manifests = [CandidatePath(path, "package") for path in manifests_above(scope) if path in tree]
             base = assemble(
                 directory,
                 chain(write_contents(directory, read_blobs(tree, selected, max_file_size)), aliases),
@@ -140,13 +140,15 @@ def _repository(workspace: Workspace) -> Repository:
     return Repository(top)
 
 
-def _scope(workspace: Workspace, paths: tuple[str, ...], tree: dict[str, Blob]) -> Scope:
+def _scope(workspace: Workspace, paths: tuple[str, ...], tree: dict[str, Blob]) -> AnalysedPaths:
     """The scope that *paths* have now, where directories may be gone or have been files."""
     present = scope_of(workspace.root, paths)
     return replace(present, files=tuple(path for path in present.files if path in tree))
 
 
-def _moved(tree: dict[str, Blob], selected: list[Candidate], workspace: Workspace) -> tuple[dict[str, Blob], list[str]]:
+def _moved(
+    tree: dict[str, Blob], selected: list[CandidatePath], workspace: Workspace
+) -> tuple[dict[str, Blob], list[str]]:
     """What is in the base alone, and what is in the work tree alone."""
     present = {file.path for file in workspace.files}
     removed = [c.path for c in selected if c.path not in present and unusable_name(c.path) is None]
@@ -190,7 +192,7 @@ def _holds(path: Path, data: bytes) -> bool:
         return False
 
 
-def _copy_settings(workspace: Workspace, directory: Path, selected: list[Candidate]) -> list[str]:
+def _copy_settings(workspace: Workspace, directory: Path, selected: list[CandidatePath]) -> list[str]:
     """Copy tools' settings from the present workspace to where they apply in the base; returns their paths."""
     copied = []
     for parent in sorted(_directories(selected)):
@@ -205,7 +207,7 @@ def _copy_settings(workspace: Workspace, directory: Path, selected: list[Candida
 
 
 def _settings(
-    workspace: Workspace, repository: Repository, tree: dict[str, Blob], selected: list[Candidate], limit: int
+    workspace: Workspace, repository: Repository, tree: dict[str, Blob], selected: list[CandidatePath], limit: int
 ) -> BaseSettings:
     """The settings of the base revision that *tree* is of."""
     root, top = workspace.root, repository.top
@@ -213,7 +215,7 @@ def _settings(
     return BaseSettings(tree, _directories(selected), limit, workspace.settings or workspace.reader, below)
 
 
-def _directories(selected: list[Candidate]) -> set[str]:
+def _directories(selected: list[CandidatePath]) -> set[str]:
     """The directories of what is *wanted*, and all above them; the root is ""."""
     directories = {""}
     for candidate in selected:

@@ -11,7 +11,7 @@ from haros_ci.workspace.assemble import Content
 from haros_ci.workspace.files import TextReader, decode
 from haros_ci.workspace.git import GitError
 from haros_ci.workspace.objects import Blob, read_blobs
-from haros_ci.workspace.selection import Candidate
+from haros_ci.workspace.selection import CandidatePath
 from haros_ci.workspace.tool_settings import TOOL_SETTINGS
 
 #: Bytes of settings files that are read ahead, in one go.
@@ -80,6 +80,6 @@ class BaseSettings:
 
     def _read(self, paths: list[str]) -> None:
         self._data |= dict.fromkeys(paths)
-        for content in read_blobs(self._tree, [Candidate(path, "setup") for path in paths], self._limit):
+        for content in read_blobs(self._tree, [CandidatePath(path, "setup") for path in paths], self._limit):
             if isinstance(content, Content):
                 self._data[content.path] = content.data

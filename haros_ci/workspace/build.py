@@ -17,7 +17,7 @@ from haros_ci.model.build import (
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.workspace.cmake import follow
-from haros_ci.workspace.cmake_state import MAX_MESSAGE, MAX_PROBLEMS, Made, State
+from haros_ci.workspace.cmake_state import MAX_MESSAGE, MAX_PROBLEMS, CMakeState, CMakeTarget
 from haros_ci.workspace.cmake_targets import FLAG
 from haros_ci.workspace.exported import linked
 from haros_ci.workspace.interfaces import read_interface
@@ -26,7 +26,7 @@ from haros_ci.workspace.plugins_xml import exported_descriptions, read_plugins
 from haros_ci.workspace.reconfigure import read_config
 from haros_ci.workspace.setup_cfg import script_directories
 from haros_ci.workspace.setup_py import Setup, read_setup
-from haros_ci.workspace.tree import Tree
+from haros_ci.workspace.tree import PathTree
 
 #: The base class of what rclcpp_components_register_node registers.
 COMPONENT = "rclcpp_components::NodeFactory"
@@ -36,7 +36,7 @@ _SHOWN = 5
 
 def builds(workspace: Workspace) -> dict[str, Build]:
     """The build of every package, by name; of two packages with one name, the first by path."""
-    tree = Tree(workspace)
+    tree = PathTree(workspace)
     found: dict[str, Build] = {}
     for package in workspace.packages:
         if package.name not in found:
@@ -44,16 +44,16 @@ def builds(workspace: Workspace) -> dict[str, Build]:
     return linked(found, frozenset(package.name for package in workspace.packages if package.ros == 1))
 
 
-def build_of(workspace: Workspace, package: Package, tree: Tree | None = None) -> Build:
+def build_of(workspace: Workspace, package: Package, tree: PathTree | None = None) -> Build:
     """All of one package, read and never run. What cannot be known or read is among its problems; nothing is raised.
 
     *tree* may be given where several packages of one workspace are asked for.
     """
-    tree = Tree(workspace) if tree is None else tree
+    tree = PathTree(workspace) if tree is None else tree
     own = [file for file in workspace.files if file.package == package.name and _within(file.path, package.path)]
     problems: list[Problem] = []
     cmake = f"{_base(package)}CMakeLists.txt"
-    state = follow(tree, package) if tree.is_file(cmake) else State(tree, package)
+    state = follow(tree, package) if tree.is_file(cmake) else CMakeState(tree, package)
     problems += [*state.problems, *_hidden(state)]
     setup = Setup()
     if tree.is_file(f"{_base(package)}setup.py"):
@@ -88,7 +88,7 @@ def build_of(workspace: Workspace, package: Package, tree: Tree | None = None) -
     )
 
 
-def _defined(state: State) -> tuple[str, ...]:
+def _defined(state: CMakeState) -> tuple[str, ...]:
     flags = " ".join(state.get(name) or "" for name in ("CMAKE_CXX_FLAGS", "CMAKE_C_FLAGS"))
     return tuple(sorted({*state.defined, *FLAG.findall(flags)}))
 
@@ -101,7 +101,7 @@ def _within(path: str, directory: str) -> bool:
     return directory == "." or path.startswith(f"{directory}/")
 
 
-def _hidden(state: State) -> list[Problem]:
+def _hidden(state: CMakeState) -> list[Problem]:
     """A problem for each construct that is not decided and around something."""
     found = []
     for doubt, things in islice(state.hidden.items(), MAX_PROBLEMS):
@@ -112,7 +112,7 @@ def _hidden(state: State) -> list[Problem]:
     return found
 
 
-def _target(made: Made, package: Package) -> Target:
+def _target(made: CMakeTarget, package: Package) -> Target:
     is_library = made.kind == "library"
     properties = made.properties
     return Target(
@@ -133,7 +133,7 @@ def _target(made: Made, package: Package) -> Target:
     )
 
 
-def _installed(state: State) -> list[Installed]:
+def _installed(state: CMakeState) -> list[Installed]:
     return [
         Installed(
             path=path, kind=kind, package=state.package.name, destination=destination, location=location, name=name
@@ -142,7 +142,7 @@ def _installed(state: State) -> list[Installed]:
     ]
 
 
-def _plugins(tree: Tree, package: Package, state: State, problems: list[Problem]) -> list[PluginClass]:
+def _plugins(tree: PathTree, package: Package, state: CMakeState, problems: list[Problem]) -> list[PluginClass]:
     """Of the descriptions that the manifest or CMake export, and the components that CMake registers."""
     exported, missing = exported_descriptions(tree, package)
     if not state.plugin_files:  # ROS 2: what CMake exports counts, and manifests keep stale names
@@ -164,7 +164,9 @@ def _plugins(tree: Tree, package: Package, state: State, problems: list[Problem]
     return found
 
 
-def _parameter_libraries(tree: Tree, package: Package, state: State, setup: Setup) -> tuple[ParameterLibrary, ...]:
+def _parameter_libraries(
+    tree: PathTree, package: Package, state: CMakeState, setup: Setup
+) -> tuple[ParameterLibrary, ...]:
     """Those that CMake and setup.py name, in that order."""
     named = [(*key, location) for key, location in state.parameter_libraries.items()]
     named += [(name, path, "python", location) for name, path, location in setup.parameter_modules]
@@ -175,7 +177,7 @@ def _parameter_libraries(tree: Tree, package: Package, state: State, setup: Setu
     )
 
 
-def _configs(workspace: Workspace, package: Package, state: State, problems: list[Problem]) -> list[ConfigFile]:
+def _configs(workspace: Workspace, package: Package, state: CMakeState, problems: list[Problem]) -> list[ConfigFile]:
     """Of the .cfg files that CMake names."""
     found = []
     for path, where in state.configs.items():
@@ -192,7 +194,7 @@ def _configs(workspace: Workspace, package: Package, state: State, problems: lis
 
 
 def _interfaces(
-    workspace: Workspace, paths: list[str], package: Package, state: State, problems: list[Problem]
+    workspace: Workspace, paths: list[str], package: Package, state: CMakeState, problems: list[Problem]
 ) -> list[Interface]:
     """All definitions in the package, those that CMake does not name marked as not generated."""
     found = []

@@ -13,7 +13,7 @@ from zlib import crc32
 
 from haros_ci.errors import UserError
 from haros_ci.timing import timed
-from haros_ci.workspace.cache_shard import Shard
+from haros_ci.workspace.cache_shard import CacheFile
 from haros_ci.workspace.files import TooLarge, read_regular
 
 T = TypeVar("T")
@@ -80,7 +80,7 @@ class DiskCache:
         self.stats = Stats()
         self._directory = directory
         self._cap = cap_bytes
-        self._shards: dict[tuple[str, int], Shard] = {}
+        self._shards: dict[tuple[str, int], CacheFile] = {}
 
     @timed("cache")
     def get(self, group: str, path: str, key: str) -> object | None:
@@ -140,7 +140,7 @@ class DiskCache:
             self.stats.hits += 1
         return value
 
-    def _shard(self, group: str, path: str) -> Shard:
+    def _shard(self, group: str, path: str) -> CacheFile:
         """By path, so that a changed file rewrites one shard, where its old entries are the first to be dropped."""
         place = (group, crc32(path.encode("utf-8", "surrogatepass")) % SHARDS)
         shard = self._shards.get(place)
@@ -148,13 +148,13 @@ class DiskCache:
             shard = self._shards[place] = self._load(_file_name(*place))
         return shard
 
-    def _load(self, name: str) -> Shard:
+    def _load(self, name: str) -> CacheFile:
         try:
-            return Shard(read_regular(self._directory / name, MAX_SHARD) or b"")
+            return CacheFile(read_regular(self._directory / name, MAX_SHARD) or b"")
         except (OSError, TooLarge):
-            return Shard(b"")
+            return CacheFile(b"")
 
-    def _write(self, name: str, shard: Shard, limit: int) -> None:
+    def _write(self, name: str, shard: CacheFile, limit: int) -> None:
         """Replace a file as a whole: never torn, and a symbolic link in its place is replaced, not followed."""
         import tempfile
 

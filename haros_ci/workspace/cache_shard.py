@@ -15,7 +15,7 @@ _KEY = re.compile(r'("(?:[^"\\]|\\.)*"):\[')
 _LAST_RUN = re.compile(r"\[([0-9]{1,15}),")
 
 
-class Shard:
+class CacheFile:
     """One file: ``{"format": 1, "run": N, "entries": {"KEY PATH": [N, VALUE]}}``, N counting the runs that wrote it.
 
     Each entry has a line of its own, and is text until it is asked for: a cache of many workspaces costs each of them

@@ -14,9 +14,9 @@ from haros_ci.workspace.cmake_choices import is_choice
 from haros_ci.workspace.cmake_commands import COMMANDS, SUMMARIES, UNREMARKABLE, note_unknown
 from haros_ci.workspace.cmake_conditions import decide
 from haros_ci.workspace.cmake_loops import foreach_turns, while_turns
-from haros_ci.workspace.cmake_parse import Command
+from haros_ci.workspace.cmake_parse import ParsedCommand
 from haros_ci.workspace.cmake_start import start_values
-from haros_ci.workspace.cmake_state import MAX_CALLS, Doubt, Exhausted, State, condition_text
+from haros_ci.workspace.cmake_state import MAX_CALLS, CMakeBudgetExhausted, CMakeState, Doubt, condition_text
 from haros_ci.workspace.cmake_words import (
     BINARY_ROOT,
     absolute,
@@ -29,7 +29,7 @@ from haros_ci.workspace.cmake_words import (
     place,
     split_list,
 )
-from haros_ci.workspace.tree import Tree
+from haros_ci.workspace.tree import PathTree
 
 #: How a block ends: at its end, by break(), continue(), return(), or dead by an error it reports.
 END, BREAK, CONTINUE, RETURN, DEAD = "", "break", "continue", "return", "dead"
@@ -40,9 +40,9 @@ MAX_DEPTH = 150
 _TESTING = ("BUILD_TESTING", "CATKIN_ENABLE_TESTING")
 
 
-def follow(tree: Tree, package: Package) -> State:
+def follow(tree: PathTree, package: Package) -> CMakeState:
     """What the CMakeLists.txt of *package* leads to; never raises, what it cannot follow is in ``problems``."""
-    state = State(tree, package)
+    state = CMakeState(tree, package)
     state.cache.update(start_values(package))
     path = "CMakeLists.txt" if package.path == "." else f"{package.path}/CMakeLists.txt"
     state.seen_files.add(path)
@@ -50,7 +50,7 @@ def follow(tree: Tree, package: Package) -> State:
         state.environment["ROS_VERSION"] = str(package.ros)
     try:
         run_file(state, path)
-    except Exhausted:
+    except CMakeBudgetExhausted:
         message = "its CMake takes too long to follow (a loop that does not end?); targets after this point are missing"
         state.problems[Problem(state.file or path, message)] = None
     except RecursionError:
@@ -58,10 +58,10 @@ def follow(tree: Tree, package: Package) -> State:
     return state
 
 
-def run_file(state: State, path: str) -> str:
+def run_file(state: CMakeState, path: str) -> str:
     """Run the commands of a file in the current scope; DEAD if it reports an error that ends the build."""
     if state.calls >= MAX_CALLS:
-        raise Exhausted
+        raise CMakeBudgetExhausted
     script = state.tree.script(path)
     for line, message in script.errors:
         state.problem(Location(path, line), message)
@@ -81,10 +81,10 @@ def run_file(state: State, path: str) -> str:
     return signal if signal == DEAD else END
 
 
-def run_block(state: State, body: Iterable[Command], macro: dict[str, str] | None) -> str:
+def run_block(state: CMakeState, body: Iterable[ParsedCommand], macro: dict[str, str] | None) -> str:
     """Run commands until one ends the block."""
     if state.depth >= MAX_DEPTH:
-        raise Exhausted
+        raise CMakeBudgetExhausted
     state.depth += 1
     signal = END
     for command in body:
@@ -95,7 +95,7 @@ def run_block(state: State, body: Iterable[Command], macro: dict[str, str] | Non
     return signal
 
 
-def _run(state: State, command: Command, macro: dict[str, str] | None) -> str:
+def _run(state: CMakeState, command: ParsedCommand, macro: dict[str, str] | None) -> str:
     """Run one command; how the block ends with it, END if it goes on."""
     name = command.name
     if name in _BLOCKS:
@@ -121,9 +121,9 @@ def _run(state: State, command: Command, macro: dict[str, str] | None) -> str:
     return END
 
 
-def _if(state: State, command: Command, macro: dict[str, str] | None) -> str:
+def _if(state: CMakeState, command: ParsedCommand, macro: dict[str, str] | None) -> str:
     """Run the branch that holds; all that may hold where that is not known."""
-    possible: list[tuple[Command, list[Command]]] = []
+    possible: list[tuple[ParsedCommand, list[ParsedCommand]]] = []
     is_complete = False
     is_choosing = is_choice(command)
     for opener, body in command.branches:
@@ -148,7 +148,7 @@ def _if(state: State, command: Command, macro: dict[str, str] | None) -> str:
     return _fork(state, possible[0][0], bodies, macro)
 
 
-def _verdict(state: State, opener: Command, macro: dict[str, str] | None, is_choosing: bool) -> bool | None:
+def _verdict(state: CMakeState, opener: ParsedCommand, macro: dict[str, str] | None, is_choosing: bool) -> bool | None:
     """Whether the condition of *opener* holds; None where only a build knows."""
     state.is_choosing = is_choosing
     try:
@@ -158,7 +158,9 @@ def _verdict(state: State, opener: Command, macro: dict[str, str] | None, is_cho
         state.is_choosing = False
 
 
-def _fork(state: State, opener: Command, bodies: list[list[Command]], macro: dict[str, str] | None) -> str:
+def _fork(
+    state: CMakeState, opener: ParsedCommand, bodies: list[list[ParsedCommand]], macro: dict[str, str] | None
+) -> str:
     """Run each body from the same beginning, then continue with what they agree on; see ``cmake_words.merge``."""
     doubt = Doubt(state.file, opener.line, condition_text(opener))
     outer = state.journal
@@ -192,7 +194,7 @@ def _fork(state: State, opener: Command, bodies: list[list[Command]], macro: dic
     return signals[0] if is_of_all else END
 
 
-def _loop(state: State, command: Command, macro: dict[str, str] | None) -> str:
+def _loop(state: CMakeState, command: ParsedCommand, macro: dict[str, str] | None) -> str:
     """foreach and while. A while whose condition is not known runs once, in doubt."""
     doubts = len(state.doubts)
     signal = END
@@ -207,19 +209,19 @@ def _loop(state: State, command: Command, macro: dict[str, str] | None) -> str:
     return signal if signal in (RETURN, DEAD) else END
 
 
-def _define(state: State, command: Command, macro: dict[str, str] | None) -> str:
+def _define(state: CMakeState, command: ParsedCommand, macro: dict[str, str] | None) -> str:
     words = state.expand(command, command.arguments, macro).words
     if words:
         state.functions[words[0].lower()] = (command, state.file)
     return END
 
 
-def _call(state: State, command: Command, macro: dict[str, str] | None) -> str:
+def _call(state: CMakeState, command: ParsedCommand, macro: dict[str, str] | None) -> str:
     """Call a function in a new scope, or a macro in this one."""
     definition, file = state.functions[command.name]
     call = state.expand(command, command.arguments, macro)
     if state.calls >= MAX_CALLS:
-        raise Exhausted
+        raise CMakeBudgetExhausted
     parameters = [argument.text for argument in definition.arguments[1:]]
     rest = join_list(call.words[len(parameters) :])
     values = {name: call.words[i] if i < len(call.words) else "" for i, name in enumerate(parameters)}
@@ -242,7 +244,7 @@ def _call(state: State, command: Command, macro: dict[str, str] | None) -> str:
     return signal
 
 
-def _block(state: State, command: Command, macro: dict[str, str] | None) -> str:
+def _block(state: CMakeState, command: ParsedCommand, macro: dict[str, str] | None) -> str:
     words = state.expand(command, command.arguments, macro).words
     state.scopes.append({})
     signal = run_block(state, command.branches[0][1], macro)
@@ -254,7 +256,7 @@ def _block(state: State, command: Command, macro: dict[str, str] | None) -> str:
     return signal
 
 
-def _propagate(state: State, command: Command) -> None:
+def _propagate(state: CMakeState, command: ParsedCommand) -> None:
     """return(PROPAGATE ...)."""
     words = [argument.text for argument in command.arguments]
     if words[:1] == ["PROPAGATE"] and len(state.scopes) > 1:
@@ -262,7 +264,7 @@ def _propagate(state: State, command: Command) -> None:
             state.put(name, state.get(name), state.scopes[-2])
 
 
-def _subdirectory(state: State, command: Command, macro: dict[str, str] | None) -> str:
+def _subdirectory(state: CMakeState, command: ParsedCommand, macro: dict[str, str] | None) -> str:
     """Run the CMakeLists.txt of a directory in a scope of its own."""
     call = state.expand(command, command.arguments, macro)
     if not call.words:
@@ -284,7 +286,7 @@ def _subdirectory(state: State, command: Command, macro: dict[str, str] | None) 
     return signal
 
 
-def _include(state: State, command: Command, macro: dict[str, str] | None) -> str:
+def _include(state: CMakeState, command: ParsedCommand, macro: dict[str, str] | None) -> str:
     """Run a file of the workspace in this scope; modules of CMake itself change nothing here."""
     call = state.expand(command, command.arguments, macro)
     if not call.words or not is_certain(bare(call.words[0])):
@@ -304,7 +306,7 @@ def _include(state: State, command: Command, macro: dict[str, str] | None) -> st
     return END
 
 
-def _extras(state: State) -> str:
+def _extras(state: CMakeState) -> str:
     """Run what packages of the workspace that were just found offer to those who find them."""
     files, state.pending = state.pending, []
     for path, directory, name in files:
@@ -314,7 +316,7 @@ def _extras(state: State) -> str:
     return END
 
 
-_Block = Callable[[State, Command, "dict[str, str] | None"], str]
+_Block = Callable[[CMakeState, ParsedCommand, "dict[str, str] | None"], str]
 _BLOCKS: Mapping[str, _Block] = MappingProxyType(
     {
         "if": _if,

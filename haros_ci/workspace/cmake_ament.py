@@ -7,21 +7,21 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from haros_ci.workspace.cmake_keywords import under
-from haros_ci.workspace.cmake_state import Call, State
+from haros_ci.workspace.cmake_state import CMakeState, EvaluatedCommand
 from haros_ci.workspace.cmake_targets import KINDS, SKIPPED, make_target, own_sources, target_name
 from haros_ci.workspace.cmake_words import bare, inside, is_certain, place, readable
 
 _CODE = ("c", "cc", "cpp", "cxx")
 
 
-def _auto(kind: str) -> Callable[[State, Call], None]:
+def _auto(kind: str) -> Callable[[CMakeState, EvaluatedCommand], None]:
     """ament_auto_add_executable and ament_auto_add_library (ament_cmake_auto).
 
     DIRECTORY stands for all source files below it. The target is linked with the libraries that were made like it
     before, unless NO_TARGET_LINK_LIBRARIES is there, and with the packages that were found for the manifest.
     """
 
-    def run(state: State, call: Call) -> None:
+    def run(state: CMakeState, call: EvaluatedCommand) -> None:
         name = target_name(state, call, kind)
         if not name:
             return
@@ -57,7 +57,7 @@ def libraries_of(package: str) -> str:
     return f"${{{package}_LIBRARIES}}"
 
 
-def _dependencies(state: State, call: Call) -> None:
+def _dependencies(state: CMakeState, call: EvaluatedCommand) -> None:
     """ament_target_dependencies(target [SYSTEM] [PUBLIC | INTERFACE] packages...)."""
     made = state.targets.get(call.words[0]) if call.words else None
     if made is None:
@@ -69,10 +69,10 @@ def _dependencies(state: State, call: Call) -> None:
             made.links[link] = made.links.get(link, False) or (name == word and not state.doubts)
 
 
-def _parameter_library(language: str) -> Callable[[State, Call], None]:
+def _parameter_library(language: str) -> Callable[[CMakeState, EvaluatedCommand], None]:
     """generate_parameter_library(target yaml [header]) and generate_parameter_module(module yaml [validation])."""
 
-    def run(state: State, call: Call) -> None:
+    def run(state: CMakeState, call: EvaluatedCommand) -> None:
         name = target_name(state, call, "parameter library")
         if not name or len(call.words) < 2:
             return
@@ -88,7 +88,7 @@ def _parameter_library(language: str) -> Callable[[State, Call], None]:
     return run
 
 
-AMENT_COMMANDS: Mapping[str, Callable[[State, Call], None]] = MappingProxyType(
+AMENT_COMMANDS: Mapping[str, Callable[[CMakeState, EvaluatedCommand], None]] = MappingProxyType(
     {
         "ament_auto_add_executable": _auto("executable"),
         "ament_auto_add_library": _auto("library"),

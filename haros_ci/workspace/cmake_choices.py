@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 
-from haros_ci.workspace.cmake_parse import Command
+from haros_ci.workspace.cmake_parse import ParsedCommand
 
 #: What CMake sets by itself, on this system or on others (cmake-variables(7)).
 _OF_CMAKE = re.compile(
@@ -16,7 +16,7 @@ _OF_CMAKE = re.compile(
 _TOOLS = frozenset(("catkin", "ament_cmake", "ament_cmake_auto", "ament_cmake_ros"))
 
 
-def is_choice(command: Command) -> bool:
+def is_choice(command: ParsedCommand) -> bool:
     """Whether two branches or more of the block *command* of ``if`` look each for a package that no other one looks for."""
     found = [_found(body) for _, body in command.branches]
     everything = set().union(*found)
@@ -34,6 +34,6 @@ def may_be_given(name: str) -> bool:
     return not name.endswith("_FOUND") and _OF_CMAKE.match(name) is None
 
 
-def _found(body: list[Command]) -> set[str]:
+def _found(body: list[ParsedCommand]) -> set[str]:
     """The packages that the commands of *body*, not those of blocks within, look for."""
     return {command.arguments[0].text for command in body if command.name == "find_package" and command.arguments}

@@ -13,8 +13,8 @@ from haros_ci.workspace.cmake_install import INSTALL_COMMANDS
 from haros_ci.workspace.cmake_keywords import under
 from haros_ci.workspace.cmake_lists import run_list
 from haros_ci.workspace.cmake_math import evaluate_math
-from haros_ci.workspace.cmake_parse import Command
-from haros_ci.workspace.cmake_state import Call, State
+from haros_ci.workspace.cmake_parse import ParsedCommand
+from haros_ci.workspace.cmake_state import CMakeState, EvaluatedCommand
 from haros_ci.workspace.cmake_strings import run_string
 from haros_ci.workspace.cmake_targets import TARGET_COMMANDS
 from haros_ci.workspace.cmake_words import absolute, is_certain, join_list, split_list, unknown
@@ -24,7 +24,7 @@ _HARMLESS = frozenset(("add_custom_target", "add_custom_command", "rosidl_target
 _MAKING = ("add_executable", "add_library", "add_node", "add_nodelet", "add_component", "add_plugin", "register_node")
 
 
-def note_unknown(state: State, command: Command) -> None:
+def note_unknown(state: CMakeState, command: ParsedCommand) -> None:
     """A problem, once, for a command that is not known but by its name makes targets; all others change nothing here.
 
     Such names contain ``add_executable``, ``add_library``, ``add_node``, ``add_nodelet``, ``add_component``,
@@ -38,7 +38,7 @@ def note_unknown(state: State, command: Command) -> None:
     state.problem(state.where(command), f"{name}() is not known; what it builds is missing from the analysis")
 
 
-def _set(state: State, call: Call) -> None:
+def _set(state: CMakeState, call: EvaluatedCommand) -> None:
     if not call.words:
         return
     name, values = call.words[0], call.words[1:]
@@ -61,7 +61,7 @@ def _set(state: State, call: Call) -> None:
     state.put(name, join_list(values) if values else None, scope)
 
 
-def _unset(state: State, call: Call) -> None:
+def _unset(state: CMakeState, call: EvaluatedCommand) -> None:
     name, options = call.words[0] if call.words else "", call.words[1:]
     if name.startswith("ENV{"):
         state.environment.pop(name[4:-1], None)
@@ -73,13 +73,13 @@ def _unset(state: State, call: Call) -> None:
         state.put(name, None, state.scopes[-2])
 
 
-def _option(state: State, call: Call) -> None:
+def _option(state: CMakeState, call: EvaluatedCommand) -> None:
     """option(name help value): what nobody set has its default, OFF."""
     if call.words and state.get(call.words[0]) is None:
         state.put(call.words[0], call.words[2] if len(call.words) > 2 else "OFF", state.cache)
 
 
-def _project(state: State, call: Call) -> None:
+def _project(state: CMakeState, call: EvaluatedCommand) -> None:
     if not call.words:
         return
     name = call.words[0]
@@ -96,7 +96,7 @@ def _project(state: State, call: Call) -> None:
         state.put(key, value)
 
 
-def _math(state: State, call: Call) -> None:
+def _math(state: CMakeState, call: EvaluatedCommand) -> None:
     if len(call.words) < 3 or call.words[0].upper() != "EXPR":
         return
     value = evaluate_math(call.words[2]) if is_certain(call.words[2]) else None
@@ -112,7 +112,7 @@ _FIND_FLAGS = ("EXACT", "QUIET", "REQUIRED", "MODULE", "CONFIG", "NO_MODULE", "N
 _FIND_LISTS = ("COMPONENTS", "OPTIONAL_COMPONENTS", "NAMES", "CONFIGS", "HINTS", "PATHS", "PATH_SUFFIXES")
 
 
-def find_package(state: State, call: Call) -> None:
+def find_package(state: CMakeState, call: EvaluatedCommand) -> None:
     """The variables that find_package sets are unknown, but that a required package was found."""
     if not call.words or not is_certain(call.words[0]):
         return
@@ -135,7 +135,7 @@ def find_package(state: State, call: Call) -> None:
 _BUILD_TOOLS = {"catkin": 1, "ament_cmake": 2, "ament_cmake_auto": 2}
 
 
-def _found(state: State, name: str, is_certainly: bool) -> None:
+def _found(state: CMakeState, name: str, is_certainly: bool) -> None:
     state.unknown_prefixes.update((name, name.upper()))
     extras = state.tree.extras(name) if name != state.package.name else None
     if is_certainly or extras is not None:
@@ -146,7 +146,7 @@ def _found(state: State, name: str, is_certainly: bool) -> None:
         state.pending += [(path, directory, name) for path, directory in extras]
 
 
-def _prefix(state: State, call: Call) -> None:
+def _prefix(state: CMakeState, call: EvaluatedCommand) -> None:
     """pkg_check_modules(PREFIX ...): all below the prefix is unknown."""
     if call.words:
         state.unknown_prefixes.add(call.words[0])
@@ -154,7 +154,7 @@ def _prefix(state: State, call: Call) -> None:
             state.put(f"{call.words[0]}_FOUND", "TRUE")
 
 
-def _auto_find(state: State, _: Call) -> None:
+def _auto_find(state: CMakeState, _: EvaluatedCommand) -> None:
     """ament_auto_find_build_dependencies(): finds what the manifest names."""
     for dependency in state.package.dependencies:
         if dependency.kind in ("depend", "build_depend", "buildtool_depend", "build_export_depend"):
@@ -163,24 +163,24 @@ def _auto_find(state: State, _: Call) -> None:
                 state.auto_found[dependency.name] = None
 
 
-def _first_unknown(state: State, call: Call) -> None:
+def _first_unknown(state: CMakeState, call: EvaluatedCommand) -> None:
     if call.words and state.get(call.words[0]) is None:
         state.put(call.words[0], unknown(call.words[0]))
 
 
-def _last_unknown(state: State, call: Call) -> None:
+def _last_unknown(state: CMakeState, call: EvaluatedCommand) -> None:
     if call.words:
         state.put(call.words[-1], unknown(call.words[-1]))
 
 
-def _outputs_unknown(state: State, call: Call) -> None:
+def _outputs_unknown(state: CMakeState, call: EvaluatedCommand) -> None:
     """execute_process and its like: variables behind these keywords."""
     for keyword, name in zip(call.words, call.words[1:], strict=False):
         if keyword in ("OUTPUT_VARIABLE", "RESULT_VARIABLE", "ERROR_VARIABLE", "RESULTS_VARIABLE", "RESULT"):
             state.put(name, unknown(name))
 
 
-def _parse_arguments(state: State, call: Call) -> None:
+def _parse_arguments(state: CMakeState, call: EvaluatedCommand) -> None:
     """cmake_parse_arguments(prefix options one multi args...) and cmake_parse_arguments(PARSE_ARGV n prefix ...)."""
     words = call.words
     passed: list[str]
@@ -202,11 +202,11 @@ def _parse_arguments(state: State, call: Call) -> None:
     state.put(f"{prefix}_UNPARSED_ARGUMENTS", join_list(found[""]) if found[""] else None)
 
 
-def _include_guard(state: State, _: Call) -> None:
+def _include_guard(state: CMakeState, _: EvaluatedCommand) -> None:
     state.guarded.add(state.file)
 
 
-_Run = Callable[[State, Call], None]
+_Run = Callable[[CMakeState, EvaluatedCommand], None]
 COMMANDS: Mapping[str, _Run] = MappingProxyType(
     {
         "set": _set,

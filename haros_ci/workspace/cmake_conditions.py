@@ -6,20 +6,20 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from haros_ci.workspace.cmake_regex import search, work
-from haros_ci.workspace.cmake_state import State
+from haros_ci.workspace.cmake_state import CMakeState
 from haros_ci.workspace.cmake_words import inside, is_certain, place, split_list, truth
 from haros_ci.workspace.language import language_of
 
 MAX_NESTING = 30
 
-Word = tuple[str, bool]
+ConditionWord = tuple[str, bool]
 
 
-class _Malformed(Exception):
+class _MalformedCondition(Exception):
     pass
 
 
-def decide(state: State, words: list[Word]) -> bool | None:
+def decide(state: CMakeState, words: list[ConditionWord]) -> bool | None:
     """The verdict on *words* (text, whether quoted), by the precedence that cmake ``if`` documents.
 
     Parentheses, then tests, then NOT, then AND and OR alike, from left to right. Quoted words are neither operators nor
@@ -27,11 +27,11 @@ def decide(state: State, words: list[Word]) -> bool | None:
     """
     if not words:
         return False
-    reader = _Reader(state, words)
+    reader = _ConditionReader(state, words)
     try:
         verdict = reader.compound(0)
         return verdict if reader.at == len(words) else None
-    except _Malformed:
+    except _MalformedCondition:
         return None
 
 
@@ -46,10 +46,10 @@ def _joined(deciding: bool, left: bool | None, right: bool | None) -> bool | Non
     return None if None in (left, right) else not deciding
 
 
-class _Reader:
+class _ConditionReader:
     """Recursive descent over the words; the position is ``at``."""
 
-    def __init__(self, state: State, words: list[Word]) -> None:
+    def __init__(self, state: CMakeState, words: list[ConditionWord]) -> None:
         self.state = state
         self.words = words
         self.at = 0
@@ -78,11 +78,11 @@ class _Reader:
         word = self.keyword()
         if word == "(":
             if depth >= MAX_NESTING:
-                raise _Malformed
+                raise _MalformedCondition
             self.at += 1
             verdict = self.compound(depth + 1)
             if self.keyword() != ")":
-                raise _Malformed
+                raise _MalformedCondition
             self.at += 1
             return verdict
         if self.keyword(1) in _BINARY and self.at + 2 < len(self.words):
@@ -94,12 +94,12 @@ class _Reader:
             self.at += 2
             return _UNARY[word](self.state, operand) if is_certain(operand) else None
         if self.at >= len(self.words):
-            raise _Malformed
+            raise _MalformedCondition
         self.at += 1
         return _constant(self.state, self.words[self.at - 1])
 
 
-def _constant(state: State, word: Word) -> bool | None:
+def _constant(state: CMakeState, word: ConditionWord) -> bool | None:
     """``if(<constant or variable>)``."""
     text, is_quoted = word
     if not is_certain(text):
@@ -121,7 +121,7 @@ def _of_list(value: str) -> bool | None:
     return True if any(is_certain(element) and truth(element) is not False for element in elements) else None
 
 
-def _operand(state: State, word: Word) -> str:
+def _operand(state: CMakeState, word: ConditionWord) -> str:
     """The value that a comparison sees: of the variable, if an unquoted word is the name of one."""
     if word[1] or not is_certain(word[0]):
         return word[0]
@@ -131,15 +131,19 @@ def _operand(state: State, word: Word) -> str:
     return word[0] if value is None else value
 
 
-def _comparing(compare: Callable[[str, str], bool | None]) -> Callable[[State, Word, Word], bool | None]:
-    def test(state: State, left: Word, right: Word) -> bool | None:
+def _comparing(
+    compare: Callable[[str, str], bool | None],
+) -> Callable[[CMakeState, ConditionWord, ConditionWord], bool | None]:
+    def test(state: CMakeState, left: ConditionWord, right: ConditionWord) -> bool | None:
         first, second = _operand(state, left), _operand(state, right)
         return compare(first, second) if is_certain(first) and is_certain(second) else None
 
     return test
 
 
-def _numbers(compare: Callable[[float, float], bool]) -> Callable[[State, Word, Word], bool | None]:
+def _numbers(
+    compare: Callable[[float, float], bool],
+) -> Callable[[CMakeState, ConditionWord, ConditionWord], bool | None]:
     def test(left: str, right: str) -> bool:
         try:
             return len(left) < 40 and len(right) < 40 and compare(float(left), float(right))
@@ -149,7 +153,9 @@ def _numbers(compare: Callable[[float, float], bool]) -> Callable[[State, Word, 
     return _comparing(test)
 
 
-def _versions(compare: Callable[[list[int], list[int]], bool]) -> Callable[[State, Word, Word], bool | None]:
+def _versions(
+    compare: Callable[[list[int], list[int]], bool],
+) -> Callable[[CMakeState, ConditionWord, ConditionWord], bool | None]:
     def test(left: str, right: str) -> bool:
         first, second = _version(left), _version(right)
         length = max(len(first), len(second))
@@ -169,7 +175,7 @@ def _version(text: str) -> list[int]:
     return found
 
 
-def _matches(state: State, left: Word, right: Word) -> bool | None:
+def _matches(state: CMakeState, left: ConditionWord, right: ConditionWord) -> bool | None:
     value = _operand(state, left)
     if not is_certain(value) or not is_certain(right[0]):
         state.put_groups(None)
@@ -180,7 +186,7 @@ def _matches(state: State, left: Word, right: Word) -> bool | None:
     return None if match is None else bool(match)
 
 
-def _in_list(state: State, left: Word, right: Word) -> bool | None:
+def _in_list(state: CMakeState, left: ConditionWord, right: ConditionWord) -> bool | None:
     value = _operand(state, left)
     elements = state.get(right[0])
     if elements is None:
@@ -193,14 +199,14 @@ def _in_list(state: State, left: Word, right: Word) -> bool | None:
     return False if is_certain(elements) else None
 
 
-def _target(state: State, name: str) -> bool | None:
+def _target(state: CMakeState, name: str) -> bool | None:
     made = state.targets.get(name)
     if made is not None:
         return None if made.is_conditional and not state.doubts else True
     return None if "::" in name or state.is_foreign(f"{name}_") else False
 
 
-def _exists(state: State, path: str) -> bool | None:
+def _exists(state: CMakeState, path: str) -> bool | None:
     inner = inside(place(path, state.source_directory()))
     if inner is None:
         return None
@@ -209,7 +215,7 @@ def _exists(state: State, path: str) -> bool | None:
     return False if language_of(inner.rpartition("/")[2]) else None
 
 
-def _is_directory(state: State, path: str) -> bool | None:
+def _is_directory(state: CMakeState, path: str) -> bool | None:
     inner = inside(place(path, state.source_directory()))
     if inner is None:
         return None
@@ -218,7 +224,7 @@ def _is_directory(state: State, path: str) -> bool | None:
     return False if inner in state.tree.files else None
 
 
-def _defined(state: State, name: str) -> bool | None:
+def _defined(state: CMakeState, name: str) -> bool | None:
     if name.startswith("ENV{"):
         return True if name[4:-1] in state.environment else None
     value = state.cache.get(name[6:-1]) if name.startswith("CACHE{") else state.get(name)
@@ -227,11 +233,11 @@ def _defined(state: State, name: str) -> bool | None:
     return True if is_certain(value) or any(map(is_certain, split_list(value))) else None
 
 
-def _command(state: State, name: str) -> bool | None:
+def _command(state: CMakeState, name: str) -> bool | None:
     return True if name.lower() in state.functions else None
 
 
-_Binary = Callable[[State, Word, Word], bool | None]
+_Binary = Callable[[CMakeState, ConditionWord, ConditionWord], bool | None]
 _BINARY: Mapping[str, _Binary] = {
     "STREQUAL": _comparing(lambda a, b: a == b),
     "STRLESS": _comparing(lambda a, b: a < b),
@@ -253,7 +259,7 @@ _BINARY: Mapping[str, _Binary] = {
     "MATCHES": _matches,
     "IN_LIST": _in_list,
 }
-_UNARY: Mapping[str, Callable[[State, str], bool | None]] = {
+_UNARY: Mapping[str, Callable[[CMakeState, str], bool | None]] = {
     "DEFINED": _defined,
     "TARGET": _target,
     "EXISTS": _exists,

@@ -7,14 +7,14 @@ import posixpath
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
-from haros_ci.workspace.cmake_state import Call, State
+from haros_ci.workspace.cmake_state import CMakeState, EvaluatedCommand
 from haros_ci.workspace.cmake_strings import separate_arguments
 from haros_ci.workspace.cmake_words import absolute, inside, is_certain, join_list, place, unknown
 
 _CODE = (".c", ".C", ".c++", ".cc", ".cpp", ".cxx", ".cu", ".m", ".mm")
 
 
-def _file(state: State, call: Call) -> None:
+def _file(state: CMakeState, call: EvaluatedCommand) -> None:
     words = call.words
     if len(words) < 2:
         return
@@ -32,7 +32,7 @@ def _file(state: State, call: Call) -> None:
         state.put(words[2], words[1].replace(":", ";") if what == "TO_CMAKE_PATH" else words[1])
 
 
-def _glob(state: State, name: str, rest: list[str], *, recurse: bool) -> None:
+def _glob(state: CMakeState, name: str, rest: list[str], *, recurse: bool) -> None:
     """file(GLOB v [LIST_DIRECTORIES b] [RELATIVE p] [CONFIGURE_DEPENDS] pattern...); sorted, as CMake 3.6 and later."""
     relative: str | None = None
     directories = not recurse
@@ -61,7 +61,7 @@ def _glob(state: State, name: str, rest: list[str], *, recurse: bool) -> None:
     state.put(name, join_list(sorted(set(found))))
 
 
-def _component(state: State, call: Call) -> None:
+def _component(state: CMakeState, call: EvaluatedCommand) -> None:
     """get_filename_component(variable name mode [BASE_DIR dir])."""
     if len(call.words) < 3:
         return
@@ -88,7 +88,7 @@ def _component(state: State, call: Call) -> None:
         state.put(name, values.get(mode, unknown(name)))
 
 
-def _source_directory(state: State, call: Call) -> None:
+def _source_directory(state: CMakeState, call: EvaluatedCommand) -> None:
     """aux_source_directory(dir variable)."""
     if len(call.words) < 2 or not is_certain(call.words[0]):
         return
@@ -99,7 +99,7 @@ def _source_directory(state: State, call: Call) -> None:
     state.put(call.words[1], join_list([*([before] if before else []), *found]))
 
 
-FILE_COMMANDS: Mapping[str, Callable[[State, Call], None]] = MappingProxyType(
+FILE_COMMANDS: Mapping[str, Callable[[CMakeState, EvaluatedCommand], None]] = MappingProxyType(
     {
         "file": _file,
         "get_filename_component": _component,

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from haros_ci.workspace.cmake_keywords import under
-from haros_ci.workspace.cmake_state import Call, State
+from haros_ci.workspace.cmake_state import CMakeState, EvaluatedCommand
 from haros_ci.workspace.cmake_words import bare, inside, is_certain, join_list, place, readable, split_list
 
 _ARTEFACTS = ("ARCHIVE", "LIBRARY", "RUNTIME", "OBJECTS", "FRAMEWORK", "BUNDLE", "PUBLIC_HEADER", "PRIVATE_HEADER")
@@ -22,7 +22,7 @@ _SLASHES = re.compile("/{2,}")
 _TYPES = {"BIN": "bin", "SBIN": "sbin", "LIB": "lib", "INCLUDE": "include", "SYSCONF": "etc", "DATA": "share"}
 
 
-def _install(state: State, call: Call) -> None:
+def _install(state: CMakeState, call: EvaluatedCommand) -> None:
     if not call.words:
         return
     what, rest = call.words[0], call.words[1:]
@@ -32,7 +32,7 @@ def _install(state: State, call: Call) -> None:
         install_files(state, call, _WHAT[what], rest)
 
 
-def _install_targets(state: State, names: list[str]) -> None:
+def _install_targets(state: CMakeState, names: list[str]) -> None:
     """Mark targets; one that is found by another name only (unknown) is left alone."""
     for name in names:
         made = state.targets.get(bare(name))
@@ -40,7 +40,7 @@ def _install_targets(state: State, names: list[str]) -> None:
             made.is_installed = True
 
 
-def install_files(state: State, call: Call, kind: str, words: list[str]) -> None:
+def install_files(state: CMakeState, call: EvaluatedCommand, kind: str, words: list[str]) -> None:
     """What install(FILES | PROGRAMS | DIRECTORY) names. A directory that ends in a slash, or in a dot, becomes its destination."""
     keywords = under(words, _FLAGS, _SINGLE, _LISTS)
     destination = readable(next(iter(keywords.get("DESTINATION", [])), ""))
@@ -74,7 +74,7 @@ def _before_patterns(words: list[str]) -> list[str]:
     return words[:stop]
 
 
-def _install_python(state: State, call: Call) -> None:
+def _install_python(state: CMakeState, call: EvaluatedCommand) -> None:
     """catkin_install_python(PROGRAMS ... DESTINATION d)."""
     words = call.words[1:] if call.words[:1] in (["PROGRAMS"], ["FILES"]) else call.words
     install_files(state, call, "program", words)
@@ -84,7 +84,7 @@ def _install_python(state: State, call: Call) -> None:
 _SIMPLE_FOLDERS = ("launch", "rviz", "urdf", "meshes", "maps", "worlds", "Media", "param")
 
 
-def _simple_install(state: State, call: Call) -> None:
+def _simple_install(state: CMakeState, call: EvaluatedCommand) -> None:
     """cs_install: what cs_add_* made, the targets named, the headers, and directories of common names (catkin_simple)."""
     for made in state.targets.values():
         if "SIMPLE" in made.properties or made.name in call.words:
@@ -98,12 +98,12 @@ def _simple_install(state: State, call: Call) -> None:
             state.installed.setdefault((path, "directory", destination, ""), call.location)
 
 
-def _simple_scripts(state: State, call: Call) -> None:
+def _simple_scripts(state: CMakeState, call: EvaluatedCommand) -> None:
     """cs_install_scripts(programs...)."""
     install_files(state, call, "program", [*call.words, "DESTINATION", f"lib/{state.package.name}"])
 
 
-def _auto_package(state: State, call: Call) -> None:
+def _auto_package(state: CMakeState, call: EvaluatedCommand) -> None:
     """ament_auto_package: installs what ament_auto_add_* made, ``include``, and INSTALL_TO_SHARE directories."""
     keywords = under(call.words, ("INSTALL_TO_PATH", "NO_INSTALL"), (), ("INSTALL_TO_SHARE", "CONFIG_EXTRAS"))
     for made in state.targets.values():
@@ -130,7 +130,7 @@ _MESSAGE_KINDS = {
 }
 
 
-def _interface_files(state: State, call: Call) -> None:
+def _interface_files(state: CMakeState, call: EvaluatedCommand) -> None:
     """add_message_files and its like: FILES in DIRECTORY, by default all in ``msg``, ``srv``, ``action``."""
     suffix = _MESSAGE_KINDS[call.name]
     _generates(state, "generate_messages_cpp")
@@ -148,7 +148,7 @@ def _interface_files(state: State, call: Call) -> None:
         _declare(state, call, f"{directory}/{bare(name)}")
 
 
-def _declare(state: State, call: Call, word: str) -> None:
+def _declare(state: CMakeState, call: EvaluatedCommand, word: str) -> None:
     path = inside(place(word, state.source_directory())) if is_certain(word) else None
     if path is None:
         state.problem(call.location, f"the interface {readable(word)} is only known in a build; it is missing")
@@ -158,7 +158,7 @@ def _declare(state: State, call: Call, word: str) -> None:
         state.missing(call, f"the interface {readable(word)} is not among the files")
 
 
-def _generate_interfaces(state: State, call: Call) -> None:
+def _generate_interfaces(state: CMakeState, call: EvaluatedCommand) -> None:
     """rosidl_generate_interfaces(target "msg/A.msg" ...); ``dir:file`` is a path, too."""
     flags = ("SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK", "ADD_LINTER_TESTS")
     keywords = under(call.words[1:], flags, ("LIBRARY_NAME",), ("DEPENDENCIES",))
@@ -167,7 +167,7 @@ def _generate_interfaces(state: State, call: Call) -> None:
         _declare(state, call, bare(word).replace(":", "/"))
 
 
-def _generates(state: State, what: str) -> None:
+def _generates(state: CMakeState, what: str) -> None:
     """Add a target to those that catkin's macros name in ``<project>_EXPORTED_TARGETS`` (genmsg, dynamic_reconfigure)."""
     project = state.get("PROJECT_NAME") or state.package.name
     name = f"{project}_EXPORTED_TARGETS"
@@ -176,13 +176,13 @@ def _generates(state: State, what: str) -> None:
         state.put(name, join_list([*made, f"{project}_{what}"]))
 
 
-def _typesupport(state: State, call: Call) -> None:
+def _typesupport(state: CMakeState, call: EvaluatedCommand) -> None:
     """rosidl_get_typesupport_target(variable target typesupport): the name of the target that generated code is linked by."""
     if len(call.words) > 2:
         state.put(call.words[0], f"{call.words[1]}__{call.words[2]}")
 
 
-def _configs(state: State, call: Call) -> None:
+def _configs(state: CMakeState, call: EvaluatedCommand) -> None:
     """generate_dynamic_reconfigure_options(cfg...)."""
     _generates(state, "gencfg")
     for word in call.words:
@@ -192,7 +192,7 @@ def _configs(state: State, call: Call) -> None:
             state.configs.setdefault(path, call.location)
 
 
-def _python_package(state: State, call: Call) -> None:
+def _python_package(state: CMakeState, call: EvaluatedCommand) -> None:
     """ament_python_install_package(name [PACKAGE_DIR dir])."""
     if call.words and is_certain(call.words[0]):
         single = ("PACKAGE_DIR", "VERSION", "SETUP_CFG", "DESTINATION", "SCRIPTS_DESTINATION")
@@ -203,7 +203,7 @@ def _python_package(state: State, call: Call) -> None:
             state.python_packages[call.words[0]] = path
 
 
-def _plugin_file(state: State, call: Call) -> None:
+def _plugin_file(state: CMakeState, call: EvaluatedCommand) -> None:
     """pluginlib_export_plugin_description_file(package file)."""
     if len(call.words) > 1 and is_certain(bare(call.words[1])):
         path = inside(place(bare(call.words[1]), state.source_directory()))
@@ -211,7 +211,7 @@ def _plugin_file(state: State, call: Call) -> None:
             state.plugin_files.setdefault(path, call.location)
 
 
-INSTALL_COMMANDS: Mapping[str, Callable[[State, Call], None]] = MappingProxyType(
+INSTALL_COMMANDS: Mapping[str, Callable[[CMakeState, EvaluatedCommand], None]] = MappingProxyType(
     {
         "install": _install,
         "catkin_install_python": _install_python,

@@ -6,11 +6,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from haros_ci.workspace.cmake_regex import replace, search, work
-from haros_ci.workspace.cmake_state import Call, State
+from haros_ci.workspace.cmake_state import CMakeState, EvaluatedCommand
 from haros_ci.workspace.cmake_words import MAYBE, bare, is_certain, join_list, split_list, unknown
 
 
-def run_list(state: State, call: Call) -> None:
+def run_list(state: CMakeState, call: EvaluatedCommand) -> None:
     """Every subcommand; what reads an element or a length that is not known sets its result to unknown."""
     words = call.words
     if len(words) < 2:
@@ -132,7 +132,7 @@ _CHANGING: Mapping[str, Callable[[list[str], list[str]], list[str] | None]] = {
 }
 
 
-def _transform(state: State, name: str, elements: list[str], rest: list[str]) -> None:
+def _transform(state: CMakeState, name: str, elements: list[str], rest: list[str]) -> None:
     """list(TRANSFORM l action [selector] [OUTPUT_VARIABLE v]); selectors are not followed, but REGEX."""
     target = name
     if "OUTPUT_VARIABLE" in rest[:-1]:

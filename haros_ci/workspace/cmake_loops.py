@@ -6,15 +6,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from haros_ci.workspace.cmake_conditions import decide
-from haros_ci.workspace.cmake_parse import Command
-from haros_ci.workspace.cmake_state import Doubt, Exhausted, State, condition_text
+from haros_ci.workspace.cmake_parse import ParsedCommand
+from haros_ci.workspace.cmake_state import CMakeBudgetExhausted, CMakeState, Doubt, condition_text
 from haros_ci.workspace.cmake_words import bare, is_certain, split_list
 
 MAX_TURNS = 5_000
 MAX_WHILE = 1_000
 
 
-def foreach_rows(state: State, words: list[str]) -> tuple[list[str], list[tuple[str, ...]]]:
+def foreach_rows(state: CMakeState, words: list[str]) -> tuple[list[str], list[tuple[str, ...]]]:
     """The loop's variables and their values in each turn; at most MAX_TURNS turns."""
     name, rest = words[0], words[1:]
     if rest[:1] == ["RANGE"]:
@@ -26,7 +26,7 @@ def foreach_rows(state: State, words: list[str]) -> tuple[list[str], list[tuple[
     return [name], [(item,) for item in rest[:MAX_TURNS]]
 
 
-def _items(state: State, words: list[str]) -> list[tuple[str, ...]]:
+def _items(state: CMakeState, words: list[str]) -> list[tuple[str, ...]]:
     """IN [LISTS variables] [ITEMS values]."""
     items: list[str] = []
     mode = ""
@@ -40,7 +40,7 @@ def _items(state: State, words: list[str]) -> list[tuple[str, ...]]:
     return [(item,) for item in items[:MAX_TURNS]]
 
 
-def _zipped(state: State, names: list[str], variables: list[str]) -> tuple[list[str], list[tuple[str, ...]]]:
+def _zipped(state: CMakeState, names: list[str], variables: list[str]) -> tuple[list[str], list[tuple[str, ...]]]:
     lists = [split_list(state.get(variable) or "") for variable in variables]
     if len(names) == 1:
         names = [f"{names[0]}_{number}" for number in range(len(lists))]
@@ -65,7 +65,7 @@ def _range(words: list[str]) -> range:
     return (range(first, last + 1, step) if first <= last else range(first, last - 1, -step))[:MAX_TURNS]
 
 
-def while_turns(state: State, command: Command, macro: dict[str, str] | None) -> Iterator[bool]:
+def while_turns(state: CMakeState, command: ParsedCommand, macro: dict[str, str] | None) -> Iterator[bool]:
     """Whether the condition is known to hold, for each turn that may be."""
     for _ in range(MAX_WHILE):
         call = state.expand(command, command.arguments, macro)
@@ -74,10 +74,10 @@ def while_turns(state: State, command: Command, macro: dict[str, str] | None) ->
             yield bool(verdict)
         if not verdict:
             return
-    raise Exhausted
+    raise CMakeBudgetExhausted
 
 
-def foreach_turns(state: State, command: Command, macro: dict[str, str] | None) -> Iterator[bool]:
+def foreach_turns(state: CMakeState, command: ParsedCommand, macro: dict[str, str] | None) -> Iterator[bool]:
     """Set the loop variables for each turn, by every form of foreach()."""
     words = state.expand(command, command.arguments, macro).words
     if not words:

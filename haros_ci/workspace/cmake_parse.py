@@ -27,7 +27,7 @@ _ACTIVE = re.compile(r"[$\\;]")
 
 
 @dataclass(slots=True)
-class Argument:
+class CMakeArgument:
     """*text* as written, without delimiters.
 
     ``is_literal``: bracketed, never evaluated; ``is_plain``: nothing in it to evaluate.
@@ -40,24 +40,24 @@ class Argument:
 
 
 @dataclass(slots=True)
-class Command:
+class ParsedCommand:
     """One invocation, or a block: *branches* are the bodies, each with the command that opens it.
 
     ``if`` has one branch per if, elseif and else; foreach, while, function, macro and block have one.
     """
 
     name: str
-    arguments: tuple[Argument, ...]
+    arguments: tuple[CMakeArgument, ...]
     line: int
     column: int
-    branches: list[tuple[Command, list[Command]]] = field(default_factory=list)
+    branches: list[tuple[ParsedCommand, list[ParsedCommand]]] = field(default_factory=list)
 
 
 @dataclass(frozen=True, slots=True)
 class Script:
     """The commands of a file up to its first error; *errors* are (line, message)."""
 
-    commands: tuple[Command, ...]
+    commands: tuple[ParsedCommand, ...]
     errors: tuple[tuple[int, str], ...] = ()
 
 
@@ -67,8 +67,8 @@ def parse_cmake(text: str) -> Script:
     return Script(tuple(_nest(_scan(text, errors), errors)), tuple(errors))
 
 
-def _scan(text: str, errors: list[tuple[int, str]]) -> list[Command]:
-    found: list[Command] = []
+def _scan(text: str, errors: list[tuple[int, str]]) -> list[ParsedCommand]:
+    found: list[ParsedCommand] = []
     position, line, counted, end = 0, 1, 0, len(text)
     while position < end:
         if blank := _BEFORE.match(text, position):
@@ -94,14 +94,14 @@ def _scan(text: str, errors: list[tuple[int, str]]) -> list[Command]:
             errors.append((line, f"{name[1]}(...) is not closed; what follows is not read"))
             break
         column = position - text.rfind("\n", 0, position)
-        found.append(Command(name[1].lower(), tuple(arguments), line, column))
+        found.append(ParsedCommand(name[1].lower(), tuple(arguments), line, column))
         position = after
     return found
 
 
-def _arguments(text: str, position: int) -> tuple[list[Argument], int]:
+def _arguments(text: str, position: int) -> tuple[list[CMakeArgument], int]:
     """The arguments from behind the parenthesis, and the place behind the closing one (-1: none)."""
-    found: list[Argument] = []
+    found: list[CMakeArgument] = []
     depth = 0
     while match := _TOKEN.match(text, position):
         position = match.end()
@@ -110,10 +110,10 @@ def _arguments(text: str, position: int) -> tuple[list[Argument], int]:
             continue
         if kind == "word":
             word = match["word"]
-            found.append(Argument(word, is_plain=_ACTIVE.search(word) is None))
+            found.append(CMakeArgument(word, is_plain=_ACTIVE.search(word) is None))
         elif kind == "quoted":
             value = match["quoted"]
-            found.append(Argument(value, is_quoted=True, is_plain="$" not in value and "\\" not in value))
+            found.append(CMakeArgument(value, is_quoted=True, is_plain="$" not in value and "\\" not in value))
         elif kind == "paren":
             if match["paren"] == ")":
                 if not depth:
@@ -121,13 +121,13 @@ def _arguments(text: str, position: int) -> tuple[list[Argument], int]:
                 depth -= 1
             else:
                 depth += 1
-            found.append(Argument(match["paren"]))
+            found.append(CMakeArgument(match["paren"]))
         else:
             content, position = _bracket(text, match.start())
             if position < 0:
                 break
             if match["bracket"][0] != "#":
-                found.append(Argument(content, is_quoted=True, is_literal=True))
+                found.append(CMakeArgument(content, is_quoted=True, is_literal=True))
     return found, -1
 
 
@@ -145,10 +145,10 @@ _OPENING = {"if": "endif", **{name: f"end{name}" for name in ("foreach", "while"
 _CLOSING = {end: name for name, end in _OPENING.items()}
 
 
-def _nest(flat: list[Command], errors: list[tuple[int, str]]) -> list[Command]:
+def _nest(flat: list[ParsedCommand], errors: list[tuple[int, str]]) -> list[ParsedCommand]:
     """Commands with the blocks' bodies in them. A lone end is dropped, an open block ends with the file."""
-    top: list[Command] = []
-    open_blocks: list[Command] = []
+    top: list[ParsedCommand] = []
+    open_blocks: list[ParsedCommand] = []
     body = top
     skipped = 0
     for command in flat:

@@ -12,7 +12,7 @@ from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
 from haros_ci.workspace.cmake_choices import may_be_given
-from haros_ci.workspace.cmake_parse import Argument, Command
+from haros_ci.workspace.cmake_parse import CMakeArgument, ParsedCommand
 from haros_ci.workspace.cmake_words import (
     MAYBE,
     UNKNOWN,
@@ -25,7 +25,7 @@ from haros_ci.workspace.cmake_words import (
     unknown,
     written,
 )
-from haros_ci.workspace.tree import Tree
+from haros_ci.workspace.tree import PathTree
 
 #: What evaluation may cost in all: about one for each command and for each hundred characters it handles.
 MAX_STEPS = 100_000
@@ -45,7 +45,7 @@ _OF_A_PACKAGE = re.compile(r"(?!(?:catkin|ament_\w+)_FOUND)([a-z][a-z0-9]*(?:_[a
 _SAYS_FOUND = re.compile(r"(?!(?:catkin|CATKIN|ament_\w+|AMENT_\w+)_FOUND)\w+_FOUND", re.ASCII)
 
 
-class Exhausted(Exception):
+class CMakeBudgetExhausted(Exception):
     """The budget is used up."""
 
 
@@ -63,7 +63,7 @@ class Doubt:
 
 
 @dataclass(slots=True)
-class Made:
+class CMakeTarget:
     """A target as far as it is known. Sources and links map to whether they are certain."""
 
     name: str
@@ -78,23 +78,23 @@ class Made:
 
 
 @dataclass(slots=True)
-class Call:
+class EvaluatedCommand:
     """A command with its arguments evaluated; ``quoted`` tells which were in quotes or brackets."""
 
     name: str
     words: list[str]
     quoted: list[bool]
     location: Location
-    command: Command
+    command: ParsedCommand
 
 
 Entry = tuple[dict[str, str | None], str, str | None]
 
 
-class State:
+class CMakeState:
     """Everything that commands read and change."""
 
-    def __init__(self, tree: Tree, package: Package) -> None:
+    def __init__(self, tree: PathTree, package: Package) -> None:
         self.tree = tree
         self.package = package
         self.steps = MAX_STEPS
@@ -103,8 +103,8 @@ class State:
         self.environment: dict[str, str] = {}
         self.unknown_prefixes: set[str] = set()
         self.is_choosing = False  # a condition is looked at that decides between packages
-        self.functions: dict[str, tuple[Command, str]] = {}
-        self.targets: dict[str, Made] = {}
+        self.functions: dict[str, tuple[ParsedCommand, str]] = {}
+        self.targets: dict[str, CMakeTarget] = {}
         self.installed: dict[tuple[str, str, str, str], Location] = {}
         self.plugin_files: dict[str, Location] = {}
         self.noted: set[str] = set()
@@ -131,7 +131,7 @@ class State:
         self.lent: set[str] = set()
         self.commands: dict[CMakeCommand, None] = {}
 
-    def keep(self, call: Call) -> None:
+    def keep(self, call: EvaluatedCommand) -> None:
         """Remember that a command was followed."""
         command = CMakeCommand(
             name=call.name,
@@ -146,7 +146,7 @@ class State:
     def spend(self, cost: int = 1) -> None:
         self.steps -= cost
         if self.steps < 0:
-            raise Exhausted
+            raise CMakeBudgetExhausted
 
     def get(self, name: str) -> str | None:
         """A variable's value, None if it is not set; what an outer package would set is unknown."""
@@ -199,7 +199,7 @@ class State:
         if value is not None:
             self.spend(len(value) // 200)
             if len(value) > MAX_VALUE:
-                raise Exhausted
+                raise CMakeBudgetExhausted
         target = self.scopes[-1] if scope is None else scope
         if self.journal is not None:
             self.journal.append((target, name, target.get(name, _MISSING)))
@@ -215,7 +215,7 @@ class State:
                 scope[name] = old
         return after
 
-    def where(self, command: Command) -> Location:
+    def where(self, command: ParsedCommand) -> Location:
         """Where the user wrote it: the outermost call of a function, or the command itself."""
         return self.site or Location(self.file, command.line, command.column)
 
@@ -226,7 +226,7 @@ class State:
         if len(self.problems) < MAX_PROBLEMS:
             self.problems[Problem(location.path, message[:MAX_MESSAGE], location.line)] = None
 
-    def missing(self, call: Call, message: str) -> None:
+    def missing(self, call: EvaluatedCommand, message: str) -> None:
         """A problem with what a command names, unless it may not be run at all."""
         if not self.doubts:
             self.problem(call.location, readable(message))
@@ -260,7 +260,7 @@ class State:
         value = "".join(parts)
         self.spend(len(value) // 100)
         if len(value) > MAX_VALUE:
-            raise Exhausted
+            raise CMakeBudgetExhausted
         return value
 
     def _refer(self, opening: str, name: str, is_whole: bool) -> str:
@@ -275,7 +275,9 @@ class State:
         self.spend(len(value) // 100)
         return value if is_whole or is_certain(value) else unknown(name)
 
-    def expand(self, command: Command, arguments: tuple[Argument, ...], macro: dict[str, str] | None) -> Call:
+    def expand(
+        self, command: ParsedCommand, arguments: tuple[CMakeArgument, ...], macro: dict[str, str] | None
+    ) -> EvaluatedCommand:
         """The arguments of *command* as words: unquoted ones are split at semicolons and vanish if empty."""
         words: list[str] = []
         quoted: list[bool] = []
@@ -296,7 +298,7 @@ class State:
                 words += elements
                 quoted += [False] * len(elements)
         self.spend(1 + len(words) // 10)
-        return Call(command.name, words, quoted, self.where(command), command)
+        return EvaluatedCommand(command.name, words, quoted, self.where(command), command)
 
 
 def _may_be_found(name: str) -> bool:
@@ -312,7 +314,7 @@ def substitute(text: str, macro: dict[str, str]) -> str:
     return _MACRO_REFERENCE.sub(lambda match: macro.get(match[1], match[0]), text)
 
 
-def condition_text(command: Command) -> str:
+def condition_text(command: ParsedCommand) -> str:
     """The arguments of a command as written, on one line."""
     words = [f'"{a.text}"' if a.is_quoted else a.text for a in command.arguments]
     return readable(" ".join(words).replace("\n", " "))[:120]

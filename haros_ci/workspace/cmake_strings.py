@@ -7,11 +7,11 @@ import re
 
 from haros_ci.model.digits import whole_number
 from haros_ci.workspace.cmake_regex import find_all, replace, search, work
-from haros_ci.workspace.cmake_state import MAX_VALUE, Call, State
+from haros_ci.workspace.cmake_state import MAX_VALUE, CMakeState, EvaluatedCommand
 from haros_ci.workspace.cmake_words import is_certain, join_list, unknown
 
 
-def run_string(state: State, call: Call) -> None:
+def run_string(state: CMakeState, call: EvaluatedCommand) -> None:
     """The subcommands whose result follows from the text; all others (hashes, times, JSON) give unknown."""
     words = call.words
     if len(words) < 2:
@@ -80,7 +80,7 @@ def _value(what: str, words: list[str]) -> str | None:
     return None
 
 
-def _regex(state: State, words: list[str]) -> None:
+def _regex(state: CMakeState, words: list[str]) -> None:
     """REGEX MATCH, MATCHALL and REPLACE; a match sets CMAKE_MATCH_<n>."""
     what = words[0].upper()
     at = 3 if what == "REPLACE" else 2
@@ -104,7 +104,7 @@ def _regex(state: State, words: list[str]) -> None:
     state.put(name, unknown(name) if result is None else result)
 
 
-def separate_arguments(state: State, call: Call) -> None:
+def separate_arguments(state: CMakeState, call: EvaluatedCommand) -> None:
     """separate_arguments(variable [mode text]): words at blanks; quotes in them are unknown."""
     if not call.words:
         return

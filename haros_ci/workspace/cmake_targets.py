@@ -10,7 +10,7 @@ from types import MappingProxyType
 from haros_ci.model.location import Location
 from haros_ci.workspace.cmake_genex import resolved
 from haros_ci.workspace.cmake_keywords import under
-from haros_ci.workspace.cmake_state import Call, Made, State
+from haros_ci.workspace.cmake_state import CMakeState, CMakeTarget, EvaluatedCommand
 from haros_ci.workspace.cmake_words import MAYBE, UNKNOWN, bare, inside, is_certain, place, readable
 
 _CODE = (".c", ".cc", ".cpp", ".cxx", ".c++", ".cu", ".m", ".mm")
@@ -23,7 +23,7 @@ _SINGLE = ("TIMEOUT", "WORKING_DIRECTORY", "RUNNER", "COMMAND")
 _LISTS = ("OPTIONS", "ENV", "APPEND_ENV", "APPEND_LIBRARY_DIRS", "DEPENDENCIES", "ARGS")
 
 
-def target_name(state: State, call: Call, what: str) -> str:
+def target_name(state: CMakeState, call: EvaluatedCommand, what: str) -> str:
     """The target's name, "" with a problem if it depends on what is not known."""
     if not call.words:
         return ""
@@ -36,14 +36,16 @@ def target_name(state: State, call: Call, what: str) -> str:
     return ""
 
 
-def make_target(state: State, call: Call, kind: str, name: str, *, is_test: bool = False) -> Made:
+def make_target(
+    state: CMakeState, call: EvaluatedCommand, kind: str, name: str, *, is_test: bool = False
+) -> CMakeTarget:
     """The target of that name, new or, where branches make it twice, the one there is."""
     is_test = is_test or state.testing > 0
     if not is_test:
         state.record(f"{kind} {name}")
     made = state.targets.get(name)
     if made is None:
-        made = Made(name, kind, call.location, is_conditional=bool(state.doubts), is_test=is_test)
+        made = CMakeTarget(name, kind, call.location, is_conditional=bool(state.doubts), is_test=is_test)
         if call.name.startswith("cs_"):
             made.properties["SIMPLE"] = "1"
         state.targets[name] = made
@@ -52,7 +54,9 @@ def make_target(state: State, call: Call, kind: str, name: str, *, is_test: bool
     return made
 
 
-def add_sources(state: State, made: Made, words: list[str], location: Location, *, is_certainly: bool = True) -> None:
+def add_sources(
+    state: CMakeState, made: CMakeTarget, words: list[str], location: Location, *, is_certainly: bool = True
+) -> None:
     """Add what *words* name, relative to the directory being read; a problem for what is not in the workspace."""
     for word in resolved(words):
         element = bare(word)
@@ -74,13 +78,13 @@ def add_sources(state: State, made: Made, words: list[str], location: Location, 
             state.problem(location, message)
 
 
-def own_sources(state: State, call: Call, made: Made, words: list[str]) -> None:
+def own_sources(state: CMakeState, call: EvaluatedCommand, made: CMakeTarget, words: list[str]) -> None:
     is_new = not made.sources and made.location == call.location
     kept = [word for word in words if bare(word) not in SKIPPED]
     add_sources(state, made, kept, call.location, is_certainly=is_new or not state.doubts)
 
 
-def _executable(state: State, call: Call) -> None:
+def _executable(state: CMakeState, call: EvaluatedCommand) -> None:
     name = target_name(state, call, "executable")
     if not name:
         return
@@ -92,7 +96,7 @@ def _executable(state: State, call: Call) -> None:
     own_sources(state, call, made, under(call.words[1:], (), _SINGLE, _LISTS)[""])
 
 
-def _library(state: State, call: Call) -> None:
+def _library(state: CMakeState, call: EvaluatedCommand) -> None:
     name = target_name(state, call, "library")
     if not name:
         return
@@ -108,16 +112,16 @@ def _library(state: State, call: Call) -> None:
     own_sources(state, call, made, under(rest, (), _SINGLE, _LISTS)[""])
 
 
-def _other(state: State, call: Call, name: str, kind: str) -> None:
+def _other(state: CMakeState, call: EvaluatedCommand, name: str, kind: str) -> None:
     made = make_target(state, call, kind.lower(), name)
     if kind == "ALIAS" and len(call.words) > 2:
         made.links[bare(call.words[2])] = is_certain(call.words[2])
 
 
-def _test(skipped: int) -> Callable[[State, Call], None]:
+def _test(skipped: int) -> Callable[[CMakeState, EvaluatedCommand], None]:
     """Commands that make a test's executable; *skipped* words stand between its name and the sources."""
 
-    def run(state: State, call: Call) -> None:
+    def run(state: CMakeState, call: EvaluatedCommand) -> None:
         name = target_name(state, call, "test")
         if name:
             made = make_target(state, call, "executable", name, is_test=True)
@@ -129,7 +133,7 @@ def _test(skipped: int) -> Callable[[State, Call], None]:
 _SCOPES = ("PRIVATE", "PUBLIC", "INTERFACE", "LINK_PRIVATE", "LINK_PUBLIC", "LINK_INTERFACE_LIBRARIES")
 
 
-def _target_sources(state: State, call: Call) -> None:
+def _target_sources(state: CMakeState, call: EvaluatedCommand) -> None:
     made = state.targets.get(call.words[0]) if call.words else None
     if made is None:
         return
@@ -139,7 +143,7 @@ def _target_sources(state: State, call: Call) -> None:
     add_sources(state, made, keywords[""], call.location, is_certainly=not state.doubts or made.is_conditional)
 
 
-def _link(state: State, call: Call) -> None:
+def _link(state: CMakeState, call: EvaluatedCommand) -> None:
     """target_link_libraries: names as evaluated; references that only a build resolves stay as ``${NAME}``."""
     made = state.targets.get(call.words[0]) if call.words else None
     if made is None:
@@ -153,7 +157,7 @@ def _link(state: State, call: Call) -> None:
         made.links[name] = made.links.get(name, False) or certain
 
 
-def _properties(state: State, call: Call) -> None:
+def _properties(state: CMakeState, call: EvaluatedCommand) -> None:
     """set_target_properties(targets PROPERTIES name value ...)."""
     if "PROPERTIES" not in call.words:
         return
@@ -166,7 +170,7 @@ def _properties(state: State, call: Call) -> None:
                 _property(state, call, made, key, value)
 
 
-def _property(state: State, call: Call, made: Made, key: str, value: str) -> None:
+def _property(state: CMakeState, call: EvaluatedCommand, made: CMakeTarget, key: str, value: str) -> None:
     """Note what the file's name is made of; if that is not known, the target's name stays, with a problem."""
     if key not in ("OUTPUT_NAME", "PREFIX", "SUFFIX", "LIBRARY_OUTPUT_NAME", "RUNTIME_OUTPUT_NAME"):
         return
@@ -179,7 +183,7 @@ def _property(state: State, call: Call, made: Made, key: str, value: str) -> Non
     made.properties["OUTPUT_NAME" if key.endswith("OUTPUT_NAME") else key] = value
 
 
-def _set_property(state: State, call: Call) -> None:
+def _set_property(state: CMakeState, call: EvaluatedCommand) -> None:
     """set_property(TARGET names PROPERTY key value)."""
     words = call.words
     if words[:1] != ["TARGET"] or "PROPERTY" not in words[:-2]:
@@ -191,7 +195,7 @@ def _set_property(state: State, call: Call) -> None:
             _property(state, call, made, words[at + 1], words[at + 2])
 
 
-def _components(state: State, call: Call) -> None:
+def _components(state: CMakeState, call: EvaluatedCommand) -> None:
     """rclcpp_components_register_node(lib PLUGIN class EXECUTABLE name) and ..._nodes(lib class...)."""
     if not call.words:
         return
@@ -218,19 +222,19 @@ FLAG = re.compile(r"(?:^|[\s;\"'])[-/]D\s*([A-Za-z_]\w*)")
 _DEFINITION = re.compile(r"(?:-D)?([A-Za-z_]\w*)(?:=|$)")
 
 
-def _definitions(state: State, call: Call) -> None:
+def _definitions(state: CMakeState, call: EvaluatedCommand) -> None:
     """target_compile_definitions and add_compile_definitions: macros whose values only a build knows for sure."""
     words = call.words[1:] if call.name.startswith("target") else call.words
     found = (_DEFINITION.match(bare(word)) for word in resolved(words) if word not in _SCOPES)
     state.defined.update(match[1] for match in found if match)
 
 
-def _options(state: State, call: Call) -> None:
+def _options(state: CMakeState, call: EvaluatedCommand) -> None:
     """Compiler options, among them definitions."""
     state.defined.update(name for word in resolved(call.words) for name in FLAG.findall(bare(word)))
 
 
-TARGET_COMMANDS: Mapping[str, Callable[[State, Call], None]] = MappingProxyType(
+TARGET_COMMANDS: Mapping[str, Callable[[CMakeState, EvaluatedCommand], None]] = MappingProxyType(
     {
         **dict.fromkeys(("add_executable", "cuda_add_executable", "hip_add_executable"), _executable),
         **dict.fromkeys(("rosbuild_add_executable", "cs_add_executable"), _executable),

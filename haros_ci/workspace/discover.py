@@ -14,14 +14,14 @@ from pathlib import Path
 from haros_ci.errors import UserError
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.timing import timed
-from haros_ci.workspace.assemble import Alias, Content, Skipped, assemble
+from haros_ci.workspace.assemble import Content, Skipped, SymbolicLink, assemble
 from haros_ci.workspace.excludes import Excludes
-from haros_ci.workspace.files import TooLarge, Tree, read_head, read_regular
-from haros_ci.workspace.hiding import Change
+from haros_ci.workspace.files import FileTree, TooLarge, read_head, read_regular
+from haros_ci.workspace.hiding import TrackedChange
 from haros_ci.workspace.language import HEAD, script_language, suffix_of
 from haros_ci.workspace.listing import list_files
 from haros_ci.workspace.past import Past
-from haros_ci.workspace.selection import Also, Candidate, Scope, select
+from haros_ci.workspace.selection import Also, AnalysedPaths, CandidatePath, select
 from haros_ci.workspace.settings_around import SettingsAround
 
 MAX_FILE_SIZE = 2_000_000
@@ -54,7 +54,7 @@ def discover(
     root = root.resolve()
     scope = scope_of(root, paths)
     listing = list_files(root, scope.directories, None if past is None else past.top)
-    change = None if past is None else Change(root, past, listing)
+    change = None if past is None else TrackedChange(root, past, listing)
     excludes = Excludes(exclude)
     candidates = select([*listing.paths, *scope.files], scope, excludes, also, change)
     disk = _Disk(root, max_file_size)
@@ -80,7 +80,7 @@ def discover(
     return replace(workspace, settings=SettingsAround(root, scope, max_file_size, workspace.reader))
 
 
-def scope_of(root: Path, paths: Iterable[str]) -> Scope:
+def scope_of(root: Path, paths: Iterable[str]) -> AnalysedPaths:
     """*paths* sorted into directories and files, symbolic links in them resolved; UserError as discover has it."""
     directories: set[str] = set()
     files: set[str] = set()
@@ -96,10 +96,10 @@ def scope_of(root: Path, paths: Iterable[str]) -> Scope:
         if not real.is_relative_to(root):
             raise UserError(f"{path!r} leads out of the workspace", help="run haros-ci in a directory that holds both")
         (directories if stat.S_ISDIR(mode) else files).add(real.relative_to(root).as_posix())
-    return Scope(tuple(sorted(directories)) or (".",), tuple(sorted(files)), named=bool(directories))
+    return AnalysedPaths(tuple(sorted(directories)) or (".",), tuple(sorted(files)), named=bool(directories))
 
 
-def targets_of(scope: Scope, paths: Iterable[str]) -> frozenset[str] | None:
+def targets_of(scope: AnalysedPaths, paths: Iterable[str]) -> frozenset[str] | None:
     """The files to report on: None for all that there are, else those given and all below directories given."""
     if not scope.files:
         return None
@@ -109,7 +109,7 @@ def targets_of(scope: Scope, paths: Iterable[str]) -> frozenset[str] | None:
     return frozenset((*scope.files, *(path for path in paths if "." in scope.directories or path.startswith(below))))
 
 
-def manifests_above(scope: Scope) -> list[str]:
+def manifests_above(scope: AnalysedPaths) -> list[str]:
     """Where the manifests of packages would be that the given directories lie in."""
     above = {parent for path in scope.directories for parent in _parents(path)} - set(scope.directories)
     return sorted("package.xml" if directory == "." else f"{directory}/package.xml" for directory in above)
@@ -120,13 +120,13 @@ class _Disk:
 
     def __init__(self, root: Path, max_file_size: int) -> None:
         self._root = os.fspath(root)
-        self._tree = Tree(root)
+        self._tree = FileTree(root)
         self._limit = max_file_size
 
-    def read(self, candidates: Iterable[Candidate]) -> Iterator[Content | Alias | Skipped]:
+    def read(self, candidates: Iterable[CandidatePath]) -> Iterator[Content | SymbolicLink | Skipped]:
         for candidate in candidates:
             path = candidate.path
-            found: Content | Alias | Problem | None = unusable_name(path)
+            found: Content | SymbolicLink | Problem | None = unusable_name(path)
             if found is None:
                 try:
                     found = self._content(candidate)
@@ -139,7 +139,7 @@ class _Disk:
             elif found is not None:
                 yield found
 
-    def executables(self, candidates: Iterable[Candidate]) -> set[str]:
+    def executables(self, candidates: Iterable[CandidatePath]) -> set[str]:
         """Those of the *candidates* that can be scripts and have an execute bit."""
         found = set()
         for candidate in candidates:
@@ -162,7 +162,7 @@ class _Disk:
             if data is not None:
                 yield Content(path, "package", data)
 
-    def _content(self, candidate: Candidate) -> Content | None:
+    def _content(self, candidate: CandidatePath) -> Content | None:
         """The contents; None if it is no regular file or, where only contents can tell, no script."""
         place = self._tree.place(candidate.path)
         language = candidate.language
@@ -175,14 +175,14 @@ class _Disk:
         data = read_regular(place, self._limit)
         return None if data is None else Content(candidate.path, language, data)
 
-    def _trouble(self, candidate: Candidate, err: OSError) -> Alias | Problem | None:
+    def _trouble(self, candidate: CandidatePath, err: OSError) -> SymbolicLink | Problem | None:
         if err.errno in (errno.ELOOP, errno.EMLINK):  # what O_NOFOLLOW says of a symbolic link
             return self._link(candidate.path, candidate.language)
         if err.errno in (errno.ENOENT, errno.ENOTDIR):  # git still knows files that were deleted
             return None
         return Problem(candidate.path, f"skipped: it cannot be read ({err.strerror})")
 
-    def _link(self, path: str, language: str | None) -> Alias | Problem | None:
+    def _link(self, path: str, language: str | None) -> SymbolicLink | Problem | None:
         """A problem for a link that leads nowhere or out of the root; what it leads to inside is listed by itself, too."""
         for directory in sorted(_parents(path), key=len):
             if os.path.islink(f"{self._root}/{directory}"):  # git lists what was there when it was a directory
@@ -197,7 +197,7 @@ class _Disk:
         if target == self._root:
             return None
         if target.startswith(f"{self._root}/"):
-            return Alias(path, target[len(self._root) + 1 :])
+            return SymbolicLink(path, target[len(self._root) + 1 :])
         if language is None and not os.path.isdir(target):
             return None
         return Problem(path, "skipped: a symbolic link that leads out of the workspace")

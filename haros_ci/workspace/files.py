@@ -53,7 +53,7 @@ def decode(data: bytes) -> str:
         return data.decode("latin-1")
 
 
-class Tree:
+class FileTree:
     """The files below *root*, none of which is reached through a symbolic link."""
 
     def __init__(self, root: Path) -> None:
@@ -90,8 +90,8 @@ class TextReader:
     """
 
     def __init__(self, root: Path, paths: Iterable[str], limit: int, others: Path | None = None) -> None:
-        self._tree = Tree(root)
-        self._others = self._tree if others is None else Tree(others)
+        self._tree = FileTree(root)
+        self._others = self._tree if others is None else FileTree(others)
         self._limit = limit
         self._texts: dict[str, str | None] = dict.fromkeys(paths)
 

@@ -144,7 +144,7 @@ def _first_bytes(argv: list[str], options: dict[str, Any], command: str, limit: 
 
 
 @dataclass(frozen=True, slots=True)
-class Files:
+class GitFiles:
     """What git lists: *files*, the repositories *nested* in them, *executables* and, by *tracked* path, the name of what the index holds."""
 
     files: list[str]
@@ -153,7 +153,7 @@ class Files:
     tracked: dict[str, str]
 
 
-def listed_files(repository: Repository, cwd: Path, directories: tuple[str, ...]) -> Files:
+def listed_files(repository: Repository, cwd: Path, directories: tuple[str, ...]) -> GitFiles:
     """Tracked and untracked, not ignored files below *directories*.
 
     *directories* and all paths that come back are relative to *cwd*, a directory of the work tree. Files that are
@@ -175,7 +175,7 @@ def listed_files(repository: Repository, cwd: Path, directories: tuple[str, ...]
             if entry[2:].startswith(b"100755"):
                 executables.add(path)
             tracked[path] = entry[9:-2].decode("ascii")
-    return Files(sorted(files), sorted(nested), sorted(executables), tracked)
+    return GitFiles(sorted(files), sorted(nested), sorted(executables), tracked)
 
 
 def resolve_commit(repository: Repository, rev: str) -> str:

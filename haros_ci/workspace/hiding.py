@@ -15,15 +15,15 @@ from pathlib import Path
 from haros_ci.model.package import OTHER
 from haros_ci.model.workspace import Hiding, Problem, Workspace
 from haros_ci.workspace.excludes import Excludes
-from haros_ci.workspace.files import Tree
+from haros_ci.workspace.files import FileTree
 from haros_ci.workspace.language import language_of, suffix_of
-from haros_ci.workspace.listing import Listing
+from haros_ci.workspace.listing import PathListing
 from haros_ci.workspace.past import Past
 from haros_ci.workspace.selection import (
     IGNORED_WITHOUT,
     MARKERS,
-    Candidate,
-    Scope,
+    AnalysedPaths,
+    CandidatePath,
     is_never_source,
     output_directories,
 )
@@ -38,15 +38,15 @@ _MANIFEST = "package.xml"
 _INCLUDE = re.compile(r"^[ \t]*#[ \t]*(?:include|import)[^\"<\n]{0,200}[\"<]([^\">\n]{1,1000})", re.MULTILINE)
 
 
-class Change:
+class TrackedChange:
     """The difference between the base revision and the files that git tracks now.
 
     It is what selection asks whether a marker counts (``selection.Standing``).
     """
 
-    def __init__(self, root: Path, past: Past, listing: Listing) -> None:
+    def __init__(self, root: Path, past: Past, listing: PathListing) -> None:
         self.root = root
-        self._tree = Tree(root)
+        self._tree = FileTree(root)
         self.base = past.entries
         self.tracked = listing.tracked
         self.executables = listing.executables
@@ -99,7 +99,7 @@ class Change:
     # -- what is said ----------------------------------------------------------------------------------------------
 
     def told(
-        self, workspace: Workspace, candidates: Collection[Candidate], scope: Scope, excludes: Excludes
+        self, workspace: Workspace, candidates: Collection[CandidatePath], scope: AnalysedPaths, excludes: Excludes
     ) -> Workspace:
         """*workspace*, which was made of *candidates*, with all that is to be said of the change."""
         analysed = {file.path: file.language for file in workspace.files}
@@ -111,7 +111,7 @@ class Change:
         )
         return replace(workspace, hiding=hiding)
 
-    def _warnings(self, chosen: Iterable[Candidate], scope: Scope) -> Iterator[Problem]:
+    def _warnings(self, chosen: Iterable[CandidatePath], scope: AnalysedPaths) -> Iterator[Problem]:
         """One for each directory that would be left out but for the base revision."""
         without, counted = output_directories(self.listed), output_directories(self.listed, self)
         kept = sorted(without - counted)
@@ -125,7 +125,7 @@ class Change:
                 verb = "is" if len(files) == 1 else "are"
                 yield Problem(directory, f"{self._cause(directory)}; {_files(files)} below it {verb} analysed")
 
-    def _enclosing(self, chosen: Iterable[Candidate], workspace: Workspace) -> Iterator[Problem]:
+    def _enclosing(self, chosen: Iterable[CandidatePath], workspace: Workspace) -> Iterator[Problem]:
         """One for each package that the change makes around packages of the base: they are none any more, as nobody looks below one."""
         packages = {package.path for package in workspace.packages}
         swallowed: dict[str, list[str]] = {}
@@ -159,7 +159,7 @@ class Change:
                 return f"it stays a directory of sources, though {prefix}{removed[0]} is gone"
         return "it stays a directory of sources, though it looks like the output of a build now"
 
-    def _notes(self, chosen: Iterable[Candidate], scope: Scope, excludes: Excludes) -> Iterator[Problem]:
+    def _notes(self, chosen: Iterable[CandidatePath], scope: AnalysedPaths, excludes: Excludes) -> Iterator[Problem]:
         """One for all changed files in directories that are never analysed, one for each submodule that is not there."""
         if not self.is_known:
             return
@@ -185,7 +185,7 @@ class Change:
                 ".", f"{_plural(len(aside), 'changed file')} {verb} in directories that are never analysed: {named}"
             )
 
-    def _included(self, workspace: Workspace, scope: Scope, excludes: Excludes) -> Iterator[Problem]:
+    def _included(self, workspace: Workspace, scope: AnalysedPaths, excludes: Excludes) -> Iterator[Problem]:
         """One for all changed files that C++ includes and that are not analysed, as their names are not those of C++."""
         if not self.is_known:
             return
@@ -199,7 +199,7 @@ class Change:
                 f"{_plural(len(found), 'changed file')} that C++ includes {are} not analysed, as no C++ file is called so: {_named(found)}",
             )
 
-    def _changed_without_language(self, scope: Scope, excludes: Excludes) -> list[str]:
+    def _changed_without_language(self, scope: AnalysedPaths, excludes: Excludes) -> list[str]:
         """The changed files in *scope* whose names are those of no language."""
         return [
             path

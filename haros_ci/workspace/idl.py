@@ -36,7 +36,7 @@ class _Other(Exception):
 
 
 @dataclass(slots=True)
-class _Reader:
+class _IdlReader:
     tokens: list[tuple[str, int]]
     at: int = 0
     typedefs: dict[str, str] = field(default_factory=dict)
@@ -66,7 +66,7 @@ class _Reader:
 def read_idl(text: str, name: str, kind: str) -> tuple[tuple[InterfaceField, ...], ...] | None:
     """The parts of the interface *name*; None where the text is not of the form that rosidl generates from."""
     try:
-        reader = _Reader(_tokens(text))
+        reader = _IdlReader(_tokens(text))
         while reader.peek():
             _module(reader, "")
         names = [f"{name}{part}" for part in _PARTS[kind]]
@@ -89,7 +89,7 @@ def _tokens(text: str) -> list[tuple[str, int]]:
     return made
 
 
-def _module(reader: _Reader, of: str, depth: int = 0) -> None:
+def _module(reader: _IdlReader, of: str, depth: int = 0) -> None:
     """One definition inside of the module *of*."""
     _annotations(reader)
     word = reader.next()
@@ -126,7 +126,7 @@ def _module(reader: _Reader, of: str, depth: int = 0) -> None:
         raise _Other
 
 
-def _members(reader: _Reader) -> list[InterfaceField]:
+def _members(reader: _IdlReader) -> list[InterfaceField]:
     default = _annotations(reader)
     kind = _type(reader)
     made = []
@@ -142,7 +142,7 @@ def _members(reader: _Reader) -> list[InterfaceField]:
     return made
 
 
-def _type(reader: _Reader) -> str:
+def _type(reader: _IdlReader) -> str:
     word = reader.next()
     if word == "sequence":
         reader.take("<")
@@ -171,7 +171,7 @@ def _type(reader: _Reader) -> str:
     raise _Other
 
 
-def _array(reader: _Reader, kind: str) -> str:
+def _array(reader: _IdlReader, kind: str) -> str:
     if reader.peek() != "[":
         return ""
     reader.take("[")
@@ -182,7 +182,7 @@ def _array(reader: _Reader, kind: str) -> str:
     return f"[{size}]"
 
 
-def _annotations(reader: _Reader) -> str:
+def _annotations(reader: _IdlReader) -> str:
     """Pass annotations; the default value among them as it stands, "" if there is none."""
     default = ""
     while reader.peek() == "@":

@@ -13,7 +13,7 @@ from haros_ci.workspace.selection import MARKERS, is_never_source, is_output
 
 
 @dataclass(slots=True)
-class Listing:
+class PathListing:
     """Paths relative to the root, in no order, with doubles where directories overlap; symbolic links are among them.
 
     *executables* have the execute bit in git's index, which keeps it on file systems without modes. *is_tracked* if git
@@ -28,14 +28,14 @@ class Listing:
     submodules: set[str] = field(default_factory=set)
 
 
-def list_files(root: Path, directories: tuple[str, ...], change: Path | None = None) -> Listing:
+def list_files(root: Path, directories: tuple[str, ...], change: Path | None = None) -> PathListing:
     """Every file below *directories* (relative to *root*) that .gitignore does not exclude.
 
     One git process for each repository; nested repositories and submodules are listed on their own. Outside git, or
     where git does not work, directories are walked and .gitignore has no meaning. *change* is the top of the repository whose
     ``tracked`` files are asked for.
     """
-    listing = Listing()
+    listing = PathListing()
     by_repository: dict[Path, list[str]] = {}
     for directory in directories:
         top = repository_of(root / directory)
@@ -49,7 +49,7 @@ def list_files(root: Path, directories: tuple[str, ...], change: Path | None = N
 
 
 def _list_repository(
-    listing: Listing,
+    listing: PathListing,
     root: Path,
     top: Path,
     directories: list[str],
@@ -104,7 +104,7 @@ def _ignored_as_a_whole(root: Path, directory: str, known: list[str]) -> list[st
 
 
 def _walk(
-    listing: Listing, root: Path, directory: str, *, repositories: bool = True, change: Path | None = None
+    listing: PathListing, root: Path, directory: str, *, repositories: bool = True, change: Path | None = None
 ) -> None:
     """List by reading directories; those that are no source are not entered, those with ``.git`` are left to git."""
     pending = [directory]

@@ -10,7 +10,7 @@ from haros_ci.workspace.xml import XmlError, parse_xml
 
 MOST_PEOPLE = 1000
 #: A tag right below the outermost one: its name, its attributes, all text in it.
-Said = tuple[str, Mapping[str, str], str]
+ManifestTag = tuple[str, Mapping[str, str], str]
 
 
 def read_manifest(data: bytes) -> Manifest:
@@ -31,11 +31,11 @@ def read_manifest(data: bytes) -> Manifest:
     )
 
 
-def _people(elements: Iterable[Said], tag: str) -> tuple[str, ...]:
+def _people(elements: Iterable[ManifestTag], tag: str) -> tuple[str, ...]:
     return tuple(dict.fromkeys(text for own, _, text in elements if own == tag and text))[:MOST_PEOPLE]
 
 
-def _said(data: bytes) -> list[Said]:
+def _said(data: bytes) -> list[ManifestTag]:
     """The tags in document order; of markup in them (descriptions may be XHTML) the text stays."""
     from xml.parsers import expat
 

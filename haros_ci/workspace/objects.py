@@ -9,11 +9,11 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from haros_ci.model.workspace import Problem, Workspace
-from haros_ci.workspace.assemble import Alias, Content
+from haros_ci.workspace.assemble import Content, SymbolicLink
 from haros_ci.workspace.discover import too_large, unusable_name
 from haros_ci.workspace.git import REGULAR, BaselineUnavailable, GitError, Repository, run_git
 from haros_ci.workspace.language import HEAD, script_language, suffix_of
-from haros_ci.workspace.selection import Candidate
+from haros_ci.workspace.selection import CandidatePath
 
 #: Bytes of files that are in memory at a time, unless a single file is larger.
 BATCH = 32_000_000
@@ -63,12 +63,12 @@ def read_tree(
     return tree
 
 
-def read_blobs(tree: dict[str, Blob], candidates: Iterable[Candidate], limit: int) -> Iterator[Content | Problem]:
+def read_blobs(tree: dict[str, Blob], candidates: Iterable[CandidatePath], limit: int) -> Iterator[Content | Problem]:
     """The contents of *candidates*, with one git process for each repository and BATCH bytes.
 
     What would be skipped on disk is skipped here. GitError if git lacks an object.
     """
-    batches: dict[Repository, tuple[list[Candidate], int]] = {}
+    batches: dict[Repository, tuple[list[CandidatePath], int]] = {}
     for candidate in candidates:
         blob = tree[candidate.path]
         unknown = candidate.language is None and candidate.fallback is None
@@ -92,7 +92,7 @@ def read_blobs(tree: dict[str, Blob], candidates: Iterable[Candidate], limit: in
         yield from _read_batch(repository, tree, batch)
 
 
-def _read_batch(repository: Repository, tree: dict[str, Blob], candidates: list[Candidate]) -> Iterator[Content]:
+def _read_batch(repository: Repository, tree: dict[str, Blob], candidates: list[CandidatePath]) -> Iterator[Content]:
     """Answers of ``git cat-file --batch``: a line ``NAME TYPE SIZE``, then so many bytes and a line feed."""
     request = "".join(f"{tree[candidate.path].name}\n" for candidate in candidates).encode("ascii")
     answer = memoryview(run_git(repository, "cat-file", "--batch", "--buffer", stdin=request))
@@ -110,7 +110,7 @@ def _read_batch(repository: Repository, tree: dict[str, Blob], candidates: list[
             yield Content(candidate.path, language, data)
 
 
-def read_links(tree: dict[str, Blob], links: dict[str, Blob]) -> Iterator[Alias]:
+def read_links(tree: dict[str, Blob], links: dict[str, Blob]) -> Iterator[SymbolicLink]:
     """The symbolic *links* that lead to files or directories of *tree*, as on disk (the first ``MAX_LINKS``)."""
     directories = {parent for path in tree for parent in _above(path)}
     targets: dict[str, str] = {}
@@ -121,7 +121,7 @@ def read_links(tree: dict[str, Blob], links: dict[str, Blob]) -> Iterator[Alias]
         for _ in range(MAX_STEPS):
             target = targets.get(target, target)
         if target in tree or target in directories:
-            yield Alias(path, target)
+            yield SymbolicLink(path, target)
 
 
 def _above(path: str) -> Iterator[str]:

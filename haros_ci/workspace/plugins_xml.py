@@ -11,11 +11,11 @@ from haros_ci.model.element import Element
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
-from haros_ci.workspace.tree import Tree
+from haros_ci.workspace.tree import PathTree
 from haros_ci.workspace.xml import XmlError, parse_xml
 
 
-def exported_descriptions(tree: Tree, package: Package) -> tuple[list[tuple[str, Location]], list[Problem]]:
+def exported_descriptions(tree: PathTree, package: Package) -> tuple[list[tuple[str, Location]], list[Problem]]:
     """The files that ``<export>`` of the manifest names by ``plugin="${prefix}/x.xml"``, and problems of others."""
     path = "package.xml" if package.path == "." else f"{package.path}/package.xml"
     found: list[tuple[str, Location]] = []

@@ -29,10 +29,10 @@ def read_config(path: str, text: str, package: str) -> tuple[ConfigFile | None, 
     module = parse_python(text)
     if isinstance(module, str):
         return None, [Problem(path, f"not Python that can be read ({module}); its parameters are missing")]
-    reader = _Reader(path)
+    reader = _CfgReader(path)
     try:
         reader.body(module.body, 0)
-    except _TooMuch:
+    except _CfgTooLarge:
         reader.problems.append(Problem(path, f"too long to follow; {_MISSED}"))
     except RecursionError:
         reader.problems.append(Problem(path, f"nested too deeply to follow; {_MISSED}"))
@@ -46,7 +46,7 @@ def read_config(path: str, text: str, package: str) -> tuple[ConfigFile | None, 
     ), reader.problems
 
 
-class _TooMuch(Exception):
+class _CfgTooLarge(Exception):
     pass
 
 
@@ -60,7 +60,7 @@ class _Inside:
     stores: tuple[str, ...]
 
 
-class _Reader:
+class _CfgReader:
     """Follows the statements of the file in order; ``generators`` maps variables to their group."""
 
     def __init__(self, path: str) -> None:
@@ -82,7 +82,7 @@ class _Reader:
         for statement in statements:
             self.steps += 1 + self.look(statement).size // 20
             if self.steps > MAX_STEPS:
-                raise _TooMuch
+                raise _CfgTooLarge
             self.statement(statement, depth)
 
     def statement(self, node: ast.stmt, depth: int) -> None:
@@ -199,7 +199,7 @@ class _Reader:
 
     def add(self, node: ast.Call, group: str) -> None:
         if len(self.parameters) >= MAX_PARAMETERS:
-            raise _TooMuch
+            raise _CfgTooLarge
         if any(isinstance(a, ast.Starred) for a in node.args) or any(k.arg is None for k in node.keywords):
             self.problem(node, "arguments unpacked with * or ** are not followed; the parameter is missing")
             return

@@ -11,7 +11,7 @@ from itertools import chain
 from pathlib import Path
 
 from haros_ci.model.workspace import Workspace
-from haros_ci.workspace.assemble import Alias, Content, assemble
+from haros_ci.workspace.assemble import Content, SymbolicLink, assemble
 from haros_ci.workspace.base import base_workspace, scratch_directory, write_contents
 from haros_ci.workspace.discover import MAX_FILE_SIZE, discover, manifests_above, unusable_name
 from haros_ci.workspace.excludes import Excludes
@@ -26,7 +26,7 @@ from haros_ci.workspace.git import (
 )
 from haros_ci.workspace.objects import Blob, read_blobs, read_links, read_tree
 from haros_ci.workspace.renames import find_renames
-from haros_ci.workspace.selection import Candidate, Scope, select
+from haros_ci.workspace.selection import AnalysedPaths, CandidatePath, select
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,13 +98,13 @@ def _merge_base(repository: Repository, one: str, other: str, named: str) -> str
         raise BaselineUnavailable(f"{named!r} and the head have no commit in common here; fetch more history") from err
 
 
-def _scope(tree: Mapping[str, Blob], paths: tuple[str, ...]) -> Scope:
+def _scope(tree: Mapping[str, Blob], paths: tuple[str, ...]) -> AnalysedPaths:
     files = tuple(sorted(path for path in paths if path in tree))
     directories = tuple(sorted(path for path in paths if path not in tree))
-    return Scope(directories or (".",), files, named=bool(directories))
+    return AnalysedPaths(directories or (".",), files, named=bool(directories))
 
 
-def _wanted(tree: Mapping[str, Blob], paths: tuple[str, ...], exclude: tuple[str, ...]) -> list[Candidate]:
+def _wanted(tree: Mapping[str, Blob], paths: tuple[str, ...], exclude: tuple[str, ...]) -> list[CandidatePath]:
     return select(tree, _scope(tree, paths), Excludes(exclude))
 
 
@@ -112,14 +112,14 @@ def _workspace(
     directory: Path,
     name: str,
     tree: dict[str, Blob],
-    selected: list[Candidate],
-    links: tuple[Alias, ...],
+    selected: list[CandidatePath],
+    links: tuple[SymbolicLink, ...],
     paths: tuple[str, ...],
     limit: int,
 ) -> Workspace:
     """The files of a commit, written below *directory*, as a Workspace."""
     directory.mkdir()
-    above = [Candidate(path, "package") for path in manifests_above(_scope(tree, paths)) if path in tree]
+    above = [CandidatePath(path, "package") for path in manifests_above(_scope(tree, paths)) if path in tree]
     return assemble(
         directory,
         chain(write_contents(directory, read_blobs(tree, selected, limit)), links),

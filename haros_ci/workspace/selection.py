@@ -32,7 +32,7 @@ _NOT_SOURCE = frozenset(("node_modules", "__pycache__"))
 
 
 @dataclass(frozen=True, slots=True)
-class Scope:
+class AnalysedPaths:
     """What a run is about, relative to the root: directories to enter, whatever covers them, and single files.
 
     ``named`` is False where the directory is only the default.
@@ -52,7 +52,7 @@ class Scope:
             path = path.rpartition("/")[0] or "."
 
 
-class Standing(Protocol):
+class MarkersAtBase(Protocol):
     """What a change cannot alter about markers: its base revision has the paths *base*, git tracks the paths *tracked* now."""
 
     @property
@@ -67,7 +67,7 @@ class Standing(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class Candidate:
+class CandidatePath:
     """A path to read; *language* None when only the first line can tell whether it is a script, *fallback* if it is none."""
 
     path: str
@@ -91,11 +91,11 @@ def is_never_source(name: str) -> bool:
 
 def select(
     paths: Iterable[str],
-    scope: Scope,
+    scope: AnalysedPaths,
     excludes: Excludes,
     also: Also | None = None,
-    standing: Standing | None = None,
-) -> list[Candidate]:
+    standing: MarkersAtBase | None = None,
+) -> list[CandidatePath]:
     """The analysed ones of *paths* (a whole listing, as it carries the markers), sorted.
 
     *also* tells of which paths the files are read whatever their kind. With *standing* a change hides nothing by the markers that
@@ -130,11 +130,11 @@ def select(
             language = language_of(name)
             is_read = sets_environment(name) or (also is not None and also(path))
             fallback = OTHER if language is None and is_read else None
-            chosen.append(Candidate(path, language, fallback))
+            chosen.append(CandidatePath(path, language, fallback))
     return chosen
 
 
-def output_directories(listing: Collection[str], standing: Standing | None = None) -> frozenset[str]:
+def output_directories(listing: Collection[str], standing: MarkersAtBase | None = None) -> frozenset[str]:
     """The directories that is_output tells, and their unmarked neighbours in a built workspace.
 
     With *standing*, only by markers that count, and not for the lack of what the base revision has.

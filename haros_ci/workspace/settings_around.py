@@ -6,8 +6,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from haros_ci.model.workspace import Reader
-from haros_ci.workspace.files import TooLarge, Tree, decode, read_head
-from haros_ci.workspace.selection import Scope
+from haros_ci.workspace.files import FileTree, TooLarge, decode, read_head
+from haros_ci.workspace.selection import AnalysedPaths
 
 
 class SettingsAround:
@@ -16,8 +16,8 @@ class SettingsAround:
     A run on a part of the tree so finds the settings that lie above it, and what these refer to. No symbolic link is followed.
     """
 
-    def __init__(self, root: Path, scope: Scope, limit: int, listed: Reader) -> None:
-        self._root, self._scope, self._limit, self._listed = Tree(root), scope, limit, listed
+    def __init__(self, root: Path, scope: AnalysedPaths, limit: int, listed: Reader) -> None:
+        self._root, self._scope, self._limit, self._listed = FileTree(root), scope, limit, listed
         self._data: dict[str, bytes | None] = {}
 
     def text(self, path: str) -> str:

@@ -10,7 +10,7 @@ from typing import Any
 from haros_ci.model.build import EntryPoint
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
-from haros_ci.workspace.tree import Tree
+from haros_ci.workspace.tree import PathTree
 
 MAX_LINES = 10_000
 
@@ -75,7 +75,7 @@ def scripts_of_text(text: str) -> list[str]:
 
 
 def entry_points(
-    tree: Tree,
+    tree: PathTree,
     package: Package,
     items: Iterable[tuple[Any, tuple[int, int]]],
     path: str,

@@ -23,7 +23,7 @@ from haros_ci.workspace.setup_cfg import (
     scripts_of_text,
 )
 from haros_ci.workspace.setup_filled import filled
-from haros_ci.workspace.tree import Tree
+from haros_ci.workspace.tree import PathTree
 
 MAX_GLOBS = 100
 MAX_NESTED = 10
@@ -47,7 +47,7 @@ class Setup:
     packages: tuple[tuple[str, Location], ...] = ()
 
 
-def read_setup(tree: Tree, package: Package) -> Setup:
+def read_setup(tree: PathTree, package: Package) -> Setup:
     """The setup.py of *package*. What is computed there is a problem if it hides scripts, else left out."""
     base = "" if package.path == "." else f"{package.path}/"
     path = f"{base}setup.py"
@@ -55,13 +55,13 @@ def read_setup(tree: Tree, package: Package) -> Setup:
     if isinstance(module, str):
         return Setup(problems=(Problem(path, f"not Python that can be read ({module}); what it installs is missing"),))
     try:
-        return _Reader(tree, package, path, module).setup()
+        return _SetupReader(tree, package, path, module).setup()
     except RecursionError:
         return Setup(problems=(Problem(path, "nested too deeply to follow; what it installs is missing"),))
 
 
-class _Reader:
-    def __init__(self, tree: Tree, package: Package, path: str, module: ast.Module) -> None:
+class _SetupReader:
+    def __init__(self, tree: PathTree, package: Package, path: str, module: ast.Module) -> None:
         self.tree = tree
         self.package = package
         self.path = path

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
 
-from haros_ci.workspace.shell_words import HOLE, Part, Unreadable, Variable, Word
+from haros_ci.workspace.shell_words import HOLE, Part, ShellVariable, UnreadableScript, Word
 
 #: Characters of one value, and how many variables there may be.
 MAX_VALUE, MAX_NAMES = 4_000, 500
@@ -30,7 +30,7 @@ def names_set(text: str) -> frozenset[str]:
 
 
 @dataclass(slots=True)
-class State:
+class ShellState:
     """What is known of the variables at one place of a script."""
 
     script: str
@@ -80,7 +80,7 @@ class State:
         self.values[name] = value
         self.gone.discard(name)
         if len(self.values) > MAX_NAMES:
-            raise Unreadable
+            raise UnreadableScript
         if self.is_exporting_all or name in self.inherited:
             self.exported.add(name)
 
@@ -88,7 +88,7 @@ class State:
         """Nothing is known of *names* any more."""
         self.stuck |= names
         if len(self.stuck) > MAX_NAMES:
-            raise Unreadable
+            raise UnreadableScript
 
     def expand(self, parts: Sequence[Part], *, is_test: bool) -> str | None:
         """The text of *parts*, None if it is not known or too long; a variable that is not set is empty in a test, and not known in a value."""
@@ -96,7 +96,7 @@ class State:
         known = [text for text in found if text is not None]
         return None if len(known) < len(found) or sum(map(len, known)) > MAX_VALUE else "".join(known)
 
-    def part(self, part: Variable | None, is_test: bool) -> str | None:
+    def part(self, part: ShellVariable | None, is_test: bool) -> str | None:
         if part is None:
             return None
         is_unset, value = self.look(part.name)
@@ -109,7 +109,7 @@ class State:
             self.put(part.name, None)
         return None
 
-    def choice(self, part: Variable, value: str | None, other: str | None) -> str | None:
+    def choice(self, part: ShellVariable, value: str | None, other: str | None) -> str | None:
         """What ``${NAME:-other}`` and its like stand for, where NAME has *value*, or is not set (None)."""
         is_there = value is not None and (bool(value) or ":" not in part.operator)
         if part.operator[-1] == "+":

@@ -11,8 +11,8 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 
-from haros_ci.workspace.shell_values import State, names_set
-from haros_ci.workspace.shell_words import Operator, Token, Unreadable, Word, tokens
+from haros_ci.workspace.shell_values import ShellState, names_set
+from haros_ci.workspace.shell_words import Operator, Token, UnreadableScript, Word, tokens
 
 #: Commands and blocks within each other.
 MAX_DEPTH = 40
@@ -35,12 +35,12 @@ def read_script(script: str, inherited: Mapping[str, str | None] | None = None, 
     *given* are those that are set before (None: to what is not known); others are taken not to be set, but for those that a shell, the system
     and ROS set. *stuck* are names of which nothing is known, whatever the script says.
     """
-    reader = _Reader(script, dict(inherited or {}), set(stuck), inherited=frozenset(inherited or ()))
+    reader = _ShellReader(script, dict(inherited or {}), set(stuck), inherited=frozenset(inherited or ()))
     try:
         reader.lose(reader.stuck)
         reader.tokens = tokens(script)
         reader.sequence(())
-    except (Unreadable, RecursionError):
+    except (UnreadableScript, RecursionError):
         return Variables({}, names_set(script) | reader.stuck)
     seen = reader.exported | reader.stuck
     values = {name: value for name in reader.exported if (value := reader.known(name)) is not None}
@@ -48,7 +48,7 @@ def read_script(script: str, inherited: Mapping[str, str | None] | None = None, 
 
 
 @dataclass(slots=True)
-class _Reader(State):
+class _ShellReader(ShellState):
     tokens: list[Token] = field(default_factory=list)
     at: int = 0
     depth: int = 0
@@ -59,7 +59,7 @@ class _Reader(State):
         """Commands up to one of the words *ends*, which is passed over; how the last of them ended."""
         self.depth += 1
         if self.depth > MAX_DEPTH:
-            raise Unreadable
+            raise UnreadableScript
         status: bool | None = True
         while self.at < len(self.tokens):
             token = self.tokens[self.at]
@@ -70,7 +70,7 @@ class _Reader(State):
                     self.at += 1
                     continue
                 if token.text != "(":
-                    raise Unreadable
+                    raise UnreadableScript
                 status = self.chain()
                 continue
             if token.text in ends and not token.is_quoted:
@@ -78,7 +78,7 @@ class _Reader(State):
             status = self.chain()
         else:
             if ends:
-                raise Unreadable
+                raise UnreadableScript
         self.depth -= 1
         return status
 
@@ -92,7 +92,7 @@ class _Reader(State):
             self.at += 1
             while isinstance(self.tokens[self.at], Operator) and self.tokens[self.at].start < len(self.script):
                 if self.operator() != "\n":
-                    raise Unreadable
+                    raise UnreadableScript
                 self.at += 1
             follows = None if status is None else status is (token.text == "&&")
             made = self.piped(follows if follows is not True else None, is_doubtful=follows is None)
@@ -128,11 +128,11 @@ class _Reader(State):
         token = self.tokens[self.at] if self.at < len(self.tokens) else None
         if isinstance(token, Operator):
             if token.text != "(":
-                raise Unreadable
+                raise UnreadableScript
             self.pass_subshell()  # what a subshell sets stays in it
             return None
         if token is None:
-            raise Unreadable
+            raise UnreadableScript
         name = token.text if not token.is_quoted else None
         if name == "if":
             return self.condition()
@@ -164,7 +164,7 @@ class _Reader(State):
             self.at += 1
             if not depth:
                 return
-        raise Unreadable
+        raise UnreadableScript
 
     def lose_block(self, end: str) -> None:
         """Go behind a loop, a choice or a function; what it sets is not known from there on."""
@@ -183,7 +183,7 @@ class _Reader(State):
                             loop = re.match(r"\s*(?:for|select)\s+([A-Za-z_]\w*)", self.script[start : start + 200])
                             self.lose({loop[1]} if loop and loop[1] in self.values else set())
                         return
-        raise Unreadable
+        raise UnreadableScript
 
     def condition(self) -> bool | None:
         """``if … fi``: the branch that holds, or all that may hold, in doubt."""
@@ -204,7 +204,7 @@ class _Reader(State):
             self.at += 1
             self.branch(decided, True)
         if self.word() != "fi":
-            raise Unreadable
+            raise UnreadableScript
         self.at += 1
         return None
 
@@ -301,20 +301,20 @@ class _Reader(State):
         return True
 
 
-_Command = Callable[[_Reader, list[Word]], "bool | None"]
+_Command = Callable[[_ShellReader, list[Word]], "bool | None"]
 _COMMANDS: Mapping[str, _Command] = {
-    "[": _Reader.bracket,
-    "[[": _Reader.bracket,
-    "test": _Reader.test,
-    "export": _Reader.export,
-    "unset": _Reader.unset,
-    "set": _Reader.option,
-    ":": _Reader.colon,
-    "true": _Reader.nothing,
-    "source": _Reader.source,
-    ".": _Reader.source,
-    "return": _Reader.end,
-    "exit": _Reader.end,
-    **dict.fromkeys(_EXPORTING[1:], _Reader.declare),
-    **dict.fromkeys(_READING, _Reader.reads),
+    "[": _ShellReader.bracket,
+    "[[": _ShellReader.bracket,
+    "test": _ShellReader.test,
+    "export": _ShellReader.export,
+    "unset": _ShellReader.unset,
+    "set": _ShellReader.option,
+    ":": _ShellReader.colon,
+    "true": _ShellReader.nothing,
+    "source": _ShellReader.source,
+    ".": _ShellReader.source,
+    "return": _ShellReader.end,
+    "exit": _ShellReader.end,
+    **dict.fromkeys(_EXPORTING[1:], _ShellReader.declare),
+    **dict.fromkeys(_READING, _ShellReader.reads),
 }

@@ -19,12 +19,12 @@ _VARIABLE = re.compile(r"\{([A-Za-z_]\w*)(?:(:?[-=+?])|\})")
 _OPERATORS = re.compile(r"&&|\|\||;;|[;|()\n]|&(?!>)|&?[<>]+&?(?:\d|-)?")
 
 
-class Unreadable(Exception):
+class UnreadableScript(Exception):
     """The text is no script that is understood: an end is missing, it is too long, or has what is not read."""
 
 
 @dataclass(frozen=True, slots=True)
-class Variable:
+class ShellVariable:
     """``$name``, or ``${name<operator>other}`` where *operator* is one of ``:-``, ``:=``, ``:+``, ``:?`` with or without the colon."""
 
     name: str
@@ -33,7 +33,7 @@ class Variable:
 
 
 #: A piece of a word: text, a variable, or None for what only a shell can tell (a command's output, arithmetic, a hole).
-Part = str | Variable | None
+Part = str | ShellVariable | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,12 +68,12 @@ Token = Word | Operator
 def tokens(script: str) -> list[Token]:
     """All words and operators of *script*, a line feed at the end; Unreadable for what is no such thing."""
     if len(script) > MAX_SCRIPT:
-        raise Unreadable
+        raise UnreadableScript
     found: list[Token] = []
     for token in _scan(script):
         found.append(token)
         if len(found) > MAX_TOKENS:
-            raise Unreadable
+            raise UnreadableScript
     found.append(Operator("\n", len(script), len(script)))
     return found
 
@@ -92,7 +92,7 @@ def _scan(script: str) -> Iterator[Token]:
         elif operator := _OPERATORS.match(script, at):
             text = operator[0]
             if text.startswith(("<<", "&<")):
-                raise Unreadable  # a text inside the script
+                raise UnreadableScript  # a text inside the script
             yield Operator(">" if text[0] in "<>" else text, at, operator.end())
             at = operator.end()
         else:
@@ -107,12 +107,12 @@ def _word(script: str, start: int) -> tuple[Word, int]:
         char = script[at]
         if char in " \t\r\n;&|()<>":
             if char == "(" and script[at - 1 : at] in ("=", "?", "*", "+", "@", "!"):
-                raise Unreadable  # an array, or a pattern
+                raise UnreadableScript  # an array, or a pattern
             break
         if char == "'":
             end = script.find("'", at + 1)
             if end < 0:
-                raise Unreadable
+                raise UnreadableScript
             parts += _with_holes(script[at + 1 : end])
             at, is_quoted = end + 1, True
         elif char == '"':
@@ -145,7 +145,7 @@ def _with_holes(text: str) -> list[Part]:
 def _until(script: str, at: int, end: str, depth: int) -> tuple[list[Part], int]:
     """The parts up to the sign *end*, as between double quotes, and the place after it."""
     if depth > MAX_NESTED:
-        raise Unreadable
+        raise UnreadableScript
     parts: list[Part] = []
     while at < len(script):
         char = script[at]
@@ -167,7 +167,7 @@ def _until(script: str, at: int, end: str, depth: int) -> tuple[list[Part], int]
                 stop += 1
             parts += _with_holes(script[at:stop])
             at = stop
-    raise Unreadable
+    raise UnreadableScript
 
 
 def _expansion(script: str, at: int, depth: int) -> tuple[Part, int]:
@@ -175,7 +175,7 @@ def _expansion(script: str, at: int, depth: int) -> tuple[Part, int]:
     if script[at] == "`":
         end = script.find("`", at + 1)
         if end < 0:
-            raise Unreadable
+            raise UnreadableScript
         return None, end + 1
     at += 1
     if script.startswith("(", at):
@@ -186,12 +186,12 @@ def _expansion(script: str, at: int, depth: int) -> tuple[Part, int]:
             _, end = _until(script, at + 1, "}", depth + 1)
             return None, end
         if not plain[2]:
-            return Variable(plain[1]), plain.end()
+            return ShellVariable(plain[1]), plain.end()
         other, end = _until(script, plain.end(), "}", depth + 1)
-        return Variable(plain[1], plain[2], tuple(other)), end
+        return ShellVariable(plain[1], plain[2], tuple(other)), end
     name = _NAME.match(script, at)
     if name is not None:
-        return Variable(name[0]), name.end()
+        return ShellVariable(name[0]), name.end()
     if script[at : at + 1] in tuple("?$!#*@-0123456789"):
         return None, at + 1
     return "$", at
@@ -205,7 +205,7 @@ def _closed(script: str, at: int) -> int:
         if char in "'\"":
             at = script.find(char, at + 1)
             if at < 0:
-                raise Unreadable
+                raise UnreadableScript
         elif char == "\\":
             at += 1
         elif char == "(":
@@ -215,4 +215,4 @@ def _closed(script: str, at: int) -> int:
             if not depth:
                 return at + 1
         at += 1
-    raise Unreadable
+    raise UnreadableScript

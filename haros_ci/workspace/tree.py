@@ -16,7 +16,7 @@ MAX_MATCHED = 20_000
 _EXTRAS = ("CONFIG_EXTRAS", "CFG_EXTRAS", "CONFIG_EXTRAS_POST")
 
 
-class Tree:
+class PathTree:
     """Paths are root-relative, ``.`` is the root. All files of the workspace exist, those too that are not analysed, and directories with such."""
 
     def __init__(self, workspace: Workspace) -> None:

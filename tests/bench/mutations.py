@@ -34,7 +34,7 @@ from mutations import MUTATIONS, Mutation  # haros: ignore[import-self] tests/mu
 
 from haros_ci.model.location import Location
 from haros_ci.results.fingerprint import digest
-from haros_ci.results.known import Sides, known_from_results
+from haros_ci.results.known import ComparedFiles, known_from_results
 from haros_ci.results.matching import match
 from haros_ci.results.result import Identity, Result
 from haros_ci.results.rule import Level
@@ -223,7 +223,7 @@ def time_matching(count: int) -> None:
     """CPU seconds of matching *count* results with *count* known findings, in 100 files, the best of five."""
     old = findings(count, 0)
     known = known_from_results(old)
-    sides = Sides(head=lambda path: "", language=lambda path: "cpp", exists=lambda path: True)
+    sides = ComparedFiles(head=lambda path: "", language=lambda path: "cpp", exists=lambda path: True)
     foreign = Identity(scope="z", text="0" * 16, before="1" * 16, after="2" * 16, shape="3" * 16, template="q")
     cases = {
         "all shifted": findings(count, 3),

@@ -6,9 +6,9 @@ from __future__ import annotations
 import pytest
 
 from haros_ci.analysis.comparison import call_rows
-from haros_ci.changes.calls import Call, calls_in
+from haros_ci.changes.calls import ChangedCall, calls_in
 from haros_ci.changes.change import Difference
-from haros_ci.changes.evidence import Evidence, Source, functions_of
+from haros_ci.changes.evidence import RevisionCode, TextEvidence, functions_of
 from haros_ci.changes.wrappers import Wrappers
 from haros_ci.extract.cpp.read import read_cpp
 from haros_ci.extract.python.read import read_python
@@ -18,15 +18,15 @@ LIBRARY = "struct Maker {\n  void make() {\n    node->create_publisher<T>(name, 
 USER = "void user() {\n  start();\n}\n"
 
 
-def source(files: dict[str, str], changed: set[str], languages: frozenset[str] = frozenset({"cpp"})) -> Source:
+def source(files: dict[str, str], changed: set[str], languages: frozenset[str] = frozenset({"cpp"})) -> RevisionCode:
     functions = {path: functions_of(read_cpp(text)) for path, text in files.items()}
-    return Source(functions, {path: files[path] for path in changed & files.keys()}, languages)
+    return RevisionCode(functions, {path: files[path] for path in changed & files.keys()}, languages)
 
 
 def is_borne_out(base: dict[str, str], head: dict[str, str], languages: frozenset[str] = frozenset({"cpp"})) -> bool:
     """Whether the publisher of LIBRARY is new by this change."""
     changed = {path for path in base.keys() | head.keys() if base.get(path) != head.get(path)}
-    evidence = Evidence(source(base, changed, languages), source(head, changed, languages), lambda path: path)
+    evidence = TextEvidence(source(base, changed, languages), source(head, changed, languages), lambda path: path)
     line = head["lib.hpp"].split("\n").index("    node->create_publisher<T>(name, 1);") + 1
     found = Difference(what="publisher", action="added", name="/x", head=Location("lib.hpp", line, 5))
     return evidence.bears_out(found)
@@ -70,7 +70,7 @@ def test_not_borne_out(name: str) -> None:
 def calls(text: str, ros: int = 2, python: bool = False) -> list[tuple[str, str, str | None, str | None]]:
     rows = call_rows()["python" if python else "cpp", ros]
     program = read_python(text) if python else read_cpp(text)
-    found: tuple[Call, ...] = calls_in("a", program, rows, Wrappers([(program, rows)]).named)
+    found: tuple[ChangedCall, ...] = calls_in("a", program, rows, Wrappers([(program, rows)]).named)
     return [(call.what, call.name, call.type, call.default) for call in found if call.name.strip("?.")]
 
 

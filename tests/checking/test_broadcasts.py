@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from haros_ci.api.testing import said
-from haros_ci.checking.broadcasts import Frame, sent
+from haros_ci.checking.broadcasts import BroadcastFrame, sent
 from haros_ci.checking.page import Example
 from haros_ci.extract.cpp.read import read_cpp
 from haros_ci.extract.python.read import read_python
@@ -43,18 +43,22 @@ public:
 @pytest.mark.parametrize(
     ("child", "send", "expected"),
     [
-        ('"base_link"', "br_->sendTransform(t);", [(Frame("base_link"), Frame("odom"))]),
-        ("base_frame_", "br_->sendTransform(t);", [(Frame(parameter="base_frame"), Frame("odom"))]),
-        ("name_", "br_->sendTransform(t);", [(Frame("named"), Frame("odom"))]),
-        ("msg->child", "br_->sendTransform(t);", [(None, Frame("odom"))]),
-        ('"a"', "while (ok()) { br_->sendTransform(t); }", [(Frame("a"), Frame("odom"))]),
-        ('"a"', "if (!msg) { return; } br_->sendTransform(t);", [(Frame("a"), Frame("odom"))]),
+        ('"base_link"', "br_->sendTransform(t);", [(BroadcastFrame("base_link"), BroadcastFrame("odom"))]),
+        ("base_frame_", "br_->sendTransform(t);", [(BroadcastFrame(parameter="base_frame"), BroadcastFrame("odom"))]),
+        ("name_", "br_->sendTransform(t);", [(BroadcastFrame("named"), BroadcastFrame("odom"))]),
+        ("msg->child", "br_->sendTransform(t);", [(None, BroadcastFrame("odom"))]),
+        ('"a"', "while (ok()) { br_->sendTransform(t); }", [(BroadcastFrame("a"), BroadcastFrame("odom"))]),
+        ('"a"', "if (!msg) { return; } br_->sendTransform(t);", [(BroadcastFrame("a"), BroadcastFrame("odom"))]),
         ('"a"', "if (publish_tf_) { br_->sendTransform(t); }", []),
         ('"a"', "if (!publish_tf_) { return; } br_->sendTransform(t);", []),
-        ('"a"', 't.child_frame_id = "b"; br_->sendTransform(t);', [(None, Frame("odom"))]),
-        ('"a"', "t.header = msg->header; br_->sendTransform(t);", [(Frame("a"), None)]),
+        ('"a"', 't.child_frame_id = "b"; br_->sendTransform(t);', [(None, BroadcastFrame("odom"))]),
+        ('"a"', "t.header = msg->header; br_->sendTransform(t);", [(BroadcastFrame("a"), None)]),
         ('"a"', "br_->sendTransform(all_);", [(None, None)]),
-        ('"a"', 'br_->sendTransform(tf::StampedTransform(x, now, "p", "c"));', [(Frame("c"), Frame("p"))]),
+        (
+            '"a"',
+            'br_->sendTransform(tf::StampedTransform(x, now, "p", "c"));',
+            [(BroadcastFrame("c"), BroadcastFrame("p"))],
+        ),
     ],
 )
 def test_cpp(child: str, send: str, expected: object) -> None:
@@ -80,11 +84,11 @@ class Odom(Node):
 @pytest.mark.parametrize(
     ("child", "call", "expected"),
     [
-        ("'a'", "self.send()", [(Frame("a"), Frame("odom"))]),
-        ("self.frame", "self.send()", [(Frame(parameter="base_frame"), Frame("odom"))]),
-        ("self.other", "self.send()", [(Frame(parameter="other"), Frame("odom"))]),
-        ("name", "self.send()", [(None, Frame("odom"))]),
-        ("'a' + x", "self.send()", [(None, Frame("odom"))]),
+        ("'a'", "self.send()", [(BroadcastFrame("a"), BroadcastFrame("odom"))]),
+        ("self.frame", "self.send()", [(BroadcastFrame(parameter="base_frame"), BroadcastFrame("odom"))]),
+        ("self.other", "self.send()", [(BroadcastFrame(parameter="other"), BroadcastFrame("odom"))]),
+        ("name", "self.send()", [(None, BroadcastFrame("odom"))]),
+        ("'a' + x", "self.send()", [(None, BroadcastFrame("odom"))]),
         ("'a'", "if self.publish_tf: self.send()", []),
     ],
 )
@@ -94,7 +98,7 @@ def test_python(child: str, call: str, expected: object) -> None:
 
 def test_tf_of_ros_1() -> None:
     program = read_python('br = tf.TransformBroadcaster()\nbr.sendTransform(a, b, now(), "c", "p")\n')
-    assert frames(program) == [(Frame("c"), Frame("p"))]
+    assert frames(program) == [(BroadcastFrame("c"), BroadcastFrame("p"))]
 
 
 PAIR = (

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from haros_ci.config.yaml_lines import MAX_ALIASES, MAX_DEPTH, Value, parse, plain
+from haros_ci.config.yaml_lines import MAX_ALIASES, MAX_DEPTH, YamlValue, parse, plain
 from haros_ci.errors import UserError
 
 BOMB = b"a: &a [x, x, x, x, x, x, x, x, x]\n" + b"".join(
@@ -116,7 +116,7 @@ def test_lines_are_those_of_keys_and_values() -> None:
     second = top.data["b"]
     assert (top.data["a"].key_line, second.key_line, second.line) == (2, 3, 4)
     assert isinstance(second.data, tuple)
-    assert second.data == (Value(4, "x"), Value(5, "y"))
+    assert second.data == (YamlValue(4, "x"), YamlValue(5, "y"))
 
 
 def test_repeated_keys_are_told_and_the_last_counts() -> None:

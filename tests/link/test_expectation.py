@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from haros_ci.commands.model import expected
-from haros_ci.declared.expectation import Difference, compare, may_be, problems
+from haros_ci.declared.expectation import Deviation, compare, may_be, problems
 from haros_ci.errors import UserError
 from haros_ci.model.architecture import Architecture, Condition, Configuration, Endpoint, Node, Parameter, Unknown
 from haros_ci.model.location import Location
@@ -70,11 +70,11 @@ DECLARED: dict[str, Any] = {
 }
 
 
-def of(node: Node, declared: dict[str, Any]) -> tuple[Difference, ...]:
+def of(node: Node, declared: dict[str, Any]) -> tuple[Deviation, ...]:
     return compare(replace(ROBOT, nodes=(node,)), {"robot": {"nodes": {"/base": declared}}}, PACKAGES)
 
 
-def short(found: tuple[Difference, ...]) -> list[tuple[str, str, str, str]]:
+def short(found: tuple[Deviation, ...]) -> list[tuple[str, str, str, str]]:
     return [(d.kind, d.entity, d.name, d.attribute) for d in found]
 
 
@@ -110,7 +110,7 @@ def test_what_stays_quiet(expected: object) -> None:
 def test_a_missing_and_an_unexpected_publisher() -> None:
     found = of(BASE, {"publishers": [{"topic": "/scan", "msg_type": "sensor_msgs/LaserScan"}]})
     assert found == (
-        Difference(
+        Deviation(
             kind="unexpected",
             rule="architecture-unexpected",
             level="warning",
@@ -120,7 +120,7 @@ def test_a_missing_and_an_unexpected_publisher() -> None:
             message="publisher /odom of node /base was found, but is not declared.",
             location=Location(CPP, 76, 2),
         ),
-        Difference(
+        Deviation(
             kind="missing",
             rule="architecture-missing",
             level="warning",

@@ -34,7 +34,7 @@ def rules(done: Run) -> set[str]:
     return {result.rule for result in done.results}
 
 
-def chain(root: Path, files: Mapping[str, str], path: str) -> tuple[list[ruff_config.Link], list[Problem]]:
+def chain(root: Path, files: Mapping[str, str], path: str) -> tuple[list[ruff_config.ConfigFile], list[Problem]]:
     problems: list[Problem] = []
     return list(ruff_config.chain(workspace(root, files), path, problems)), problems
 

@@ -164,7 +164,7 @@ def test_every_settings_file_of_the_table_is_read_at_the_base() -> None:
 
 
 @pytest.mark.parametrize("row", silencing.TABLE, ids=lambda row: f"{row.tool}-{row.files[0][:20]}")
-def test_every_row_names_a_test_that_is_there(row: silencing.Row) -> None:
+def test_every_row_names_a_test_that_is_there(row: silencing.SilencingRow) -> None:
     path, _, name = row.test.partition("::")
     assert path.startswith(("tests/", "docs/"))
     file = ROOT / path.partition(" ")[0]

@@ -13,10 +13,10 @@ from haros_ci.model.package import Package, SourceFile
 from haros_ci.query.engine import Query
 from haros_ci.query.fault import QueryError
 from haros_ci.query.queries import VARIABLES, Scenes
-from haros_ci.query.values import Entity, Listing, Record, Value
+from haros_ci.query.values import QueryEntity, QueryList, QueryRecord, Value
 
 
-class Thing(Entity):
+class Thing(QueryEntity):
     """An entity with whatever attributes a test wants; queries see those that ATTRIBUTES lists."""
 
     KIND = "Thing"
@@ -25,8 +25,8 @@ class Thing(Entity):
 
     def __init__(self, **fields: Value) -> None:
         self.name = self.a = self.b = self.s = None
-        self.parts = Listing.of(())
-        self.map = Record({})
+        self.parts = QueryList.of(())
+        self.map = QueryRecord({})
         self.__dict__.update(fields)
 
     def words(self) -> str:
@@ -35,7 +35,7 @@ class Thing(Entity):
 
 def asked(text: str, **variables: Value) -> tuple[Value, ...]:
     """What the query gives; lists of Python are lists there."""
-    own = {name: Listing.of(value) if isinstance(value, list) else value for name, value in variables.items()}
+    own = {name: QueryList.of(value) if isinstance(value, list) else value for name, value in variables.items()}
     return Query(text, own).matches(own)
 
 
@@ -43,9 +43,9 @@ def plainly(value: Value) -> Any:
     """A value of a query as Python has it: entities by name, lists as lists."""
     if isinstance(value, Thing):
         return value.name
-    if isinstance(value, (Listing, tuple)):
+    if isinstance(value, (QueryList, tuple)):
         return [plainly(item) for item in value]
-    return {key: plainly(item) for key, item in value.items()} if isinstance(value, Record) else value
+    return {key: plainly(item) for key, item in value.items()} if isinstance(value, QueryRecord) else value
 
 
 def given(text: str, **variables: Value) -> Any:

@@ -12,11 +12,11 @@ from query_worlds import scene
 from haros_ci.query.engine import Query
 from haros_ci.query.functions import BUILTINS, METHODS
 from haros_ci.query.links import LINKS
-from haros_ci.query.places import Location, Qos, RosName, SourceCondition
+from haros_ci.query.places import QueryLocation, QueryQos, RosName, SourceCondition
 from haros_ci.query.queries import VARIABLES
-from haros_ci.query.resources import Action, NodeInstance, Parameter, Service, Topic
+from haros_ci.query.resources import NodeInstance, QueryAction, QueryParameter, Service, Topic
 from haros_ci.query.source import SourceNode
-from haros_ci.query.system import Collection, System
+from haros_ci.query.system import Collection, QuerySystem
 
 PAGE = (Path(__file__).parents[2] / "docs" / "queries.md").read_text(encoding="utf-8")
 EXAMPLES = [
@@ -41,7 +41,19 @@ def test_there_are_examples() -> None:
 
 @pytest.mark.parametrize(
     "kind",
-    [System, Collection, NodeInstance, Topic, Service, Action, Parameter, RosName, SourceCondition, Location, Qos]
+    [
+        QuerySystem,
+        Collection,
+        NodeInstance,
+        Topic,
+        Service,
+        QueryAction,
+        QueryParameter,
+        RosName,
+        SourceCondition,
+        QueryLocation,
+        QueryQos,
+    ]
     + [link for link, _, _ in LINKS.values()],
     ids=lambda kind: kind.__name__,
 )

@@ -7,11 +7,11 @@ import pytest
 from query_worlds import Thing, fault, given
 
 from haros_ci.query.engine import Query
-from haros_ci.query.values import Listing, Record
+from haros_ci.query.values import QueryList, QueryRecord
 
-ONE = Thing(name="one", a=1, b=2, s="/x", map=Record({"k": 1, "m": 2}))
-TWO = Thing(name="two", a=2, b=2, s="y", parts=Listing.of((ONE,)))
-TOP = Thing(name="top", a=3, s="/z", parts=Listing.of((ONE, TWO, ONE)))
+ONE = Thing(name="one", a=1, b=2, s="/x", map=QueryRecord({"k": 1, "m": 2}))
+TWO = Thing(name="two", a=2, b=2, s="y", parts=QueryList.of((ONE,)))
+TOP = Thing(name="top", a=3, s="/z", parts=QueryList.of((ONE, TWO, ONE)))
 X = [1, 2, 3]
 
 
@@ -91,7 +91,7 @@ def test_sets(text: str, found: list[object]) -> None:
     ],
 )
 def test_clauses(text: str, found: list[object]) -> None:
-    assert given(text, x=X, y=[3, 4], m=Record({"k": 1, "n": 2}), none=[]) == found
+    assert given(text, x=X, y=[3, 4], m=QueryRecord({"k": 1, "n": 2}), none=[]) == found
 
 
 def test_values_are_collected_under_keys() -> None:
@@ -152,7 +152,7 @@ def test_several_collections_follow_each_other() -> None:
     ],
 )
 def test_functions_and_methods(text: str, value: object) -> None:
-    assert given(f"return ({text})", x=X, y=X, t=TWO, m=Record({"k": 1}), s="a/b") == [value]
+    assert given(f"return ({text})", x=X, y=X, t=TWO, m=QueryRecord({"k": 1}), s="a/b") == [value]
 
 
 @pytest.mark.parametrize(
@@ -184,13 +184,13 @@ def test_functions_and_methods(text: str, value: object) -> None:
     ],
 )
 def test_what_cannot_be_evaluated_is_said_with_its_place(text: str, said: str) -> None:
-    assert said in fault(text, things=[ONE], t=TWO, x=X, m=Record({"k": 1}))
+    assert said in fault(text, things=[ONE], t=TWO, x=X, m=QueryRecord({"k": 1}))
 
 
 def test_a_step_that_an_element_has_no_attribute_for_gives_nothing_and_a_note() -> None:
     text = "things/part/name"
     query = Query(text, ("things",))
-    assert query.matches({"things": Listing.of((ONE, TWO))}) == ()
+    assert query.matches({"things": QueryList.of((ONE, TWO))}) == ()
     ((at, note),) = query.notes()
     assert (at, note) == (
         7,
@@ -201,11 +201,11 @@ def test_a_step_that_an_element_has_no_attribute_for_gives_nothing_and_a_note() 
 @pytest.mark.parametrize("text", ["things/parts", "things[self.a == 9]/nothing", "things/b/self", "none/x"])
 def test_no_note_where_nothing_is_passed_over(text: str) -> None:
     query = Query(text, ("things", "none"))
-    query.matches({"things": Listing.of(()) if "self" in text else Listing.of((ONE,)), "none": None})
+    query.matches({"things": QueryList.of(()) if "self" in text else QueryList.of((ONE,)), "none": None})
     assert query.notes() == ()
 
 
 def test_a_query_is_asked_of_one_world_after_the_other() -> None:
     query = Query("x[self in <y>]", ("x", "y"))
-    first = {"x": Listing.of(X), "y": Listing.of((1,))}
-    assert [query.matches(first), query.matches({**first, "y": Listing.of((2, 3))})] == [(1,), (2, 3)]
+    first = {"x": QueryList.of(X), "y": QueryList.of((1,))}
+    assert [query.matches(first), query.matches({**first, "y": QueryList.of((2, 3))})] == [(1,), (2, 3)]

@@ -10,10 +10,10 @@ from haros_ci.query.engine import Query
 from haros_ci.query.fault import QueryError
 from haros_ci.query.functions import BUILTINS, METHODS
 from haros_ci.query.queries import run
-from haros_ci.query.resources import Parameter, Resource
-from haros_ci.query.source import Package, SourceFile, SourceNode
-from haros_ci.query.system import Collection, System
-from haros_ci.query.values import Entity, Listing
+from haros_ci.query.resources import QueryParameter, Resource
+from haros_ci.query.source import QueryPackage, QuerySourceFile, SourceNode
+from haros_ci.query.system import Collection, QuerySystem
+from haros_ci.query.values import QueryEntity, QueryList
 
 WAYS_OUT = [
     "__class__", "__dict__", "__init__", "__globals__", "__getattribute__", "__subclasses__", "__reduce__", "__mro__",
@@ -24,7 +24,7 @@ WAYS_OUT = [
 
 @pytest.mark.parametrize("name", WAYS_OUT)
 def test_nothing_of_python_is_an_attribute(name: str) -> None:
-    thing = Thing(name="t", s="text", parts=Listing.of((1,)))
+    thing = Thing(name="t", s="text", parts=QueryList.of((1,)))
     for value in ("t", "t.s", "t.parts", "t.map", "len", "1", "f", "t.s.lower()"):
         text = f"let f = function(a) {{a}}, v = {value} return v.{name}"
         if name == "items" and value == "t.map":
@@ -40,13 +40,13 @@ def test_nothing_of_python_is_an_attribute_of_the_model(name: str) -> None:
             Query(f"let v = {path.replace('packages', 'files[0]')} return v.{name}", variables).matches(variables)
 
 
-def subclasses(kind: type[Entity]) -> list[type[Entity]]:
+def subclasses(kind: type[QueryEntity]) -> list[type[QueryEntity]]:
     return [kind, *(one for child in kind.__subclasses__() for one in subclasses(child))]
 
 
 def test_every_list_of_what_is_allowed_has_plain_names() -> None:
-    kinds = [kind for kind in subclasses(Entity) if kind.__module__.startswith("haros_ci.")]
-    assert {System, Collection, Parameter, Package, SourceFile, SourceNode} <= set(kinds)
+    kinds = [kind for kind in subclasses(QueryEntity) if kind.__module__.startswith("haros_ci.")]
+    assert {QuerySystem, Collection, QueryParameter, QueryPackage, QuerySourceFile, SourceNode} <= set(kinds)
     names = [name for kind in kinds for name in (*kind.ATTRIBUTES, *kind.METHODS)]
     assert all(name.isidentifier() and not name.startswith("_") for name in (*names, *BUILTINS))
     assert "format" not in METHODS[str]
@@ -65,13 +65,15 @@ def test_every_attribute_of_the_model_gives_a_value_of_the_language() -> None:
         seen.add(id(value))
         kept.append(value)
         assert (
-            value is None or isinstance(value, (bool, int, float, str, Listing, Entity)) or hasattr(value, "pairs")
+            value is None
+            or isinstance(value, (bool, int, float, str, QueryList, QueryEntity))
+            or hasattr(value, "pairs")
         ), value
-        if isinstance(value, Entity):
+        if isinstance(value, QueryEntity):
             kinds[type(value).__name__] = kinds.get(type(value).__name__, 0) + 1
             if kinds[type(value).__name__] <= 40:
                 waiting += [value.ATTRIBUTES[name](value) for name in value.ATTRIBUTES]
-        elif isinstance(value, Listing):
+        elif isinstance(value, QueryList):
             waiting += value
         elif hasattr(value, "pairs"):
             waiting += [item for pair in value.pairs for item in (pair.key, pair.value)]
@@ -85,7 +87,7 @@ def test_every_attribute_of_the_model_gives_a_value_of_the_language() -> None:
         "Location",
         "Collection",
     }
-    assert issubclass(Parameter, Resource)
+    assert issubclass(QueryParameter, Resource)
 
 
 @pytest.mark.parametrize(
@@ -141,7 +143,7 @@ def test_what_only_looks_hostile_is_answered(text: str) -> None:
 
 
 def test_all_evaluations_share_the_steps_of_a_query() -> None:
-    variables = {"x": Listing.of(range(100))}
+    variables = {"x": QueryList.of(range(100))}
     query = Query("for a in <x>, b in <x> return 1", variables, steps=25_000)
     assert len(query.matches(variables)) == 10_000
     with pytest.raises(QueryError, match="stopped"):

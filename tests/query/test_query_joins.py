@@ -12,7 +12,7 @@ from query_worlds import Thing, fault
 
 from haros_ci.query.engine import Query
 from haros_ci.query.fault import QueryError
-from haros_ci.query.values import UNKNOWN, Listing, Value
+from haros_ci.query.values import UNKNOWN, QueryList, Value
 
 NAMES = ("u", "v", "w")
 VALUES = st.sampled_from([0, 1, 2, 1.0, True, None, "?", "x", UNKNOWN])
@@ -50,7 +50,7 @@ def nested(where: list[str], pools: list[list[Thing]]) -> list[tuple[Thing, ...]
 @for_all(st.lists(conditions(), min_size=1, max_size=4), THINGS, THINGS, THINGS)
 def test_a_join_is_the_nested_loop(where: list[str], us: list[Thing], vs: list[Thing], ws: list[Thing]) -> None:
     pools = [us, vs, ws]
-    variables: dict[str, Value] = {name: Listing.of(pool) for name, pool in zip("xyz", pools, strict=True)}
+    variables: dict[str, Value] = {name: QueryList.of(pool) for name, pool in zip("xyz", pools, strict=True)}
     text = f"for u in x, v in y, w in z let k = u.a where {' and '.join(where)} return u, v, w"
     try:
         expected: object = nested(where, pools)
@@ -66,7 +66,7 @@ def test_a_join_is_the_nested_loop(where: list[str], us: list[Thing], vs: list[T
 
 
 def steps(text: str, size: int) -> int:
-    things = Listing.of(Thing(a=n, b=n % 7, s=str(n)) for n in range(size))
+    things = QueryList.of(Thing(a=n, b=n % 7, s=str(n)) for n in range(size))
     query = Query(text, ("x",))
     query.matches({"x": things})
     return query.taken
@@ -98,7 +98,7 @@ def test_an_attribute_that_is_not_there_is_told_from_a_tie() -> None:
 
 def test_unknown_texts_are_tied_to_nothing() -> None:
     things = [Thing(s=UNKNOWN), Thing(s=UNKNOWN), Thing(s="x")]
-    variables = {"x": Listing.of(things)}
+    variables = {"x": QueryList.of(things)}
     assert Query("for u in <x>, v in <x> where u.s == v.s return 1", variables).matches(variables) == (1,)
     assert Query("for u in <x>, v in <x> where u.s != v.s return 1", variables).matches(variables) == ()
     assert len(Query("x[self.s == '?']", variables).matches(variables)) == 2

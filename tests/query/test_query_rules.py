@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 from query_worlds import FILES, ROBOT, WALK
 
-from haros_ci.query.declared import PLUGIN, Declared, declared, rules
-from haros_ci.query.queries import Asked, run
+from haros_ci.query.declared import PLUGIN, DeclaredQuery, declared, rules
+from haros_ci.query.queries import QueryOutcome, run
 from haros_ci.results.rule import Level
 
 Q = "topics[len(self.types) > 1]"
@@ -28,13 +28,13 @@ def of_plugin(**queries: Any) -> dict[str, Any]:
     return {"configurations": {name: {"launch": [], "user_data": {PLUGIN: data}} for name, data in queries.items()}}
 
 
-def one(project: dict[str, Any]) -> Declared:
+def one(project: dict[str, Any]) -> DeclaredQuery:
     (found,), said = declared(project)
     assert said == ()
     return found
 
 
-def asked(project: dict[str, Any], **more: Any) -> Asked:
+def asked(project: dict[str, Any], **more: Any) -> QueryOutcome:
     return run(ROBOT, project, "haros.yaml", FILES, **more)
 
 
@@ -104,7 +104,7 @@ def test_what_cannot_be_a_query_is_said(project: dict[str, Any], said: str) -> N
 )
 def test_nothing_is_said_where_no_query_is(project: dict[str, Any]) -> None:
     assert declared(project) == ((), ())
-    assert asked(project) == Asked()
+    assert asked(project) == QueryOutcome()
 
 
 def test_a_result_stands_at_the_first_end_and_names_the_others() -> None:

@@ -10,7 +10,7 @@ import pytest
 
 from haros_ci.model.location import Location
 from haros_ci.results.compact import BaselineFormatError, read_compact, write_compact
-from haros_ci.results.known import Known, Sides, known_from_results
+from haros_ci.results.known import ComparedFiles, KnownFinding, known_from_results
 from haros_ci.results.result import BaselineState, Identity, Result, Suppression
 from haros_ci.results.rule import Level
 from haros_ci.results.upkeep import prune, update
@@ -19,8 +19,8 @@ VERSION = '{"haros-ci-baseline": 1}\n'
 ENTRY = '{"path": "a.cpp", "tool": "t", "rule": "r", "text": "0123456789abcdef"}\n'
 
 
-def known(**changes: object) -> Known:
-    base = Known(tool="t", rule="r", path="a.cpp", scope="f", text="0" * 16, template="Bad '_'")
+def known(**changes: object) -> KnownFinding:
+    base = KnownFinding(tool="t", rule="r", path="a.cpp", scope="f", text="0" * 16, template="Bad '_'")
     return replace(base, **changes)  # type: ignore[arg-type]
 
 
@@ -110,7 +110,7 @@ def result(path: str, text: str, **changes: object) -> Result:
     return replace(base, **changes)  # type: ignore[arg-type]
 
 
-SIDES = Sides(head=lambda path: "", language=lambda path: "", exists=lambda path: path != "gone.cpp")
+SIDES = ComparedFiles(head=lambda path: "", language=lambda path: "", exists=lambda path: path != "gone.cpp")
 OLD = [result("a.cpp", "1"), result("b.cpp", "2"), result("gone.cpp", "3")]
 
 

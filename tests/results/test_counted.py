@@ -9,7 +9,7 @@ import pytest
 
 from haros_ci.model.location import Location
 from haros_ci.results.counted import REASON, count_metrics, counted, is_counted, is_set_aside, raise_crossings
-from haros_ci.results.known import Sides, known_from_results
+from haros_ci.results.known import ComparedFiles, known_from_results
 from haros_ci.results.result import BaselineState, Result, Run, Suppression, Tool
 from haros_ci.results.rule import Level
 from haros_ci.results.upkeep import update
@@ -61,7 +61,7 @@ def test_a_baseline_remembers_what_was_counted_but_not_what_was_set_aside() -> N
 def test_a_baseline_that_is_brought_up_to_date_keeps_what_is_counted() -> None:
     (one,) = results(count_metrics(runs(LONG), lambda *rule: False))
     before = known_from_results([one])
-    sides = Sides(head=lambda path: "def f():\n", language=lambda path: "python", exists=lambda path: True)
+    sides = ComparedFiles(head=lambda path: "def f():\n", language=lambda path: "python", exists=lambda path: True)
     assert [known.rule for known in update(before, [one], sides)] == [LONG.rule]
     assert update(before, [replace(one, suppressions=(*one.suppressions, COMMENT))], sides) == ()
 

@@ -13,7 +13,7 @@ import pytest
 from haros_ci.model.location import Location
 from haros_ci.results.compact import read_compact, write_compact
 from haros_ci.results.fingerprint import fingerprint, partial_fingerprints
-from haros_ci.results.known import Known, Sides, known_from_results, known_from_sarif
+from haros_ci.results.known import ComparedFiles, KnownFinding, known_from_results, known_from_sarif
 from haros_ci.results.matching import match
 from haros_ci.results.result import BaselineState, Identity, Result, Run, Tool
 from haros_ci.results.rule import Level
@@ -76,7 +76,7 @@ def sarif(results: tuple[Result, ...]) -> bytes:
 KINDS = ("revision", "sarif", "compact")
 
 
-def known(kind: str, results: tuple[Result, ...]) -> tuple[Known, ...]:
+def known(kind: str, results: tuple[Result, ...]) -> tuple[KnownFinding, ...]:
     if kind == "sarif":
         return known_from_sarif(read_sarif(sarif(results), "old.sarif"))
     if kind == "compact":
@@ -85,7 +85,7 @@ def known(kind: str, results: tuple[Result, ...]) -> tuple[Known, ...]:
 
 
 def compare(kind: str, before: Files, after: Files, renames: dict[str, str] | None = None) -> tuple[Result, ...]:
-    sides = Sides(
+    sides = ComparedFiles(
         head=lambda path: after.get(path, ""),
         base=(lambda path: before.get(path, "")) if kind == "revision" else None,
         language=language,
@@ -252,9 +252,9 @@ def test_mutations(kind: str, name: str, before: Files, after: Files, expected: 
     assert verdicts(found) == expected, [(str(r.location), r.state, r.reason) for r in found]
 
 
-def sides(after: Files, **changes: object) -> Sides:
+def sides(after: Files, **changes: object) -> ComparedFiles:
     return replace(
-        Sides(head=lambda path: after.get(path, ""), language=language, exists=after.__contains__),
+        ComparedFiles(head=lambda path: after.get(path, ""), language=language, exists=after.__contains__),
         **changes,  # type: ignore[arg-type]
     )
 

@@ -10,7 +10,7 @@ from haros_ci.results.directives import _NATIVE
 from haros_ci.results.result import BaselineState, Result, Run, Silenced, Suppression, Tool
 from haros_ci.results.rule import Level
 from haros_ci.results.silence_words import counted, sentences
-from haros_ci.results.silenced import Pair, silenced
+from haros_ci.results.silenced import SilencedPair, silenced
 from haros_ci.results.silencers import FORMS, silencers
 
 FIRES = [
@@ -128,9 +128,14 @@ QUIETED = "import os  # noqa\nimport sys\n\n\ndef f(a):\n    return eval(a)  # p
 
 
 def added(
-    head: str, base: str | None, *, path: str = "a.py", gone: tuple[str, ...] = (), others: tuple[Pair, ...] = ()
+    head: str,
+    base: str | None,
+    *,
+    path: str = "a.py",
+    gone: tuple[str, ...] = (),
+    others: tuple[SilencedPair, ...] = (),
 ) -> list[str]:
-    pairs = [Pair(path, "python", head, base), *others]
+    pairs = [SilencedPair(path, "python", head, base), *others]
     found = silenced(pairs, [(f"gone{n}.py", "python", text) for n, text in enumerate(gone)], ())
     return [f"{place}:{name}" for place, name in found.comments]
 
@@ -178,15 +183,15 @@ def test_what_was_there(head: str, base: str | None, gone: tuple[str, ...]) -> N
 
 
 def test_a_comment_that_moves_to_another_changed_file() -> None:
-    other = Pair("b.py", "python", QUIETED, CODE)
+    other = SilencedPair("b.py", "python", QUIETED, CODE)
     assert added(CODE, QUIETED, others=(other,)) == []
-    copy = Pair("b.py", "python", QUIETED, CODE)
+    copy = SilencedPair("b.py", "python", QUIETED, CODE)
     assert added(QUIETED, QUIETED, others=(copy,)) == ["b.py:1:noqa", "b.py:6:pylint: disable"]
 
 
 def test_prose_is_not_looked_at() -> None:
     text = "<!-- NOLINT codespell:ignore -->\n"
-    assert not silenced([Pair("a.md", "markdown", text, "")], (), ())
+    assert not silenced([SilencedPair("a.md", "markdown", text, "")], (), ())
 
 
 def result(line: int, *suppressions: Suppression, state: BaselineState | None = BaselineState.NEW) -> Result:
@@ -209,16 +214,16 @@ def test_findings_that_are_suppressed_by_the_change() -> None:
         result(3, comment(3, 8), comment(2, 8)),
         result(3),
     )
-    found = silenced([Pair("a.py", "python", head, base)], (), [Run(Tool("t"), results=results)])
+    found = silenced([SilencedPair("a.py", "python", head, base)], (), [Run(Tool("t"), results=results)])
     assert found == Silenced(findings=2)
-    assert not silenced([Pair("a.py", "python", head, head)], (), [Run(Tool("t"), results=results)])
+    assert not silenced([SilencedPair("a.py", "python", head, head)], (), [Run(Tool("t"), results=results)])
 
 
 def test_a_comment_that_comes_to_silence_other_code_is_new() -> None:
     base = "a = 1  # haros: ignore[r] x\nb = 2\nc = 3\nd = 4\n"
     head = "a = 1\nb = 2\nc = 3\nd = 4  # haros: ignore[r] x\n"
     runs = [Run(Tool("t"), results=(result(4, comment(4, 8)),))]
-    assert silenced([Pair("a.py", "python", head, base)], (), runs).findings == 1
+    assert silenced([SilencedPair("a.py", "python", head, base)], (), runs).findings == 1
 
 
 def test_words() -> None:

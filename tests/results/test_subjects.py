@@ -14,7 +14,7 @@ from haros_ci.model.location import Location
 from haros_ci.report.sarif import render
 from haros_ci.results.compact import BaselineFormatError, read_compact, write_compact
 from haros_ci.results.fingerprint import fingerprint, partial_fingerprints
-from haros_ci.results.known import Known, Sides, known_from_results, known_from_sarif, names_in
+from haros_ci.results.known import ComparedFiles, KnownFinding, known_from_results, known_from_sarif, names_in
 from haros_ci.results.matching import match
 from haros_ci.results.result import Graph, Related, Report, Result, Run, Tool, Vertex
 from haros_ci.results.rule import Level
@@ -159,7 +159,7 @@ def compared(before: Files, after: Files, kind: str, renames: dict[str, str] | N
     return match(now.results, known(past, before, kind), sides(before, after, past, now, kind, renames))
 
 
-def known(past: Run, before: Files, kind: str) -> tuple[Known, ...]:
+def known(past: Run, before: Files, kind: str) -> tuple[KnownFinding, ...]:
     if kind == "sarif":
         log = render(Report((past,)), source=lambda path: before.get(path, ""))
         return known_from_sarif(read_sarif(log.encode(), "base.sarif"))
@@ -167,9 +167,11 @@ def known(past: Run, before: Files, kind: str) -> tuple[Known, ...]:
     return found if kind == "revision" else read_compact(write_compact(found).encode(), "base.jsonl")
 
 
-def sides(before: Files, after: Files, past: Run, now: Run, kind: str, renames: dict[str, str] | None = None) -> Sides:
+def sides(
+    before: Files, after: Files, past: Run, now: Run, kind: str, renames: dict[str, str] | None = None
+) -> ComparedFiles:
     with_base = kind == "revision"
-    return Sides(
+    return ComparedFiles(
         head=lambda path: after.get(path, ""),
         language=_language,
         exists=after.__contains__,

@@ -11,7 +11,7 @@ import pytest
 
 from haros_ci.robot.expressions import Invalid, Undefined, evaluate
 from haros_ci.robot.functions import TooMuch
-from haros_ci.robot.scopes import Scope, World
+from haros_ci.robot.scopes import XacroGlobals, XacroScope
 from haros_ci.robot.texts import is_read, literal, parameters_of, parts_of, truth
 from haros_ci.robot.unknown import UNKNOWN
 from haros_ci.robot.yaml_values import YamlDict, yaml_value
@@ -30,7 +30,7 @@ class Steps:
 def value(text: str, **names: Any) -> Any:
     from haros_ci.robot.functions import Module
 
-    scope = Scope(World(lambda text, _: text, Module()))
+    scope = XacroScope(XacroGlobals(lambda text, _: text, Module()))
     for name, each in names.items():
         scope.put(name, each, lazy=False, location=None)
     return evaluate(text, scope, Steps())

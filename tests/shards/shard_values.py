@@ -6,7 +6,7 @@ from __future__ import annotations
 from haros_ci.model.location import Location
 from haros_ci.results.result import Result, Run, Tool
 from haros_ci.results.rule import Level
-from haros_ci.shards.shard import Failed, Had, Header, Said, Shard, Whole
+from haros_ci.shards.shard import Failed, Had, Header, RecordedAnswer, Shard, WorkspaceRun
 
 KEYS = tuple(digit * 64 for digit in "0123456789abcdef")
 
@@ -29,9 +29,9 @@ RUN = Run(
 SHARD = Shard(
     HEADER,
     answers=(
-        Said("cppcheck", 'odd "name", [x].cpp', KEYS[0], 1200, '{"rules":[],"gave_up":[]}'),
-        Said("cppcheck", "src/é\udc80.cpp", KEYS[1], None, '{"rules":[],"gave_up":[["no",3]]}'),
+        RecordedAnswer("cppcheck", 'odd "name", [x].cpp', KEYS[0], 1200, '{"rules":[],"gave_up":[]}'),
+        RecordedAnswer("cppcheck", "src/é\udc80.cpp", KEYS[1], None, '{"rules":[],"gave_up":[["no",3]]}'),
     ),
     failures=(Failed("cppcheck", "cppcheck failed: x", ("b.cpp",), (KEYS[2],)),),
-    wholes=(Whole("architecture", "head", 5_000_000, RUN),),
+    wholes=(WorkspaceRun("architecture", "head", 5_000_000, RUN),),
 )

@@ -9,11 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from haros_ci.shards.division import Job, divide, parse_shard, plan_digest
+from haros_ci.shards.division import ShardJob, divide, parse_shard, plan_digest
 
 
-def jobs(costs: list[int]) -> list[Job]:
-    return [Job(("tool", f"{number:04d}"), cost) for number, cost in enumerate(costs)]
+def jobs(costs: list[int]) -> list[ShardJob]:
+    return [ShardJob(("tool", f"{number:04d}"), cost) for number, cost in enumerate(costs)]
 
 
 @given(st.lists(st.integers(0, 1000), max_size=60), st.integers(1, 9))
@@ -45,7 +45,7 @@ def test_another_division_has_another_digest() -> None:
     digest = plan_digest(some, (1, 2, 2), 2)
     assert digest != plan_digest(some, (1, 2, 1), 2)
     assert digest != plan_digest(some, (1, 2, 2), 3)
-    assert digest != plan_digest([*some[:2], Job(("tool", "x"), 3)], (1, 2, 2), 2)
+    assert digest != plan_digest([*some[:2], ShardJob(("tool", "x"), 3)], (1, 2, 2), 2)
 
 
 @pytest.mark.parametrize(("text", "parsed"), [("1/1", (1, 1)), ("2/4", (2, 4)), ("256/256", (256, 256))])

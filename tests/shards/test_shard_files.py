@@ -16,7 +16,7 @@ from haros_ci.model.location import Location
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
 from haros_ci.shards import costs, shard_file
-from haros_ci.shards.shard import Said, Shard, ShardError
+from haros_ci.shards.shard import RecordedAnswer, Shard, ShardError
 
 TEXT = shard_file.written(SHARD)
 LINES = TEXT.splitlines()
@@ -60,7 +60,7 @@ def test_an_answer_comes_back_as_the_cache_has_it() -> None:
     result = Result("pylint", "x", Level.NOTE, 'a "b", [c]}\n\u2028', Location("a.py", 2, 3))
     value = json.dumps(encode(Answer((result,), (GaveUp("a.py", "no", 1),))), separators=(",", ":"))
     [said] = shard_file.parsed(
-        shard_file.written(Shard(HEADER, (Said("pylint", "a.py", KEYS[0], None, value),))).encode(), ""
+        shard_file.written(Shard(HEADER, (RecordedAnswer("pylint", "a.py", KEYS[0], None, value),))).encode(), ""
     ).answers
     answer = decode(shard_file.value_of(said), "a.py", lambda *_: True, {"a.py"})
     assert answer is not None
@@ -151,7 +151,7 @@ def test_hostile_lines_are_refused(line: str) -> None:
     ids=lambda v: v[:20],
 )
 def test_a_hostile_answer_is_none(value: str) -> None:
-    assert shard_file.value_of(Said("cppcheck", "a.cpp", KEYS[0], 1, value)) is None
+    assert shard_file.value_of(RecordedAnswer("cppcheck", "a.cpp", KEYS[0], 1, value)) is None
 
 
 @pytest.mark.parametrize(

@@ -10,11 +10,13 @@ import pytest
 from shard_values import HEADER, KEYS, RUN, SHARD
 
 from haros_ci.shards.joining import OtherSettings, fits, join
-from haros_ci.shards.shard import Failed, Had, Said, Shard, ShardError, Whole
+from haros_ci.shards.shard import Failed, Had, RecordedAnswer, Shard, ShardError, WorkspaceRun
 
 ONE = replace(SHARD, name="one")
 TWO = Shard(
-    replace(HEADER, number=2), (Said("cppcheck", "c.cpp", KEYS[3], 7, '{"rules":[],"gave_up":[]}'),), name="two"
+    replace(HEADER, number=2),
+    (RecordedAnswer("cppcheck", "c.cpp", KEYS[3], 7, '{"rules":[],"gave_up":[]}'),),
+    name="two",
 )
 
 
@@ -77,7 +79,7 @@ def test_an_answer_that_is_no_json_is_none() -> None:
         ),
         ((ONE, other(plan="e" * 64)), ("divided the work differently",)),
         ((ONE, replace(TWO, answers=ONE.answers[:1])), ("two and one both answer for", "odd")),
-        ((ONE, replace(TWO, wholes=(Whole("architecture", "head", 1, RUN),))), ("two: a second architecture",)),
+        ((ONE, replace(TWO, wholes=(WorkspaceRun("architecture", "head", 1, RUN),))), ("two: a second architecture",)),
     ],
     ids=lambda value: value[0] if isinstance(value, tuple) and value and isinstance(value[0], str) else "",
 )

@@ -4,7 +4,7 @@ from __future__ import annotations
 import pytest
 
 from haros_ci.workspace.excludes import Excludes
-from haros_ci.workspace.selection import Scope, select
+from haros_ci.workspace.selection import AnalysedPaths, select
 
 TREE = (
     "a.cpp",
@@ -18,7 +18,7 @@ TREE = (
 
 
 def left_out(*patterns: str, directories: tuple[str, ...] = (".",), files: tuple[str, ...] = ()) -> set[str]:
-    scope = Scope(directories, files)
+    scope = AnalysedPaths(directories, files)
     return set(TREE) - {c.path for c in select(TREE, scope, Excludes(patterns))}
 
 

@@ -5,7 +5,7 @@ import pytest
 from in_memory import MANIFEST, workspace_of
 
 from haros_ci.workspace.setup_py import Setup, read_setup
-from haros_ci.workspace.tree import Tree
+from haros_ci.workspace.tree import PathTree
 
 FILES = ("arm/talker.py", "arm/__init__.py", "src/core/node.py", "launch/b.launch.py", "launch/a.launch.py", "bin/tool")
 
@@ -14,7 +14,7 @@ def read(text: str, root: str = "pkgs/arm/") -> Setup:
     files = {f"{root}package.xml": MANIFEST.format("arm"), f"{root}setup.py": text}
     files |= {f"{root}{path}": "#!/usr/bin/env python3\n" for path in FILES}
     workspace = workspace_of(files)
-    setup = read_setup(Tree(workspace), workspace.packages[0])
+    setup = read_setup(PathTree(workspace), workspace.packages[0])
     if not text.startswith("#bad"):
         assert setup.problems == ()
     return setup

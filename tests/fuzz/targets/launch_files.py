@@ -22,7 +22,7 @@ from haros_ci.robot.commands import xacro_command
 from haros_ci.robot.descriptions import Descriptions
 from haros_ci.security.policy import expanded, read_policy
 from haros_ci.substitutions import presence as launch_presence
-from haros_ci.substitutions.expression import Scopes, Undecided, Wrong, evaluate
+from haros_ci.substitutions.expression import ExpressionScopes, Undecided, Wrong, evaluate
 from haros_ci.substitutions.names import literal, unknown
 from haros_ci.substitutions.yaml import YamlError, read_yaml
 from haros_ci.workspace.build import builds
@@ -102,7 +102,7 @@ def parameter_yaml(data: bytes) -> object:
 def expressions(data: bytes) -> object:
     text = data.decode("utf-8", "replace")
     try:
-        of_roslaunch: object = evaluate(text, Scopes({}, unknown, {}, ""))
+        of_roslaunch: object = evaluate(text, ExpressionScopes({}, unknown, {}, ""))
     except (Undecided, Wrong) as err:
         of_roslaunch = str(err)
     return xacro_command(text), launch_presence.compared_with(text), of_roslaunch, expression_value(literal(text))

@@ -42,10 +42,10 @@ def sarif(data: bytes) -> object:
         return refused(err)
     known = known_from_sarif(runs)
     read_compact(write_compact(known).encode(), "b.json")
-    from haros_ci.commands.output import FORMATS, View
+    from haros_ci.commands.output import FORMATS, Extras
 
     report = Report(runs=runs)
-    view = View(source=lambda path: "", flags={"why": True, "sarif_for": "github"}, to_file=True)
+    view = Extras(source=lambda path: "", flags={"why": True, "sarif_for": "github"}, to_file=True)
     return {name: render(report, view) for name, render in FORMATS.items() if name != "github"}
 
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from fuzz.targets.kit import ROOT, Entry, parts, ros_package, workspace
 
 from haros_ci.analysis.inspection import Architectures, inspected
-from haros_ci.commands.output import FORMATS, View
+from haros_ci.commands.output import FORMATS, Extras
 from haros_ci.config.settings import Settings
 from haros_ci.pipeline import finished, own_run, selected, selection_of
 from haros_ci.registry import built_in
@@ -29,7 +29,7 @@ def checks(data: bytes) -> object:
     results = selected(results_of((run,)), selection, space)
     runs = finished(distribute((run,), results), space, selection, settings)
     report = Report(runs=runs)
-    view = View(source=space.text, flags={"why": True, "sarif_for": "github"}, to_file=True)
+    view = Extras(source=space.text, flags={"why": True, "sarif_for": "github"}, to_file=True)
     made = {name: render(report, view) for name, render in FORMATS.items() if name != "github"}
     assert "\x1b" not in made["text"]
     found = architectures.of(space).architecture
