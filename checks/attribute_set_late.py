@@ -54,7 +54,7 @@ def _of_constructor(project: Project, made: list[Callback]) -> Iterator[Finding]
     statements = maker.function.body or ()
     if maker.is_test or len(statements) > _MANY or _BY_NAME.search(project.text(maker.path)):
         return
-    available = _given(code, maker)
+    available = _available(code, maker)
     for callback in made[:_CALLBACKS]:
         late = _late(code, callback, statements, available)
         if late is not None:
@@ -126,7 +126,7 @@ def _made(code: Codebase, maker: Routine, statements: syntax.Block) -> set[str]:
     return found
 
 
-def _given(code: Codebase, maker: Routine) -> frozenset[str]:
+def _available(code: Codebase, maker: Routine) -> frozenset[str]:
     """What objects of the class have from the start: its methods, what stands in its body, and the same of its bases."""
     owner = owner_of(code, maker)
     if owner is None:

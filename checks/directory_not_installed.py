@@ -69,7 +69,7 @@ def check(project: Project) -> Iterator[Finding]:
             for folder, place in _launch_folders(package, leftovers):
                 needs.setdefault((package.name, folder), _Need())
             yield from _headers(package, devel)
-    idle = needs.keys() - _wanted(project, needs)
+    idle = needs.keys() - _needed(project, needs)
     programs = Programs(project)
     wanting: dict[str, dict[str, _Need]] = {}
     for (name, thing), need in needs.items():
@@ -82,7 +82,7 @@ def check(project: Project) -> Iterator[Finding]:
         things = {thing: need for thing, need in things.items() if need.wrong or thing not in meant}
         if package.ros == 1 and not installs_nothing(package):  # target-not-installed tells of it with the library
             reported = {plugin.location.path for plugins in lost_plugins(package).values() for plugin in plugins}
-            things = {thing: need for thing, need in things.items() if not _is_told(package, thing, need, reported)}
+            things = {thing: need for thing, need in things.items() if not _is_reported(package, thing, need, reported)}
         if not things:
             continue
         if not installs_nothing(package):
@@ -98,7 +98,7 @@ def check(project: Project) -> Iterator[Finding]:
             )
 
 
-def _wanted(project: Project, needs: Mapping[tuple[str, str], _Need]) -> set[tuple[str, str]]:
+def _needed(project: Project, needs: Mapping[tuple[str, str], _Need]) -> set[tuple[str, str]]:
     """Those of *needs* that something needs which is installed, or ought to be: a launch directory, or what is needed in turn."""
     owners = {file.path: file.package for file in project.workspace.files}
     needed = {key for key, need in needs.items() if not need.places}
@@ -121,7 +121,7 @@ def _wanted(project: Project, needs: Mapping[tuple[str, str], _Need]) -> set[tup
     return needed
 
 
-def _is_told(package: ProjectPackage, thing: str, need: _Need, reported: set[str]) -> bool:
+def _is_reported(package: ProjectPackage, thing: str, need: _Need, reported: set[str]) -> bool:
     """Whether *thing* describes plug-ins whose library is not installed, either, and the manifest alone needs it."""
     return package.inside(thing) in reported and all(place.path == package.manifest_path for place, _ in need.places)
 

@@ -57,7 +57,7 @@ def _ends(project: Project) -> Iterator[Finding]:
                 f"exists: {result}"
             )
         else:
-            message = f"{who} still {does} {name}, {_gone(lost.change, name)}: {result}"
+            message = f"{who} still {does} {name}, {_what_happened(lost.change, name)}: {result}"
         others = {
             other_end.location: (other_end.location, str(other_end))
             for _, other_end in group
@@ -76,7 +76,7 @@ def _last(name: str) -> str:
     return name.rpartition("/")[2]
 
 
-def _gone(change: Change, name: str) -> str:
+def _what_happened(change: Change, name: str) -> str:
     if change.what == "node":
         old = (change.old_names or change.names)[0]
         return f"whose node {old} was {change_said(change, old)}"
@@ -119,7 +119,7 @@ def _values(project: Project, causes: Causes) -> Iterator[Finding]:
     by_place: dict[tuple[Location, str], tuple[Change, str, dict[str, None]]] = {}
     for _, new in both(project):
         if causes.touches(new):
-            for at, key, node, name in (*_given(new), *_set(new)):
+            for at, key, node, name in (*_untaken(new), *_set(new)):
                 change = causes.named("parameter", name, new)
                 if change is not None:
                     by_place.setdefault((at, key), (change, name, {}))[2][node or (change.nodes or ("",))[0]] = None
@@ -136,7 +136,7 @@ def _values(project: Project, causes: Causes) -> Iterator[Finding]:
         )
 
 
-def _given(system: System) -> Iterator[tuple[Location, str, str, str]]:
+def _untaken(system: System) -> Iterator[tuple[Location, str, str, str]]:
     """Place, name, node and full name of each value that no node takes (ROS 2)."""
     for parameter in system.given:
         if parameter.place not in system.taken and parameter.place not in system.whole.taken:

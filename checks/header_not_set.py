@@ -76,7 +76,7 @@ def check(project: Project) -> Iterator[Finding]:
     for routine, call in calls_of(code, "publish"):
         if routine.is_test or call.receiver is None or len(call.args) != 1:
             continue
-        name = _given(call.args[0])
+        name = _published(call.args[0])
         kind = _made_here(code, routine, name) if name else None
         if name is None or kind is None or kind not in HEADED:
             continue
@@ -91,7 +91,7 @@ def check(project: Project) -> Iterator[Finding]:
             )
 
 
-def _given(node: syntax.Expression) -> str | None:
+def _published(node: syntax.Expression) -> str | None:
     """The variable that is published: ``a``, ``*a``, ``std::move(a)``."""
     while True:
         if isinstance(node, syntax.Dereference):

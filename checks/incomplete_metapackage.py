@@ -33,7 +33,7 @@ def check(project: Project) -> Iterator[Finding]:
         known = [package for package in beside if package.name in listed]
         eligible = [package for package in beside if not _left_out(package, known)]
         if len(known) >= LEAST and len(known) >= SHARE * len(eligible):
-            brought = _brought(project, listed)
+            brought = _installed_with(project, listed)
             text = project.text(meta.manifest_path)
             missing = [
                 package
@@ -71,7 +71,7 @@ def _left_out(package: ProjectPackage, known: list[ProjectPackage]) -> bool:
     return mark is not None and not any(mark[0].strip("_") in other_package.name.split("_") for other_package in known)
 
 
-def _brought(project: Project, names: set[str]) -> set[str]:
+def _installed_with(project: Project, names: set[str]) -> set[str]:
     """All that is installed with packages of these *names*."""
     found: set[str] = set()
     rest = list(names)

@@ -9,10 +9,10 @@ from haros_ci.api import Channel, Check, Decidability, Finding, Level, System, u
 
 
 def check(system: System) -> Iterator[Finding]:
-    yield from unmet(system, (*system.services, *system.actions), "givers", _says)
+    yield from unmet(system, (*system.services, *system.actions), "givers", _statement)
 
 
-def _says(channel: Channel) -> str:
+def _statement(channel: Channel) -> str:
     return f"calls the {channel.kind} {channel}, but no node of the system offers it: calls fail, or wait forever"
 
 

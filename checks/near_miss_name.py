@@ -40,7 +40,7 @@ def check(system: System) -> Iterator[Finding]:
     for channels, kinds in ((system.topics, TOPIC), (system.services, SERVICE), (system.actions, ACTION)):
         unknown = tuple(end for end in system.ends if end.kind in kinds and not end.known)
         for giver, taker in _lonely(channels, unknown):
-            if any(_is_given(channel, system) for channel in (giver, taker)):
+            if any(_is_value_elsewhere(channel, system) for channel in (giver, taker)):
                 continue
             pair = next((pair for pair in can_meet(giver.givers, taker.takers) if _fit(*pair)), None)
             if pair is not None:
@@ -51,7 +51,7 @@ def check(system: System) -> Iterator[Finding]:
         yield _finding(item, is_open)
 
 
-def _is_given(channel: Channel, system: System) -> bool:
+def _is_value_elsewhere(channel: Channel, system: System) -> bool:
     """Whether a parameter of another node has the channel's name for its value: that node may be the partner."""
     nodes = {end.node.name for end in channel.ends}
     own = tuple(f"{node}{sign}" for node in nodes for sign in ":/")
@@ -70,7 +70,7 @@ def _is_open(node: SystemNode) -> bool:
     return (
         not node.ends
         or any(unknown.field == "endpoints" for unknown in node.raw.unknowns)
-        or any(not end.known and not _tells(end) for end in node.of(*kinds))
+        or any(not end.known and not _is_informative(end) for end in node.of(*kinds))
     )
 
 
@@ -87,7 +87,8 @@ def _lonely(channels: tuple[Channel, ...], unknown: tuple[End, ...]) -> Iterator
         if any(end.implicit or end.type is None for end in channel.ends):
             continue
         if any(
-            end.type in (None, channel.types[0]) and _tells(end) and may_be(end.name, channel.name) for end in unknown
+            end.type in (None, channel.types[0]) and _is_informative(end) and may_be(end.name, channel.name)
+            for end in unknown
         ):
             continue
         if not channel.takers and len({end.location for end in channel.givers}) == len(channel.givers):
@@ -101,7 +102,7 @@ def _lonely(channels: tuple[Channel, ...], unknown: tuple[End, ...]) -> Iterator
                 yield giver, taker
 
 
-def _tells(end: End) -> bool:
+def _is_informative(end: End) -> bool:
     """Whether anything is known of an end: of one without a type and without a part of its own name, nothing speaks for it."""
     return end.type is not None or end.name.rpartition("/")[2] != "?"
 

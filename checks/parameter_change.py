@@ -21,7 +21,7 @@ def check(project: Project) -> Iterator[Finding]:
 
 
 def _type(project: Project, change: Change, at: Location) -> Finding:
-    places = _given(project, change)
+    places = _set_at(project, change)
     here = f", {len(places)} of them in this workspace" if places else ""
     return Finding(
         at=at,
@@ -67,7 +67,7 @@ def _default(project: Project, change: Change, at: Location) -> Iterator[Finding
     )
 
 
-def _given(project: Project, change: Change) -> list[Location]:
+def _set_at(project: Project, change: Change) -> list[Location]:
     """Where the parameter is given a value."""
     names = set(change.names)
     found = {

@@ -199,13 +199,13 @@ def _may_have(system: System, node: SystemNode, key: str) -> bool:
     """Whether something may give the parameter: a launch file that starts a node of the type, another node, a command that people are told."""
     for other_system in system.whole.systems:
         for other in other_system.nodes:
-            if other.type == node.type and _is_given(other_system, other, key):
+            if other.type == node.type and _may_be_set(other_system, other, key):
                 return True
     last = key.rpartition("/")[2]
     return any(f"_{key}:=" in text or (last in text and "rosparam set" in text) for text in _pages(system))
 
 
-def _is_given(system: System, node: SystemNode, key: str) -> bool:
+def _may_be_set(system: System, node: SystemNode, key: str) -> bool:
     name = f"{node.name}/{key}"
     if "?" in node.name or f"_{key}:=" in node.raw.arguments or "?" in node.raw.arguments or "$(" in node.raw.arguments:
         return True

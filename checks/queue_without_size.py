@@ -13,12 +13,12 @@ def check(system: System) -> Iterator[Finding]:
         is_end = end.kind in ("publishers", "subscribers") and end.node.ros == 1
         if not is_end or not end.in_source or end.implicit or any(u.field == "queue_size" for u in end.raw.unknowns):
             continue
-        problem = _said(end)
+        problem = _problem(end)
         if problem is not None:
             yield Finding(at=end.location, message=problem[0], about=(end,), level=problem[1])
 
 
-def _said(end: End) -> tuple[str, Level] | None:
+def _problem(end: End) -> tuple[str, Level] | None:
     is_python = end.location.path.endswith(".py")
     if end.raw.queue_size is None and end.kind == "publishers":
         return (

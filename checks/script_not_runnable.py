@@ -300,7 +300,7 @@ def _is_program(path: str, project: Project) -> bool:
 
 def _is_read_alone(script: Installed, package: ProjectPackage, programs: Programs) -> bool:
     """Whether an interpreter is given the file, and nothing starts it by its name."""
-    if (package.name, script.name) in programs.started or programs.told(package.name, script.name) is not None:
+    if (package.name, script.name) in programs.started or programs.documented(package.name, script.name) is not None:
         return False
     return is_given_to_another(script.path, package)
 

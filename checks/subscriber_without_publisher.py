@@ -9,10 +9,10 @@ from haros_ci.api import Channel, Check, Decidability, Finding, Level, System, u
 
 
 def check(system: System) -> Iterator[Finding]:
-    yield from unmet(system, system.topics, "givers", _says)
+    yield from unmet(system, system.topics, "givers", _statement)
 
 
-def _says(topic: Channel) -> str:
+def _statement(topic: Channel) -> str:
     return f"subscribes to {topic}, but no node of the system publishes it: no message ever arrives"
 
 

@@ -70,8 +70,10 @@ def check(project: Project) -> Iterator[Finding]:
         for need in needs:
             if provided is not None and provisions.lacks(provided, need.providers):
                 _put(missing, need)
-        undeclared = {providers: uses for providers, uses in missing.items() if not _is_said(package, providers)}
-        brought = _brought(package, undeclared, provisions)
+        undeclared = {
+            providers: uses for providers, uses in missing.items() if not _is_reported_elsewhere(package, providers)
+        }
+        brought = _coming_along(package, undeclared, provisions)
         for providers, uses in undeclared.items():
             if providers in brought:
                 continue
@@ -86,7 +88,7 @@ def check(project: Project) -> Iterator[Finding]:
             yield from _environment(package)
 
 
-def _is_said(package: ProjectPackage, providers: frozenset[str]) -> bool:
+def _is_reported_elsewhere(package: ProjectPackage, providers: frozenset[str]) -> bool:
     """Whether another check has it declared: foreign-dependency for one of the other ROS, incomplete-interface-package for a generator."""
     instead = (
         {COUNTERPARTS[package.ros].get(name) for name in package.declared} if package.ros in COUNTERPARTS else set()
@@ -95,7 +97,7 @@ def _is_said(package: ProjectPackage, providers: frozenset[str]) -> bool:
     return bool(providers & instead) or (bool(generates) and not providers.isdisjoint(_GENERATORS))
 
 
-def _brought(
+def _coming_along(
     package: ProjectPackage, missing: Mapping[frozenset[str], list[Need]], provisions: Provisions
 ) -> dict[frozenset[str], frozenset[str]]:
     """Of what is *missing* that of which headers alone are needed, and which another missing package brings, each with that one."""

@@ -149,7 +149,8 @@ def _finding(package: ProjectPackage, group: list[_UndeclaredModule]) -> Finding
     kind = "exec_depend" if package.raw.format > 1 else "run_depend"
     modules = tuple(module for missing in group for module in missing.modules)
     lines = [
-        f"{dependency_tags(package, kind, missing.name)}{_alternative(missing, _is_told(group))}" for missing in group
+        f"{dependency_tags(package, kind, missing.name)}{_alternative(missing, _is_left_to_pip(group))}"
+        for missing in group
     ]
     if len(group) == 1:
         them, fails = "it", f"the import fails on a machine without {group[0].name}"
@@ -174,14 +175,14 @@ def _by_choice(group: list[_UndeclaredModule]) -> str:
         for missing in group
         if missing.left is not None or missing.pin is not None
     }
-    if not _is_told(group):
+    if not _is_left_to_pip(group):
         return ""
     what = ("it" if len(left) == 1 else "them") if len(left) == len(group) else listed(list(left))
     places = list(dict.fromkeys(line_of(place) for place in left.values() if place is not None))
     return f", unless pip is to install {what}, as {listed(places)} say{'' if len(places) > 1 else 's'}"
 
 
-def _is_told(group: list[_UndeclaredModule]) -> bool:
+def _is_left_to_pip(group: list[_UndeclaredModule]) -> bool:
     """Whether one of them is left to pip by more than a version: then all that pip may install is told at once."""
     return any(missing.left is not None and missing.pin is None for missing in group)
 

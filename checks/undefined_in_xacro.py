@@ -26,13 +26,13 @@ _DEFAULT = re.compile(r"'[^']*'|\"[^\"]*\"|\$\{[^}]*\}|\$\([^)]*\)")
 
 def check(project: Project) -> Iterator[Finding]:
     reported: set[Location] = set()
-    for finding in together(_told_apart(_expanded(project))):
+    for finding in together(_with_keys(_expanded(project))):
         reported.add(finding.at)
         yield finding
     yield from (finding for finding in _uncalled(project) if finding.at not in reported)
 
 
-def _told_apart(findings: Iterator[Finding]) -> Iterator[tuple[str, Finding]]:
+def _with_keys(findings: Iterator[Finding]) -> Iterator[tuple[str, Finding]]:
     """The *findings*, each with what makes those at one place one: an include with a parameter of its macro; names that stand in one line are several."""
     for number, finding in enumerate(findings):
         yield "include" if finding.apart[:1] == ("include",) else f"{number}", finding

@@ -57,7 +57,7 @@ def _build_type(package: ProjectPackage) -> Iterator[Finding]:
     elif not found:
         yield from _none(package)
     elif len(found) == 1:
-        yield from _said(package, word(found[0]), place(package, found[0]))
+        yield from _mismatches(package, word(found[0]), place(package, found[0]))
 
 
 def _none(package: ProjectPackage) -> Iterator[Finding]:
@@ -102,7 +102,7 @@ def _has_misspelt(package: ProjectPackage) -> bool:
     return any(is_slip(name, "CMakeLists.txt") for name in names if "/" not in name)
 
 
-def _said(package: ProjectPackage, kind: str, at: Location) -> Iterator[Finding]:
+def _mismatches(package: ProjectPackage, kind: str, at: Location) -> Iterator[Finding]:
     ament, catkin = _call(package, *AMENT), _call(package, *CATKIN)
     has_files = bool(package.project.workspace.names)
     if kind not in KNOWN:

@@ -25,7 +25,7 @@ from haros_ci.commands.flags import (
 from haros_ci.commands.manual import EXIT_CODES, Group
 from haros_ci.errors import EXIT_INTERRUPTED, EXIT_TOOL_TROUBLE, EXIT_USAGE, RunFailure, UserError
 from haros_ci.interruption import Interrupted, listening
-from haros_ci.streams import flushed, prepare_streams, say
+from haros_ci.streams import flushed, prepare_streams, write_to_stderr
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -35,7 +35,7 @@ def main(argv: list[str] | None = None) -> int:
             prepare_streams()
             return flushed(_outcome(argv))
     except Interrupted as err:
-        say(f"error: ended by {err.name} before the run was complete")
+        write_to_stderr(f"error: ended by {err.name} before the run was complete")
         return flushed(err.code)
     except KeyboardInterrupt:
         return EXIT_INTERRUPTED
@@ -55,17 +55,17 @@ def _outcome(argv: list[str] | None) -> int:
     except (UserError, RunFailure) as err:
         from haros_ci.report.escape import terminal
 
-        say(f"error: {terminal(err.message)}", *([f"help: {terminal(err.help)}"] if err.help else []))
+        write_to_stderr(f"error: {terminal(err.message)}", *([f"help: {terminal(err.help)}"] if err.help else []))
         return EXIT_USAGE if isinstance(err, UserError) else EXIT_TOOL_TROUBLE
     except BrokenPipeError:  # who has read enough need not be told
         return EXIT_TOOL_TROUBLE
     except Exception as err:
         if os.environ.get("HAROS_CI_DEBUG"):
             raise
-        from haros_ci.trouble import told
+        from haros_ci.internal_errors import described
 
-        code, *lines = told(err)
-        say(*lines)
+        code, *lines = described(err)
+        write_to_stderr(*lines)
         return code
 
 

@@ -53,7 +53,7 @@ def _forked(jobs: Sequence[Callable[[], T]], batches: list[list[int]], count: in
             with suppress(OSError), held():  # no more processes: those that are there do the work
                 children.append(_child(jobs, batches, queue, life))
         found = dict(_done(jobs, batches, queue))
-        brought = [_brought(child, pipe) for child, pipe in children]
+        brought = [_result_of(child, pipe) for child, pipe in children]
     except BaseException:
         for child, _ in children:
             with suppress(ProcessLookupError):
@@ -112,7 +112,7 @@ def _done(jobs: Sequence[Callable[[], T]], batches: list[list[int]], queue: int)
             yield number, jobs[number]()
 
 
-def _brought(child: int, pipe: BinaryIO) -> dict[int, Any]:
+def _result_of(child: int, pipe: BinaryIO) -> dict[int, Any]:
     """What a process has found; nothing if it did not come to its end."""
     with pipe:
         data = pipe.read()

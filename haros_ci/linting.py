@@ -39,7 +39,8 @@ def lint_options(settings: Settings, known: Registry) -> LintOptions:
     chosen = dict(settings.linters)
     return LintOptions(
         enabled=frozenset(name for name, s in chosen.items() if s.enabled) | named(settings, known),
-        disabled=frozenset(name for name, s in chosen.items() if s.enabled is False) | unheard(settings, known),
+        disabled=frozenset(name for name, s in chosen.items() if s.enabled is False)
+        | unreported_rules(settings, known),
         timeouts={name: s.timeout for name, s in chosen.items() if s.timeout is not None},
         timeout=settings.linter_timeout,
         jobs=settings.jobs,
@@ -64,7 +65,7 @@ def with_names(results: Iterable[Result], workspace: Workspace, selection: Selec
     )
 
 
-def worthwhile(
+def without_unreported(
     results: Iterable[Result],
     workspace: Workspace,
     selection: Selection,
@@ -109,7 +110,7 @@ def without_hints(
     return unrepeated(results, hints, workspace.package_finder())
 
 
-def heard(tool: str, path: str, selection: Selection) -> Iterable[str]:
+def reported_rules(tool: str, path: str, selection: Selection) -> Iterable[str]:
     """The rules of *tool* whose findings in the file at *path* are reported, those aside that are of no use in a test."""
     of_test = is_test(path)
     for rule in selection.rules(tool):
@@ -149,7 +150,7 @@ def contradictions(settings: Settings, known: Registry) -> tuple[str, ...]:
     )
 
 
-def unheard(settings: Settings, known: Registry) -> frozenset[str]:
+def unreported_rules(settings: Settings, known: Registry) -> frozenset[str]:
     """The linters that need not run: all in the profile of the checks alone, unless the command line selects other rules, and
     those none of whose rules is on in any file.
     """

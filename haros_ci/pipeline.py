@@ -28,18 +28,18 @@ from haros_ci.linting import (
     METRICS,
     confinement,
     contradictions,
-    heard,
     lint_options,
+    reported_rules,
     with_metrics,
     with_names,
     with_queries,
     without_hints,
-    worthwhile,
+    without_unreported,
 )
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.registry import Registry, registry
 from haros_ci.results import own
-from haros_ci.results.counted import count_metrics, raise_crossings
+from haros_ci.results.counted import count_metrics, raise_exceeded
 from haros_ci.results.coverage import coverage
 from haros_ci.results.fingerprint import fingerprint
 from haros_ci.results.result import (
@@ -229,14 +229,14 @@ def weighed(runs: tuple[Run, ...], baseline: Baseline | None, selection: Selecti
         level = selection.given_level(result.tool, result.rule, result.location.path)
         return level is None and "ros" in selection.rule(result.tool, result.rule).profiles
 
-    return raise_crossings(runs, weighs)
+    return raise_exceeded(runs, weighs)
 
 
 def structured(workspace: Workspace, architectures: Architectures, progress: Progress | None) -> Run:
     """What syntax trees and the index of the workspace tell of functions and classes."""
-    from haros_ci.measuring.crossings import crossings
+    from haros_ci.measuring.exceeded import exceeded_limits
 
-    return crossings(workspace, architectures.store, architectures.settings.jobs, progress)
+    return exceeded_limits(workspace, architectures.store, architectures.settings.jobs, progress)
 
 
 def has_structure(workspace: Workspace, selection: Selection) -> bool:
@@ -279,7 +279,7 @@ def finished(
         workspace.text,
         language,
         selection.matches,
-        enabled=lambda tool, path: heard(tool, path, selection) if path not in left_out else (),
+        enabled=lambda tool, path: reported_rules(tool, path, selection) if path not in left_out else (),
         mentions=lambda path: path in files and files[path].has_directive,
         slip=selection.slip,
     )
@@ -324,7 +324,7 @@ def selected(
         level = selection.decide(result.tool, result.rule, result.location.path, default=default)
         if level is not None:
             kept.append(result if level is result.level else replace(result, level=level))
-    return worthwhile(kept, workspace, selection, left.among if left else lambda paths: ())
+    return without_unreported(kept, workspace, selection, left.among if left else lambda paths: ())
 
 
 def own_run(workspace: Workspace, known: Registry) -> Run:

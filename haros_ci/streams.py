@@ -34,7 +34,7 @@ def prepare_streams() -> None:
                 stream.reconfigure(encoding="utf-8", errors="backslashreplace")
 
 
-def say(*lines: str) -> None:
+def write_to_stderr(*lines: str) -> None:
     """Lines on stderr, if anybody can read them."""
     import click
 
@@ -54,7 +54,7 @@ def flushed(code: int) -> int:
         pass
     except (OSError, ValueError) as err:
         closed = "it is closed" if getattr(err, "errno", None) == 9 else getattr(err, "strerror", None) or str(err)
-        say(f"error: stdout cannot be written: {closed}", f"help: {STREAMS}")
+        write_to_stderr(f"error: stdout cannot be written: {closed}", f"help: {STREAMS}")
     silence()
     return TROUBLE
 

@@ -189,8 +189,8 @@ DOORS: dict[str, set[str]] = {
         "workspace",
         "writing",
     },
-    "trouble": {"report", "streams", "writing"},
-    "cli": {"commands", "errors", "interruption", "report", "streams", "trouble"},
+    "internal_errors": {"report", "streams", "writing"},
+    "cli": {"commands", "errors", "interruption", "report", "streams", "internal_errors"},
     "__main__": {"cli"},
     # checks see a system; api.testing makes one of the examples of their pages
     "api": {

@@ -56,7 +56,7 @@ def match(
             continue
         pairs = [(node, _whole(programs[0].get(identity(node), ()), node)) for node in configuration.nodes]
         elsewhere += [(other, node, configuration.name) for node, other in pairs if other is not None]
-    differences, renamed = _told_programs(*programs)
+    differences, renamed = _renamed_programs(*programs)
     return Matched(tuple(both), (*elsewhere, *renamed), (*found, *differences))
 
 
@@ -123,7 +123,7 @@ def _is_own(node: Node) -> bool:
     )  # fmt: skip
 
 
-def _told_programs(base: Programs, head: Programs) -> tuple[list[Difference], list[tuple[Node, Node, str]]]:
+def _renamed_programs(base: Programs, head: Programs) -> tuple[list[Difference], list[tuple[Node, Node, str]]]:
     """Programs that are on one side alone; those of one package with mostly the same ends are renamed."""
     removed = {
         key: nodes[0] for key, nodes in base.items() if key[:2] not in {k[:2] for k in head} and _is_own(nodes[0])

@@ -12,7 +12,9 @@ from haros_ci.model.build import Interface
 from haros_ci.model.changes import ADDED, CHANGED, REMOVED, RENAMED, Change
 
 
-def told(found: Iterable[InterfaceChange], containing: Callable[[str], tuple[Interface, ...]]) -> Iterator[Change]:
+def interface_changes_shown(
+    found: Iterable[InterfaceChange], containing: Callable[[str], tuple[Interface, ...]]
+) -> Iterator[Change]:
     """Each change of interfaces, once where several have the same; *containing* gives the interfaces that have a message in them."""
     alike: dict[tuple[object, ...], list[Change]] = {}
     for change in _one_by_one(found, containing):

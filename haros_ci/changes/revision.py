@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from haros_ci.changes.calls import Rows, calls_in, is_test
 from haros_ci.changes.compare import ComparedRevision, compare
-from haros_ci.changes.definitions import told
+from haros_ci.changes.definitions import interface_changes_shown
 from haros_ci.changes.evidence import RevisionCode, functions_of
 from haros_ci.changes.interfaces import Defined, containing, interface_changes
 from haros_ci.changes.settings import Value
@@ -82,7 +82,7 @@ def changes_of(base: Revision, head: Revision, renames: Mapping[str, str]) -> Ch
     new = {file.path: file.digest for file in head.workspace.files}
     old = {moved(file.path): file.digest for file in base.workspace.files}
     same = {path for path, digest in new.items() if old.get(path) == digest}
-    interfaces = told(
+    interfaces = interface_changes_shown(
         interface_changes(base.interfaces, head.interfaces), lambda name: containing(head.interfaces, name)
     )
     return compare(base.side(moved, same), head.side(lambda path: path, same), renames, interfaces)

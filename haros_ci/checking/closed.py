@@ -14,7 +14,7 @@ from haros_ci.checking.system import Channel, System
 _KINDS = {"topic": TOPIC, "service": SERVICE, "action": ACTION}
 
 
-def told(system: System, channel: Channel, side: str) -> bool:
+def is_certainly_absent(system: System, channel: Channel, side: str) -> bool:
     """Whether it is certain that no node of *system* is on this *side* of *channel*, ``givers`` or ``takers``, unseen.
 
     No node may have ends that are not told, and none of those whose names are partly unknown may be this one.
@@ -38,7 +38,7 @@ def unmet(system: System, channels: Iterable[Channel], side: str, what: Callable
     for channel in channels:
         missing, there = (channel.givers, channel.takers) if side == "givers" else (channel.takers, channel.givers)
         ends = [end for end in there if not end.implicit]
-        if not ends or missing or not told(system, channel, side):
+        if not ends or missing or not is_certainly_absent(system, channel, side):
             continue
         more = f" and {len(ends) - 1} more" if len(ends) > 1 else ""
         yield Finding(

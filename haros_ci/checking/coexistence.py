@@ -44,8 +44,12 @@ def by_types(
         for type, group in groups.items():
             pair = (giver.type or "", type)
             waiting = left.setdefault(pair, dict(group))
-            hits = [(number, taker, pair) for number, taker in waiting.items() if _meet_apart(giver, taker, differs)]
-            if not hits and any(n not in waiting and _meet_apart(giver, taker, differs) for n, taker in group.items()):
+            hits = [
+                (number, taker, pair) for number, taker in waiting.items() if _meet_and_differ(giver, taker, differs)
+            ]
+            if not hits and any(
+                n not in waiting and _meet_and_differ(giver, taker, differs) for n, taker in group.items()
+            ):
                 found[pair][giver] = None
             new += hits
         for number, taker, pair in sorted(new, key=lambda item: item[0]):
@@ -54,7 +58,7 @@ def by_types(
     return found
 
 
-def _meet_apart(giver: End, taker: End, differs: Callable[[End, End], bool]) -> bool:
+def _meet_and_differ(giver: End, taker: End, differs: Callable[[End, End], bool]) -> bool:
     return differs(giver, taker) and any(can_meet((giver,), (taker,)))
 
 

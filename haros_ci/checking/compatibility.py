@@ -145,22 +145,22 @@ def refused_pairs(channel: Channel, policy: str) -> Iterator[Pair]:
     """The pairs of *channel* that exist at once, agree on the type, and are kept apart by *policy*."""
     offers = {end.qos for end in channel.givers if not end.implicit}
     wishes = {end.qos for end in channel.takers if not end.implicit}
-    if not any(_apart(channel, policy, offer, wish) for offer in offers for wish in wishes):
+    if not any(_are_incompatible(channel, policy, offer, wish) for offer in offers for wish in wishes):
         return
     for taker in channel.takers:
         present = [giver for giver, _ in can_meet(channel.givers, (taker,)) if not _differ(giver, taker)]
-        refused = [giver for giver in present if _apart(channel, policy, giver.qos, taker.qos)]
+        refused = [giver for giver in present if _are_incompatible(channel, policy, giver.qos, taker.qos)]
         for giver in refused:
             if giver.implicit or taker.implicit or not (giver.in_source or taker.in_source):
                 continue
             if _is_chosen(giver, [twin for twin in present if twin not in refused]):
                 continue
-            twins = (twin for twin in channel.takers if not _apart(channel, policy, giver.qos, twin.qos))
+            twins = (twin for twin in channel.takers if not _are_incompatible(channel, policy, giver.qos, twin.qos))
             if not _is_chosen(taker, [twin for twin in twins if not _differ(giver, twin)]):
                 yield Pair(channel, giver, taker, len(refused) == len(present))
 
 
-def _apart(channel: Channel, policy: str, offered: Qos | None, requested: Qos | None) -> bool:
+def _are_incompatible(channel: Channel, policy: str, offered: Qos | None, requested: Qos | None) -> bool:
     """Whether no message comes from the one to the other; of a service each end offers and asks for the same."""
     return refuses(policy, offered, requested) or (channel.kind == "service" and refuses(policy, requested, offered))
 

@@ -38,13 +38,13 @@ class DevelSpaces:
     @cached_property
     def _is_evident(self) -> bool:
         """Whether pages and scripts build a devel space and none an install space, at the base revision, too, if there is one."""
-        if not _is_told(self._project):
+        if not _is_documented(self._project):
             return False
         base = self._project.base
-        return base is None or _is_told(base)
+        return base is None or _is_documented(base)
 
 
-def _is_told(project: Project) -> bool:
+def _is_documented(project: Project) -> bool:
     if any(_DEBIAN.search(path) for path in project.workspace.names):
         return False
     is_devel = False

@@ -66,14 +66,14 @@ def wrong_values(project: Project) -> Iterator[WrongValue]:
     """Every value that the field which it is given to cannot have."""
     code = project.code
     for typed in typed_routines(project):
-        for target, kind, value, written in _given(code, typed):
+        for target, kind, value, written in _assigned(code, typed):
             if not _fits(kind, value, target, typed.structs.known.ros):
                 shown = _shown(value)
                 at = _location(code, typed.routine, written, shown)
                 yield WrongValue(written, target, kind, shown, typed.structs.known.ros, typed.routine, at)
 
 
-def _given(code: Codebase, typed: Typed) -> Iterator[tuple[str, str, Expression, str]]:
+def _assigned(code: Codebase, typed: Typed) -> Iterator[tuple[str, str, Expression, str]]:
     """The types of fields that are given values, with the kind of the value, the value, and how the field is written."""
     for expression in expressions(typed.routine.function.body or ()):
         for node in nodes(expression):

@@ -28,7 +28,7 @@ def incompatible(system: System, policy: str, fix: str, advice: dict[str, str]) 
         related = tuple((end.location, f"{end}: {in_words(end.qos)}") for end in found.others[:SHOWN])
         yield Finding(
             at=place or found.end.location,
-            message=f"{_said(found, policy)}; {advice[kind]}; the {found.other} is at {line_of(found.other.location)}",
+            message=f"{_described(found, policy)}; {advice[kind]}; the {found.other} is at {line_of(found.other.location)}",
             about=(found.channel, found.end, found.other),
             related=(*related, *(((found.end.location, f"{found.end}"),) if place is not None else ())),
             flow=tuple(_flow(found)),
@@ -37,7 +37,7 @@ def incompatible(system: System, policy: str, fix: str, advice: dict[str, str]) 
         )
 
 
-def _said(found: Mismatch, policy: str) -> str:
+def _described(found: Mismatch, policy: str) -> str:
     giver, taker = found.giver, found.taker
     if found.channel.kind == "service":
         return (

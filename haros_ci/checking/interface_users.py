@@ -78,11 +78,11 @@ class InterfaceUsers:
                 kind = _KINDS.get(end.kind)
                 if end.type is not None and kind is not None and not end.implicit and end.in_source:
                     of = made.setdefault((kind, short_name(end.type)), {})
-                    of.setdefault((end.location, end.kind), User(end.location, _told(end)))
+                    of.setdefault((end.location, end.kind), User(end.location, _described(end)))
         return made
 
 
-def _told(end: End) -> str:
+def _described(end: End) -> str:
     return f"{end.node.name}: {end.word} {end.name}"
 
 

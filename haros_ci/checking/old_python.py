@@ -45,7 +45,7 @@ class Misfit:
 
     line: int
     places: int
-    given: int
+    received: int
     is_open: bool = False
 
 

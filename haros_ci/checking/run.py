@@ -82,7 +82,7 @@ def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, unde
                     for finding in run(system):
                         if finding.at.path in system.refused and not check.of_refused:
                             continue
-                        checked = _told(check, finding, system)
+                        checked = _with_arguments(check, finding, system)
                         if checked is None or (checked.arguments and not confirm(checked)):
                             continue
                         alike = by_key.setdefault(checked.key, {})
@@ -167,7 +167,7 @@ def _mendable(finding: Finding, text: Callable[[str], str]) -> Finding:
     return replace(finding, fixes=fixes)
 
 
-def _told(check: Check, finding: Finding, system: System) -> _ConfirmedFinding | None:
+def _with_arguments(check: Check, finding: Finding, system: System) -> _ConfirmedFinding | None:
     """The finding with the arguments nearest to the defaults under which it can happen; None if there are none."""
     if system.workspace is not None:
         finding = _mendable(finding, system.workspace.text)
@@ -201,7 +201,7 @@ class _Confirmation:
         key = (outcome.check.id, *place)
         if key not in self.said:
             with stage("confirmations"):
-                found = (_told(outcome.check, finding, system) for finding in run(system))
+                found = (_with_arguments(outcome.check, finding, system) for finding in run(system))
                 self.said[key] = frozenset(
                     checked.key for checked in found if checked is not None and not checked.arguments
                 )

@@ -51,13 +51,13 @@ class Programs:
             for use in system.facts(ProgramUse):
                 if use.kind == "executable":
                     self.started.setdefault((use.package, use.program), use.location)
-        self._told: Mapping[tuple[str, str], Location] | None = None
+        self._documented_places: Mapping[tuple[str, str], Location] | None = None
 
-    def told(self, package: str, name: str) -> Location | None:
+    def documented(self, package: str, name: str) -> Location | None:
         """Where a page in Markdown or reStructuredText says ``ros2 run`` or ``rosrun`` with the program."""
-        if self._told is None:
-            self._told = _documented(self.project)
-        return self._told.get((package, name))
+        if self._documented_places is None:
+            self._documented_places = _documented(self.project)
+        return self._documented_places.get((package, name))
 
 
 def installs_nothing(package: ProjectPackage) -> bool:
@@ -188,7 +188,7 @@ def _scripts(package: ProjectPackage, programs: Programs) -> Iterator[Uninstalle
             continue
         is_aside = _ASIDE.search(shown.lower()) is not None
         if use is None and not is_aside:
-            use = programs.told(package.name, name)
+            use = programs.documented(package.name, name)
             how = "is run here"
         if use is None and not is_aside and _is_node(package, text):
             beside = (

@@ -65,7 +65,7 @@ def variable(code: Codebase, routine: Routine, name: str) -> tuple[Routine, Vari
     while around is not None:
         found = code.body(around).variables.get(name)
         if found:
-            facts = {_told(other_variable) for other_variable in found} if len(found) > 1 else {()}
+            facts = {_declared(other_variable) for other_variable in found} if len(found) > 1 else {()}
             return (around, found[0]) if len(facts) == 1 else None
         for parameter in around.function.parameters:
             if parameter.name == name:
@@ -74,7 +74,7 @@ def variable(code: Codebase, routine: Routine, name: str) -> tuple[Routine, Vari
     return None
 
 
-def _told(variable: Variable) -> tuple[object, ...]:
+def _declared(variable: Variable) -> tuple[object, ...]:
     """What a declaration says, but for the lines and columns of calls."""
     return plain(variable.type), type(variable.init), tuple(plain(placeless(part)) for part in variable.parts)
 

@@ -40,7 +40,7 @@ def outcome_flags(block: Block, does: Callable[[Expression], bool]) -> Mapping[s
     }
 
 
-def told(test: Expression, flags: Mapping[str, Flag]) -> tuple[bool, bool]:
+def known_outcomes(test: Expression, flags: Mapping[str, Flag]) -> tuple[bool, bool]:
     """Whether a condition that holds says that it has been done, and whether one that does not hold says so."""
     turned = False
     while isinstance(test, syntax.Operation) and test.operator in ("!", "not") and len(test.operands) == 1:

@@ -12,7 +12,7 @@ from operator import or_
 
 from haros_ci import syntax
 from haros_ci.code.body import last_part, nodes
-from haros_ci.code.outcome_flags import Flag, outcome_flags, told
+from haros_ci.code.outcome_flags import Flag, known_outcomes, outcome_flags
 from haros_ci.syntax import Block, Expression, Statement
 
 #: True while the program runs and the goal is served, and what is true once that is over.
@@ -145,7 +145,7 @@ def _statement(statement: Statement, done: bool, does: _Doing, ways: _Ways, near
 def _if(statement: syntax.If, done: bool, does: _Doing, ways: _Ways) -> None:
     test = statement.test
     done = done or does(test)
-    then_over, else_over = map(or_, _over(test), told(test, does.flags))
+    then_over, else_over = map(or_, _over(test), known_outcomes(test, does.flags))
     at = (statement.line, statement.column)
     _block(statement.then, done or then_over, does, ways, at)
     if statement.other:

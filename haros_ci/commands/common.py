@@ -14,22 +14,13 @@ from typing import Any, TypeVar
 import click
 
 from haros_ci.baselines import COMPACT_NAME
-from haros_ci.commands.output import (
-    FOLDERS,
-    SILENT,
-    Extras,
-    Outputs,
-    RendererError,
-    Renderers,
-    parse_outputs,
-    rendered,
-)
+from haros_ci.commands.output import FOLDERS, SILENT, Extras, Outputs, RendererError, Renderers, parse_outputs, rendered
 from haros_ci.commands.timings import with_timings
 from haros_ci.config.settings import Settings
 from haros_ci.errors import EXIT_TOOL_TROUBLE, RunFailure, UserError
 from haros_ci.model.workspace import Workspace
 from haros_ci.results.result import Report
-from haros_ci.streams import say
+from haros_ci.streams import write_to_stderr
 from haros_ci.timing import remark, stage, timed
 from haros_ci.workspace.cache import DiskCache, MemoryCache, cache_directory
 from haros_ci.writing import write
@@ -119,7 +110,7 @@ def written(
         try:
             write(text, path)
         except RunFailure as err:  # no room for this one; the others are written all the same
-            say(f"error: {terminal(err.message)}", f"help: {terminal(err.help or '')}")
+            write_to_stderr(f"error: {terminal(err.message)}", f"help: {terminal(err.help or '')}")
             is_whole = False
     return is_whole
 

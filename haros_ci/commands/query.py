@@ -48,7 +48,7 @@ def query(flags: Mapping[str, Any]) -> int:
     scenes = Scenes(found, workspace.files, settings.project)
     matches = list(matches_of(question, scenes, flags["scope"]))
     for at, message in question.notes():
-        click.echo(f"note: {terminal(QueryError(message, at).told(text))}", err=True)
+        click.echo(f"note: {terminal(QueryError(message, at).explained(text))}", err=True)
     show(matches, flags["format"])
     return 1 if matches and flags["fail_on_match"] else 0
 

@@ -228,7 +228,7 @@ def _is_place(value: object) -> bool:
     )
 
 
-def _given(place: Mapping[str, Any]) -> dict[str, Any]:
+def _present_fields(place: Mapping[str, Any]) -> dict[str, Any]:
     return {key: place[key] for key in PLACE if place.get(key) is not None}
 
 
@@ -307,8 +307,8 @@ _NORMAL: dict[str, Callable[[Any], Any]] = {
     "args": lambda value: " ".join(str(value).split()),
     "conditions": lambda value: [_condition(item) for item in _flat(value)],
     "param_type": lambda value: TYPE_ALIASES.get(value, value),
-    "traceability": lambda value: _given(value),
-    "location": lambda value: _given(value),
+    "traceability": lambda value: _present_fields(value),
+    "location": lambda value: _present_fields(value),
 }
 
 

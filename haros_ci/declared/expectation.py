@@ -80,7 +80,7 @@ def compare(configuration: Configuration, expected: object, packages: Sequence[P
     launch = declared.get("launch")
     if isinstance(launch, list) and tuple(launch) != configuration.launch:
         about = _About("configuration", "", configuration.name)
-        found.append(_told("different", about, "launch", launch, list(configuration.launch)))
+        found.append(_described("different", about, "launch", launch, list(configuration.launch)))
     if (nodes := read_nodes(declared, Reading("", quiet), configuration.name)) is not None:
         found += _nodes(configuration.nodes, nodes, packages)
     if (parameters := read_parameters(declared, Reading("", quiet), configuration.name)) is not None:
@@ -151,17 +151,17 @@ def _all(
     for expected, item in pairs:
         about = _About(entity, node, item.name, item.location, item.unknowns)
         if item.name != expected.name:
-            yield _told("unknown", about, "name", expected.name, item.name)
+            yield _described("unknown", about, "name", expected.name, item.name)
         yield from _attributes(about, expected, item, packages)
     for expected in missing:
         vague = next((item for item in found if "?" in item.name and _can_be(expected, item)), None)
         why = [Unknown("endpoints", f"{vague.name} may stand for more than one")] if vague else list(opaque)
         about = _About(entity, node, expected.name, vague.location if vague else None, tuple(why))
-        yield _told("unknown" if why else "missing", about)
+        yield _described("unknown" if why else "missing", about)
     for item in left:
         if not (isinstance(item, Endpoint) and item.implicit):
             about = _About(entity, node, item.name, item.location, item.unknowns)
-            yield _told("unknown" if "?" in item.name else "unexpected", about)
+            yield _described("unknown" if "?" in item.name else "unexpected", about)
 
 
 def _attributes(
@@ -190,7 +190,7 @@ def _attributes(
         else:
             kind = "unknown" if found is None or (isinstance(found, str) and "?" in found) else "different"
         if kind != "same":
-            yield _told(kind, about, key, expected, found)
+            yield _described(kind, about, key, expected, found)
 
 
 def _found(key: str, item: Node | Endpoint | Parameter) -> Any:
@@ -211,7 +211,7 @@ def _type(item: Node | Endpoint | Parameter) -> str | None:
     return TYPE_ALIASES.get(item.type, item.type) if item.type else None
 
 
-def _told(kind: str, about: _About, attribute: str = "", expected: Any = None, found: Any = None) -> Deviation:
+def _described(kind: str, about: _About, attribute: str = "", expected: Any = None, found: Any = None) -> Deviation:
     what = f"{about.entity} {about.name}" + (f" of node {about.node}" if about.node else "")
     label = {"launch": "launch", "traceability": "place"}.get(attribute, attribute)
     reason = next((f" ({w.reason})" for w in about.unknowns if w.field in (attribute, "type", "name", "endpoints")), "")

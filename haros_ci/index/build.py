@@ -23,7 +23,7 @@ def build_index(sources: Iterable[Source]) -> Index:
             index.file_names[posixpath.basename(source.path)].append(source.path)
             index.local[source.path] = _local(program)
         for definition in program.classes:
-            fields = _told_once(definition.fields) if is_cpp else definition.fields
+            fields = _without_doubles(definition.fields) if is_cpp else definition.fields
             whole = definition if fields is definition.fields else syntax.replace(definition, fields=fields)
             index.classes[definition.name].append((source, whole))
         for function in program.functions:
@@ -33,7 +33,7 @@ def build_index(sources: Iterable[Source]) -> Index:
             if function.owner and is_cpp:
                 parts = function.name.split("::")
                 index.by_tail["::".join(parts[-2:])].append((source, function))
-        for variable in _told_once(program.variables) if is_cpp else program.variables:
+        for variable in _without_doubles(program.variables) if is_cpp else program.variables:
             index.variables[variable.name].append((source, variable))
         for alias in program.aliases:
             index.aliases[alias.name].append((source, alias))
@@ -67,7 +67,7 @@ def _through_alias(index: Index, source: Source, function: Function) -> None:
     index.by_tail[f"{own}::{last}"].append((source, found))
 
 
-def _told_once(fields: tuple[Field, ...]) -> tuple[Field, ...]:
+def _without_doubles(fields: tuple[Field, ...]) -> tuple[Field, ...]:
     """*fields* with one of each name: what two branches of an #if define starts as either says."""
     if len({field.name for field in fields}) == len(fields):
         return fields

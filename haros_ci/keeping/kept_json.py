@@ -52,7 +52,7 @@ def _plain(value: Any, depth: int = 0) -> bool:
     return isinstance(value, dict) and all(isinstance(k, str) and _plain(v, depth + 1) for k, v in value.items())
 
 
-def _said(value: Any) -> bool:
+def _is_location(value: Any) -> bool:
     return (
         value.__class__ is tuple
         and len(value) == 3
@@ -91,7 +91,7 @@ CLASSES: dict[type, dict[str, Check]] = {
         "conditions": _conditions,
         "rules": _rules,
         "given": lambda value: value == {},
-        "why": lambda value: value is None or _said(("", *value)),
+        "why": lambda value: value is None or _is_location(("", *value)),
         "main": lambda value: value is None,
         "options": lambda value: isinstance(value, dict) and all(map(_flag, value.values())),
     },
@@ -114,7 +114,7 @@ CLASSES: dict[type, dict[str, Check]] = {
         "node": _optional(_is(RosNode)),
         "is_exact": _flag,
         "dead": _is(int),
-        "unknowns": _every(_said),
+        "unknowns": _every(_is_location),
         "written": _optional(_text),
     },
     Opaque: {"reason": _text, "location": _place, "type": lambda value: value is None},

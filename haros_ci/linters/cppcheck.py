@@ -76,7 +76,7 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
         around.setdefault(file.package, set()).update(search[path])
     read = {path: names for path, names in directives.items() if not files[path].is_bulk}
     needs = includes.needs(read, {path: sorted(around[file.package]) for path, file in files.items()})
-    macros = ros_macros.names(ros_macros.told(workspace, files.values(), store))
+    macros = ros_macros.names(ros_macros.macro_marks(workspace, files.values(), store))
     requested = cppcheck_libraries.by_file(workspace, files.values(), directives, store)
     without = cppcheck_libraries.switched_off(workspace)
     included = {header for path in direct for header in direct[path]}

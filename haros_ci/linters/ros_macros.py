@@ -177,7 +177,7 @@ HARDWARE_INTERFACE_VERSION_GTE CONTROLLER_INTERFACE_VERSION_GTE EIGEN_VERSION_AT
 _MARK = re.compile(r"!?[dr]:[A-Z][A-Z0-9_]*")
 
 
-def told(workspace: Workspace, files: Iterable[SourceFile], store: Store) -> tuple[str, ...]:
+def macro_marks(workspace: Workspace, files: Iterable[SourceFile], store: Store) -> tuple[str, ...]:
     """The marks of :mod:`macro_scan` of all *files*, sorted; those of each file come from the store, by its digest."""
     files = tuple(files)
     stored = store.get("macros", "", SCHEMA)

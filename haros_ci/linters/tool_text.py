@@ -89,7 +89,7 @@ def _gcc(tool: DeclaredTool, data: bytes) -> Iterator[ToolFinding]:
         word = _WORD.match(line, match.end())
         level = word[1].strip() if word else ""
         is_level = level.lower() in WORDS or level in own_words
-        message, rule = _apart(line[word.end() if word and is_level else match.end() :].strip())
+        message, rule = _message_and_rule(line[word.end() if word and is_level else match.end() :].strip())
         level = level if is_level else ""
         entry = ToolFinding(
             match["path"], message, _number(match["line"]), _number(match["column"]), rule=rule, level=level
@@ -104,7 +104,7 @@ def _gcc(tool: DeclaredTool, data: bytes) -> Iterator[ToolFinding]:
         yield pending
 
 
-def _apart(text: str) -> tuple[str, str]:
+def _message_and_rule(text: str) -> tuple[str, str]:
     """The message and the rule in brackets at its end, "" without one."""
     start = text.rfind(" [")
     if start > 0 and text.endswith("]") and _GCC_RULE.fullmatch(text, start + 2, len(text) - 1):
@@ -117,14 +117,14 @@ def _regex(tool: DeclaredTool, data: bytes) -> Iterator[ToolFinding]:
     for line in _lines(data):
         groups = pattern.search(line)
         if groups is not None and groups["path"] and groups["message"]:
-            yield _said({name.replace("_", "-"): value for name, value in groups.items()})
+            yield _of_parts({name.replace("_", "-"): value for name, value in groups.items()})
 
 
 def _checkstyle(tool: DeclaredTool, data: bytes) -> Iterator[ToolFinding]:
     for file in elements(data, "file", "error"):
         for error in file.children:
             rule = {"rule": error.get("source"), "level": error.get("severity")}
-            yield _said({**error, **rule, "path": file.attributes.get("name")})
+            yield _of_parts({**error, **rule, "path": file.attributes.get("name")})
 
 
 def _json(tool: DeclaredTool, data: bytes) -> Iterator[ToolFinding]:
@@ -181,7 +181,7 @@ def _from_json(chain: list[object], fields: dict[str, str]) -> ToolFinding:
         raise ValueError(
             f"an entry without {'path' if not isinstance(parts['path'], str) else 'message'}: check 'fields'"
         )
-    return _said(parts)
+    return _of_parts(parts)
 
 
 def _at(value: object, steps: list[str]) -> object:
@@ -195,7 +195,7 @@ def _at(value: object, steps: list[str]) -> object:
     return value if isinstance(value, str | int | float) else None
 
 
-def _said(parts: dict[str, object] | dict[str, str | None] | dict[str, str]) -> ToolFinding:
+def _of_parts(parts: dict[str, object] | dict[str, str | None] | dict[str, str]) -> ToolFinding:
     numbers = {key: _number(parts.get(key)) for key in ("line", "column", "end-line", "end-column")}
     return ToolFinding(
         path=_word(parts.get("path")),

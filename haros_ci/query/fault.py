@@ -18,7 +18,7 @@ class QueryError(Exception):
         self.at = at
         self.help = help
 
-    def told(self, text: str) -> str:
+    def explained(self, text: str) -> str:
         """The whole sentence about a query with this *text*: line, column, what is wrong, what to do."""
         line, column = place(text, self.at)
         return f"line {line}, column {column}: {self.message}{f'; {self.help}' if self.help else ''}"

@@ -43,7 +43,7 @@ def grouped(matches: Iterable[Match], elsewhere: Location) -> Iterator[tuple[Res
     found: dict[tuple[object, ...], list[Match]] = {}
     for match in matches:
         entities = entities_of(match.value)
-        key = (match.query.id, _said(match), *(place.sort_key for place in places(entities)))
+        key = (match.query.id, _message(match), *(place.sort_key for place in places(entities)))
         found.setdefault(key, []).append(match)
     for same in found.values():
         names = list(dict.fromkeys(match.configuration for match in same if match.configuration))
@@ -58,7 +58,7 @@ def _result(match: Match, configurations: list[str], elsewhere: Location) -> Res
     if configurations:
         more = f" and {len(configurations) - 1} more" if len(configurations) > 1 else ""
         about.append(f"in {configurations[0]}{more}")
-    message = _said(match)
+    message = _message(match)
     return Result(
         tool=TOOL,
         rule=match.query.id,
@@ -71,7 +71,7 @@ def _result(match: Match, configurations: list[str], elsewhere: Location) -> Res
     )
 
 
-def _said(match: Match) -> str:
+def _message(match: Match) -> str:
     """The user's ``details`` with their fields filled, or what was found, in HAROS's words."""
     entities = entities_of(match.value)
     shown = f"[{', '.join(entity.words() for entity in entities)}]"

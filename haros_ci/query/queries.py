@@ -145,11 +145,11 @@ def _properties(entries: object, name: str) -> tuple[tuple[str, ...], tuple[str,
 
 
 def _fault(query: DeclaredQuery, err: QueryError, where: str) -> Result:
-    text = f"The query {query.id} ({query.place}) has no result: {err.told(query.text)}"
+    text = f"The query {query.id} ({query.place}) has no result: {err.explained(query.text)}"
     return Result(TOOL, FAILED_QUERY.id, FAILED_QUERY.level, text, Location(where))
 
 
 def _notes(query: DeclaredQuery, compiled: Query | None, where: str) -> Iterator[Notification]:
     for at, text in compiled.notes() if compiled is not None else ():
-        message = QueryError(text, at).told(query.text)
+        message = QueryError(text, at).explained(query.text)
         yield Notification(Level.NOTE, f"the query {query.id}: {message}", TOOL, where, configuration=True)

@@ -36,7 +36,7 @@ def count_metrics(runs: Iterable[Run], is_asked_for: Callable[[str, str, str], b
     )
 
 
-def raise_crossings(runs: Iterable[Run], weighs: Callable[[Result], bool]) -> tuple[Run, ...]:
+def raise_exceeded(runs: Iterable[Run], weighs: Callable[[Result], bool]) -> tuple[Run, ...]:
     """*runs* that were compared with a baseline; metrics that are new are warnings if their rule *weighs* so much."""
 
     def raised(result: Result) -> Result:

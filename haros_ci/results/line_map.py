@@ -15,7 +15,7 @@ _WORD = re.compile(r"\w+")
 _SPACE = re.compile(r"\s+")
 _LARGEST_TABLE = 40_000  # cells; a gap without unique lines beyond that is matched at its ends only
 _LARGEST_HUNK = 2_500  # cells; a larger hunk of edited lines maps by position
-_LEAST_LIKENESS = 0.4
+_LEAST_SIMILARITY = 0.4
 _DEEPEST = 12
 
 
@@ -59,7 +59,7 @@ def _edited(before: list[str], after: list[str], low: int, high: int, new_low: i
         return {index: new_low + index - low for index in range(low, min(high, low + width))}
     olds = [words(line) for line in before[low:high]]
     news = [words(line) for line in after[new_low:new_high]]
-    similarities = [[_likeness(old, new) for new in news] for old in olds]
+    similarities = [[_similarity(old, new) for new in news] for old in olds]
     table = [[0.0] * (width + 1)]
     for row in reversed(similarities):
         below, best = table[-1], [0.0] * (width + 1)
@@ -81,11 +81,11 @@ def _edited(before: list[str], after: list[str], low: int, high: int, new_low: i
     return places
 
 
-def _likeness(old: Counter[str], new: Counter[str]) -> float:
+def _similarity(old: Counter[str], new: Counter[str]) -> float:
     """Words in common per word, 0 where that is too little."""
     total = old.total() + new.total()
     share = 2 * sum((old & new).values()) / total if total else 0.0
-    return share if share >= _LEAST_LIKENESS else 0.0
+    return share if share >= _LEAST_SIMILARITY else 0.0
 
 
 def _kept(before: list[str], after: list[str]) -> list[tuple[int, int]]:

@@ -68,7 +68,7 @@ class _Reading:
     known: dict[str, Rule]
     texts: dict[str, dict[str, str]]  # message strings by rule
     graphs: tuple[ReadGraph, ...] = ()
-    trouble: Counter[str] = field(default_factory=Counter)
+    problems: Counter[str] = field(default_factory=Counter)
 
 
 def _run(run: dict[str, object], where: str, name: str, root: str) -> Run:
@@ -98,9 +98,9 @@ def _run(run: dict[str, object], where: str, name: str, root: str) -> Run:
         try:
             result = _result(reading, entry)
         except UriError as err:
-            reading.trouble[f"stand outside the workspace or nowhere ({err.kind})"] += 1
+            reading.problems[f"stand outside the workspace or nowhere ({err.kind})"] += 1
         except ValueError as err:
-            reading.trouble[str(err)] += 1
+            reading.problems[str(err)] += 1
         else:
             if result is not None:
                 results.append(result)
@@ -307,7 +307,7 @@ def _left_out(reading: _Reading, name: str) -> tuple[Notification, ...]:
         Notification(
             Level.WARNING, f"{name}: {count} result{'s'[: count > 1]} left out: they {kind}.", tool=reading.tool
         )
-        for kind, count in sorted(reading.trouble.items())
+        for kind, count in sorted(reading.problems.items())
     )
 
 

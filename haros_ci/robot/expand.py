@@ -17,7 +17,7 @@ from haros_ci.robot.functions import TooMuch
 from haros_ci.robot.legacy import LEGACY, is_call
 from haros_ci.robot.nodes import Node
 from haros_ci.robot.scopes import Macros, XacroMacro, XacroScope
-from haros_ci.robot.sources import Sources, said
+from haros_ci.robot.sources import Sources, as_written
 from haros_ci.robot.texts import is_read, parameters_of, truth
 from haros_ci.robot.unknown import UNKNOWN, Unknown
 
@@ -251,7 +251,7 @@ class Expansion(Calling):
             self.included(located.path, node, macros, scope, into)
             return
         if located.is_missing and truth(str(node.attributes.get("optional", "false"))) is not True:
-            self.fault("include", said(name), node, similar=located.similar)
+            self.fault("include", as_written(name), node, similar=located.similar)
         elif not located.is_missing:
             self.world.is_open = True
 

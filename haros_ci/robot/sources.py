@@ -151,7 +151,7 @@ def by_names(workspace: Workspace) -> Look:
     return look
 
 
-def said(name: str) -> str:
+def as_written(name: str) -> str:
     """A file name as a person writes it."""
     start, mark, rest = name.partition(FIND)
     if mark:

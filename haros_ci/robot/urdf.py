@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from haros_ci.model.robot import Joint, Limit, Link, Mesh, Robot
 from haros_ci.robot.expand import expand
 from haros_ci.robot.nodes import Node
-from haros_ci.robot.sources import Located, Sources, said
+from haros_ci.robot.sources import Located, Sources, as_written
 from haros_ci.robot.unknown import UNKNOWN, Unknown
 
 
@@ -53,7 +53,7 @@ def _mesh(node: Node, link: Link, sources: Sources, path: str) -> Mesh:
     name = node.given("filename")
     located = sources.mesh(name, path) if name else Located()
     return Mesh(
-        filename=said(name) if name else name,
+        filename=as_written(name) if name else name,
         link=link.name,
         path=located.path,
         is_missing=located.is_missing,

@@ -111,11 +111,11 @@ def _command(content: str, sources: Sources) -> Substituted:
     if command == "optenv":
         if not words:
             return _wrong("$(optenv NAME default) needs the name of an environment variable")
-        value = _given(words[0], sources)
+        value = _environment_value(words[0], sources)
         if value is not None:
             return Substituted(value)
         if len(words) == 1:
-            return Substituted(Text("", vacant=_not_given(words[0])))
+            return Substituted(Text("", vacant=_not_set(words[0])))
         default = " ".join(words[1:])
         return Substituted(replace(literal(default), chosen=f"{words[0]}={default}"))
     if len(words) != 1:
@@ -135,11 +135,11 @@ def _command(content: str, sources: Sources) -> Substituted:
 
 
 def environment_text(name: str, sources: Sources) -> Text:
-    value = _given(name, sources)
-    return unknown(_not_given(name)) if value is None else value
+    value = _environment_value(name, sources)
+    return unknown(_not_set(name)) if value is None else value
 
 
-def _given(name: str, sources: Sources) -> Text | None:
+def _environment_value(name: str, sources: Sources) -> Text | None:
     """The value of an environment variable; None if nothing sets it."""
     lost = lost_of(sources.environment).get(name)
     if lost is not None:
@@ -151,7 +151,7 @@ def _given(name: str, sources: Sources) -> Text | None:
     return replace(literal(value), chosen=chosen)
 
 
-def _not_given(name: str) -> str:
+def _not_set(name: str) -> str:
     return f"environment variable {quoted(name)} is not given"
 
 
@@ -175,7 +175,7 @@ def _eval(expression: str, sources: Sources) -> Substituted:
         unset = [(match["name"], match["default"]) for match in found if match["name"] not in sources.environment]
         vacant = [name for name, default in unset if default is None]
         if vacant and _FILE.search(made.raw):
-            return Substituted(unknown(_not_given(vacant[0])))
+            return Substituted(unknown(_not_set(vacant[0])))
         return Substituted(replace(made, chosen="=".join(unset[0])) if unset and not vacant else made)
     except Undecided as err:
         return Substituted(unknown(str(err)))

@@ -74,7 +74,7 @@ def discover(
         requested=scope.directories,
     )
     if change is not None:
-        workspace = change.told(workspace, candidates, scope, excludes)
+        workspace = change.applied_to(workspace, candidates, scope, excludes)
     if "." in scope.directories:
         return workspace
     return replace(workspace, settings=SettingsAround(root, scope, max_file_size, workspace.reader))

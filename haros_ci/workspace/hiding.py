@@ -98,7 +98,7 @@ class TrackedChange:
 
     # -- what is said ----------------------------------------------------------------------------------------------
 
-    def told(
+    def applied_to(
         self, workspace: Workspace, candidates: Collection[CandidatePath], scope: AnalysedPaths, excludes: Excludes
     ) -> Workspace:
         """*workspace*, which was made of *candidates*, with all that is to be said of the change."""

@@ -19,7 +19,7 @@ def read_manifest(data: bytes) -> Manifest:
         parse_xml(data)  # refuses what must not be read
     except XmlError:
         return Manifest()
-    elements = _said(data)
+    elements = _tags(data)
     addresses = {attributes.get("type", "website"): text for tag, attributes, text in elements if tag == "url"}
     return Manifest(
         description=next((text for tag, _, text in elements if tag == "description"), ""),
@@ -35,7 +35,7 @@ def _people(elements: Iterable[ManifestTag], tag: str) -> tuple[str, ...]:
     return tuple(dict.fromkeys(text for own, _, text in elements if own == tag and text))[:MOST_PEOPLE]
 
 
-def _said(data: bytes) -> list[ManifestTag]:
+def _tags(data: bytes) -> list[ManifestTag]:
     """The tags in document order; of markup in them (descriptions may be XHTML) the text stays."""
     from xml.parsers import expat
 

@@ -77,7 +77,7 @@ def revisions(
         nothing = Workspace(root, (), (), TextReader(root, (), max_file_size))
         links: tuple[dict[str, Blob], dict[str, Blob]] = ({}, {})
         trees = read_tree(repository, old, nothing, links[0]), read_tree(repository, new, nothing, links[1])
-        selected = [_wanted(tree, paths, exclude) for tree in trees]
+        selected = [_selected(tree, paths, exclude) for tree in trees]
         size = sum(tree[c.path].size for tree, found in zip(trees, selected, strict=True) for c in found)
         with scratch_directory(size) as scratch:
             made = [
@@ -104,7 +104,7 @@ def _scope(tree: Mapping[str, Blob], paths: tuple[str, ...]) -> AnalysedPaths:
     return AnalysedPaths(directories or (".",), files, named=bool(directories))
 
 
-def _wanted(tree: Mapping[str, Blob], paths: tuple[str, ...], exclude: tuple[str, ...]) -> list[CandidatePath]:
+def _selected(tree: Mapping[str, Blob], paths: tuple[str, ...], exclude: tuple[str, ...]) -> list[CandidatePath]:
     return select(tree, _scope(tree, paths), Excludes(exclude))
 
 

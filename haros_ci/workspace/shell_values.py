@@ -38,7 +38,7 @@ class ShellState:
     #: Names of which nothing is known any more.
     stuck: set[str]
     exported: set[str] = field(default_factory=set)
-    gone: set[str] = field(default_factory=set)
+    removed: set[str] = field(default_factory=set)
     #: How many conditions around that do not hold, and that may hold.
     skipped: int = 0
     doubts: int = 0
@@ -78,7 +78,7 @@ class ShellState:
         if value is not None and (len(value) > MAX_VALUE or HOLE in value):
             value = None
         self.values[name] = value
-        self.gone.discard(name)
+        self.removed.discard(name)
         if len(self.values) > MAX_NAMES:
             raise UnreadableScript
         if self.is_exporting_all or name in self.inherited:
@@ -185,7 +185,7 @@ class ShellState:
             elif name not in self.stuck:
                 self.values.pop(name, None)
                 self.exported.discard(name)
-                self.gone.add(name)
+                self.removed.add(name)
         return True
 
 

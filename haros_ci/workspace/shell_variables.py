@@ -44,7 +44,7 @@ def read_script(script: str, inherited: Mapping[str, str | None] | None = None, 
         return Variables({}, names_set(script) | reader.stuck)
     seen = reader.exported | reader.stuck
     values = {name: value for name in reader.exported if (value := reader.known(name)) is not None}
-    return Variables(values, frozenset(name for name in seen if name not in values and name not in reader.gone))
+    return Variables(values, frozenset(name for name in seen if name not in values and name not in reader.removed))
 
 
 @dataclass(slots=True)

@@ -16,13 +16,13 @@ from haros_ci.commands.limits import LIMITS
 from haros_ci.config.settings import Policy, Settings
 from haros_ci.linters.catalogue import UNSERVED, rules_of
 from haros_ci.linters.metrics import STRUCTURE_RULES
-from haros_ci.measuring import crossings
+from haros_ci.measuring import exceeded
 from haros_ci.measuring.facts import from_json, to_json
 from haros_ci.measuring.measures import measure, structure
-from haros_ci.own_sources import OF_MEASURES, digest
 from haros_ci.measuring.python import read_python
 from haros_ci.measuring.totals import METRICS
 from haros_ci.model.measurement import Measurement
+from haros_ci.own_sources import OF_MEASURES, digest
 from haros_ci.pipeline import analyse
 from haros_ci.registry import check_rules
 from haros_ci.report import measurements
@@ -224,7 +224,7 @@ def test_nothing_is_measured_where_no_such_rule_is_on(
     def fail(*_: object) -> None:
         raise AssertionError("measured")
 
-    monkeypatch.setattr(crossings, "crossings", fail)
+    monkeypatch.setattr(exceeded, "exceeded_limits", fail)
     write(tmp_path, {"a.cpp": CASES["max-control-nesting-5"]})
     assert found_in(tmp_path, profile=profile) == ()
     with pytest.raises(AssertionError, match="measured"):

@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 
 from haros_ci.model.location import Location
-from haros_ci.results.counted import REASON, count_metrics, counted, is_counted, is_set_aside, raise_crossings
+from haros_ci.results.counted import REASON, count_metrics, counted, is_counted, is_set_aside, raise_exceeded
 from haros_ci.results.known import ComparedFiles, known_from_results
 from haros_ci.results.result import BaselineState, Result, Run, Suppression, Tool
 from haros_ci.results.rule import Level
@@ -79,7 +79,7 @@ def test_a_baseline_that_is_brought_up_to_date_keeps_what_is_counted() -> None:
     ],
 )
 def test_a_change_that_crosses_a_limit_warns(result: Result, weighs: bool, level: Level) -> None:
-    (only,) = results(raise_crossings(runs(result), lambda _: weighs))
+    (only,) = results(raise_exceeded(runs(result), lambda _: weighs))
     assert only.level is level
 
 

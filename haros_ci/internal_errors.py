@@ -17,7 +17,7 @@ TEMPORARY = "make room in TMPDIR (or /tmp, /var/tmp), or let TMPDIR name another
 DEBUG = "set HAROS_CI_DEBUG=1 for the trace"
 
 
-def told(err: Exception) -> tuple[int, str, str]:
+def described(err: Exception) -> tuple[int, str, str]:
     """The exit code for *err*, which nobody has caught, and what to say of it."""
     if isinstance(err, MemoryError):
         return TROUBLE, "error: there is not enough memory", f"help: {remedy(errno.ENOMEM)}"

@@ -17,7 +17,9 @@ NAME = "structure"
 
 
 @timed("structure")
-def crossings(workspace: Workspace, store: Store, processes: int, progress: Callable[[str], None] | None = None) -> Run:
+def exceeded_limits(
+    workspace: Workspace, store: Store, processes: int, progress: Callable[[str], None] | None = None
+) -> Run:
     """Every band that is crossed, at the line of the function's signature or the class's head."""
     if progress is not None:
         progress(NAME)
