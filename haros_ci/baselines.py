@@ -201,7 +201,7 @@ def is_sarif(data: bytes) -> bool:
 
 
 def sarif_runs(data: bytes, name: str, root: Path) -> tuple[Run, ...]:
-    """The runs of a SARIF log, with notifications of what was left out of them; UserError if it is none."""
+    """The runs of a SARIF log, with notifications of what was left out of them; UserError if *path* is no SARIF log."""
     from haros_ci.results.sarif_file import SarifError
     from haros_ci.results.sarif_reader import read_sarif
 

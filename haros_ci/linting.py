@@ -197,7 +197,7 @@ def with_queries(settings: Settings, known: Registry) -> Callable[[str], Mapping
 
 
 def confinement(runs: tuple[Run, ...], settings: Settings, testimony: Testimony | None) -> frozenset[str]:
-    """How linters are confined here or on the machines that have *told*, whether or not their answers were known already.
+    """How linters are confined, here or on the machines whose *testimony* is given, whether or not their answers were cached.
 
     Empty if no linter has a part in *runs*.
     """

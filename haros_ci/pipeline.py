@@ -76,7 +76,7 @@ def analyse(
 ) -> tuple[Report, Workspace]:
     """The whole run: what *settings* ask for, with what is known already taken from *store*; and what was analysed.
 
-    With *told*, what the tools say is not found out here but what other machines have found out.
+    With *recorded*, the results of the tools come from other machines, and no tool is run here.
     """
     known = registry(settings)
     selection, misfits = selection_of(settings, known)
@@ -185,8 +185,8 @@ def examine(
 ) -> tuple[Run, ...]:
     """What the tools say of one revision: selected, suppressed and fingerprinted; not yet compared with a baseline.
 
-    With *base*, the revision before, they also say what has changed. What was *told* is not found out anew; *left* tells which
-    files linters say nothing of.
+    With *base*, the revision before, they also report what has changed. Answers in *testimony* are used instead of running tools; *left* are the
+    files that linters do not report on.
     """
     left = left or LeftOut(workspace)
     known, store = architectures.registry, architectures.store

@@ -71,7 +71,7 @@ class Language(ABC):
     methods: ClassVar[frozenset[str] | None] = None
     #: Whether what stands after an unknown operand is looked at, for it may decide alone.
     looks_past_unknown: ClassVar[bool] = False
-    #: Is told each step.
+    #: Called for each step.
     spend: Callable[[int], None] = staticmethod(lambda steps: None)
     #: What a set is made of.
     set_of: ClassVar[type[set[Any] | frozenset[Any]]] = set

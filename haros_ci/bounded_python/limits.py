@@ -40,7 +40,7 @@ class TooMuch(Exception):
 
 
 class NotFollowed(Exception):
-    """A computation that is not followed: *node* is what stands there, *said* what it does, if there is more to say."""
+    """A computation that is not followed: *node* is the syntax that is not interpreted, *said* a description, where the kind of node is not enough."""
 
     def __init__(self, node: ast.AST | None = None, message: str = "") -> None:
         super().__init__(message)

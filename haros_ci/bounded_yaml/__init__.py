@@ -44,7 +44,7 @@ Scalar = str | int | float | bool | None
 class YamlFault(Exception):
     """The text is not plain YAML: *message* says why and what to do, *problem* why alone, *line* where: 1 if that is not known (*is_placed*).
 
-    *advice* is what to do alone, where the two are told apart.
+    *advice* is what to do alone, where the two are separate.
     """
 
     def __init__(self, problem: str, line: int | None = None, *, message: str = "", advice: str = "") -> None:
@@ -112,7 +112,7 @@ def data(text: str, limits: Limits) -> object:
 
 
 def scalar_value(kind: str, text: str) -> Scalar:
-    """What ``yaml.safe_load`` makes of *text* as an int, float, bool or null (*kind*); ValueError if it is none, or too long."""
+    """What ``yaml.safe_load`` makes of *text* as an int, float, bool or null (*kind*); ValueError otherwise, or too long."""
     if len(text) > MAX_NUMBER:
         raise ValueError(f"longer than {MAX_NUMBER} characters")
     import yaml

@@ -95,7 +95,7 @@ def calls_in(
 
 
 def made_by(call: syntax.Call, rows: Rows) -> EndpointCall | None:
-    """What a call of a ROS library makes that changes are told of; None for all other calls."""
+    """What a call of a ROS library makes, if changes of it are reported; None for all other calls."""
     callee, args, types = call.callee, call.arguments, call.templates
     name = syntax.name_of(callee)
     fitting = [row for row in rows.get(_last(name), ()) if not row.args or len(args) in row.args] if name else []

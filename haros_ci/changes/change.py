@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""``Difference`` is seen in one node of one configuration; of alike ones a ``Change`` is made, told once."""
+"""A ``Difference`` is seen in one node of one configuration; equal ones are joined to a ``Change``, reported once."""
 
 from __future__ import annotations
 

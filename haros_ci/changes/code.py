@@ -25,10 +25,10 @@ def compare_calls(
     differences: Iterable[Difference],
     moved: Moved,
 ) -> Iterator[Difference]:
-    """What the calls of *base* and *head* make, by file, that neither architecture knows; *told* are the differences of these.
+    """What the calls of *base* and *head* make, by file, that neither architecture knows; *differences* are those between the architectures.
 
-    A call that one architecture knows and the other does not is not told: the other side may just not be understood. Of what both
-    know, a parameter that is new or gone in the text is told, too, where others of its name hide it: those of other plug-ins that may be
+    A call that one architecture knows and the other does not is not reported: the other side may just not be understood. Of what both
+    know, a parameter that is new or removed in the text is reported, too, where others of its name hide it: those of other plug-ins that may be
     loaded under the same name.
     """
     seen = tuple(_places(architecture) for architecture in architectures)

@@ -117,7 +117,7 @@ def _whole(nodes: tuple[Node, ...], like: Node) -> Node | None:
 
 
 def _is_own(node: Node) -> bool:
-    """Whether its program is told by its source here, not by what is known of other packages."""
+    """Whether its program was followed from source in this workspace, not taken from the table of known nodes."""
     return node.location is not None and bool(node.type) and is_known(f"{node.package}/{node.type}") and any(
         end.source in ("source", "exact-tier") for end in node.endpoints
     )  # fmt: skip

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Changes of interfaces as they are told beside those of the graph."""
+"""Changes of interfaces as they are reported beside those of the graph."""
 
 from __future__ import annotations
 

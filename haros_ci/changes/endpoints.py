@@ -11,7 +11,7 @@ from haros_ci.changes.names import is_known, likeness, may_be_same, relative
 from haros_ci.changes.nodes import identity, program, said_ends
 from haros_ci.model.architecture import Endpoint, Node, Qos
 
-#: The kinds of ends that are told, in words.
+#: The kinds of ends whose changes are reported, in words.
 WORDS = {
     "publishers": "publisher",
     "subscribers": "subscriber",
@@ -62,7 +62,7 @@ class NodePair:
 
 
 def compare_ends(sides: NodePair, outcome: Compared) -> None:
-    """All ends of the two nodes; what is not known on a side is not told."""
+    """Compare all ends of the two nodes; what is unknown on one side is not reported."""
     is_other = identity(sides.base) != identity(sides.head)  # then what is known of programs is no news
     base, head = _by_kind(sides.base, is_other), _by_kind(sides.head, is_other)
     for kind in WORDS:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Parameters that come or go with a plug-in, not with a change of code: told as one change, ``node:prefix.*``."""
+"""Parameters that come or go with a plug-in, not with a change of code: reported as one change, ``node:prefix.*``."""
 
 from __future__ import annotations
 

@@ -37,7 +37,7 @@ def program(node: Node) -> str:
 
 
 def said_ends(node: Node) -> Iterator[Endpoint]:
-    """The ends that a change is told of: none that the client library makes by itself."""
+    """The ends whose changes are reported: all but those that the client library makes by itself."""
     for end in node.endpoints:
         if not end.implicit and not _is_derived(end, node):
             yield end

@@ -81,7 +81,7 @@ def _type(field: InterfaceField, ros: int | None) -> FieldType | None:
 
 
 def _unbounded(kind: FieldType) -> FieldType:
-    """The type without the limits that it sets; the length of a fixed array is none."""
+    """The type without its upper bounds; the length of a fixed array is not a bound."""
     return FieldType(kind.base, 0, "sequence") if kind.form == "bounded" else replace(kind, length=0)
 
 

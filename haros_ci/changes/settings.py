@@ -14,7 +14,7 @@ from haros_ci.model.architecture import Architecture, Configuration, Node, Param
 from haros_ci.model.launch_facts import ArgumentDeclaration
 from haros_ci.model.location import Location
 
-#: From so many values of one node on that come from another file now, it is told as one change.
+#: If at least so many values of one node come from another file now, they are reported as one change.
 MANY = 5
 
 
@@ -112,7 +112,7 @@ def _launched(architecture: Architecture, moved: Moved) -> set[str]:
 def compare_values(
     base: Configuration, head: Configuration, renamed: Mapping[str, str], removed: frozenset[str], new: frozenset[str], moved: Moved
 ) -> Iterator[Difference]:  # fmt: skip
-    """The values that nodes on both sides are given. *renamed* are new names of nodes, *gone* and *new* nodes of one side."""
+    """The values that nodes on both sides are given. *renamed* are new names of nodes, *removed* and *new* nodes of one side."""
     left = _given(base, renamed)
     right = _given(head, {})
     found: list[tuple[str, Difference, tuple[str, str]]] = []

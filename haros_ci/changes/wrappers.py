@@ -36,7 +36,7 @@ class Wrappers:
     def named(self, name: str, depth: int = 0) -> EndpointCall | None:
         """What a call of a function *name* makes, and of which of its arguments; None if it is no wrapper, or several differ."""
         if name not in self._known:
-            self._known[name] = None  # a function that calls itself is none
+            self._known[name] = None  # a function that calls itself is no wrapper
             functions = self._functions.get(name, [])
             if functions and len(functions) <= MAX_ALIKE and depth < MAX_DEPTH:
                 found = {made for function in functions if (made := self._made(*function, depth)) is not None}

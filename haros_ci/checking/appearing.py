@@ -14,7 +14,7 @@ from haros_ci.model.workspace import Workspace
 
 
 def may_appear(package: ProjectPackage, path: str, quiet: Collection[str]) -> bool:
-    """Whether something may make the root-relative *path*: a submodule, a command that names it, or what git is told to ignore.
+    """Whether something may make the root-relative *path*: a submodule, a command that names it, or an entry of ``.gitignore``.
 
     *quiet* are the commands that make nothing.
     """

@@ -10,7 +10,7 @@ from haros_ci.checking.project import ProjectPackage
 
 #: The headers, and what brings every part.
 HEADERS, WHOLE = "libboost-dev", "boost"
-#: What find_package() may be told after REQUIRED besides parts.
+#: Keywords that find_package() takes after REQUIRED besides components.
 _WORDS = frozenset(
     "REQUIRED QUIET EXACT MODULE CONFIG NO_MODULE COMPONENTS OPTIONAL_COMPONENTS NO_POLICY_SCOPE GLOBAL NAMES CONFIGS HINTS PATHS".split()
 )

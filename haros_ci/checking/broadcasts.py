@@ -152,7 +152,7 @@ def _called(facts: _Facts, function: Function, key: str, call: syntax.Call, arou
 def _frames(
     facts: _Facts, program: Program, key: str, arguments: tuple[Expression, ...]
 ) -> tuple[BroadcastFrame | None, BroadcastFrame | None]:
-    """Child and parent of what sendTransform is *given*."""
+    """Child and parent of what sendTransform is *arguments*."""
     if len(arguments) == 5:  # tf of ROS 1 in Python: translation, rotation, time, child, parent
         return _frame(facts, program, key, arguments[3]), _frame(facts, program, key, arguments[4])
     if len(arguments) != 1:

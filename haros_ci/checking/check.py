@@ -42,7 +42,7 @@ class Decidability(Enum):
 class Finding:
     """What is wrong, *at* the place where the fix goes.
 
-    *about* are the entities and names that the finding is about: by them it is the same finding after lines, files or launch
+    *about* are the entities and names that the finding is about: they identify the finding after lines, files or launch
     arguments have changed, by them it is known when it can happen at all. *related* are the other ends, *flow* the places that lead
     to it, in order. *level* replaces the check's own. *presence* is a condition besides those of the entities. *apart* are names that
     tell several findings at one place apart, where the related places do not. *fixes* mend it, where an edit is certain to.

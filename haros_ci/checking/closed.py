@@ -15,9 +15,9 @@ _KINDS = {"topic": TOPIC, "service": SERVICE, "action": ACTION}
 
 
 def is_certainly_absent(system: System, channel: Channel, side: str) -> bool:
-    """Whether it is certain that no node of *system* is on this *side* of *channel*, ``givers`` or ``takers``, unseen.
+    """Whether it is certain that *channel* has no unseen end on this *side* (``givers`` or ``takers``) in *system*.
 
-    No node may have ends that are not told, and none of those whose names are partly unknown may be this one.
+    Every node must have all of its ends known, and no end with a partly unknown name may be at this channel.
     """
     kind = _KINDS[channel.kind][0 if side == "givers" else 1]
     for node in system.nodes:

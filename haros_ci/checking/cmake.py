@@ -112,7 +112,7 @@ class Install:
         return not any("${" in thing or "$<" in thing for thing in self.things)
 
     def place_of(self, target: Target) -> str | None:
-        """The directory that *target* is put into; None where it is not told."""
+        """The directory that *target* is built into; None where CMake does not set it."""
         artefact = "RUNTIME" if target.kind == "executable" else "LIBRARY"
         return self.destinations.get(artefact, self.destinations.get(""))
 

@@ -16,7 +16,7 @@ _ALONE = frozenset(
 
 
 def may_set_variables(package: ProjectPackage, name: str) -> bool:
-    """Whether CMake may set ``<name>_INCLUDE_DIRS`` or ``<name>_LIBRARIES``; upper and lower case are not told apart."""
+    """Whether CMake may set ``<name>_INCLUDE_DIRS`` or ``<name>_LIBRARIES``; upper and lower case are not distinguished."""
     finds = [
         command
         for command in package.build.commands

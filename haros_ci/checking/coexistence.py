@@ -30,9 +30,9 @@ def can_meet(first: Iterable[End], second: Iterable[End]) -> Iterator[tuple[End,
 def by_types(
     givers: Iterable[End], takers: Iterable[End], differs: Callable[[End, End], bool]
 ) -> dict[tuple[str, str], dict[End, None]]:
-    """All ends that meet one from which they are *apart*, by the types of the two, in the order of the pairs.
+    """All ends that can meet an end for which *differs* is true, by the types of the two, in the order of the pairs.
 
-    A pair is looked at only if it may tell something new: there may be thousands of ends on both sides.
+    A pair is compared only if it can add a new pair of types: there may be thousands of ends on both sides.
     """
     found: dict[tuple[str, str], dict[End, None]] = {}
     groups: dict[str, dict[int, End]] = {}

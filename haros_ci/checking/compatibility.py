@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Ends of a topic or service that ROS 2 does not connect, because one asks for more quality of service than the other offers.
 
-What is compatible is told by the tables of "Quality of Service settings" (docs.ros.org) and the request-offered policies of DDS 1.4,
+Compatibility follows the tables of "Quality of Service settings" (docs.ros.org) and the request-offered policies of DDS 1.4,
 §2.2.3. What the middleware decides (None, best_available) and what is not known (``?``) is compatible with everything.
 """
 
@@ -22,7 +22,7 @@ OVERRIDDEN = {"publishers": "publisher", "subscribers": "subscription"}
 
 
 def refuses(policy: str, offered: Qos | None, requested: Qos | None) -> bool:
-    """Whether *offered* is less than what is *asked* for; *policy* is reliability, durability, deadline or liveliness.
+    """Whether *offered* is less than what is *requested* for; *policy* is reliability, durability, deadline or liveliness.
 
     A deadline and a lease that are not set have no end, and liveliness is automatic where nobody says otherwise.
     """
@@ -106,7 +106,7 @@ class Mismatch:
 
 
 def mismatches(system: System, policy: str, fix: str) -> Iterator[Mismatch]:
-    """What *policy* keeps apart in *system*, once per call that is to be changed.
+    """The ends in *system* that *policy* keeps from connecting, once per call that has to be changed.
 
     *fix* is ``giver`` or ``taker``: the end that as a rule has what is the default. Where several calls of that kind are refused
     because of one call of the other kind alone, it is this one.
@@ -142,7 +142,7 @@ def _is_common(qos: Qos | None) -> bool:
 
 
 def refused_pairs(channel: Channel, policy: str) -> Iterator[Pair]:
-    """The pairs of *channel* that exist at once, agree on the type, and are kept apart by *policy*."""
+    """The pairs of *channel* that exist at once, agree on the type, and are kept from connecting by *policy*."""
     offers = {end.qos for end in channel.givers if not end.implicit}
     wishes = {end.qos for end in channel.takers if not end.implicit}
     if not any(_are_incompatible(channel, policy, offer, wish) for offer in offers for wish in wishes):

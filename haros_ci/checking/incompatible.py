@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is said of ends that quality of service keeps apart."""
+"""Findings on ends that incompatible quality of service keeps from connecting."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ SHOWN = 20
 
 
 def incompatible(system: System, policy: str, fix: str, advice: dict[str, str]) -> Iterator[Finding]:
-    """A finding for each call that *policy* keeps apart from others; *fix* is as in ``mismatches``.
+    """A finding for each call that *policy* keeps from connecting to others; *fix* is as in ``mismatches``.
 
-    *advice* is what to do, for ``publishers``, ``subscribers`` and ``services``. An error where somebody gets nothing at all, a
+    *advice* is what to do, for ``publishers``, ``subscribers`` and ``services``. An error where a subscriber or client gets nothing at all, a
     warning where one of several publishers is not heard.
     """
     for found in mismatches(system, policy, fix):

@@ -22,7 +22,7 @@ _MODULES = (
     r"|processorcount|select_library_configurations|swig_\w+|qt[456]?_\w+|cuda_\w+|doxygen_add_docs|protobuf_generate\w*|python3?_add_library"
     r"|bison_target|flex_target|add_flex_bison_dependency|gettext_\w+|fixup_bundle|cpack_\w+|ctest_\w+|write_compiler_detection_header"
 )
-#: What packages bring that every installation of ROS has, or that the manifest is told of by other means.
+#: Commands of packages that every installation of ROS has, or that the manifest declares in another way.
 _ROS = (
     r"ament_\w+|catkin_\w+|add_(?:message|service|action)_files|add_rostest\w*|add_nosetests|add_launch_test|add_ros_\w+|generate_messages"
     r"|generate_dynamic_reconfigure_options|roslint_\w+|roslaunch_add_file_check|rosbuild_\w+|rosidl_generate_interfaces"

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 
-#: Words that tell apart what belongs together: names that differ in them alone are meant to differ.
+#: Words that distinguish members of a pair: names that differ only in these are meant to differ.
 _TWINS = frozenset(
     {
         frozenset(pair)
@@ -29,7 +29,7 @@ _TWINS = frozenset(
 def is_slip(one: str, other: str) -> bool:
     """Whether two words differ by one slip: a letter too much, too few, wrong, or two swapped; or only in case and ``_``.
 
-    Digits tell things apart, as do words such as left and right: those are no slips. Words of less than five letters are too short.
+    Digits distinguish names, and so do words such as left and right: those are no slips. Words of less than five letters are too short.
     """
     if one == other or min(len(one), len(other)) < 5:
         return False

@@ -83,14 +83,14 @@ def is_nested(package: ProjectPackage) -> bool:
 
 
 def reaches(package: ProjectPackage, kinds: tuple[str, ...], *targets: str) -> bool | None:
-    """Whether one of *wanted* comes with what the package needs in one of these *kinds*; None if that is not known."""
+    """Whether the package depends, directly or not, by one of these *kinds* of dependency on one of *targets*; None if that is not known."""
     return brings(package, (need.name for need in needs(package, *kinds)), *targets)
 
 
 def brings(package: ProjectPackage, names: Iterable[str], *targets: str) -> bool | None:
-    """Whether one of *wanted* is among *names* or comes with one of them; None if that is not known.
+    """Whether one of *targets* is among *names* or a dependency of one of them; None if that is not known.
 
-    What a package of the workspace brings along its manifest says, of others the knowledge of what was released for the
+    The dependencies of a package of the workspace are those of its manifest, those of other packages come from the knowledge of releases for the
     ROS of *package*.
     """
     project = package.project

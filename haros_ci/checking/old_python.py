@@ -41,7 +41,7 @@ _LOGS = frozenset("logdebug loginfo logwarn logerr logfatal debug info warn warn
 
 @dataclass(frozen=True, slots=True)
 class Misfit:
-    """A format with *places* for values and *given* of them, on *line*; *is_open* if the values stand behind it without parentheses."""
+    """A format string with *places* for values and the number *received*, on *line*; *is_open* if the values stand behind it without parentheses."""
 
     line: int
     places: int
@@ -184,7 +184,7 @@ def _unparenthesised(call: ast.Call) -> Misfit | None:
 
 
 def _places(node: ast.BinOp) -> int | None:
-    """For how many values the text left of ``%`` has room; None if it is none, or has names."""
+    """For how many values the text left of ``%`` has room; None if it is no text, or has names."""
     left = node.left
     if not isinstance(node.op, ast.Mod) or not isinstance(left, ast.Constant) or not isinstance(left.value, str):
         return None

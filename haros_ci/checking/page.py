@@ -90,7 +90,7 @@ def read_page(text: str) -> Page:
 
 
 def _parts(text: str) -> Iterator[tuple[str, str, str]]:
-    """Heads and fences with a title, in order; what looks like a head inside a fence is none."""
+    """Headings and titled code fences, in order; a line like a heading inside a fence is no heading."""
     at = 0
     for fence in re.finditer(r"^```.*?^```[ \t]*$", text, re.M | re.S):
         yield from (("head", head[1], head[2].strip()) for head in _HEAD.finditer(text[at : fence.start()]))

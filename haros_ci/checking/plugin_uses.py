@@ -50,7 +50,7 @@ def plugins_in_parameters(
     systems: Iterable[System],
     is_selected: Callable[[System, Parameter, str], bool] = lambda system, parameter, key: True,
 ) -> Iterator[PluginUse]:
-    """Those that launch files themselves set in parameters that are *wanted*, by the parameter and the last part of its name."""
+    """Plug-in names that launch files set in parameters for which *is_selected* (system, parameter, last part of its name) is true."""
     for system in systems:
         for parameter in system.parameters:
             key = parameter.name.replace("/", ".").rpartition(".")[2]

@@ -277,7 +277,7 @@ class Project:
         return self.workspace.text(path)
 
     def element(self, path: str) -> Element | None:
-        """The root element of an XML file of the workspace; None if it is none."""
+        """The root element of an XML file of the workspace; None for any other file."""
         if path not in self._elements:
             self._elements[path] = self._read_xml(path)
         return self._elements[path]

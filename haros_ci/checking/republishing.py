@@ -40,7 +40,7 @@ _ABOVE = 3
 def publishes_again(text: str, line: int | None, is_python: bool) -> bool:
     """Whether the file *text* that makes a publisher in *line* publishes with it in a timer, on request or in a loop, or counts subscribers.
 
-    Functions are told apart by their names. Where the publisher's name is not seen, every ``publish`` counts as one of it.
+    Functions are identified by their names. Where the publisher's name is not seen, every ``publish`` counts as one of it.
     """
     text = text[:_MAX]
     if _ASKS.search(text):

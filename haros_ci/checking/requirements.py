@@ -84,7 +84,7 @@ def normal(name: str) -> str:
 def pinned(package: ProjectPackage) -> Mapping[str, Location]:
     """The distributions that files of *package*, or of the folders around it, give a version, each with the first place.
 
-    A bare name is none: any version will do, the system's, too.
+    A name without a version does not count: any version will do, including the system's.
     """
     found: dict[str, Location] = {}
     names = package.project.workspace.names

@@ -57,7 +57,7 @@ def is_by_itself(description: Description) -> bool:
 def together(findings: Iterable[tuple[str, Finding]]) -> Iterator[Finding]:
     """The *findings*, each with its kind; those of one kind at one place, where a macro that is called several times makes each, are one.
 
-    Each is told apart by its first word *apart*. The others' calls are related places.
+    Each is identified by the first of its *apart* names. The calls of the others are related places.
     """
     found: dict[tuple[str, Location], list[Finding]] = {}
     for kind, finding in findings:

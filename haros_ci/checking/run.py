@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From checks and systems to results: each finding under the launch arguments that show it, and each told once."""
+"""From checks and systems to results: each finding under the launch arguments that show it, reported once."""
 
 from __future__ import annotations
 

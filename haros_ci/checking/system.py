@@ -161,7 +161,7 @@ class SystemNode:
 
     @cached_property
     def complete(self) -> bool:
-        """Whether all its ends are known to be told: it was followed from its source, and nothing was left open."""
+        """Whether all its ends are known: it was followed from its source, and nothing remained unknown."""
         return (
             bool(self.ends)
             and not any(unknown.field == "endpoints" for unknown in self.raw.unknowns)
@@ -299,7 +299,7 @@ class System:
 
     @cached_property
     def complete(self) -> bool:
-        """Whether every node's ends are told and have known names: then what is not there does not exist."""
+        """Whether all ends of every node are known, with their names: an end that is not in the model does not exist."""
         kinds = (*TOPIC, *SERVICE, *ACTION)
         return all(node.complete and node.known and all(e.known for e in node.of(*kinds)) for node in self.nodes)
 

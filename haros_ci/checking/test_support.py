@@ -22,7 +22,7 @@ _DESCRIBED = re.compile(
 _TEST = re.compile(r"(?:^|/)tests?/|(?:^|/)(?:test_[^/]*|[^/]*_test|conftest|[^/]*[._]test)\.\w+$")
 _MACROS = re.compile(r"(?:^|/)[^/]*test[^/]*\.cmake(?:\.in)?$", re.IGNORECASE)
 _ABOUT = re.compile(r"(?:^|/)(?:package\.xml|setup\.(?:py|cfg)|pyproject\.toml|[^/]*\.(?:md|rst))$")
-#: How people are told to start a program.
+#: Commands by which documentation starts a program.
 _STARTED = re.compile(r"\b(?:ros2 run|ros2 launch|rosrun|roslaunch|python3?)\b")
 #: What may name a program or a module.
 _NAMING = tuple(

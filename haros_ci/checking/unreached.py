@@ -25,7 +25,7 @@ def unreached(package: ProjectPackage, paths: Iterable[str]) -> frozenset[str]:
     """Those of *paths*, Python files of *package*, that no entry point, install rule or launch file names and no file that is reached imports.
 
     They lie in a directory called ``old``, ``prototype`` and the like, or outside of the packages that setup.py names, or nothing of the
-    workspace names them beside the programs that there are. An import in a comment is none. A script lies aside by its directory alone.
+    workspace names them beside the programs that there are. Imports in comments do not count. A script lies aside by its directory alone.
     """
     used = {entry_point.path for entry_point in package.build.entry_points}
     used |= {installed.path for installed in package.build.installed if installed.kind != "directory"}

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The call graph: which routines of the workspace a call runs, and who calls a routine.
 
-Silent on what is not known: overloads that the number of arguments does not tell apart, virtual methods without a body,
+Silent on what is not known: overloads with the same number of arguments, virtual methods without a body,
 values that are called, names of several classes.
 """
 

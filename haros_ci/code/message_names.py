@@ -5,7 +5,7 @@ from __future__ import annotations
 
 
 def ros_type(name: str) -> str | None:
-    """``pkg/T`` of a dotted or ``::``-qualified name of a message, service or action type; None if it is none."""
+    """``pkg/T`` of a dotted or ``::``-qualified name of a message, service or action type; None for any other name."""
     parts = [part for part in name.replace(".", "::").split("::") if part]
     for suffix in ("ConstPtr", "Ptr", "ConstSharedPtr", "SharedPtr", "UniquePtr"):
         if parts[-1:] == [suffix]:

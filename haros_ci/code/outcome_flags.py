@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from haros_ci import syntax
 from haros_ci.syntax import Block, Expression, Statement
 
-#: What a value has to be that two of them can be told apart by.
+#: The kinds of values that a flag can be compared with.
 _CONSTANTS = (syntax.Boolean, syntax.Number, syntax.String, syntax.Null)
 
 

@@ -49,7 +49,7 @@ def undone_ways(
 ) -> tuple[tuple[int, int], ...]:
     """Where the function returns without having done it: the nearest statement with a line, *end* for its own end.
 
-    Ways on which one of the *given* variables is null are left out, and those where a flag says that it was done before.
+    Ways on which one of the *not_null* variables is null are left out, and those where a flag says that it was done before.
     """
     block = tuple(_without_null_tests(statement, not_null) for statement in block)
     ways = _Ways()
@@ -58,7 +58,7 @@ def undone_ways(
 
 
 def _without_null_tests(statement: Statement, not_null: frozenset[str]) -> Statement:
-    """The statement that runs where the *given* variables are not null, for ``if (given) { ... }`` at the outermost level."""
+    """The statement that runs where the *not_null* variables are not null, for ``if (given) { ... }`` at the outermost level."""
     if not isinstance(statement, syntax.If):
         return statement
     test = statement.test
@@ -94,7 +94,7 @@ def _block(block: Block, done: bool, does: _Doing, ways: _Ways, near: tuple[int,
     for statement in block:
         after: set[bool] = set()
         if len(states) == 2 and isinstance(statement, syntax.If) and _may_do(statement.then, does):
-            states = {True}  # the condition tells the ways apart, as far as can be seen
+            states = {True}  # the condition distinguishes the paths, as far as can be seen
         for state in states:
             inner = _Ways()
             _statement(statement, state, does, inner, near)

@@ -29,7 +29,7 @@ class Use:
 
 
 def uses(code: Codebase, routine: Routine, name: str) -> tuple[Use, ...]:
-    """All mentions of the variable *name* in a routine and in the lambdas in it; its declaration is none."""
+    """All mentions of the variable *name* in a routine and in the lambdas in it; its declaration does not count."""
     found = list(_visit(routine.function.body or (), name, "read", None))
     for index, _ in code.body(routine).inner:
         inner = code.inner(routine, index)

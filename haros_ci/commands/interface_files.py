@@ -23,7 +23,7 @@ _FILE_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,200}")
 def put(found: Architecture, format: str, path: Path | None, root: Path) -> None:
     """*found* as ``nodl`` or ``readme`` to stdout, or to *path*.
 
-    Into a directory goes a file for each package with nodes, of NoDL for those with a node that can be told. A file in a package of the workspace at *root* gets this
+    Into a directory goes a file for each package with nodes, as NoDL for packages with a node that can be described. A file in a package of the workspace at *root* gets this
     package's interfaces only. In a Markdown file that is there, what stands between the two comments is replaced, and
     descriptions that people wrote into its tables are kept; UserError if it has no such comments.
     """

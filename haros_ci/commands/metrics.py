@@ -25,7 +25,7 @@ from haros_ci.results.rule import Level
 from haros_ci.workspace.discover import discover
 from haros_ci.writing import write
 
-#: Notes that are told one by one.
+#: The most notes that are printed one by one.
 SHOWN = 20
 
 

@@ -30,7 +30,7 @@ from haros_ci.workspace.cache import DiskCache, MemoryCache
 from haros_ci.workspace.discover import discover
 from haros_ci.writing import put as put_bytes
 
-#: Problems that are told one by one.
+#: The most problems that are printed one by one.
 SHOWN = 20
 #: Options that say what of the architecture is made, and how it is written.
 OPTIONS = ("launch", "arg", "env", "no_known_nodes", "as_running", "configuration", "format", "compact")
@@ -123,7 +123,7 @@ def is_kept(flags: Mapping[str, Any], settings: Settings) -> bool:
 
 
 def end(store: DiskCache | MemoryCache, messages: Iterable[str]) -> None:
-    """Write the cache, and *said* to the standard error."""
+    """Write the cache, and *messages* to the standard error."""
     problem = store.flush()
     if problem:
         click.echo(f"warning: {problem}", err=True)

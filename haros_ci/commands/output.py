@@ -31,7 +31,7 @@ class Extras:
     """What a renderer may ask for beside the report.
 
     *source* gives the text of a file and *package* the name of its package, both "" where there is none. *flags* are those of
-    ``haros-ci check``; *to_file* tells that nobody watches the text appear.
+    ``haros-ci check``; *to_file* is whether the text goes to a file, not to a terminal.
     """
 
     source: Callable[[str], str]

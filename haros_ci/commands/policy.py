@@ -21,7 +21,7 @@ from haros_ci.writing import write
 
 
 def policy(flags: Mapping[str, Any]) -> int:
-    """Extract, link, write; what is not known is told on stderr. Exit code 2 for wrong usage, else 0."""
+    """Extract, link, write; unknowns are reported on stderr. Exit code 2 for wrong usage, else 0."""
     settings = settings_from({**flags, "paths": (), "no_baseline": True})
     workspace = discover(settings.root, settings.paths, exclude=settings.exclude, max_file_size=settings.max_file_size)
     store = store_for(settings)

@@ -30,7 +30,7 @@ def query(flags: Mapping[str, Any]) -> int:
     text, paths = asked_text(flags)
     names = VARIABLES[flags["scope"]]
     try:
-        question = Query(text, names)  # before the work, so that a slip is told at once
+        question = Query(text, names)  # before the work, so that a mistake is reported at once
     except QueryError as err:
         raise wrong(text, err) from None
     settings = settings_from({**flags, "paths": paths, "no_baseline": True})

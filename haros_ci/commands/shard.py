@@ -62,7 +62,7 @@ def destination(flags: Flags) -> Path:
 
 
 def costs_of(name: str | None) -> costs.Costs:
-    """What the file *name* says; nothing where there is none yet, as on the first run."""
+    """The contents of the file *name*; empty if the file does not exist yet, as on the first run."""
     if name is None or not Path(name).exists():
         return {}
     try:

@@ -77,7 +77,7 @@ def _choice(file: File, entries: dict[str, YamlValue], key: str, known: tuple[st
 
 
 def _argv(file: File, value: YamlValue, what: str) -> tuple[str, ...]:
-    """The arguments, the program first: a list, as no shell takes a line apart."""
+    """The arguments, beginning with the program. A list is required, because no shell splits the line."""
     if not isinstance(value.data, tuple):
         raise file.error(value.line, f"'exec' of {what} must be a list, not {kind(value)}", f"write {FORM}")
     if not value.data or len(value.data) > MAX_ARGUMENTS:

@@ -92,7 +92,7 @@ class _BaseFiles:
         return path.is_relative_to(self.root) if self.base is None else self.base.holds(path)
 
     def read(self, path: Path) -> bytes | None:
-        """The bytes of the file at *path* as they count; None if there is none."""
+        """The bytes of the file at *path* in the revision that settings are read from; None if there is no such file."""
         if not self.holds(path):
             return _from_disk(path, self.root)
         return None if self.base is None else self.base.read(path)
@@ -218,7 +218,7 @@ def _with_flags(settings: Settings, flags: Mapping[str, Any]) -> Settings:
 
 
 def _plugins(settings: Settings, flags: Mapping[str, Any]) -> dict[str, Any]:
-    """Whose code is to run: plug-ins of our API, and HAROS's own, which are told by their names."""
+    """The plug-ins whose code runs: those of haros-ci's API, and those of HAROS, which are recognised by their names."""
     named = tuple(dict.fromkeys((*_words(flags.get("plugins")), *settings.plugins)))
     of_haros = tuple(name for name in named if name.startswith("haros_plugin_"))
     changes: dict[str, Any] = {}

@@ -31,7 +31,7 @@ LEVELS = ("error", "warning", "note", "off")
 FAIL_ON = ("error", "warning", "note", "never")
 MAX_SELECTORS = 500
 MAX_PATH_GLOBS = 200
-MAX_ROW_TEXT = 500  # characters of one text in an API row; selectors are taken apart in quadratic time
+MAX_ROW_TEXT = 500  # characters of one text in an API row; selectors are parsed in quadratic time
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -12,7 +12,7 @@ from haros_ci.model.globs import compiled
 from haros_ci.model.slips import nearly
 from haros_ci.results.rule import Rule
 
-#: How specific a match is: larger is more specific; the second number tells globs apart.
+#: How specific a match is: larger is more specific; the second number ranks globs by length.
 Rank = tuple[int, int]
 NO_MATCH: Rank = (-1, 0)
 MAX_NOTES = 20

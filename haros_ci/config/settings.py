@@ -63,10 +63,10 @@ class PackagePolicy(LocalPolicy):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Exemption:
-    """Findings that the project accepts: those that fit all of what is given.
+    """Findings that the project accepts: those that match all keys of an exception.
 
     ``files`` are globs, ``packages`` globs of names, ``rules`` selectors, ``message`` a pattern of linear_regex.py that
-    is searched for. ``origin`` is ``FILE:LINE`` and tells two exemptions apart.
+    is searched for. ``origin`` is ``FILE:LINE`` and identifies the exemption.
     """
 
     files: tuple[str, ...] = ()

@@ -68,7 +68,7 @@ def compare(configuration: Configuration, expected: object, packages: Sequence[P
     """How *configuration* deviates from its entry in *expected*, a file's parsed YAML ``{configuration: {...}}``.
 
     Only keys that are given are compared; a list or map that is given is complete, but for implicit endpoints. Within a
-    node endpoints match one to one by name, then type. What is unknown never deviates, it is told at level note; so is
+    node endpoints match one to one by name, then type. Unknown values never deviate, they are reported at level note; so is
     what is missing where a name with ``?`` may stand for it as well, as one call in a loop can make many. Parts of a
     wrong shape are passed over: ``problems`` tells them. Nothing is compared if *expected* has no such entry.
     """

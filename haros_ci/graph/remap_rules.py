@@ -29,7 +29,7 @@ def written_rule(
 
 
 def ros2_rules(rules: Iterable[Rule], written: Iterable[RemapRule], location: Location) -> tuple[RemapRule, ...]:
-    """*given* on the command line of a process, at *location*, then those *written* as remappings; none that names nodes."""
+    """*rules* on the command line of a process, at *location*, then those *written* as remappings; none that names nodes."""
     found = [RemapRule(source=rule.source, target=rule.target, location=location, node=rule.node) for rule in rules]
     for remap_rule in written:
         rule = rule_of(f"{remap_rule.source}:={remap_rule.target}")

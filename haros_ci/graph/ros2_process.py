@@ -279,7 +279,7 @@ class Parameters:
         return Known(last.value)
 
     def _like(self, node: str, shape: str) -> Value | None:
-        """None if a node is given no parameter of a name that is known in parts; of which it may be is not told else."""
+        """None unless a node gets a parameter whose name is known in parts only; which parameter that is cannot be decided."""
         if self.unread is not None:
             return Perhaps(f"it may be set: {reason(self.unread)}", self.unread.location)
         for pattern, section in self._sections.items():

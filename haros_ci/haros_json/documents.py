@@ -37,7 +37,7 @@ DEFAULT = "default"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Input:
-    """All that the folder is made of.
+    """The data that the folder is made from.
 
     *project* is the project file as plain data and *where* its name; *rules_on* how many rules are on, of them *user_rules* the
     project's own; *scopes* are those of rules by ``tool:id``; *timestamp* is the revision's, None where there is none.
@@ -142,7 +142,7 @@ def documents(inputs: Input) -> dict[str, str]:
 def added(files: Mapping[str, str], before: Callable[[str], str | None]) -> dict[str, str]:
     """*files* with what a folder is to keep of the same files *before*: other projects, and the history of this one.
 
-    ValueError if its list of projects is none.
+    ValueError if the file is not a list of projects.
     """
     (mine,) = json.loads(files[PROJECTS])
     summary = f"{mine['id']}/summary.json"

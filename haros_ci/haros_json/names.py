@@ -23,7 +23,7 @@ _TAKEN = frozenset(
     " propertyisenumerable tolocalestring tostring valueof projects.json".split()
 )
 
-#: A name, and what tells two of the same name apart.
+#: A name, and what distinguishes two entities of the same name.
 Key = tuple[str, str]
 
 
@@ -40,7 +40,7 @@ def safe(name: str) -> str:
 
 
 def unique(keys: Iterable[Key]) -> Mapping[Key, str]:
-    """An id for each of *keys*: no two are the same, upper and lower case apart; those that would be get a digest of their own.
+    """An id for each of *keys*: no two are equal when case is ignored; those that would be get a digest appended.
 
     What an id is depends on the set of *keys*, not on their order.
     """

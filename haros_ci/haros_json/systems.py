@@ -218,7 +218,7 @@ HPL = ("properties", "assumptions")
 
 
 def id_of(entity: object) -> int:
-    """What tells entities of one run apart; never written."""
+    """The identity of an entity within one run; never written."""
     return id(entity)
 
 

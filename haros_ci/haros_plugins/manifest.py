@@ -41,8 +41,8 @@ class Metric:
 class HarosPlugin:
     """*name* is the module's, *home* its directory. *rules* and *metrics* are its own, by the ids of plugin.yaml.
 
-    *queries* are those rules that HAROS asks as queries, in its own words. *hooks* are the functions that plugin.py has; "*" if that
-    cannot be told.
+    *queries* are those rules that HAROS asks as queries, in its own words. *hooks* are the functions that plugin.py has; "*" if they are
+    not known.
     """
 
     name: str

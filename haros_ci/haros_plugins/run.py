@@ -52,7 +52,7 @@ class PluginOutput:
     failures: list[str] = field(default_factory=list)
 
     def take(self, message: Data) -> None:
-        """One answer of the process; what is none is nothing."""
+        """Handle one message of the process; anything malformed is ignored."""
         kind = message.get("kind")
         if kind == "failed":
             self.failures.append(str(message.get("message")))

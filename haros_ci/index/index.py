@@ -20,7 +20,7 @@ from haros_ci.syntax import Alias, Class, Field, Function, Program
 Entity = TypeVar("Entity")
 #: Typedefs of typedefs that are looked through.
 ALIASES = 8
-#: Why one of several definitions is not told from the others.
+#: The reason where one of several definitions cannot be chosen.
 EITHER = "it is defined more than once"
 #: What macros that declare smart pointers to a class put after its name, the longest first.
 POINTERS = ("ConstUniquePtr", "ConstWeakPtr", "UniquePtr", "WeakPtr", "ConstPtr", "Ptr")
@@ -129,7 +129,7 @@ class Index:
                 table.follow(trace)
 
     def sees(self, source: Source, other: Source, files: frozenset[str]) -> bool:
-        """Whether code of *source*, in an executable of *files*, can use what stands in *other*, as far as can be told."""
+        """Whether code of *source*, in an executable of *files*, can use the definitions of *other*, as far as the build files show."""
         if other.path == source.path or other.path in files or other.package == source.package:
             return True
         key = (source.path, files)
@@ -290,7 +290,7 @@ def is_test(path: str) -> bool:
 
 
 def aliased(index: Index, name: str, source: Source | None = None, depth: int = 0) -> str | None:
-    """The class that a typedef's name stands for, seen from *source* or else from anywhere; None if it is none for sure."""
+    """The class that a typedef's name stands for, seen from *source* or else from anywhere; None if it is certainly no alias."""
     found = index.aliases.get(name, [])
     if source is not None:
         found = [item for item in found if index.includes(source, (item,))]

@@ -39,7 +39,7 @@ class _Unreadable(Exception):
 
 
 def expression(body: str) -> Expression:
-    """What an object-like macro's text stands for wherever it is used; unknown where that is not told.
+    """The expression that an object-like macro stands for; unknown where that is not known.
 
     Operators outside of parentheses are put between those around the macro's use ([cpp.replace]: the replacement is
     text), so that their value is known for texts alone.
@@ -56,7 +56,7 @@ def expression(body: str) -> Expression:
 
 
 def class_named(index: Index, name: str, source: Source, files: frozenset[str]) -> tuple[Source, str] | None:
-    """The qualified name that a macro stands for, and the file that defines it; None if it is none, or one of several."""
+    """The qualified name that a macro stands for, and the file that defines it; None otherwise, or one of several."""
     found = index.near(index.macros, name, source, files) if source.separator == "::" else []
     bodies = {body for _, body in found}
     return found[0] if len(bodies) == 1 and _QUALIFIED.fullmatch(found[0][1]) else None

@@ -26,7 +26,7 @@ READING = frozenset(
 CONTAINERS = (
     READING | COLLECTING | frozenset("clear erase resize reset set has swap pop_back pop push lock unlock".split())
 )
-#: Methods of all sorts of classes that are told apart by the number of their arguments.
+#: Methods of unrelated classes, distinguished by the number of their arguments.
 COUNTED = frozenset(("publish",))
 #: Stands for an assignment to an element among the names of a block.
 ELEMENT = "[]="

@@ -33,7 +33,7 @@ class FieldType:
 
 
 def field_type(written: str) -> FieldType | None:
-    """The parts of a type as ``InterfaceField.type`` has it; None if it is none."""
+    """The parts of a type as ``InterfaceField.type`` has it; None for any other text."""
     match = _TYPE.match(written)
     if match is None:
         return None
@@ -81,7 +81,7 @@ class Definitions:
 
 
 def on_wire(interface: Interface, with_constants: bool) -> tuple[tuple[tuple[str, str, str], ...], ...]:
-    """What its hash depends on, apart from nested types: constants in ROS 1, wherever they stand, but not in ROS 2."""
+    """What its hash depends on, besides nested types: constants in ROS 1, wherever they stand, but not in ROS 2."""
     return tuple(
         (
             *((f.type, f.name, f.value) for f in section if with_constants and f.is_constant),

@@ -145,7 +145,7 @@ class Earlier:
 
 
 def begun(data: Any) -> Earlier | None:
-    """The record that *data* is the JSON of, as far as it is read before anything is asked of it; None if it is none."""
+    """The record that *data* is the JSON of, as far as it is read before anything is looked up in it; None for any other data."""
     try:
         files, names, traces, followed = data
         return Earlier(

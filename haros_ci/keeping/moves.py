@@ -73,7 +73,7 @@ def _same_head(old: Function, new: Function, lines: Lines) -> bool:
 
 
 def _outermost(name: str) -> str:
-    """The function around a lambda; the function itself if it is none."""
+    """The function around a lambda; the function itself if it is no lambda."""
     return name.partition(LAMBDA)[0]
 
 

@@ -33,7 +33,7 @@ INERT = frozenset(
     unstable enable-unstable-feature pyi exclude extend-exclude force-exclude
     """.split()
 )
-#: Black excludes only what it finds for itself, unless it is told twice.
+#: Black applies ``exclude`` only to files that it finds itself; ``force-exclude`` also covers files on the command line.
 EXCLUDES = ("exclude", "extend-exclude", "force-exclude")
 
 _ERROR = re.compile(r"error: cannot (?:parse: (.+?):(\d+):\d+|format (.+?): (?:Cannot parse.*?: (\d+):\d+)?.*)$")
@@ -59,7 +59,7 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
 
 
 def command(program: Program, batch: Batch) -> Command:
-    """Copies below a settings file of ours: on its way to the root Black reads every pyproject.toml, whatever it is told."""
+    """Copies below a settings file of ours: on its way to the root Black reads every pyproject.toml, whatever its options are."""
     settings = settings_files.inert(settings_files.read(batch.workspace, batch.group).get(NAME, {}), INERT)
     excludes = [str(settings.pop(key)) for key in EXCLUDES if settings.get(key)]
     if excludes:

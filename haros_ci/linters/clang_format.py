@@ -24,7 +24,7 @@ COST = 15.0
 STYLES = (".clang-format", "_clang-format")
 IGNORED = ".clang-format-ignore"
 RULE = "formatting"
-#: Places told of one file; a file that was never formatted has hundreds.
+#: The most places reported of one file; a file that was never formatted has hundreds.
 MOST = 25
 #: Asks for the style of a directory anywhere (clang-format 21), or may do so in disguise.
 _ELSEWHERE = re.compile(r"InheritParentConfig\s*=|\\(?:[xuU]|\r?\n)")

@@ -97,7 +97,7 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
 
 
 def command(program: Program, batch: Batch) -> Command:
-    """Names go in through a file list. Duplicates are wanted: else a header's finding names its first includer only.
+    """Names are passed through a file list. Duplicates are requested: otherwise a finding in a header names its first includer only.
 
     It runs outside the workspace, for it takes a ``std.cfg`` of its working directory for its own.
     """
@@ -176,7 +176,7 @@ def _is_source(path: str) -> bool:
 
 
 def _units(error: ToolElement, batch: Batch) -> list[str]:
-    """The file under analysis; where that is not told, as in preprocessing, every file that sees the place."""
+    """The file under analysis; where cppcheck does not report it, as in preprocessing, every file that includes the place."""
     paths = [file.path for file in batch.files]
     first_file, place = error.attributes.get("file0"), error.children[0]["file"]
     if first_file in paths or place in paths:

@@ -32,7 +32,7 @@ SUFFIXES = frozenset("c cc cpp cxx c++ h hh hpp hxx h++ ipp tpp txx inl cu cuh".
 #: What stands for a letter that could not be read.
 LOST = "\ufffd"
 
-#: Suffixes of files that are there to be included: templates apart from their header, tables, CUDA.
+#: Suffixes of files that exist to be included: templates outside of their header, tables, CUDA.
 _PARTS = (".cu", ".cuh", ".ipp", ".tpp", ".txx", ".ixx", ".inl", ".impl", ".inc", ".def", ".icc")
 #: The address of a member of what a cast pointer points to, and that of a cast.
 _MEMBER = re.compile(r"&\s?\(\s?\([^()]{1,200}\*\s?\)[^()]{1,200}(?:\([^()]{0,200}\))?\s?\)\s?(?:->|\[)")

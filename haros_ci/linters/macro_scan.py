@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Macros that a text uses without defining them, told by their names and by where they stand.
+"""Macros that a text uses without defining them, recognised by their names and positions.
 
 Two kinds stop a parser that does not see their definition and can be known without it. *Decorations*
 (``NAV2_PUBLIC``) stand before a declaration and have no arguments;

@@ -87,7 +87,7 @@ CLASS_THRESHOLDS = (
         "max-deepest-inheritance-5", "depth-in-tree", 5, "is {value:.0f} levels deep in inheritance (limit {limit:.0f})"
     ),
 )
-#: The rules of both: nothing of it is measured unless one of them is wanted.
+#: The rules of both: nothing is measured unless one of them is on.
 STRUCTURE_RULES = tuple(threshold.rule for threshold in (*STRUCTURE_THRESHOLDS, *CLASS_THRESHOLDS))
 
 #: A milder rule and the stricter bands of the same metric that make it redundant.

@@ -68,7 +68,7 @@ def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
 def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
     """One group per settings file; a file depends on the modules of its package that it imports.
 
-    How modules are called depends on where the package is, and what is told of them on which packages there are.
+    The names of modules depend on where the package is, and the report on them on which packages there are.
     """
     closures = imports.closures(workspace)
     homes = {package.name: package.path for package in workspace.packages}

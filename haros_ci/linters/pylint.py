@@ -104,7 +104,7 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         if file is None or rule in ABOUT_OPTIONS or file.path in silenced:
             continue
         if rule == "syntax-error" and report["message"].startswith("Cannot import "):
-            continue  # it is told of the file that is imported
+            continue  # pylint reports it for the imported file
         if rule == "syntax-error" and _is_of_another_python(batch.workspace.text(file.path), report):
             silenced.add(file.path)
             yield GaveUp(file.path, python2.why_unreadable(batch.workspace.text(file.path)), report["line"] or None)
@@ -115,7 +115,7 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
 
 
 def _is_doubted(report: dict[str, Any], path: str, text: str, doubting: Doubting) -> bool:
-    """Whether the *text* refutes what pylint has *said*, or its author has silenced the same of another tool."""
+    """Whether the *text* refutes what pylint has *report*, or its author has silenced the same of another tool."""
     rule, line = report["symbol"], report["line"]
     if doubting.may(path, rule, text) and is_refuted(rule, line, report["column"], text):
         return True

@@ -46,7 +46,7 @@ def encode(answer: Answer) -> dict[str, Any]:
 
 
 def decode(value: object, unit: str, is_selected: IsSelected, known: Collection[str]) -> Answer | None:
-    """The wanted part of a cached answer; None if *value* is not one: what lies in a cache is data, not trust.
+    """The part of a cached answer whose rules are selected; None if *value* is no answer: the contents of a cache are not trusted.
 
     Results outside the *known* files are dropped, as they are when a tool reports them.
     """

@@ -38,7 +38,7 @@ def lint(
 ) -> tuple[Run, ...]:
     """One run per tool that applies, named after its adapter; ``rules`` are left empty.
 
-    Only results that are *wanted* (tool, rule, path) and in files to report on are kept, sorted, each once. A tool that
+    Only results for which *is_selected* (tool, rule, path) is true, in files to report on, are kept, sorted, without duplicates. A tool that
     is missing although it always runs or was asked for, crashes, times out or talks nonsense makes its own run unsuccessful
     and nothing else. Answers are cached per file, failures never. With *recorded* answers no tool is started.
     """

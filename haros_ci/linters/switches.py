@@ -14,11 +14,11 @@ LONGEST_WORD = 60
 
 @dataclass(frozen=True, slots=True)
 class Switches:
-    """What one tool's settings say that can keep a finding from being told.
+    """The settings of one tool that can suppress a finding.
 
     ``off`` are rules that are off, ``only`` those that alone are on (None: the tool's own choice), ``more`` those that are on beside
-    the tool's own choice, and ``strict`` options that make the tool tell more. ``words`` are pairs of an option and a word that narrows what is told, such as a glob of files or an
-    ignored name. ``limits`` are numbers of which a larger one tells less. ``runs`` is False where the tool does nothing.
+    the tool's own choice, and ``strict`` options that make the tool report more. ``words`` are pairs of an option and a word that restricts what is reported, such as a glob of files or an
+    ignored name. ``limits`` are numbers of which a larger one suppresses more findings. ``runs`` is False where the tool does nothing.
     """
 
     off: frozenset[str] = frozenset()

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Metrics of classes over the whole workspace: Chidamber and Kemerer's (IEEE TSE 20(6), 1994) and the methods available.
 
-Every count is a lower bound where the workspace does not tell: a base class outside of it is one level, as it has at
-least that; a name that is none of its classes is not coupled to.
+Every count is a lower bound where the workspace is incomplete: a base class outside of it counts as one level, which it has at
+least; a name of no class of the workspace is no coupling.
 """
 
 from __future__ import annotations
@@ -136,7 +136,7 @@ class _Measuring:
         return self._at(owner)
 
     def named(self, source: Source, scope: str, name: str) -> Measured | None:
-        """The class that *name* means in *scope* of a file, None if it is none of the workspace."""
+        """The class that *name* means in *scope* of a file, None if it is no class of the workspace."""
         key = (source.path, scope, name)
         if key not in self.meant:
             if source.separator == ".":

@@ -34,7 +34,7 @@ _NAMED = kinds("identifier field_identifier template_function template_method qu
 _CLASS = types.CLASS_KINDS
 #: Further branches of a conditional, where one is left.
 _UNREAD = kinds("preproc_else preproc_elif preproc_elifdef")
-#: What looks like a call and is none.
+#: Keywords that look like calls.
 _NOT_CALLED = frozenset(
     "static_cast dynamic_cast const_cast reinterpret_cast typeid sizeof alignof alignas noexcept decltype defined"
     " static_assert assert va_arg va_start va_end offsetof typeof".split()

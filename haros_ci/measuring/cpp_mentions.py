@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The names in a piece of C++ that may be classes, as they are written; which of them are is told by the index."""
+"""The names in a piece of C++ that may be classes, as they are written; the index decides which of them are."""
 
 from __future__ import annotations
 

@@ -59,7 +59,7 @@ class FileFacts:
 
 @dataclass(slots=True)
 class FunctionCounts:
-    """What is being counted in a function. *apart* are paths of lambdas beyond the first: they run on their own."""
+    """Counters of one function. *apart* counts the paths of its lambdas beyond the first: these run separately."""
 
     complexity: int = 1
     nesting: int = 0

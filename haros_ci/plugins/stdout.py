@@ -11,7 +11,7 @@ from contextlib import contextmanager
 
 @contextmanager
 def kept_clean(is_enabled: bool = True) -> Iterator[None]:
-    """Meanwhile all that is written to stdout, by whatever means, goes to stderr; nothing changes if not *wanted*."""
+    """Within the context, all output to stdout, by whatever means, goes to stderr; no-op unless *is_enabled*."""
     if not is_enabled:
         yield
         return

@@ -38,7 +38,7 @@ class JoinOperand:
     run: Callable[[Scope], Value]
 
     def of(self, element: Value, scope: Scope) -> Value:
-        """Its value for *element*; WILD if there is none."""
+        """Its value for *element*; WILD if it has no value."""
         own = {**scope, self.name: element}
         try:
             for name, let in self.lets:

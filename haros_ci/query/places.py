@@ -34,7 +34,7 @@ def kept(get: Callable[[Any], Value]) -> Any:
 
 
 class RosName(QueryEntity):
-    """A name, resolved (*full*) and as it was *given*; the same as its full text."""
+    """A name, resolved (*full*) and as the source has it (*given*); equal to its full text."""
 
     __slots__ = ("full", "given_text")
     KIND = "RosName"

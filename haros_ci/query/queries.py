@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""All queries of a project file, asked of an architecture: their rules, results, and what is to be told besides."""
+"""Evaluates all queries of a project file on an architecture: their rules, results and notifications."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def run(
     wanted: Callable[[Rule], bool] = lambda rule: True,
     scenes: Scenes | None = None,
 ) -> QueryOutcome:
-    """Ask the queries of the *project* file *where* of the architecture *found*; of them, those whose rule is *wanted*.
+    """Evaluate those queries of the *project* file (named *where*) whose rule is *wanted*, on the architecture *found*.
 
     A query that is wrong is a result of its own and stops no other; what is no query at all is an error notification. *scenes* are those of *found*, if they have been made.
     """

@@ -206,7 +206,7 @@ def _resources(system: QuerySystem) -> dict[str, Collection]:
 
 
 def plain(value: Any, depth: int = 0) -> Value:
-    """A value of YAML or of the code as a value of a query; None for what is none."""
+    """A value of YAML or of the code as a value of a query; None for anything else."""
     if value is None or isinstance(value, (bool, int, float)):
         return value
     if isinstance(value, str):

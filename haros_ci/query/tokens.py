@@ -38,7 +38,7 @@ class QueryToken:
 
 
 def tokens(query: str) -> tuple[QueryToken, ...]:
-    """The words of *query*, comments left out, an ``end`` last; QueryError at what is none."""
+    """The words of *query*, without comments, ``end`` as the last one; QueryError at a character that begins no token."""
     if len(query) > LONGEST_QUERY:
         raise QueryError(f"the query has more than {LONGEST_QUERY} characters", 0, "take it apart")
     found, at = [], 0

@@ -33,7 +33,7 @@ UNKNOWN = UnknownText("?")
 
 
 class QueryList(tuple[Value, ...]):
-    """A list, tuple or set of values, in order. *flat* ones (tuples and sets) are taken apart by ``flatten``."""
+    """A list, tuple or set of values, in order. ``flatten`` replaces *flat* ones (tuples and sets) by their elements."""
 
     weight: int
     depth: int
@@ -58,7 +58,7 @@ class QueryList(tuple[Value, ...]):
 
 
 class QueryRecord(Mapping[Value, Value]):
-    """A map that does not change; a path takes it apart into pairs with ``key`` and ``value``."""
+    """An immutable map; a path sees it as pairs with ``key`` and ``value``."""
 
     __slots__ = ("_data", "_hash", "_pairs", "depth", "weight")
 

@@ -82,7 +82,7 @@ def picker(letters: str) -> Callable[[Key], Key]:
 def grouped(
     things: Iterable[MatchCandidate], pick: Callable[[Key], Key], requested: Container[Key]
 ) -> dict[Key, list[MatchCandidate]]:
-    """The things by key, for keys that are *wanted* and of which no feature is missing."""
+    """The candidates by key, for the *requested* keys of which every feature is known."""
     groups: dict[Key, list[MatchCandidate]] = {}
     for thing in things:
         key = pick(thing.features)

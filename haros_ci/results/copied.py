@@ -177,7 +177,7 @@ class _Texts:
 
 
 def _is_copy(one: Result, other: Result, texts: _Texts) -> bool:
-    """Whether two findings say the same of the same line of one text, apart from names."""
+    """Whether two findings have the same message at the same line of equal texts, except for names."""
     names = (texts.names(one.location.path), texts.names(other.location.path))
     for here, there in zip(texts.units(one), texts.units(other)):
         if here.line == there.line and _is_renamed(here.tokens, there.tokens, names, (one.message, other.message)):

@@ -67,7 +67,7 @@ class ComparedFiles:
 
     *head* and *base* give a file's text, "" where there is none; *base* is None where the past's files cannot be had.
     *language* is of a path on either side. *renames* maps old paths to new, *aliases* old ``tool:rule`` to current.
-    *analysed* tells whether this run's tool answered for a file, *exists* whether the file is in the workspace now.
+    *analysed* is whether this run's tool analysed a file, *exists* whether the file is in the workspace now.
     *head_names* and *base_names* are the names in each graph of the two sides; *base_names* is None where the past's
     graphs cannot be had. *architecture* tells whether this run looked at the architecture. *partial* runs did not look at every file: nothing is absent only because its file is gone.
     """

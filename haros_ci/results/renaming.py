@@ -158,7 +158,7 @@ class RenamingEvidence:
 
 
 def _kind(result: Result) -> Key:
-    """What findings are told from each other by their names alone: of one rule, file and roles."""
+    """A group of findings that differ in their names only: same rule, file and roles."""
     return (result.full_id, result.location.path, identity_of(result).roles)
 
 

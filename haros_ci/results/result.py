@@ -154,7 +154,7 @@ class Graph:
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """All that one tool said, sorted. ``successful`` is False when the tool was missing, crashed or timed out.
+    """All results of one tool, sorted. ``successful`` is False when the tool was missing, crashed or timed out.
 
     ``analysed`` are the paths the tool was asked about and answered for: only their old findings can be absent.
     ``architecture`` says that all checks of the architecture could be made: else no old finding of theirs is absent.

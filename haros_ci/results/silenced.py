@@ -43,7 +43,7 @@ def silenced(pairs: Iterable[SilencedPair], removed: Iterable[tuple[str, str, st
     """The comments that are new in *pairs*, and how many results of *runs* are suppressed by new ones alone.
 
     A comment is old if one with the same words stands in the base on the line that maps to its own, or beside the same code: in the same
-    file, in another changed file, or in one that is *gone* (path, language and text). Of a file that was generated before and
+    file, in another changed file, or in one that is *removed* (path, language and text). Of a file that was generated before and
     still is nothing is said.
     """
     new: list[_Mark] = []

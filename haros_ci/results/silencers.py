@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The comments by which tools are told to be silent: one table of their forms."""
+"""The comments that suppress findings of each tool: one table of their forms."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One id for each finding of a report, for readers that tell findings apart and compare two reports by an id alone."""
+"""One id for each finding of a report, for readers that identify findings, and compare two reports, by an id alone."""
 
 from __future__ import annotations
 

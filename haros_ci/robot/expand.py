@@ -127,7 +127,7 @@ class Expansion(Calling):
             self.element(node, node.tag, macros, scope, into)
 
     def element(self, node: Node, tag: str, macros: Macros, scope: XacroScope, into: Node) -> None:
-        """A tag that is none of xacro's."""
+        """Expand a tag that does not belong to xacro."""
         certain = self.world.maybe == 0
         made = Node(tag, {}, node.location, certain=certain and node.certain, way=node.way or self.way)
         self.content(node, macros, scope, made)

@@ -41,7 +41,7 @@ class ExpressionNames(Protocol):
 
 
 def parsed(text: str) -> ast.expr | None:
-    """The syntax tree of *text*; None if it is none of Python."""
+    """The syntax tree of *text*; None if it is not Python."""
     try:
         return limits.parsed(text.strip(), LIMITS)
     except (SyntaxError, ValueError, RecursionError, MemoryError, TooMuch):
@@ -49,7 +49,7 @@ def parsed(text: str) -> ast.expr | None:
 
 
 def evaluate(text: str, names: ExpressionNames, spend: Callable[[int], None]) -> Any:
-    """The value of the expression *text*, UNKNOWN if it is not known. *spend* is told each step. Undefined, Invalid."""
+    """The value of the expression *text*, UNKNOWN if it is not known. *spend* is called for each step. Raises Undefined or Invalid."""
     tree = parsed(text)
     if tree is None:
         raise Invalid(f"not an expression: {text[:80]}")

@@ -13,7 +13,7 @@ from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.robot.nodes import Node, nodes_of
 from haros_ci.workspace.xml import XmlError, parse_xml
 
-#: What ``$(find pkg)`` and the directory of a file become inside texts, so that they can be told again.
+#: What ``$(find pkg)`` and the directory of a file become inside texts, so that they can be recognised again.
 FIND = "/find:/"
 HERE = "/here:/"
 _PATTERN = re.compile(r"[*[?]")

@@ -61,7 +61,7 @@ class Policy:
 
 
 def read_policy(path: str, element: Callable[[str], Element | None]) -> Policy | None:
-    """The policy at *path*; None if the file is none. *element* gives the root of an XML file."""
+    """The policy at *path*; None if the file is no policy. *element* gives the root of an XML file."""
     root = element(path)
     return _PolicyReader(element).policy(path, root) if root is not None and root.tag == "policy" else None
 

@@ -199,7 +199,7 @@ class _Makers:
         return int(code * WHOLE_COSTS[name])
 
     def runs(self, name: str) -> Iterator[WorkspaceRun]:
-        """Those of the sides that need it; what all of them cost is told of the first."""
+        """The runs of the sides that need one; the cost of all of them is recorded for the first."""
         before = _cpu()
         made = [
             (word, self._run(name, *side))

@@ -118,7 +118,7 @@ class Arguments:
             self.known[argument].is_tested = True
 
     def order(self, names: Iterable[str], first: Iterable[str]) -> list[str]:
-        """*names*, those that are told *first* first, the others as they are declared."""
+        """*names*, beginning with those in *first*, the others in the order of their declarations."""
         needed, ahead = set(names), [name for name in dict.fromkeys(first) if name in self.known]
         ordered = [name for name in ahead if name in needed]
         return ordered + [name for name in self.known if name in needed and name not in ordered]
@@ -158,7 +158,7 @@ class Question:
         return [value for value in dict.fromkeys(values) if not now.known or value != now.raw][:MOST_VALUES]
 
     def because(self, assumed: Assumed) -> tuple[Presence, dict[str, Text]]:
-        """Why it holds with *given*: a conjunction of choices that suffices, none of which can be left out; their values."""
+        """Why it holds with *assumed*: a conjunction of choices that suffices, none of which can be left out; their values."""
         now = {**self.now, **assumed}
         kept = {name: text for name, text in now.items() if text.known}
         if len(self.names) <= MOST_NAMED:

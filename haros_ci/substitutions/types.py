@@ -19,7 +19,7 @@ TYPES = {
 
 
 def convert(text: str, kind: str) -> bool | int | float | str:
-    """*text* as ``auto``, ``str``, ``int``, ``double`` or ``bool``, by roslaunch's rules; ValueError if it is none.
+    """*text* as ``auto``, ``str``, ``int``, ``double`` or ``bool``, by roslaunch's rules; ValueError otherwise.
 
     ``auto``: a float if there is a dot and it reads as one, else an int, else true and false in any case, else text.
     """

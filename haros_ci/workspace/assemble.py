@@ -69,7 +69,7 @@ def assemble(
     package at the root takes *name*, by default the root's own. *names* are the paths of all files, by default *listed*,
     *executables* those whose execute bit is set, None if nobody knows.
     Files that are not *listed* lie below *elsewhere*, by default the root. *differs* tells whether a change has made the file at a path what
-    it is: one that cannot be analysed is no mere problem then. *asked* are the directories that the run is about.
+    it is: one that cannot be analysed is no mere problem then. *requested* are the directories that the run is about.
     """
     from hashlib import sha256
 

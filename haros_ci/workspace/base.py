@@ -216,7 +216,7 @@ def _settings(
 
 
 def _directories(selected: list[CandidatePath]) -> set[str]:
-    """The directories of what is *wanted*, and all above them; the root is ""."""
+    """The directories of the *selected* paths, and all directories above them; the root is ""."""
     directories = {""}
     for candidate in selected:
         parent = candidate.path.rpartition("/")[0]

@@ -100,7 +100,7 @@ class DiskCache:
 
     @timed("cache")
     def flush(self) -> str | None:
-        """Write what is new. A sentence if that is not possible; the run is none the worse for it."""
+        """Write new entries. Returns a sentence for the user if that failed; the run goes on without the cache."""
         changed = {_file_name(*place): shard for place, shard in self._shards.items() if shard.is_changed}
         if not changed:
             return None

@@ -124,7 +124,7 @@ def _lines(data: bytes) -> tuple[int, dict[str, Any]] | None:
 
 
 def _loaded(text: str | bytes) -> Any:
-    """What JSON text stands for, None if it is none."""
+    """What JSON text stands for, None otherwise."""
     try:
         return json.loads(text, parse_constant=_refuse)
     except (ValueError, RecursionError):

@@ -102,7 +102,7 @@ def merge(values: list[str | None]) -> str | None:
 
 
 def truth(value: str) -> bool | None:
-    """True or False for a constant of ``if``; None for what is none."""
+    """True or False for a constant of ``if``; None for any other word."""
     upper = value.upper()
     if upper in _TRUE:
         return True

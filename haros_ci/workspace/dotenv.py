@@ -17,7 +17,7 @@ _REFERENCE = re.compile(r"\$(?:\{(\w+)\}|(\w+))|(\$[{(]|`)")
 
 
 def read_dotenv(text: str, inherited: Mapping[str, str | None] | None = None) -> Variables:
-    """What the lines of *text* set; a value refers to variables before it, and to *given*, as ``$NAME`` or ``${NAME}``.
+    """What the lines of *text* set; a value refers to variables before it, and to *inherited*, as ``$NAME`` or ``${NAME}``.
 
     Single quotes keep what is in them as it is; a ``#`` after a blank begins a comment outside of quotes. A value with a quote that is not
     closed on its line, or a reference to what is not set, is not known.

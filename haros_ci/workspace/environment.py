@@ -154,7 +154,7 @@ class _Script:
     stuck: frozenset[str] = frozenset()
 
     def read(self, inherited: Mapping[str, str | None]) -> Variables:
-        """What it sets, where *given* is set before it."""
+        """What it sets, where *inherited* is set before it."""
         return read_dsv(self.text, inherited) if self.is_dsv else read_script(self.text, inherited, self.stuck)
 
 

@@ -22,7 +22,7 @@ _INTEGER = re.compile(r"[+-]?(?:0[xX](?:_?[0-9a-fA-F])+|0[bB](?:_?[01])+|0[oO](?
 
 
 def read_interface(path: str, text: str, package: str, *, is_generated: bool = True) -> tuple[Interface, list[Problem]]:
-    """The definition at *path*; a line that is none is a problem and left out.
+    """The definition at *path*; a malformed line is reported as a problem and left out.
 
     ``pkg/msg/T`` becomes ``pkg/T``, a type of the package itself ``package/T``, ``Header`` ``std_msgs/Header``.
     """
@@ -124,7 +124,7 @@ def _complete(written: str, package: str) -> str | None:
 
 
 def _default(kind: str, text: str) -> Any:
-    """A ROS 2 default: a value, or values in brackets as a tuple; None if it is none."""
+    """A ROS 2 default: a value, or values in brackets as a tuple; None for anything else."""
     if kind.endswith("]"):
         match = re.match(r"\[(.*)\]\s*(?:#.*)?\Z", text, re.DOTALL)
         if match is None:
@@ -150,7 +150,7 @@ def _text(value: str) -> str:
 
 
 def _value(kind: str, text: str) -> bool | int | float | None:
-    """The number or truth value that *text* is for a primitive type; None if it is none."""
+    """The number or truth value that *text* is for a primitive type; None otherwise."""
     if len(text) > 60:
         return None
     if kind == "bool":

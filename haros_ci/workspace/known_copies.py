@@ -93,7 +93,7 @@ _ANY = {
 
 
 def copied_library(path: str, language: str, data: bytes) -> str:
-    """The library whose own file the one at *path* is by its name and by what its first comment says; "" if it is none."""
+    """The library whose own file the one at *path* is by its name and by what its first comment says; "" otherwise."""
     name = path.rpartition("/")[2]
     if language not in _ANY or _ANY[language].fullmatch(name) is None or data.count(b"\n") < SHORTEST:
         return ""

@@ -185,7 +185,7 @@ class _CfgReader:
         return MISSING
 
     def owner(self, node: ast.expr) -> str | None:
-        """The group of a generator that stands before a dot; None if it is none."""
+        """The group of a generator that stands before a dot; None otherwise."""
         if isinstance(node, ast.Call):
             made = self.call(node)
             return made.group if isinstance(made, _Generator) else None

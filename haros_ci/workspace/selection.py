@@ -68,7 +68,7 @@ class MarkersAtBase(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class CandidatePath:
-    """A path to read; *language* None when only the first line can tell whether it is a script, *fallback* if it is none."""
+    """A path to read; *language* is None where only the first line of the file shows whether it is a script, *fallback* is its language if it is not."""
 
     path: str
     language: str | None

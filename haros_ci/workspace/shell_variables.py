@@ -32,7 +32,7 @@ class Variables:
 def read_script(script: str, inherited: Mapping[str, str | None] | None = None, stuck: Iterable[str] = ()) -> Variables:
     """The environment variables that *script* leaves behind.
 
-    *given* are those that are set before (None: to what is not known); others are taken not to be set, but for those that a shell, the system
+    *inherited* are those that are set before (None: to what is not known); others are taken not to be set, but for those that a shell, the system
     and ROS set. *stuck* are names of which nothing is known, whatever the script says.
     """
     reader = _ShellReader(script, dict(inherited or {}), set(stuck), inherited=frozenset(inherited or ()))
