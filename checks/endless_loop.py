@@ -100,7 +100,7 @@ def _is_interrupted(code: Codebase, routine: Routine, text: str) -> bool:
 
 
 def _text(code: Codebase, routine: Routine, statement: syntax.Loop) -> str | None:
-    """The loop's text without comments and strings; None where it cannot be told."""
+    """The loop's text without comments and strings; None where its end is not found."""
     lines = code.text(routine.path).split("\n")[statement.line - 1 :]
     if routine.is_python:
         indent = statement.column - 1

@@ -202,7 +202,7 @@ def _code(system: System) -> Iterator[Finding]:
         if runner is None and any(
             _runs(file.path, package, other_system) is not None for other_system in system.whole.systems
         ):
-            continue  # it is told of a system that runs the file
+            continue  # reported for a system that runs the file
         node = runner or owners[package]
         for use in _seen[key]:
             if use.kind == "marker" and node.ros == 1:

@@ -13,7 +13,7 @@ from haros_ci.api.packages import CMakeCommand, Interface, insert_line, interfac
 _OLD = {"add_message_files": "msg", "add_service_files": "srv", "add_action_files": "action"}
 _NEW = "rosidl_generate_interfaces"
 _KINDS = (*_OLD.values(), "idl")
-#: Commands of which nobody knows which interfaces they generate are told by these words in their names.
+#: Words in names of commands that may generate interfaces, though it is not known which.
 _OTHERS = re.compile(r"rosidl|genmsg|gensrv|msg|message|interface|idl|protobuf|catkin_simple|^cs_")
 _SINGLE = {"DIRECTORY": 1, "BASE_DIR": 1, "LIBRARY_NAME": 1}
 _ENDS = ("DEPENDENCIES", "PACKAGE", "NOINSTALL", "ADD_LINTER_TESTS", "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK")
@@ -58,7 +58,7 @@ def _is_own(interface: Interface, package: ProjectPackage) -> bool:
 
 
 def _is_kept(interface: Interface, package: ProjectPackage) -> bool:
-    """Whether its name says that it is an old copy, or is none that rosidl takes: to add it to the list would stop the build."""
+    """Whether its name marks an old copy, or is a name that rosidl rejects, so that adding it to the list would stop the build."""
     name = posixpath.basename(interface.path).partition(".")[0]
     return _COPY.search(name) is not None or (package.ros == 2 and _NAME.fullmatch(name) is None)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Files and directories that CMake is told to install, and that are not there."""
+"""Files and directories of install() commands that do not exist."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from haros_ci.api.launch import similar_files
 from haros_ci.api.packages import CMakeCommand, exports, is_told_of, may_appear
 
 _KINDS = ("FILES", "PROGRAMS", "DIRECTORY")
-#: Words that end what install() and its like are told to install.
+#: Keywords that end the list of files in install() and similar commands.
 _ENDS = re.compile(
     r"DESTINATION|TYPE|PATTERN|REGEX|RENAME|COMPONENT|PERMISSIONS|\w+_PERMISSIONS|CONFIGURATIONS|FILES_MATCHING|OPTIONAL"
     r"|MESSAGE_NEVER|EXCLUDE|EXCLUDE_FROM_ALL|INSTALL_TO_SHARE|INSTALL_TO_PATH|USE_SOURCE_PERMISSIONS|CONFIG_EXTRAS\w*"

@@ -27,7 +27,7 @@ _WHAT = {
 
 
 def check(system: System) -> Iterator[Finding]:
-    # What a ROS 2 node is given is told by parameter-file-missing, also of the argument that leads there.
+    # Parameter files of ROS 2 nodes are reported by parameter-file-missing, also at the argument that names them.
     reported = {use.text for use in system.facts(ParameterFileUse) if use.is_found is False and use.ros == 2}
     lost: dict[tuple[object, ...], list[tuple[FileUse, str]]] = {}
     folders = _folders(system)

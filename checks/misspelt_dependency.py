@@ -17,7 +17,7 @@ from haros_ci.api.packages import (
     normal,
 )
 
-#: Of so many names of one package it is told what is meant by them, and so many needs are looked at for it.
+#: The most names of one package for which a correction is searched, and the most needs that are compared with them.
 MAX_UNKNOWN = 100
 MAX_NEEDS = 2_000
 

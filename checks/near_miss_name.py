@@ -65,7 +65,7 @@ def _is_value_elsewhere(channel: Channel, system: System) -> bool:
 
 
 def _is_open(node: SystemNode) -> bool:
-    """Whether a node may have ends that are not told, or has one of which neither the name nor the type is known."""
+    """Whether a node may have unknown ends, or has one of which neither the name nor the type is known."""
     kinds = (*TOPIC, *SERVICE, *ACTION)
     return (
         not node.ends
@@ -77,7 +77,7 @@ def _is_open(node: SystemNode) -> bool:
 def _lonely(channels: tuple[Channel, ...], unknown: tuple[End, ...]) -> Iterator[tuple[Channel, Channel]]:
     """Pairs of one that only gives and one that only takes, of the same type and nearly the same name.
 
-    What instances of one program share is told by namespace-leak. No end of an *unknown* name may be the partner of either.
+    Names that instances of one program share are reported by namespace-leak. No end of an *unknown* name may be the partner of either.
     """
     givers: dict[str, list[Channel]] = {}
     takers: list[Channel] = []

@@ -18,7 +18,7 @@ _ENDS = re.compile(
 #: A read of another parameter.
 _READS = re.compile(r"\b(?:getParam(?:Cached)?|param::\w+|param)\s*(?:<[^<>;]{0,80}>\s*)?\(")
 _MAX_TEXT = 1_000
-#: Where people are told, or scripts say, what to give a node.
+#: Files with commands that set parameters: documentation and scripts.
 _PAGES = (".md", ".rst", ".txt", ".sh", ".bash", ".yml")
 
 
@@ -37,7 +37,7 @@ def _declared(system: System) -> Iterator[Finding]:
             if any(
                 other_node.is_default and (not node.is_default or _at(other_node) < _at(node)) for other_node in alike
             ):
-                continue  # told there
+                continue  # reported there
             files = _files(node)
             shared = f"set it in {files[0]}" if len(files) == 1 else "set it in one of the files that they share"
             where = shared if alike else "set it here"
@@ -196,7 +196,7 @@ def _is_chosen(lines: list[str]) -> bool:
 
 
 def _may_have(system: System, node: SystemNode, key: str) -> bool:
-    """Whether something may give the parameter: a launch file that starts a node of the type, another node, a command that people are told."""
+    """Whether something may set the parameter: a launch file that starts a node of the type, another node, a command in the documentation."""
     for other_system in system.whole.systems:
         for other in other_system.nodes:
             if other.type == node.type and _may_be_set(other_system, other, key):

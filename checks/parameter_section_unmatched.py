@@ -63,7 +63,7 @@ def _is_unserved(use: ParameterFileUse) -> bool:
 def _matches(use: ParameterFileUse, pattern: NodePattern) -> bool | None:
     """Whether the section is for a node of the process; None if that is not known.
 
-    The name in a launch file is that of all nodes of a process but those that name themselves whatever they are told: a section
+    The name in a launch file is that of all nodes of a process but those that fix their own name in code: a section
     alone in its file that is called nearly so is meant for it, also of a program that is not in the workspace.
     """
     if pattern.matches is None and use.node and "?" not in use.node and len(use.patterns) == 1:

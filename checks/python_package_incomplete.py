@@ -173,7 +173,7 @@ def _directories(package: ProjectPackage, launched: set[tuple[str, str]]) -> Ite
     for section, (value, line) in directories.items():
         if value.strip("\"'") != expected and value.startswith("$base/lib/") and "{" not in value:
             if section == "develop" and directories.get("install", (value, 0))[0] == value:
-                continue  # told once, of install
+                continue  # reported once, for install
             fixes = []
             for item, (other, number) in directories.items():
                 if other == value:

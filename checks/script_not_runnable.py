@@ -38,7 +38,7 @@ _SOURCED = re.compile(
     r"|(?:^|/)(?:\w+[-_])?(?:hooks?|completions?)/[^/]+$|completion\.(?:ba|z)?sh$"
 )
 _SETTING = re.compile(r"#|export\b|source\b|\.\s|alias\b|unset\b|complete\b|[A-Za-z_]\w*=\S*$")
-#: Where people and machines are told how to build, and what they are told where the source's own bit counts.
+#: Files that describe the build for people and machines, and the options with which the execute bit of the source counts.
 _TELLING = re.compile(
     r"\.(?:md|rst|txt|sh|bash|zsh|ya?ml|json|toml|py|mk|meta|repos)$|(?:^|/)[^/.]*$|dockerfile|containerfile", re.I
 )
@@ -237,7 +237,7 @@ def _without_bit(package: ProjectPackage, paths: list[str], why: str, level: Lev
 
 
 def _unpacked(script: Installed, package: ProjectPackage) -> Iterator[Finding]:
-    """install(DIRECTORY) gives its files no execute bit, unless told to."""
+    """install(DIRECTORY) gives its files no execute bit, unless its arguments ask for it."""
     if _gives_modes(script, package) or script.keeps_mode:
         return
     inside = [file.path for file in package.files if file.path.startswith(f"{script.path}/")]

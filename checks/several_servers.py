@@ -137,7 +137,7 @@ def _channels(system: System) -> Iterator[Channel]:
 
 
 def _are_two(one: End, other: End, system: System) -> bool:
-    """Whether both exist; of two nodes under one name it is the name that is to be told."""
+    """Whether both exist; two nodes of one name are reported for their name instead."""
     if one.node is other.node:
         return (
             one.location != other.location

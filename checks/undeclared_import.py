@@ -183,7 +183,7 @@ def _by_choice(group: list[_UndeclaredModule]) -> str:
 
 
 def _is_left_to_pip(group: list[_UndeclaredModule]) -> bool:
-    """Whether one of them is left to pip by more than a version: then all that pip may install is told at once."""
+    """Whether one of them is left to pip by more than a version: then all packages that pip may install are reported in one finding."""
     return any(missing.left is not None and missing.pin is None for missing in group)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Package names that the rules do not allow, and other names where the package's own is wanted."""
+"""Package names that the rules do not allow, and other names where the package's own name is required."""
 
 from __future__ import annotations
 

@@ -57,7 +57,7 @@ def _outcome(argv: list[str] | None) -> int:
 
         write_to_stderr(f"error: {terminal(err.message)}", *([f"help: {terminal(err.help)}"] if err.help else []))
         return EXIT_USAGE if isinstance(err, UserError) else EXIT_TOOL_TROUBLE
-    except BrokenPipeError:  # who has read enough need not be told
+    except BrokenPipeError:  # the reader closed the pipe: nothing to report
         return EXIT_TOOL_TROUBLE
     except Exception as err:
         if os.environ.get("HAROS_CI_DEBUG"):

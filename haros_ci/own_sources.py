@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What this very haros-ci is made of, as part of keys: whatever is kept was made by the same code, or is none."""
+"""The digest of haros-ci's own sources, as part of cache keys: entries made by other code are never used."""
 
 from __future__ import annotations
 

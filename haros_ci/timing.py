@@ -62,7 +62,7 @@ class Clock:
     #: Of parts that run side by side: how long each was busy, which says what it has of its stage, and its processor time.
     busy: dict[str, dict[str, Spent]] = field(default_factory=dict)
     #: What else there is to say at the end.
-    said: dict[str, None] = field(default_factory=dict)
+    remarks: dict[str, None] = field(default_factory=dict)
     thread: int = field(default_factory=get_ident)
     _open: list[tuple[str, str, bool]] = field(default_factory=lambda: [(OTHER, "", False)])
     _since: Spent = NOTHING
@@ -112,7 +112,7 @@ class Clock:
             if len(shown) < len(dear):
                 rest = whole.less(_sum(parts[part] for part in shown))
                 yield _line(rest, f"  the other {len(dear) - len(shown)}, and what is of none")
-        yield _line(self.total(), "; ".join(("done", *self.said)))
+        yield _line(self.total(), "; ".join(("done", *self.remarks)))
 
     def parts(self, name: str) -> Mapping[str, Spent]:
         """The parts of a stage; those that run side by side share its time on the wall by how long each was busy."""
@@ -178,7 +178,7 @@ def side_by_side(name: str, part: str, spent: Spent) -> None:
 def remark(sentence: str) -> None:
     """Tell this in the last line."""
     if (clock := _here()) is not None:
-        clock.said[sentence] = None
+        clock.remarks[sentence] = None
 
 
 def _sum(spent: Iterable[Spent]) -> Spent:

@@ -83,7 +83,7 @@ class TestAClock:
             thread = threading.Thread(target=work)
             thread.start()
             thread.join()
-        assert "elsewhere" not in clock.spent and not clock.said
+        assert "elsewhere" not in clock.spent and not clock.remarks
 
     def test_without_a_clock_nothing_happens(self) -> None:
         with stage("a"):

@@ -103,7 +103,7 @@ class Watch:
     renderers: Renderers
     outputs: Outputs
     known: dict[str, Result] = field(default_factory=dict)
-    told: frozenset[Notification] = frozenset()
+    reported: frozenset[Notification] = frozenset()
     last: Signature = field(default_factory=dict)
     has_run: bool = False
 
@@ -151,7 +151,7 @@ class Watch:
         color, width = text_style(to_file=False)
         style = {"color": color, "width": width, "why": self.flags["why"], "source": workspace.text}
         new, removed = self._compared(report)
-        known, self.told = self.told, frozenset(notifications(report))
+        known, self.reported = self.reported, frozenset(notifications(report))
         if first:
             click.echo(text.render(report, **style), nl=False)
             return

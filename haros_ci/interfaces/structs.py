@@ -53,7 +53,7 @@ class Structs:
         self._made: dict[str, Struct | None] = {}
 
     def named(self, dotted: str) -> Struct | None:
-        """The class with this name in Python; None otherwise, or not known."""
+        """The class with this name in Python; None if there is no such class, or it is not known."""
         if dotted not in self._made:
             self._made[dotted] = self._find(dotted)
         return self._made[dotted]

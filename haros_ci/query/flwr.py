@@ -65,7 +65,7 @@ def make_flwr(compiler: Compiler, tree: Flwr, names: Names) -> Run:
             else:
                 found.append(value)
             if len(found) & 1023 == 0:
-                QueryList.of(found)  # too many are told in time
+                QueryList.of(found)  # raises QueryError if there are too many
         return QueryList.of(found if tree.order is None else in_order(found, tree.order, output), True)
 
     return compiler.placed(run, tree.at)

@@ -124,7 +124,7 @@ def _lines(data: bytes) -> tuple[int, dict[str, Any]] | None:
 
 
 def _loaded(text: str | bytes) -> Any:
-    """What JSON text stands for, None otherwise."""
+    """The value of a JSON text, None if the text is not JSON."""
     try:
         return json.loads(text, parse_constant=_refuse)
     except (ValueError, RecursionError):

@@ -62,7 +62,7 @@ QUIET: tuple[tuple[str, str], ...] = (
 )
 
 #: Errors by their category that stop nothing: of which pylint itself says "possibly", that logging or a wildcard import
-#: alone meets, that are dead code or a value nobody wanted, or of layout in strings; and those that hold only if it is right about a value.
+#: alone meets, that are dead code or an unused value, or of layout in strings; and those that hold only if it is right about a value.
 NOT_FATAL = frozenset(
     """
     possibly-used-before-assignment function-redefined undefined-all-variable invalid-all-format invalid-all-object
