@@ -21,7 +21,7 @@ def check(project: Project) -> Iterator[Finding]:
                 message = "only the first stands right of the %, the others are arguments of the call: the line raises TypeError; put all of them into parentheses"
             else:
                 message = (
-                    f"is given {fault.given}: the line raises an exception; give as many values as it has placeholders"
+                    f"is given {fault.received}: the line raises an exception; give as many values as it has placeholders"
                 )
             yield Finding(
                 at=Location(file.path, fault.line),
