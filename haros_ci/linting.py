@@ -65,7 +65,7 @@ def with_names(results: Iterable[Result], workspace: Workspace, selection: Selec
     )
 
 
-def without_unreported(
+def worth_reporting(
     results: Iterable[Result],
     workspace: Workspace,
     selection: Selection,

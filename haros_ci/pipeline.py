@@ -34,7 +34,7 @@ from haros_ci.linting import (
     with_names,
     with_queries,
     without_hints,
-    without_unreported,
+    worth_reporting,
 )
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.registry import Registry, registry
@@ -324,7 +324,7 @@ def selected(
         level = selection.decide(result.tool, result.rule, result.location.path, default=default)
         if level is not None:
             kept.append(result if level is result.level else replace(result, level=level))
-    return without_unreported(kept, workspace, selection, left.among if left else lambda paths: ())
+    return worth_reporting(kept, workspace, selection, left.among if left else lambda paths: ())
 
 
 def own_run(workspace: Workspace, known: Registry) -> Run:

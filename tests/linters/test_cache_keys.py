@@ -240,9 +240,9 @@ def test_spoiled_macros_are_read_anew(tmp_path: Path, planted: str) -> None:
 
     space = workspace(tmp_path, {"a.cpp": "class A_EXPORT A;\nvoid B_LOCAL f();\n"})
     store = MemoryStore()
-    assert ros_macros.names(ros_macros.told(space, space.files, store)) == ("A_EXPORT", "B_LOCAL")
+    assert ros_macros.names(ros_macros.macro_marks(space, space.files, store)) == ("A_EXPORT", "B_LOCAL")
     store.values = dict.fromkeys(store.values, planted.replace("x", space.files[0].digest))
-    assert ros_macros.names(ros_macros.told(space, space.files, store)) == ("A_EXPORT", "B_LOCAL")
+    assert ros_macros.names(ros_macros.macro_marks(space, space.files, store)) == ("A_EXPORT", "B_LOCAL")
 
 
 #: Tools whose answers depend on the Python that runs them.

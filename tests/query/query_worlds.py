@@ -57,7 +57,7 @@ def fault(text: str, **variables: Value) -> str:
     try:
         found = asked(text, **variables)
     except QueryError as err:
-        return err.told(text)
+        return err.explained(text)
     raise AssertionError(f"no error, but {found}")
 
 

@@ -84,7 +84,7 @@ def test_every_attribute_of_the_model_gives_a_value_of_the_language() -> None:
         "ReadLink",
         "RosCall",
         "SourceCondition",
-        "Location",
+        "QueryLocation",
         "Collection",
     }
     assert issubclass(QueryParameter, Resource)

@@ -166,7 +166,7 @@ def queries(data: bytes) -> object:
     try:
         return [words(match) for match in Query(text, variables).matches(variables)][:50]
     except QueryError as err:
-        told = err.told(text)
+        told = err.explained(text)
         assert told
         return told
 
