@@ -206,9 +206,8 @@ def _mode(script: Installed, package: ProjectPackage, level: Level, programs: Pr
             )
         return
     bits = package.project.workspace.executables
-    if bits is None or script.path in bits or _is_relayed(script, package):
-        return
-    if not _is_program(script.path, package.project):
+    has_bit = bits is None or script.path in bits or _is_relayed(script, package)
+    if has_bit or not _is_program(script.path, package.project):
         return
     if is_given_to_another(script.path, package):
         return
