@@ -336,7 +336,7 @@ def cache(action: str, cache_dir: str | None) -> int:
 @haros_ci.command()
 @click.argument("shell", type=click.Choice(["bash", "zsh", "fish"]))
 def completion(shell: str) -> int:
-    """Print what makes a SHELL complete haros-ci's commands, options, formats, profiles and rules."""
+    """Print the script that completes haros-ci's commands, options, formats, profiles and rules in SHELL."""
     from haros_ci.commands.completion import script
 
     click.echo(script(haros_ci, shell))

@@ -159,7 +159,7 @@ Put the line of the example into ~/.bashrc or ~/.zshrc; for fish, write the outp
 #: What stands beside a command in the list of all, where its first sentence is too long for a narrow terminal.
 SHORT: Mapping[str, str] = {
     "check": "Analyse a workspace and report what is new.",
-    "completion": "Print what makes a shell complete haros-ci's words.",
+    "completion": "Print the completion script for a shell.",
     "diff": "Say what a change does to the system.",
     "init": "Write a workflow, a pre-commit entry and a project file.",
     "merge": "Report what all shards have found, as one check.",
