@@ -25,7 +25,9 @@ def check(project: Project) -> Iterator[Finding]:
         if _NODES.fullmatch(dotted(code, routine, call.callee)) is None:
             continue
         keywords = (argument for argument in call.args if isinstance(argument, syntax.Keyword))
-        arguments = {keyword.name: keyword.value.value for keyword in keywords if isinstance(keyword.value, syntax.String)}
+        arguments = {
+            keyword.name: keyword.value.value for keyword in keywords if isinstance(keyword.value, syntax.String)
+        }
         package, program = project.package(arguments.get("package", "")), arguments.get("executable", "")
         if package is None or not program or not _lacks(package, program):
             continue

@@ -20,9 +20,7 @@ def check(project: Project) -> Iterator[Finding]:
             if fault.is_open:
                 message = "only the first stands right of the %, the others are arguments of the call: the line raises TypeError; put all of them into parentheses"
             else:
-                message = (
-                    f"is given {fault.received}: the line raises an exception; give as many values as it has placeholders"
-                )
+                message = f"is given {fault.received}: the line raises an exception; give as many values as it has placeholders"
             yield Finding(
                 at=Location(file.path, fault.line),
                 message=f"the format has room for {places}, and {message}",
