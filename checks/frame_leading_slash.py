@@ -92,9 +92,10 @@ def _parameters(system: System) -> Iterator[Finding]:
     given = {each.name: each for each in system.parameters if _is_named(each.name)}
     readers: dict[str, SystemNode] = {}
     places: dict[str, set[Location]] = {}
-    for end in system.ends:
-        if end.kind in ("getters", "parameters") and end.in_source and _is_named(end.name):
-            places.setdefault(end.name, set()).add(end.location)
+    for node in system.nodes:
+        for end in node.of("getters", "parameters"):
+            if _is_named(end.name) and end.in_source:
+                places.setdefault(end.name, set()).add(end.location)
     for node in system.nodes:
         if node.package == _BROADCASTERS or not _uses_tf2(node.package, node.ros, system):
             continue
