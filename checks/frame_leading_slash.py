@@ -11,6 +11,7 @@ from haros_ci.api import Check, Decidability, Finding, Level, Location, System, 
 
 #: Parameters that hold the name of a frame.
 _PARAMETER = re.compile(r"(?:^|[_./:])(?:frame|frame_id|frameid|[a-z0-9]+_frame|[a-z0-9_]+_frame_id)$")
+_ENDS = ("frame", "frame_id", "frameid")
 _FRAME = re.compile(r"/[A-Za-z]\w*(?:/\w+)*")
 _QUOTED = r"[\"'](/[A-Za-z]\w*(?:/\w+)*)[\"']"
 #: What code does with a frame: it puts it into a header, or asks tf2 for it.
@@ -82,18 +83,24 @@ def _uses_tf2(package: str, ros: int, system: System) -> bool:
     return "tf2_ros" in needs and "tf" not in needs
 
 
+def _is_named(name: str) -> bool:
+    """Whether a parameter of this *name* holds a frame."""
+    return name.endswith(_ENDS) and _PARAMETER.search(name) is not None
+
+
 def _parameters(system: System) -> Iterator[Finding]:
-    by_name = {parameter.name: parameter for parameter in system.parameters if _PARAMETER.search(parameter.name)}
+    by_name = {parameter.name: parameter for parameter in system.parameters if _is_named(parameter.name)}
     readers: dict[str, SystemNode] = {}
     places: dict[str, set[Location]] = {}
-    for end in system.ends:
-        if end.kind in ("getters", "parameters") and end.in_source and _PARAMETER.search(end.name):
-            places.setdefault(end.name, set()).add(end.location)
+    for node in system.nodes:
+        for end in node.of("getters", "parameters"):
+            if _is_named(end.name) and end.in_source:
+                places.setdefault(end.name, set()).add(end.location)
     for node in system.nodes:
         if node.package == _BROADCASTERS or not _uses_tf2(node.package, node.ros, system):
             continue
         for end in node.of("getters", "parameters"):
-            if not end.known or not _PARAMETER.search(end.name):
+            if not end.known or not _is_named(end.name):
                 continue
             readers.setdefault(end.name, node)
             is_default = end.name not in by_name and end.in_source and _is_frame(end.raw.value)
@@ -167,9 +174,7 @@ def _is_frame(value: object) -> bool:
 
 
 def _broadcasters(system: System) -> Iterator[Finding]:
-    frames = [
-        parameter for parameter in system.parameters if _PARAMETER.search(parameter.name) and _is_frame(parameter.value)
-    ]
+    frames = [parameter for parameter in system.parameters if _is_named(parameter.name) and _is_frame(parameter.value)]
     for node in system.nodes:
         if node.package != _BROADCASTERS:
             continue

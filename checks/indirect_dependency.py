@@ -10,7 +10,6 @@ from haros_ci.api import Check, Finding, Level, Project, ProjectPackage
 from haros_ci.api.packages import (
     Need,
     Provisions,
-    Sources,
     add_dependency,
     dependency_tags,
     imports_of,
@@ -25,7 +24,7 @@ _TOOL = re.compile(r"(?:ament_cmake\w*|\w+_cmake_module|rosidl_default_generator
 
 
 def check(project: Project) -> Iterator[Finding]:
-    provisions, sources = Provisions(project), Sources(project)
+    provisions, sources = Provisions(project), project.sources
     for package in project.packages:
         if package.manifest is None:
             continue

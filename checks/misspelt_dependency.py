@@ -8,7 +8,6 @@ from collections.abc import Iterator, Mapping
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, is_slip, listed
 from haros_ci.api.packages import (
     Need,
-    Sources,
     distributions_of,
     first_provider,
     holds_for_python,
@@ -23,7 +22,7 @@ MAX_NEEDS = 2_000
 
 
 def check(project: Project) -> Iterator[Finding]:
-    sources = Sources(project)
+    sources = project.sources
     for package in project.packages:
         declared = _declared(package)
         unknown = [name for name in sorted(declared) if _is_nowhere(name, package)]

@@ -15,7 +15,7 @@ _OTHER = ("execute_process", "externalproject_add", "pybind11_add_module", "add_
 
 
 def check(project: Project) -> Iterator[Finding]:
-    sources = Sources(project)
+    sources = project.sources
     for package in project.packages:
         if package.ros == 1 and package.build.commands and not package.commands(*_OTHER):
             yield from _of(package, sources)

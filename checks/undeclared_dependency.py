@@ -11,7 +11,6 @@ from haros_ci.api.packages import (
     COUNTERPARTS,
     Need,
     Provisions,
-    Sources,
     add_dependency,
     boost_keys,
     closes_a_cycle,
@@ -59,7 +58,7 @@ _VARIABLE = re.compile(
 
 
 def check(project: Project) -> Iterator[Finding]:
-    provisions, sources = Provisions(project), Sources(project)
+    provisions, sources = Provisions(project), project.sources
     proposed: dict[
         str, frozenset[str]
     ] = {}  # by package what is advised so far: two advices must close no cycle either

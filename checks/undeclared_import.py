@@ -11,7 +11,6 @@ from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectP
 from haros_ci.api.packages import (
     Need,
     Provisions,
-    Sources,
     add_dependency,
     closes_a_cycle,
     dependency_tags,
@@ -67,7 +66,7 @@ class _UndeclaredModule:
 
 
 def check(project: Project) -> Iterator[Finding]:
-    provisions, sources = Provisions(project), Sources(project)
+    provisions, sources = Provisions(project), project.sources
     proposed: dict[
         str, frozenset[str]
     ] = {}  # by package what is advised so far: two advices must close no cycle either

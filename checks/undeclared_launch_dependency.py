@@ -44,7 +44,7 @@ def check(project: Project) -> Iterator[Finding]:
     if not project.systems:
         return
     system, leftovers = project.systems[0], Leftovers(project)
-    provisions, sources = Provisions(project), Sources(project)
+    provisions, sources = Provisions(project), project.sources
     used = _used(project.systems)
     names = {name: _declarable(name, packages, system) for name, (_, packages) in used.items()}
     for package, packages in used.values():

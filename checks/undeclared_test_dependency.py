@@ -9,7 +9,6 @@ from haros_ci.api import Check, Finding, Level, Project, ProjectPackage
 from haros_ci.api.packages import (
     Need,
     Provisions,
-    Sources,
     add_dependency,
     closes_a_cycle,
     dependency_tags,
@@ -28,7 +27,7 @@ _FRAMEWORKS = ("#include <gtest/", "#include <gmock/")
 
 
 def check(project: Project) -> Iterator[Finding]:
-    provisions, sources = Provisions(project), Sources(project)
+    provisions, sources = Provisions(project), project.sources
     for package in project.packages:
         if package.manifest is None:
             continue

@@ -12,7 +12,6 @@ from haros_ci.api.packages import (
     EXPORTED,
     CMakeCommand,
     Provisions,
-    Sources,
     add_dependency,
     add_export,
     build_types,
@@ -224,7 +223,7 @@ def _is_undeclared(package: ProjectPackage, name: str) -> bool:
     """Whether undeclared-dependency tells that the manifest lacks the CMake package *name*."""
     provisions = Provisions(package.project)
     provided = provisions.of(package, tests=False)
-    uses = (use for use in needs_of(package, Sources(package.project)) if use.what == f"find_package({name})")
+    uses = (use for use in needs_of(package, package.project.sources) if use.what == f"find_package({name})")
     return any(provisions.lacks(provided, use.providers) for use in uses)
 
 

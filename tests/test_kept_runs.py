@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import struct
+import subprocess
+import sys
 import zlib
 from base64 import b64encode
 from collections.abc import Callable
@@ -267,3 +269,13 @@ class TestOutput:
     @pytest.mark.parametrize("kept", [None, 1, [[], "!"], [[], ""], [[1], "eA=="], [[], "eJw="], {"a": []}])
     def test_a_spoiled_one_is_none(self, kept: object) -> None:
         assert kept_runs._unpacked(kept) is None
+
+    def test_what_follows_nodes_is_not_loaded_for_what_is_kept(self, root: Path) -> None:
+        code = "import sys; from haros_ci.cli import main; sys.argv[1:] = %r\ntry: main()\nexcept SystemExit: pass\nprint('haros_ci.follow' in sys.modules, file=sys.stderr)"
+        arguments = ["model", ".", f"--cache-dir={root.parent / 'cache'}"]
+        command = [sys.executable, "-c", code % (arguments,)]
+        runs = [
+            subprocess.run(command, cwd=root, capture_output=True, text=True, timeout=60, check=True) for _ in range(2)
+        ]
+        assert [run.stderr.splitlines()[-1] for run in runs] == ["True", "False"]
+        assert runs[0].stdout == runs[1].stdout and runs[0].stdout

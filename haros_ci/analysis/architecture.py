@@ -170,8 +170,13 @@ def programs(
     files = [file for file in workspace.files if file.language in ("cpp", "python")]
     kept = {file.path: decoded(store.get_text(*_place(file))) for file in files}
     new = [file for file in files if kept[file.path] is None]
-    jobs = [partial(_read, workspace, file.path, file.language) for file in new]
-    for file, text in zip(new, shared(jobs, [file.path for file in new], processes), strict=True):
+    ones: dict[tuple[str | None, str], SourceFile] = {}
+    for file in new:
+        ones.setdefault((file.language, file.digest), file)  # copies are read once
+    jobs = [partial(_read, workspace, file.path, file.language) for file in ones.values()]
+    texts = dict(zip(ones, shared(jobs, [file.path for file in ones.values()], processes), strict=True))
+    for file in new:
+        text = texts[file.language, file.digest]
         if text:
             store.put_text(*_place(file), text)
         kept[file.path] = decoded(text)

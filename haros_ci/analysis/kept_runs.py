@@ -9,7 +9,7 @@ from binascii import Error
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 from hashlib import blake2b
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from haros_ci.model.workspace import Reader, Store, Workspace
 from haros_ci.own_sources import program_digest
@@ -17,7 +17,9 @@ from haros_ci.report.escape import multiline
 from haros_ci.results import own
 from haros_ci.results.result import Run
 from haros_ci.results.values import NotThat, plain, read
-from haros_ci.workspace.base import Base
+
+if TYPE_CHECKING:
+    from haros_ci.workspace.base import Base
 
 GROUP = "whole"
 #: Bytes of an output that is kept, as it is and packed.
@@ -27,7 +29,7 @@ MAX_OUTPUT, MAX_PACKED = 1 << 28, 1 << 24
 Head = tuple[str, str]
 #: What text of ours has of ASCII.
 _PLAIN = bytes(range(0x20, 0x7F)) + b"\n"
-Make = Callable[[Workspace, Base | None], Run]
+Make = Callable[[Workspace, "Base | None"], Run]
 
 
 def kept_run(name: str, make: Make, workspace: Workspace, past: Base | None, settings: str, store: Store) -> Run:

@@ -73,8 +73,12 @@ _AFFIXES = frozenset("py python python2 python3 ros ros1 ros2 lib pip catkin ven
 _ROS_1 = frozenset(("rospy", "roslib", "rosnode", "rosparam", "rosservice", "rostopic"))
 
 
-def imports_of(package: ProjectPackage, sources: Sources, *, tests: bool = False) -> Iterator[Need]:
+def imports_of(package: ProjectPackage, sources: Sources, *, tests: bool = False) -> tuple[Need, ...]:
     """What installed files, or *tests*, import at the outermost level, outside of ``try`` and ``if``, with known providers."""
+    return sources.once(("imports", package.path, tests), lambda: tuple(_imports(package, sources, tests)))
+
+
+def _imports(package: ProjectPackage, sources: Sources, tests: bool) -> Iterator[Need]:
     project = package.project
     own = _own(package)
     for path, is_launch in _tested(package) if tests else used_files(package):

@@ -7,6 +7,7 @@ import posixpath
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.checking.provision import Sources
@@ -32,8 +33,13 @@ class QuotedInclude:
     location: Location
 
 
-def includes(path: str, text: str) -> Iterator[QuotedInclude]:
+@lru_cache(maxsize=MAX_FILES)
+def includes(path: str, text: str) -> tuple[QuotedInclude, ...]:
     """Those that no ``#if`` stands around, but for the include guard."""
+    return tuple(_includes(path, text))
+
+
+def _includes(path: str, text: str) -> Iterator[QuotedInclude]:
     plain = _COMMENT.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text) if "/*" in text else text
     depth, guard, is_first, at, line = 0, "", True, 0, 1
     for match in _DIRECTIVE.finditer(plain):

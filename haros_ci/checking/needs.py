@@ -59,8 +59,12 @@ def lacking(package: ProjectPackage, needs: Iterable[Need], provisions: Provisio
     )
 
 
-def needs_of(package: ProjectPackage, sources: Sources, *, tests: bool = False) -> Iterator[Need]:
+def needs_of(package: ProjectPackage, sources: Sources, *, tests: bool = False) -> tuple[Need, ...]:
     """What every build of *package* needs, or of its *tests*, whose providers are known; nothing if not CMake alone builds it."""
+    return sources.once(("needs", package.path, tests), lambda: tuple(_needs(package, sources, tests)))
+
+
+def _needs(package: ProjectPackage, sources: Sources, tests: bool) -> Iterator[Need]:
     if package.raw.is_metapackage or package.raw.build_type == "ament_python" or package.commands(*_FETCHING):
         return
     yield from _found(package, sources, tests)

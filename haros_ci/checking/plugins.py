@@ -132,10 +132,12 @@ def _written(text: str, macros: tuple[str, ...]) -> frozenset[str]:
 
 def is_asked_for(names: Iterable[str], project: Project) -> bool:
     """Whether a file that is no description of plug-ins has one of *names*."""
-    word = re.compile(rf"(?<![\w/:])(?:{'|'.join(map(re.escape, names))})(?![\w/:])")
+    sought = tuple(names)
+    word = re.compile(rf"(?<![\w/:])(?:{'|'.join(map(re.escape, sought))})(?![\w/:])")
     descriptions = {path for package in project.packages for path in exported_under(package)}
     paths = (path for path in project.workspace.names if path.endswith(_ASKING) and path not in descriptions)
-    return any(word.search(project.text(path)) for path in paths)
+    texts = (project.text(path) for path in paths)
+    return any(word.search(text) for text in texts if any(name in text for name in sought))
 
 
 def class_names(programs: Iterable[Program | None]) -> set[str]:

@@ -26,6 +26,7 @@ from haros_ci.syntax import Program
 
 if TYPE_CHECKING:
     from haros_ci.checking.included import IncludedHeaders
+    from haros_ci.checking.provision import Sources
     from haros_ci.code.codebase import Codebase
 
 
@@ -175,6 +176,13 @@ class Project:
     def base(self) -> Project | None:
         """The same workspace at the base revision; None if none was given, or it cannot be had."""
         return self._base() if callable(self._base) else self._base
+
+    @cached_property
+    def sources(self) -> Sources:
+        """Which packages have a header or a module, and what they need of others."""
+        from haros_ci.checking.provision import Sources
+
+        return Sources(self)
 
     @cached_property
     def manifests(self) -> Mapping[str, Package]:

@@ -4,13 +4,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Hashable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TypeVar, cast
 
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
+
+T = TypeVar("T")
 
 _PYTHON = re.compile(r"(?:python3?|python2)-(.+?)(?:-pip)?$")
 #: What is not there because another package needs it.
@@ -226,6 +229,13 @@ class Sources:
 
     def __init__(self, project: Project) -> None:
         self.project = project
+        self._made: dict[Hashable, object] = {}
+
+    def once(self, key: Hashable, make: Callable[[], T]) -> T:
+        """What *make* gives, made once: several checks ask for the same of a package."""
+        if key not in self._made:
+            self._made[key] = make()
+        return cast(T, self._made[key])
 
     @cached_property
     def _by_name(self) -> Mapping[str, list[tuple[str, str]]]:

@@ -111,6 +111,7 @@ class SystemNode:
         self.raw = raw
         self.is_default = is_default
         self.ends = tuple(End(self, endpoint) for endpoint in raw.endpoints)
+        self._of: dict[tuple[str, ...], tuple[End, ...]] = {}
         #: The parameters that it is given from outside (ROS 2).
         self.given: tuple[Given, ...] = ()
 
@@ -175,7 +176,10 @@ class SystemNode:
 
     def of(self, *kinds: str) -> tuple[End, ...]:
         """Its ends of these kinds."""
-        return tuple(end for end in self.ends if end.kind in kinds)
+        found = self._of.get(kinds)
+        if found is None:
+            found = self._of[kinds] = tuple(end for end in self.ends if end.raw.kind in kinds)
+        return found
 
     def __str__(self) -> str:
         return self.raw.name
@@ -320,7 +324,7 @@ class System:
     def _channels(self, kind: str, kinds: tuple[str, str]) -> tuple[Channel, ...]:
         found: dict[str, tuple[list[End], list[End]]] = {}
         for end in self.ends:
-            if end.kind in kinds and end.known:
+            if end.raw.kind in kinds and end.known:
                 found.setdefault(end.name, ([], []))[kinds.index(end.kind)].append(end)
         return tuple(Channel(kind, name, tuple(g), tuple(t)) for name, (g, t) in sorted(found.items()))
 

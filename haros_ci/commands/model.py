@@ -6,17 +6,12 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from typing import Any
 
 import click
 
-from haros_ci.analysis.architecture import varied
 from haros_ci.analysis.kept_runs import Output, kept_output
-from haros_ci.analysis.unmodelled import unmodelled
-from haros_ci.analysis.wanted import chosen
-from haros_ci.baselines import read_input
 from haros_ci.commands.common import cores, settings_from, store_for
 from haros_ci.commands.timings import with_timings
 from haros_ci.config.settings import Settings
@@ -25,7 +20,7 @@ from haros_ci.model.architecture import Architecture
 from haros_ci.model.running import as_running
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.report.escape import terminal
-from haros_ci.timing import remark, timed
+from haros_ci.timing import remark, stage, timed
 from haros_ci.workspace.cache import DiskCache, MemoryCache
 from haros_ci.workspace.discover import discover
 from haros_ci.writing import put as put_bytes
@@ -55,25 +50,26 @@ def model(flags: Mapping[str, Any]) -> int:
     store = store_for(settings)
     arguments = dict(assignment(text, "--arg", ":=") for text in flags["arg"])
     environment = dict(assignment(text, "--env", "=") for text in flags["env"])
-    launches = chosen(workspace, flags["launch"], arguments, "command line") if flags["launch"] else None
-    if arguments and launches is None:
+    if arguments and not flags["launch"]:
         raise UserError("--arg is for the launch files of --launch", help="name them: --launch package/launch/x.launch")
+    options: dict[str, Any] = {
+        "wanted": None,
+        "alternatives": False,
+        "environment": environment,
+        "known_nodes": not flags["no_known_nodes"],
+        "exact": flags["exact"],
+        "processes": cores(),
+    }
+    if flags["launch"]:
+        from haros_ci.analysis.wanted import chosen
 
-    link = partial(
-        varied,
-        workspace,
-        settings,
-        store,
-        wanted=launches,
-        alternatives=False,
-        environment=environment,
-        known_nodes=not flags["no_known_nodes"],
-        exact=flags["exact"],
-        processes=cores(),
-    )
+        options["wanted"] = chosen(workspace, flags["launch"], arguments, "command line")
 
     def make() -> tuple[Architecture, tuple[str, ...]]:
-        made = link()
+        with stage("loading"):  # what is kept does without all that follows nodes
+            from haros_ci.analysis.architecture import varied
+            from haros_ci.analysis.unmodelled import unmodelled
+        made = varied(workspace, settings, store, **options)
         found = selected(made.architecture, flags["configuration"])
         found = as_running(found) if flags["as_running"] else found
         problems = (*workspace.problems, *workspace.faults, *found.problems)
@@ -88,21 +84,22 @@ def model(flags: Mapping[str, Any]) -> int:
     path = Path(flags["output"]) if flags["output"] else None
     code = 0
     if flags["coverage"]:
+        from haros_ci.analysis.architecture import varied
         from haros_ci.analysis.coverage import coverage_of
         from haros_ci.commands.coverage import content
 
-        covered = content(coverage_of(link(), workspace, settings), format)
+        covered = content(coverage_of(varied(workspace, settings, store, **options), workspace, settings), format)
         end(store, notes(settings.notes))
         put_content(covered, format, path)
         return 0
     if is_kept(flags, settings):
         from haros_ci.config.digests import settings_digests
 
-        options = repr(
+        key = repr(
             (settings.project_file, settings.notes, settings_digests(settings, ()), *(flags[name] for name in OPTIONS))
         )
         is_binary = flags["format"] == "sqlite"
-        kept = kept_output("model", output, workspace, options, store, is_binary=is_binary)
+        kept = kept_output("model", output, workspace, key, store, is_binary=is_binary)
         end(store, kept.said)
         put_content(kept.content, format, path)
     else:
@@ -220,6 +217,7 @@ def assignment(text: str, option: str, sign: str) -> tuple[str, str]:
 
 def expected(found: Architecture, path: str) -> int:
     """Compare with the architecture that the file declares, and say on stdout where they differ."""
+    from haros_ci.baselines import read_input
     from haros_ci.bounded_yaml import Limits, YamlFault, data
     from haros_ci.declared.expectation import compare, problems
 

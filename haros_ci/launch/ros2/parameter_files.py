@@ -144,16 +144,16 @@ def _trees(
             raise _Missing("a file is rewritten too often")
         again = context.rewritten_trees.get(path.raw)
         if again is not None:
-            return again[0], _performed(context, again[1]) if substitutes and again[2] else again[1]
+            return again[0], _performed(context, again[1], again[2]) if substitutes else again[1]
         file, trees = _trees(context, how["source"], False, location, depth + 1)
         for text in rewritten_names(how):
             if not text.known:
                 raise _Missing(f"it is not known what is rewritten in the file: {text.reasons[0]}")
         context.spend(20 + sum(size_of(tree) for tree in trees) // 4)
         trees = rewrite(trees, how)
-        substitutable = any(map(_has_phrase, trees))
-        context.rewritten_trees[path.raw] = (file, trees, substitutable)
-        return file, _performed(context, trees) if substitutes and substitutable else trees
+        phrased = _phrased(trees)
+        context.rewritten_trees[path.raw] = (file, trees, phrased)
+        return file, _performed(context, trees, phrased) if substitutes else trees
     found, content, reason = context.places.read(path.raw)
     ros2.named(context, path, location, "parameters")
     if found is None:
@@ -181,22 +181,34 @@ def _trees(
     return found, trees_
 
 
-def _has_phrase(tree: Tree) -> bool:
-    if isinstance(tree, Scalar):
-        return "$(" in tree.text and not tree.reasons
-    return any(map(_has_phrase, tree.entries.values() if isinstance(tree, Map) else tree.items))
+def _phrased(trees: tuple[Tree, ...]) -> frozenset[int]:
+    """The ids of what has substitutions to perform, in it or below."""
+    found: set[int] = set()
+
+    def has_phrase(tree: Tree) -> bool:
+        if isinstance(tree, Scalar):
+            has = "$(" in tree.text and not tree.reasons
+        else:
+            has = sum(map(has_phrase, tree.entries.values() if isinstance(tree, Map) else tree.items)) > 0
+        if has:
+            found.add(id(tree))
+        return has
+
+    for tree in trees:
+        has_phrase(tree)
+    return frozenset(found)
 
 
-def _performed(context: Context, trees: tuple[Tree, ...]) -> tuple[Tree, ...]:
-    """Substitutions inside the scalars of a file that has been rewritten."""
+def _performed(context: Context, trees: tuple[Tree, ...], phrased: frozenset[int]) -> tuple[Tree, ...]:
+    """Substitutions inside the scalars of a file that has been rewritten; what is not *phrased* is the same in both."""
 
     def done(tree: Tree) -> Tree:
+        if id(tree) not in phrased:
+            return tree
         if isinstance(tree, Map):
             return Map({key: done(value) for key, value in tree.entries.items()}, tree.line)
         if isinstance(tree, Items):
             return Items([done(item) for item in tree.items], tree.line)
-        if "$(" not in tree.text or tree.reasons:
-            return tree
         phrase, problem = read_phrase(tree.text)
         if problem:
             return replace(tree, reasons=(problem,))

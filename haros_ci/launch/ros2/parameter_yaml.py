@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any, Union
 
 from haros_ci.bounded_yaml import MAX_NUMBER, MERGE, TAG, Limits, YamlFault, nodes, scalar_value
@@ -18,6 +19,8 @@ from haros_ci.substitutions.names import MARK, Text
 MAX_DEPTH = 50
 MAX_VALUES = 50_000
 LIMITS = Limits(depth=MAX_DEPTH)
+#: Scalars of which it is remembered what they mean: many nodes get the same file.
+REMEMBERED = 1 << 14
 
 _TRUE = frozenset(("Y", "y", "yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"))
 _FALSE = frozenset(("N", "n", "no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"))
@@ -99,6 +102,7 @@ class _Trees:
         return Scalar(node.value, line, node.style in (None, ""), node.tag.removeprefix(TAG), reasons)
 
 
+@lru_cache(maxsize=REMEMBERED)
 def rcl_value(scalar: Scalar) -> tuple[str | None, Any, str]:
     """Type, value and, where it is not known, the reason, as rcl_yaml_param_parser reads *scalar* (``get_value``).
 
@@ -125,6 +129,7 @@ def rcl_value(scalar: Scalar) -> tuple[str | None, Any, str]:
     return "str", text, ""
 
 
+@lru_cache(maxsize=REMEMBERED)
 def python_value(scalar: Scalar) -> tuple[str | None, Any, str]:
     """Type, value and, where the value is not known, the reason, as PyYAML's ``safe_load`` reads *scalar*."""
     if scalar.reasons:

@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import lru_cache
 from typing import Any
 
-from haros_ci.launch.ros2.parameter_yaml import Items, Map, Scalar, Tree, dumped, python_value
+from haros_ci.launch.ros2.parameter_yaml import REMEMBERED, Items, Map, Scalar, Tree, dumped, python_value
 from haros_ci.model.digits import whole_number
 from haros_ci.substitutions.names import Text
 
-MAX_PATHS = 50_000
+_NO_TEXT = ("int", "float", "bool", "null")
 
 
 def rewritten_names(how: Mapping[str, Any]) -> tuple[Text, ...]:
@@ -63,10 +64,13 @@ def _written(tree: Tree) -> Tree:
         return Map({key: _written(value) for key, value in tree.entries.items()}, tree.line)
     if isinstance(tree, Items):
         return Items([_written(item) for item in tree.items], tree.line)
-    if isinstance(tree, Scalar) and tree.is_plain and not tree.reasons and tree.tag in ("int", "float", "bool", "null"):
-        _, value, reason = python_value(tree)
-        return dumped(value, tree.line) if not reason or tree.tag == "null" else tree
-    return tree
+    return _again(tree) if tree.is_plain and not tree.reasons and tree.tag in _NO_TEXT else tree
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _again(scalar: Scalar) -> Scalar:
+    _, value, reason = python_value(scalar)
+    return dumped(value, scalar.line) if not reason or scalar.tag == "null" else scalar
 
 
 def _keys(top: Map) -> Iterator[tuple[Map, str]]:

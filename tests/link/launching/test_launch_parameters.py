@@ -277,6 +277,30 @@ def test_rewritten_keys_and_roots() -> None:
     assert rewritten(yaml, path="$(find-pkg-share q)/p.yaml") == [("/**", "?", None)]
 
 
+def test_a_file_that_is_rewritten_once_is_performed_for_each_node() -> None:
+    yaml = (
+        "n:\n  ros__parameters:\n    x: $(var v)\n    l: [$(var v), 0.50]\n    a: {y: 010, t: on}\n    u: '$(var v)'\n"
+    )
+    made = {"source": (PATH,), "rewrites": (), "root_key": None, "key_rewrites": (), "convert_types": False}
+    file: Phrase = (Substitution("rewritten", data=made),)
+    phrases = (("package", ("p",)), ("executable", ("e",)), ("name", ("n",)))
+
+    def let(value: str) -> Action:
+        return Action(kind="let", location=HERE, phrases=(("name", ("v",)), ("value", (value,))))
+
+    def given(substitutes: bool) -> Action:
+        source = ParameterSource(kind="file", location=HERE, path=file, substitutes=substitutes)
+        return Action(kind="node", location=HERE, phrases=phrases, parameters=(source,))
+
+    system = perform(
+        let("1"), given(True), let("two"), given(True), given(False), let("1"), given(True), files={FILE: yaml}
+    )
+    found = [[value for _, _, value in values(system, index)] for index in range(4)]
+    assert found[0] == found[3] == [1, None, 8, True, "1"]
+    assert found[1] == ["two", None, 8, True, "two"]
+    assert found[2] == ["$(var v)", None, 8, True, "$(var v)"]
+
+
 def test_what_is_rewritten_must_be_known() -> None:
     unknown: Phrase = (Substitution("var", (("u",),)),)
     for data in ({"rewrites": ((unknown, ("1",)),)}, {"root_key": unknown}, {"key_rewrites": ((("n",), unknown),)}):
