@@ -158,16 +158,20 @@ def open_(
         arguments += launched.arguments
         problems += launched.problems
         facts += launched.facts
-        completes.append(ros1_simulation.simulation(launched, trees, environment))
+        completes.append(ros1_simulation.simulation(launched, trees, environment, types.known))
     if newer and ros2 is not None and describe is not None:
         found = launch_system(
             newer, workspace, describe, wanted.arguments, environment, ros2.places, ros2.memo, alternatives
         )
-        nodes = controllers.with_controllers(found.nodes, partial(parameter_file, ros2.places))
-        containers = {clean(f"{each.namespace or '/'}/{each.name}"): each for each in nodes if each.name is not None}
+        rules_of = partial(parameter_file, ros2.places)
+        simulated = ros2_simulation.simulation(found, trees, environment, types.known)
+        managers = simulated.managers(rules_of) if simulated is not None else ()
+        nodes = controllers.with_controllers(found.nodes, rules_of, managers)
+        hosts = (*managers, *nodes)
+        containers = {clean(f"{each.namespace or '/'}/{each.name}"): each for each in hosts if each.name is not None}
         jobs += [ros2_system.launched(types, each, containers) for each in nodes]
-        others += present.ros2_launched(types, found, partial(parameter_file, ros2.places))
-        completes.append(ros2_simulation.simulation(found, nodes, trees, environment, types.known))
+        others += present.ros2_launched(types, found, rules_of, managers)
+        completes.append(simulated.complete if simulated is not None else None)
         arguments += found.arguments
         problems += found.problems
         facts += found.facts

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from haros_ci.graph.names import clean, resolve
@@ -11,7 +11,10 @@ from haros_ci.graph.parameters import ParameterServer
 from haros_ci.graph.words import Words, split
 from haros_ci.model.architecture import Node, Parameter
 from haros_ci.model.launch import Launched, Started
+from haros_ci.systems.known.entry import KnownNode
+from haros_ci.systems.outside import as_data
 from haros_ci.systems.simulation.endpoints import ros1_endpoints
+from haros_ci.systems.simulation.ros1_managers import asked, controllers
 from haros_ci.systems.simulation.simulators import (
     PACKAGE,
     SERVERS,
@@ -32,8 +35,13 @@ SPAWNERS = frozenset(("spawn_model", "spawn_urdf", "spawn_gazebo_model"))
 ACCOUNTED = frozenset(("gazebo_ros_api_plugin", "gazebo_ros_paths_plugin"))
 
 
-def simulation(launched: Launched, trees: Trees, environment: Mapping[str, str]) -> Completes | None:
-    """What completes the simulators of what was *launched*; None if there is none."""
+def simulation(
+    launched: Launched,
+    trees: Trees,
+    environment: Mapping[str, str],
+    known: Callable[[str, str, int], KnownNode | None],
+) -> Completes | None:
+    """What completes the simulators of what was *launched*; None if there is none. *known* looks up nodes that the data describes."""
     servers = [each for each in launched.nodes if each.package == PACKAGE and each.type in SERVERS]
     if not servers:
         return None
@@ -43,7 +51,7 @@ def simulation(launched: Launched, trees: Trees, environment: Mapping[str, str])
     spawners = [
         (each, split(each.arguments)) for each in launched.nodes if each.package == PACKAGE and each.type in SPAWNERS
     ]
-    return _Simulation(launched, servers, spawners, parameters, trees, environment).complete
+    return _Simulation(launched, servers, spawners, parameters, trees, environment, known).complete
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +63,7 @@ class _Simulation:
     parameters: Mapping[str, list[Parameter]]
     trees: Trees
     environment: Mapping[str, str]
+    known: Callable[[str, str, int], KnownNode | None]
 
     def complete(self, nodes: Sequence[Node]) -> tuple[Node, ...]:
         server = ParameterServer(self.launched.parameters)
@@ -72,8 +81,11 @@ class _Simulation:
             made = [
                 end
                 for use, known, spawned in into.uses
-                for end in ros1_endpoints(use, known, node, spawned, server.get)
+                for end in ros1_endpoints(use, known, node, spawned, lambda name: as_data(server.get(name)))
             ]
+            made += controllers(
+                node, made, asked(self.launched.nodes), server, self.known, lambda why, by: into.lose(why, by.location)
+            )
             done.append(completed(node, made, into.lost))
         return tuple(done)
 
