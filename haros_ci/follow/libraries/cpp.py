@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from haros_ci import syntax
 from haros_ci.follow import construct, conversions, methods
 from haros_ci.follow.frames import Frame
+from haros_ci.follow.libraries import gazebo as library_gazebo
 from haros_ci.follow.libraries import (
     algorithms,
     cpp_data,
@@ -107,9 +108,7 @@ def instance(run: Run, frame: Frame, kind: Type, args: tuple[Argument, ...]) -> 
         )
     if name in ("std::pair",) and len(args) == 2:
         return Object(name, fields={"first": Cell(args[0].value), "second": Cell(args[1].value)})
-    if name in ("ros::Duration", "ros::WallDuration", "ros::Rate", "ros::Time") and len(args) == 1:
-        return None
-    return None
+    return library_gazebo.instance(name, args)
 
 
 def function(
@@ -126,6 +125,8 @@ def function(
         return Library(name)
     if name == "ros::names::getRemappings" and not args:
         return loaders.remappings(run)
+    if name.endswith("GazeboRosPtr"):
+        return library_gazebo.pointer(name, args)
     if name in BINDERS and args:
         return library_bind.bind(args)
     if name.startswith(LIMITS) and len(targs) == 1 and isinstance(targs[0], syntax.Type) and not args:

@@ -18,6 +18,7 @@ from haros_ci.model.launch import Started
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.known.instantiate import instantiate
 from haros_ci.systems.outside import as_data
+from haros_ci.systems.simulation.simulators import Found
 from haros_ci.values.abstract import Known
 
 PACKAGE = "controller_manager"
@@ -75,9 +76,9 @@ def controllers(
     every: Iterable[Asked],
     server: ParameterServer,
     known: Callable[[str, str, int], KnownNode | None],
-    lose: Callable[[str, Started], None],
+    into: Found,
 ) -> Iterator[Endpoint]:
-    """What the controllers make that the managers on *node*, which has *made* these endpoints, are asked for; *lose* takes why one is not known."""
+    """What the controllers make that the managers on *node*, which has *made* these endpoints, are asked for; *into* takes why one is not known."""
     spaces = {end.name.removesuffix(f"/{SERVICE}") or "/" for end in made if end.name.endswith(f"/{SERVICE}")}
     for ask in every:
         if ask.namespace not in spaces and not any("?" in each for each in (ask.namespace, *spaces)):
@@ -88,10 +89,8 @@ def controllers(
             kind = value.value if isinstance(value, Known) and isinstance(value.value, str) else "?"
             found = known(kind.partition("/")[0], kind, 1) if "?" not in full else None
             if found is None:
-                lose(
-                    f"what the controller {name} makes is not known" + (f": it is a {kind}" if kind != "?" else ""),
-                    ask.by,
-                )
+                said = f": it is a {kind}" if kind != "?" else ""
+                into.lose(f"what the controller {name} makes is not known{said}", ask.by.location)
                 continue
             yield from _made(node, found, full, ask, server)
 
