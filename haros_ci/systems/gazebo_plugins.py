@@ -38,11 +38,20 @@ from haros_ci.values.abstract import Object, Value
 #: The macros that register a plug-in, by where it stands in a world or description.
 _CLASSIC = {f"GZ_REGISTER_{each.upper()}_PLUGIN": each for each in ("world", "model", "sensor", "visual", "system")}
 REGISTERING = {**_CLASSIC, "GZ_ADD_PLUGIN": "gz", "IGNITION_ADD_PLUGIN": "gz"}
+#: Methods of the classes for cameras and lasers.
+_FRAMES = (
+    "OnNewFrame",
+    "OnNewImageFrame",
+    "OnNewDepthFrame",
+    "OnNewRGBPointCloud",
+    "OnNewLaserScans",
+    "OnNewLaserFrame",
+)
 #: What the simulator calls first, in order, and later; of the new Gazebo and of Gazebo Classic.
 FIRST: Mapping[bool, tuple[str, ...]] = {True: ("Configure",), False: ("Load", "Init")}
 LATER: Mapping[bool, tuple[str, ...]] = {
     True: ("PreUpdate", "Update", "PostUpdate", "Reset"),
-    False: ("Reset", "OnUpdate", "OnNewFrame"),
+    False: ("Reset", *_FRAMES),
 }
 #: The kind of what is no node, but what a plug-in makes on one.
 PLUGIN = "plugin"
@@ -73,18 +82,20 @@ class GazeboPlugin:
 
 def built(programs: Programs) -> dict[str, list[GazeboPlugin]]:
     """The plug-ins of the workspace by the name of their library, as descriptions have it without ``lib`` and ``.so``."""
-    registering = [path for path, each in programs.sources.items() if _registered(each)]
+    registering = {path for path, each in programs.sources.items() if _registered(each)}
     found: dict[str, list[GazeboPlugin]] = {}
     if not registering:
         return found
     named = linkable(programs)
     for package, build in sorted(programs.builds.items()):
         for target in build.targets:
-            own = {*target.sources, *target.conditional_sources}
-            if target.kind == "library" and not target.is_test and not own.isdisjoint(registering):
-                files = files_of(programs, target, named)
-                for path in sorted(own.intersection(registering)):
-                    found.setdefault(target.output, []).extend(_of(programs, package, target, path, files))
+            if target.kind != "library" or target.is_test:
+                continue
+            own = {*target.sources, *target.conditional_sources} & programs.sources.keys()
+            places = registering & own.union(*(programs.cpp.reach(path) for path in own))
+            files = files_of(programs, target, named) if places else frozenset[str]()
+            for path in sorted(places):
+                found.setdefault(target.output, []).extend(_of(programs, package, target, path, files))
     return found
 
 
@@ -146,14 +157,16 @@ def started(types: Types, each: GazeboPlugin, given: Given, host: Node, server: 
 def jobs(types: Types, launched: Iterable[Job]) -> Iterator[Job]:
     """The classes of all plug-ins that are none of the *launched*, each by itself."""
     seen = {job.group for job in launched if job.node.kind == PLUGIN}
-    for _, every in sorted(built(types.programs).items()):
+    for library, every in sorted(built(types.programs).items()):
         for each in every:
             if id(each.definition) not in seen:
                 seen.add(id(each.definition))
-                yield _alone(types, each)
+                name = library if len(every) == 1 else each.definition.name.rpartition("::")[2]
+                yield _alone(types, each, f"{each.package}/{name}")
 
 
-def _alone(types: Types, each: GazeboPlugin) -> Job:
+def _alone(types: Types, each: GazeboPlugin, name: str) -> Job:
+    """A plug-in by itself, called by its library, or by its class where that has several."""
     begin = partial(_begin, each.source, each.definition, None, each.at == "gz")
     entry = Entry(each.source, definition=each.definition, begin=begin, label="(gazebo)")
     place = Location(each.source.path, each.definition.line)
@@ -162,7 +175,7 @@ def _alone(types: Types, each: GazeboPlugin) -> Job:
         name="/?",
         kind="node",
         package=each.package,
-        type=f"{each.package}/{each.definition.name.rpartition('::')[2]}",
+        type=name,
         location=place,
         process="/?",
         class_name=each.definition.name,

@@ -147,7 +147,7 @@ def test_a_value_of_the_description_that_is_not_known() -> None:
     assert (end.name, [u.reason for u in end.unknowns]) == ("/?", ["its value in the description is not known"])
 
 
-ALONE = "p/Eye (plug-ins)"
+ALONE = "p/eye (plug-ins)"
 
 
 @pytest.mark.parametrize(
@@ -169,7 +169,7 @@ def test_what_nothing_starts_is_followed_alone(register: str) -> None:
 @pytest.mark.parametrize(
     ("inner", "cmake"),
     [
-        (USE.format(""), CMAKE.replace("eye src", "other src")),  # another library
+        (USE.format("").replace("libeye", "libnose"), CMAKE),  # another library
         (f"<!--{USE.format('')}-->", CMAKE),
         (IN_SENSOR.format(""), CMAKE),  # a plug-in for models in a sensor
         (USE.format("").replace("<gazebo>", '<gazebo reference="head">'), CMAKE),
@@ -218,3 +218,25 @@ def test_a_system_of_the_new_gazebo(macro: str) -> None:
     (made,) = found.configurations
     assert made.name == ALONE
     assert [(node.name, [e.name for e in explicit(node)]) for node in made.nodes] == [("/eye", ["/seen"])]
+
+
+def test_a_registration_in_a_header() -> None:
+    code = plugin("ros::NodeHandle nh; nh." + PUB.format('"t"'))
+    files = texts(f'#include "eye.h"\nnamespace gazebo {{ void Eye::OnUpdate() {{}} }}\n', USE.format(""))
+    files["p/src/eye.h"] = code.replace("int a_;", "void OnUpdate();")
+    found = follow(files)
+    assert [each.name for each in found.configurations] == ["p/launch/l.launch"]
+
+
+def test_a_helper_of_the_workspace_is_followed() -> None:
+    helper = (
+        "class GazeboRos {\npublic:\nGazeboRos(physics::ModelPtr p, sdf::ElementPtr s, const std::string & n) "
+        '{ nh_.reset(new ros::NodeHandle("mine")); }\nboost::shared_ptr<ros::NodeHandle> & node() { return nh_; }\n'
+        "boost::shared_ptr<ros::NodeHandle> nh_;\n};\ntypedef boost::shared_ptr<GazeboRos> GazeboRosPtr;\n"
+    )
+    code = plugin(
+        'ros_ = GazeboRosPtr(new GazeboRos(_parent, _sdf, "Eye")); ros_->node()->' + PUB.format('"t"'),
+        "GazeboRosPtr ros_;",
+    )
+    code = code.replace("namespace gazebo {\n", "namespace gazebo {\n" + helper)
+    assert of_code(simulator(code, USE.format(""))) == ["/mine/t"]

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 ELEMENT, PARAM, PARENT, HELPER = "sdf::Element", "sdf::Param", "gazebo::physics::Base", "gazebo::GazeboRos"
 CLASSES = frozenset((ELEMENT, PARAM, PARENT, HELPER))
 #: The field that has the element; the text of a parameter, the name of a parent; the helper's node handle.
-SELF, HANDLE = "(self)", "(handle)"
+SELF, HANDLE = OWN = ("(self)", "(handle)")
 SPACE = "robotNamespace"
 UNREAD = "its value in the description is not known"
 _NAMING = ("GetName", "Name")
@@ -77,23 +77,23 @@ def _namespace(model: Value, sdf: Value) -> Value:
         return Known(resolve(given.text.strip(), "/", "/"))
     if told is None or (given is not None and given.text is None):
         return Text(("/", Opaque(f"<{SPACE}> of the plug-in: {UNREAD}")))
-    name = model.fields[SELF].value if isinstance(model, Object) and model.name == PARENT else None
-    if isinstance(name, Known):
-        return Known(resolve(name.value, "/", "/"))
+    name = model.fields.get(SELF) if isinstance(model, Object) and model.name == PARENT else None
+    if name is not None and isinstance(name.value, Known):
+        return Known(resolve(name.value.value, "/", "/"))
     return Text(("/", Opaque("it is the name of the model, which is not known")))
 
 
 def _sdf_of(value: Value) -> Sdf | None:
-    held = value.fields[SELF].value if isinstance(value, Object) and value.name == ELEMENT else None
-    return held.value if isinstance(held, Known) else None
+    held = value.fields.get(SELF) if isinstance(value, Object) and value.name == ELEMENT else None
+    return held.value.value if held is not None and isinstance(held.value, Known) else None
 
 
 def method(
     run: Run, frame: Frame, receiver: Value, name: str, args: tuple[Argument, ...], targs: tuple[syntax.Argument, ...]
 ) -> Value | None:
     """A method of an object of these classes; None if there is no model of it."""
-    if not isinstance(receiver, Object) or receiver.name not in CLASSES:
-        return None
+    if not isinstance(receiver, Object) or receiver.name not in CLASSES or receiver.fields.keys().isdisjoint(OWN):
+        return None  # such as one of a class of that name in the workspace
     if receiver.name == HELPER:
         value: Value | None = receiver.fields[HANDLE].value if name == "node" and not args else None
         return value

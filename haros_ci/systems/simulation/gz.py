@@ -34,7 +34,8 @@ def found(texts: Descriptions, spawner: LaunchedNode) -> Found:
     """The plug-ins of what a *spawner* brings that know ROS."""
     into = Found()
     words = split(spawner.arguments)
-    model = option(words.rest, "-name")
+    named = Parameters(spawner.parameters).get(itself_of(spawner, CALLED).name, "name")
+    model = option(words.rest, "-name") or (str(named.value) if isinstance(named, Known) else None)
     spawned = Spawned(model="?" if not model or "?" in model else model)
     gather(texts.trees, _description(texts, spawner, words), spawned, 2, into, spawner.location)
     return into
@@ -46,7 +47,7 @@ def _description(texts: Descriptions, spawner: LaunchedNode, words: Words) -> Tr
     text, name = option(words.rest, "-string"), option(words.rest, "-param")
     if text is not None:
         return texts.of_text(text, spawner)
-    if name is not None or given.get(itself.name, "string") is not None:
+    if name is not None or given.get(itself.name, "string") not in (None, Known("")):
         return texts.of_parameter(given.get(itself.name, name or "string"), spawner.location, spawner.name or SPAWNER)
     more = list(words.rest)
     for each in ("file", "topic"):
