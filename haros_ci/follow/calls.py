@@ -23,7 +23,6 @@ from haros_ci.follow import (
     twins,
 )
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.libraries import gazebo as library_gazebo
 from haros_ci.follow.libraries import library
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.ros import api_rows, forwarding, ros2_parameters
@@ -112,9 +111,7 @@ def method_call(
         return super_call(run, frame, name, args, location)
     if name.startswith("spin") and isinstance(receiver, Object) and receiver.name.endswith("Executor"):
         follow.interlude(run, frame)
-    modelled = library_gazebo.method(run, frame, receiver, name, args, targs) or library.method(
-        run, frame, receiver, cell, name, args, location
-    )
+    modelled = library.method(run, frame, receiver, cell, name, args, location, targs)
     if modelled is not None:
         return modelled
     if isinstance(receiver, Object):

@@ -65,11 +65,6 @@ def instance(kind: str, args: tuple[Argument, ...]) -> Value | None:
     return Object(HELPER, fields={HANDLE: Cell(handle)})
 
 
-def pointer(name: str, args: tuple[Argument, ...]) -> Value | None:
-    """``GazeboRosPtr(pointer)``; None for another function."""
-    return args[0].value if name.rpartition("::")[2] == "GazeboRosPtr" and len(args) == 1 else None
-
-
 def _namespace(model: Value, sdf: Value) -> Value:
     told = _sdf_of(sdf)
     given = told.child(SPACE) if told is not None else None
@@ -89,10 +84,10 @@ def _sdf_of(value: Value) -> Sdf | None:
 
 
 def method(
-    run: Run, frame: Frame, receiver: Value, name: str, args: tuple[Argument, ...], targs: tuple[syntax.Argument, ...]
+    run: Run, frame: Frame, receiver: Object, name: str, args: tuple[Argument, ...], targs: tuple[syntax.Argument, ...]
 ) -> Value | None:
     """A method of an object of these classes; None if there is no model of it."""
-    if not isinstance(receiver, Object) or receiver.name not in CLASSES or receiver.fields.keys().isdisjoint(OWN):
+    if receiver.fields.keys().isdisjoint(OWN):
         return None  # such as one of a class of that name in the workspace
     if receiver.name == HELPER:
         value: Value | None = receiver.fields[HANDLE].value if name == "node" and not args else None
