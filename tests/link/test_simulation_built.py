@@ -240,3 +240,21 @@ def test_a_helper_of_the_workspace_is_followed() -> None:
     )
     code = code.replace("namespace gazebo {\n", "namespace gazebo {\n" + helper)
     assert of_code(simulator(code, USE.format(""))) == ["/mine/t"]
+
+
+CLASSIC2 = (
+    "#include <gazebo_ros/node.hpp>\n#include <std_msgs/msg/string.hpp>\nnamespace g {\nclass Eye : public gazebo::ModelPlugin {\npublic:\n"
+    "void Load(gazebo::physics::ModelPtr model, sdf::ElementPtr sdf) override {\n  ros_node_ = gazebo_ros::Node::Get(%s);\n"
+    '  pub_ = ros_node_->create_publisher<std_msgs::msg::String>("~/out", 1);\n}\n'
+    "gazebo_ros::Node::SharedPtr ros_node_;\nrclcpp::Publisher<std_msgs::msg::String>::SharedPtr pub_;\n};\nGZ_REGISTER_MODEL_PLUGIN(Eye)\n}\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("given", "expected"), [("sdf", ("/?", ["/?/out"])), ('sdf, "eye_node"', ("/eye_node", ["/eye_node/out"]))]
+)
+def test_the_node_of_a_plugin_in_ros2(given: str, expected: tuple[str, list[str]]) -> None:
+    cmake = ROS2_CMAKE.format("p") + "add_library(eye SHARED src/eye.cpp)\n"
+    (made,) = follow({"p/CMakeLists.txt": cmake, "p/src/eye.cpp": CLASSIC2 % given}, ros=2).configurations
+    assert made.name == ALONE
+    assert [(node.name, [e.name for e in explicit(node)]) for node in made.nodes] == [expected]
