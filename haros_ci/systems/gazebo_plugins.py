@@ -157,7 +157,7 @@ def started(types: Types, each: GazeboPlugin, given: Given, host: Node, server: 
 def jobs(types: Types, launched: Iterable[Job]) -> Iterator[Job]:
     """The classes of all plug-ins that are none of the *launched*, each by itself."""
     seen = {job.group for job in launched if job.node.kind == PLUGIN}
-    for library, every in sorted(built(types.programs).items()):
+    for library, every in sorted(types.gazebo.items()):
         for each in every:
             if id(each.definition) not in seen:
                 seen.add(id(each.definition))

@@ -251,7 +251,12 @@ CLASSIC2 = (
 
 
 @pytest.mark.parametrize(
-    ("given", "expected"), [("sdf", ("/?", ["/?/out"])), ('sdf, "eye_node"', ("/eye_node", ["/eye_node/out"]))]
+    ("given", "expected"),
+    [
+        ("sdf", ("/?", ["/?/out"])),
+        ("", ("/gazebo", ["/gazebo/out"])),
+        ('sdf, "eye_node"', ("/eye_node", ["/eye_node/out"])),
+    ],
 )
 def test_the_node_of_a_plugin_in_ros2(given: str, expected: tuple[str, list[str]]) -> None:
     cmake = ROS2_CMAKE.format("p") + "add_library(eye SHARED src/eye.cpp)\n"

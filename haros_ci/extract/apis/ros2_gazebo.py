@@ -8,6 +8,9 @@ from collections.abc import Mapping
 # fmt: off
 ROWS: tuple[Mapping[str, object], ...] = (
     {"class": "gazebo_ros::Node", "bases": ["rclcpp::Node"]},
+    # The simulator's own node.
+    {"call": "gazebo_ros::Node::Get", "args": [0], "makes": [{"kind": "node", "name": "gazebo"}],
+     "returns": "gazebo_ros::Node"},
     # Its name is that of the plug-in, or the second argument; its namespace stands in the description, too.
     {"call": "gazebo_ros::Node::Get", "args": [1], "makes": [{"kind": "node", "name": "{0}", "namespace": "{0}"}],
      "returns": "gazebo_ros::Node"},

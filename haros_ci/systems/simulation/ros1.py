@@ -13,7 +13,7 @@ from haros_ci.model.architecture import Node, Parameter
 from haros_ci.model.launch import Launched, Started
 from haros_ci.model.location import Location
 from haros_ci.systems.following import Types
-from haros_ci.systems.gazebo_plugins import PLUGIN, GazeboPlugin, built, started
+from haros_ci.systems.gazebo_plugins import PLUGIN, GazeboPlugin, started
 from haros_ci.systems.outside import as_data
 from haros_ci.systems.simulation.built import given, moved, under
 from haros_ci.systems.simulation.endpoints import ros1_endpoints
@@ -53,8 +53,7 @@ def simulation(
         (each, split(each.arguments)) for each in launched.nodes if each.package == PACKAGE and each.type in SPAWNERS
     ]
     models = _Models(len(servers) == 1, spawners, parameters, trees, environment)
-    ours = built(types.programs)
-    return Simulation(types, launched, server, [(each, models.found(each, ours)) for each in servers])
+    return Simulation(types, launched, server, [(each, models.found(each, types.gazebo)) for each in servers])
 
 
 @dataclass(frozen=True, slots=True)
