@@ -222,7 +222,7 @@ def test_a_system_of_the_new_gazebo(macro: str) -> None:
 
 def test_a_registration_in_a_header() -> None:
     code = plugin("ros::NodeHandle nh; nh." + PUB.format('"t"'))
-    files = texts(f'#include "eye.h"\nnamespace gazebo {{ void Eye::OnUpdate() {{}} }}\n', USE.format(""))
+    files = texts('#include "eye.h"\nnamespace gazebo { void Eye::OnUpdate() {} }\n', USE.format(""))
     files["p/src/eye.h"] = code.replace("int a_;", "void OnUpdate();")
     found = follow(files)
     assert [each.name for each in found.configurations] == ["p/launch/l.launch"]

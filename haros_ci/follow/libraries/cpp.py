@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 from haros_ci import syntax
 from haros_ci.follow import construct, conversions, methods
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.libraries import gazebo as library_gazebo
 from haros_ci.follow.libraries import (
     algorithms,
     cpp_data,
@@ -22,6 +21,7 @@ from haros_ci.follow.libraries import (
 from haros_ci.follow.libraries import (
     containers as library_containers,
 )
+from haros_ci.follow.libraries import gazebo as library_gazebo
 from haros_ci.follow.libraries import (
     numbers as library_numbers,
 )

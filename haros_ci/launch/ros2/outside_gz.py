@@ -16,7 +16,11 @@ BRIDGE = "$(find-pkg-share ros_gz_bridge)/launch/ros_gz_bridge.launch"
 SERVER, SPAWN = (f"$(find-pkg-share ros_gz_sim)/launch/gz_{each}.launch" for each in ("server", "spawn_model"))
 #: Arguments of ``create``, each by the parameter that it sets.
 MODEL = {
-    **{"world": "world", "file": "file", "string": "model_string", "topic": "topic", "name": "entity_name"},
+    "world": "world",
+    "file": "file",
+    "string": "model_string",
+    "topic": "topic",
+    "name": "entity_name",
     **{name: name for name in ("allow_renaming", "x", "y", "z", "R", "P", "Y")},
 }
 
