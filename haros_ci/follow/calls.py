@@ -111,7 +111,7 @@ def method_call(
         return super_call(run, frame, name, args, location)
     if name.startswith("spin") and isinstance(receiver, Object) and receiver.name.endswith("Executor"):
         follow.interlude(run, frame)
-    modelled = library.method(run, frame, receiver, cell, name, args, location)
+    modelled = library.method(run, frame, receiver, cell, name, args, location, targs)
     if modelled is not None:
         return modelled
     if isinstance(receiver, Object):

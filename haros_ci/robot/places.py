@@ -46,3 +46,11 @@ def as_xacro(text: str) -> str:
         return ""
 
     return _FIND_OR_END.sub(written, text)
+
+
+def as_launched(text: str) -> str:
+    """The path *text* of a description as a ROS 2 launch file writes it; a path that is not in a package's directory as it is."""
+    if not text.startswith(FIND):
+        return text
+    package, slash, inner = text[len(FIND) :].partition("/")
+    return f"$(find-pkg-share {package}){slash}{inner}"

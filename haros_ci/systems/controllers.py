@@ -65,15 +65,18 @@ class _Asked:
 
 
 def with_controllers(
-    nodes: tuple[LaunchedNode, ...], rules_of: Callable[[str, Location], Iterable[ParameterRule]]
+    nodes: tuple[LaunchedNode, ...],
+    rules_of: Callable[[str, Location], Iterable[ParameterRule]],
+    simulated: tuple[LaunchedNode, ...] = (),
 ) -> tuple[LaunchedNode, ...]:
     """*nodes*, each spawner of them under its own name, and the controllers that they bring; each controller once.
 
-    A controller is of kind ``node``; its container is the manager. *rules_of* reads a parameter file that is named at a place.
+    A controller is of kind ``node``; its container is the manager. *rules_of* reads a parameter file that is named at a place. *simulated*
+    are the managers that simulators have.
     """
     if not any(_is_spawner(node) or node.kind == LOADING for node in nodes):
         return nodes
-    managers = _managers(nodes)
+    managers = _managers((*simulated, *nodes))
     found: list[LaunchedNode] = []
     places: dict[tuple[str | None, ...], int] = {}
 

@@ -81,6 +81,8 @@ class Types:
     hosted: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]] = field(default_factory=dict)
     #: Controllers and hardware components that a controller manager loads, by look-up name.
     controllers: Mapping[str, Controller] = field(default_factory=dict)
+    #: The plug-ins of Gazebo that the workspace builds, by library (``gazebo_plugins.GazeboPlugin``).
+    gazebo: Mapping[str, list[Any]] = field(default_factory=dict)
     #: The plug-ins of the workspace by base class.
     of_base: Mapping[str, tuple[Plugin, ...]] = field(default_factory=dict)
     #: The look-up names of all plug-ins of a base class of the workspace.

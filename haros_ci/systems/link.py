@@ -142,32 +142,36 @@ def open_(
     older = tuple(path for path in wanted.launch if path not in newer)
     jobs: list[Job] = []
     parameters: tuple[Parameter, ...] = ()
+    other_parameters = parameters
     arguments: list[tuple[str, Any]] = []
     problems: list[Problem] = []
     others: list[Job] = []
-    other_parameters: tuple[Parameter, ...] = ()
     facts: list[LaunchFact] = []
-    completes: list[Completes | None] = []
+    completes: list[Completes] = []
     if older or not newer:
         memo = ros2.memo if ros2 is not None else None
         launched = evaluate(older, workspace, load, wanted.arguments, environment, alternatives, memo)
         server = ParameterServer(launched.parameters)
-        jobs += [system.launched(types, each, server) for each in launched.nodes if not each.is_test]
+        robots = ros1_simulation.simulation(types, launched, server, trees, environment)
+        jobs += [*(system.launched(types, each, server) for each in launched.nodes if not each.is_test), *robots.jobs()]
         others += present.launched(types, launched)
         parameters, other_parameters = launched.parameters, launched.alternative_parameters
         arguments += launched.arguments
         problems += launched.problems
         facts += launched.facts
-        completes.append(ros1_simulation.simulation(launched, trees, environment))
+        completes.append(robots.complete)
     if newer and ros2 is not None and describe is not None:
         found = launch_system(
             newer, workspace, describe, wanted.arguments, environment, ros2.places, ros2.memo, alternatives
         )
-        nodes = controllers.with_controllers(found.nodes, partial(parameter_file, ros2.places))
-        containers = {clean(f"{each.namespace or '/'}/{each.name}"): each for each in nodes if each.name is not None}
+        rules_of = partial(parameter_file, ros2.places)
+        simulated = ros2_simulation.simulation(found, trees, environment, types.known)
+        managers = simulated.managers(rules_of) if simulated is not None else ()
+        nodes = controllers.with_controllers(found.nodes, rules_of, managers)
+        containers = {clean(f"{each.namespace or '/'}/{each.name}"): each for each in (*managers, *nodes) if each.name}
         jobs += [ros2_system.launched(types, each, containers) for each in nodes]
-        others += present.ros2_launched(types, found, partial(parameter_file, ros2.places))
-        completes.append(ros2_simulation.simulation(found, nodes, trees, environment, types.known))
+        others += present.ros2_launched(types, found, rules_of, managers)
+        completes += [simulated.complete] if simulated is not None else []
         arguments += found.arguments
         problems += found.problems
         facts += found.facts
@@ -179,7 +183,7 @@ def open_(
         others=tuple(others),
         other_parameters=other_parameters,
         facts=tuple(facts),
-        completes=tuple(each for each in completes if each is not None),
+        completes=tuple(completes),
     )
 
 

@@ -20,7 +20,7 @@ from haros_ci.model.build import Build
 from haros_ci.model.launch import LaunchFile
 from haros_ci.model.workspace import Workspace
 from haros_ci.substitutions.files import files_of
-from haros_ci.systems import ros2_controllers, ros2_entries
+from haros_ci.systems import gazebo_plugins, ros2_controllers, ros2_entries
 from haros_ci.systems.entries import Programs, declared, executables, nodelets, plugin_files, plugins, plugins_of_base
 from haros_ci.systems.following import KnownNodes, Types
 from haros_ci.timing import timed
@@ -90,6 +90,7 @@ def types_of(
         components=loadable,
         hosted=of_version(ros2_entries.hosted(programs, tables.get(("cpp", 2), {})), versions, 2),
         controllers=ros2_controllers.controllers(programs, versions),
+        gazebo=gazebo_plugins.built(programs),
         trees=TreeFiles(xml, cpp, builds) if behavior_tree_files.users(cpp) else None,
         xml=xml,
         versions=versions,

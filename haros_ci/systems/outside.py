@@ -51,13 +51,13 @@ def described(
         name=node.name,
         namespace=namespace,
         arguments=arguments,
-        parameter=lambda full: _data(parameter(full)),
+        parameter=lambda full: as_data(parameter(full)),
         remap=lambda full: remaps.get(full, full),
     )
     return replace(node, endpoints=ends)
 
 
-def _data(value: Value | None) -> object | None:
+def as_data(value: Value | None) -> object | None:
     """The value of a parameter as data, None if it is not set, an Unknown if its value is no data or it may not be set."""
     if value is None:
         return None
@@ -120,7 +120,7 @@ def ros2_described(node: Node, types: Types, started: LaunchedNode, rules: tuple
 
     def data(name: str) -> object | None:
         own, _, inner = name.partition(":")
-        return _data(given.get(own, inner, under=node.conditions))
+        return as_data(given.get(own, inner, under=node.conditions))
 
     def below(prefix: str) -> tuple[str, ...] | Unknown:
         if given.unread is not None:

@@ -41,17 +41,23 @@ def _parameters(found: Launched, presence: Presence) -> Iterable[Parameter]:
 
 
 def ros2_launched(
-    types: Types, found: LaunchedSystem, rules_of: Callable[[str, Location], Iterable[ParameterRule]]
+    types: Types,
+    found: LaunchedSystem,
+    rules_of: Callable[[str, Location], Iterable[ParameterRule]],
+    managers: tuple[LaunchedNode, ...] = (),
 ) -> Iterator[Job]:
-    """The alternatives of a ROS 2 launch file, with the controllers that they bring, each in a container that can be there."""
+    """The alternatives of a ROS 2 launch file, with the controllers that they bring, each in a container that can be there.
+
+    *managers* are the controller managers that simulators have.
+    """
     if not found.alternatives:
         return
-    count = len(with_controllers(found.nodes, rules_of))
+    count = len(with_controllers(found.nodes, rules_of, managers))
     by_name: dict[str, list[LaunchedNode]] = {}
     for each in (*found.alternatives, *found.nodes):
         if each.name is not None:
             by_name.setdefault(clean(f"{each.namespace or '/'}/{each.name}"), []).append(each)
-    for node in with_controllers((*found.nodes, *found.alternatives), rules_of)[count:]:
+    for node in with_controllers((*found.nodes, *found.alternatives), rules_of, managers)[count:]:
         fitting = [
             each for each in by_name.get(node.container or "", ()) if together(node.presence, each.presence) is not None
         ]

@@ -10,7 +10,7 @@ from haros_ci.follow.libraries import yaml as library_yaml
 from haros_ci.follow.ros import behavior_trees
 from haros_ci.model.architecture import Configuration, Node
 from haros_ci.model.workspace import Problem
-from haros_ci.systems import ros1_controllers, ros2_controllers, ros2_hosts, ros2_system, system
+from haros_ci.systems import gazebo_plugins, ros1_controllers, ros2_controllers, ros2_hosts, ros2_system, system
 from haros_ci.systems.following import Types
 from haros_ci.systems.system import Job
 
@@ -34,6 +34,7 @@ def ros2_alone(types: Types, started: set[tuple[str, str]], launched: Iterable[J
         yield ros2_system.plugin(types, package, name)
     yield from ros2_controllers.jobs(types, launched)
     yield from ros1_controllers.jobs(types)
+    yield from gazebo_plugins.jobs(types, launched)
     yield from ros2_hosts.hosts(types)
 
 

@@ -21,6 +21,7 @@ OWN = {
     "/clock",
     "/gazebo/link_states",
     "/gazebo/model_states",
+    "/gazebo/performance_metrics",
     "/gazebo/parameter_descriptions",
     "/gazebo/parameter_updates",
 }

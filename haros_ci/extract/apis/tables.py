@@ -44,6 +44,7 @@ TABLES: tuple[tuple[str, int, tuple[str, ...]], ...] = (
             "ros2_nav2",
             "ros2_autoware",
             "threads",
+            "ros2_gazebo",
             "ros2_rviz",
             "ros2_behavior_trees",
             "ros2_control",

@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from haros_ci.extract.launch import ros2_gz
 from haros_ci.extract.launch.ros2_entity import Entity, unknown_tag
 from haros_ci.extract.launch.ros2_parameters import parameter_sources
 from haros_ci.model.launch_actions import Action, Phrase, Test
@@ -335,4 +336,5 @@ _MAKERS: Mapping[str, Callable[[Builder, Entity], Action | None]] = {
     "set_parameters_from_file": _parameter("set-parameters-from-file"),
     "set_use_sim_time": _simple("set-use-sim-time", ("value",), ("value",)),
     "set_ros_log_dir": _log,
+    **ros2_gz.MAKERS,
 }

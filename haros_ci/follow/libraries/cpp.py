@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
@@ -20,6 +21,7 @@ from haros_ci.follow.libraries import (
 from haros_ci.follow.libraries import (
     containers as library_containers,
 )
+from haros_ci.follow.libraries import gazebo as library_gazebo
 from haros_ci.follow.libraries import (
     numbers as library_numbers,
 )
@@ -74,7 +76,8 @@ TRANSPARENT = frozenset(
         "std::move std::forward std::ref std::cref boost::ref boost::cref std::string string boost::shared_ptr "
         "boost::static_pointer_cast std::static_pointer_cast boost::dynamic_pointer_cast std::dynamic_pointer_cast "
         "std::const_pointer_cast ros::names::clean boost::filesystem::path std::to_string boost::to_string "
-        "boost::lexical_cast std::function boost::function std::max std::abs CHECK_NOTNULL DCHECK_NOTNULL"
+        "boost::lexical_cast std::function boost::function std::max std::abs CHECK_NOTNULL DCHECK_NOTNULL "
+        "GazeboRosPtr gazebo::GazeboRosPtr"
     ).split()
 )
 
@@ -107,9 +110,7 @@ def instance(run: Run, frame: Frame, kind: Type, args: tuple[Argument, ...]) -> 
         )
     if name in ("std::pair",) and len(args) == 2:
         return Object(name, fields={"first": Cell(args[0].value), "second": Cell(args[1].value)})
-    if name in ("ros::Duration", "ros::WallDuration", "ros::Rate", "ros::Time") and len(args) == 1:
-        return None
-    return None
+    return library_gazebo.instance(name, args)
 
 
 def function(
@@ -210,10 +211,11 @@ def method(
     name: str,
     args: tuple[Argument, ...],
     location: Location,
+    targs: tuple[syntax.Argument, ...] = (),
 ) -> Value | None:
     """A modelled method by the kind of value it is called on."""
     if isinstance(receiver, Object):
-        return _object(run, frame, receiver, name, args, location)
+        return _object(run, frame, receiver, name, args, location, targs)
     if (name.startswith("as_") or name == "get_value") and not args and run.context.process is not None:
         if isinstance(receiver, (Known, Text, Sequence)) or (isinstance(receiver, Opaque) and _is_filled(cell)):
             return receiver  # what a rclcpp::Parameter that is filled by get_parameter holds
@@ -282,15 +284,28 @@ OF_LOADER = LOADERS | {"getDeclaredClasses", "isClassAvailable"}
 DESCRIPTOR = "rcl_interfaces::msg::ParameterDescriptor"
 
 
+#: Classes with models of their own.
+_OF_CLASS: dict[str, Callable[..., Value | None]] = {
+    **dict.fromkeys(library_xml.CLASSES, library_xml.method),
+    **dict.fromkeys(library_gazebo.CLASSES, library_gazebo.method),
+}
+
+
 def _object(
-    run: Run, frame: Frame, receiver: Object, name: str, args: tuple[Argument, ...], location: Location
+    run: Run,
+    frame: Frame,
+    receiver: Object,
+    name: str,
+    args: tuple[Argument, ...],
+    location: Location,
+    targs: tuple[syntax.Argument, ...],
 ) -> Value | None:
     if name == "get_type" and not args and receiver.name in ros2_selectors.PARAMETERS:
         return ros2_selectors.type_constant(receiver)
     if receiver.name == LOADER and name in OF_LOADER:
         return _of_loader(run, frame, receiver, name, args, location)
-    if receiver.name in library_xml.CLASSES:
-        return library_xml.method(run, frame, receiver, name, args)
+    if receiver.name in _OF_CLASS:
+        return _OF_CLASS[receiver.name](run, frame, receiver, name, args, targs)
     if receiver.name == "rclcpp::NodeOptions" and name == "arguments" and not args and name not in receiver.fields:
         return Sequence(Cell(()), syntax.Type("std::vector", (syntax.Type("std::string"),), ""))
     if receiver.name == "nodelet::Loader" and name == "load" and len(args) > 1:

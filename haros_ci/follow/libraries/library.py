@@ -48,12 +48,13 @@ def method(
     name: str,
     args: tuple[Argument, ...],
     location: Location,
+    targs: tuple[syntax.Argument, ...] = (),
 ) -> Value | None:
     """A modelled method; None if there is no model of it."""
     if frame.source.program.language == "python":
         found = library_python.method(run, frame, receiver, name, args)
     else:
-        found = library_cpp.method(run, frame, receiver, cell, name, args, location)
+        found = library_cpp.method(run, frame, receiver, cell, name, args, location, targs)
         if found is None and name == "get" and not args and isinstance(receiver, Object):
             found = _pointed_to(run, receiver)
     if found is not None or not isinstance(receiver, (Known, Text, Sequence, Mapped)) or name in harmless.READERS:

@@ -25,7 +25,14 @@ ROOT, SELF, BESIDE, PLACE = "(root)", "(self)", "(beside)", "(place)"
 MOST = 64
 
 
-def method(run: Run, frame: Frame, receiver: Object, name: str, args: tuple[Argument, ...]) -> Value | None:
+def method(
+    run: Run,
+    frame: Frame,
+    receiver: Object,
+    name: str,
+    args: tuple[Argument, ...],
+    targs: tuple[syntax.Argument, ...] = (),
+) -> Value | None:
     """A method of a document or element; None if there is no model of it."""
     texts = [argument.value.value if isinstance(argument.value, Known) else None for argument in args]
     if receiver.name == DOCUMENT:

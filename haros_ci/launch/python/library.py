@@ -8,6 +8,7 @@ from haros_ci.launch.python.builtin_functions import HARMLESS, Summary
 from haros_ci.launch.python.builtin_functions import SUMMARIES as PYTHON
 from haros_ci.launch.python.controller_launches import SUMMARIES as CONTROLLERS
 from haros_ci.launch.python.definitions import bound, call_function, instantiate
+from haros_ci.launch.python.gz_actions import SUMMARIES as GZ
 from haros_ci.launch.python.imports import SUMMARISED
 from haros_ci.launch.python.launch_actions import SUMMARIES as LAUNCH
 from haros_ci.launch.python.launch_events import SUMMARIES as EVENTS
@@ -44,6 +45,7 @@ SUMMARIES: dict[str, Summary] = {
     **MOVEIT,
     **MOVEIT_LAUNCHES,
     **CONTROLLERS,
+    **GZ,
     **MODULES,
 }
 

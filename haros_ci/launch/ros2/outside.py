@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 
 from haros_ci.launch.facts import ros2
 from haros_ci.launch.facts.record import Recorder
+from haros_ci.launch.ros2 import outside_gz
+from haros_ci.launch.ros2.outside_gz import argument, value
 from haros_ci.model.architecture import Condition
 from haros_ci.model.launch_actions import Action, Phrase, Substitution, Test
 from haros_ci.model.launch_facts import IncludeUse, PassedArgument
@@ -26,36 +28,28 @@ _SERVER = f"{_SHARE}/launch/gzserver.launch.py"
 _PLUGINS = ("init", "factory", "force_system")
 
 
-def _value(name: str) -> Substitution:
-    return Substitution("var", ((name,),))
-
-
-def _argument(name: str, default: str, place: Location) -> Action:
-    return Action(kind="arg", location=place, phrases=(("name", (name,)), ("default", (default,) if default else ())))
-
-
 def _server(place: Location) -> tuple[Action, ...]:
     given: tuple[tuple[str, str], ...] = (
         ("world", f"{_SHARE}/worlds/empty.world"),
         ("extra_gazebo_args", ""),
         *((name, "true") for name in _PLUGINS),
     )
-    words: list[str | Substitution] = [_value("world")]
+    words: list[str | Substitution] = [value("world")]
     for name in _PLUGINS:
-        words += [" ", Substitution("if", ((_value(name),), (f"-s libgazebo_ros_{name}.so",), ()))]
-    args: Phrase = (*words, " ", _value("extra_gazebo_args"))
+        words += [" ", Substitution("if", ((value(name),), (f"-s libgazebo_ros_{name}.so",), ()))]
+    args: Phrase = (*words, " ", value("extra_gazebo_args"))
     node = Action(
         kind="node",
         location=place,
         phrases=(("package", ("gazebo_ros",)), ("executable", ("gzserver",)), ("args", args)),
     )
-    return (*(_argument(name, default, place) for name, default in given), node)
+    return (*(argument(name, default, place) for name, default in given), node)
 
 
 def _both(place: Location) -> tuple[Action, ...]:
-    test = Test(kind="if", phrases=((_value("server"),),), text="server", location=place)
+    test = Test(kind="if", phrases=((value("server"),),), text="server", location=place)
     include = Action(kind="include", location=place, phrases=(("file", (_SERVER,)),), tests=(test,))
-    return (_argument("gui", "true", place), _argument("server", "true", place), include)
+    return (argument("gui", "true", place), argument("server", "true", place), include)
 
 
 def _nothing(place: Location) -> tuple[Action, ...]:
@@ -68,6 +62,7 @@ _FILES = {
     f"{_SHARE}/launch/gazebo.launch.py": _both,
     f"{_SHARE}/launch/gzclient.launch.py": _nothing,
     "$(find-pkg-share ros_gz_sim)/launch/gz_sim.launch.py": _nothing,
+    **outside_gz.FILES,
     "$(find-pkg-share ros_ign_gazebo)/launch/ign_gazebo.launch.py": _nothing,
 }
 
@@ -80,9 +75,9 @@ def include_known(
     if actions is None:
         return False
     context = run.context
-    for name, value in passed:
+    for name, phrase in passed:
         if name.known:
-            made = context.scope.configurations[name.raw] = context.text(value)
+            made = context.scope.configurations[name.raw] = context.text(phrase)
             ros2.given(context, name.raw, made)
     facts = context.facts
     names = tuple(PassedArgument(name.raw, action.location) for name, _ in passed if name.known)

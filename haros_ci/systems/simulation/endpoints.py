@@ -21,6 +21,8 @@ from haros_ci.systems.simulation.table import KnownPlugin
 from haros_ci.systems.simulation.uses import Use, value
 
 _FILLED = re.compile(r"\{(\w+)\}")
+#: The element that names the controller manager that a plug-in makes.
+MANAGER_NAME = "controller_manager_name"
 _UNREAD = "its value in the description is not known"
 
 
@@ -110,8 +112,8 @@ def ros2_nodes(
 ) -> Iterator[Node]:
     """The node that a ROS 2 plug-in makes, and the one *beside* it; *process* are the rules that the server is started with."""
     inner = next(use.element.all("ros"), use.element)
-    given = value(inner, "namespace") if spawned.namespace in (None, "") else spawned.namespace
-    name, why = use.name, None
+    given = namespace_of(use, spawned)
+    name, why = known.called or use.name, None
     rules, unread = _rules(inner)
     rules = (*rules, *process)
     if name is None or isinstance(given, NotKnown) or unread:
@@ -121,7 +123,11 @@ def ros2_nodes(
     full, space = named(own, clean(f"/{space}"), rules)
     places = [(full, known.node)]
     if beside is not None:
-        places.append((clean(f"{space}/{beside.node_name or beside.type}"), beside))
+        last = beside_name(use, known)
+        why = why or (
+            None if last is not None else Unknown("name", f"<{MANAGER_NAME}>: {_UNREAD}", use.element.location)
+        )
+        places.append((clean(f"{space}/{last or UNKNOWN}"), beside))
     for place, what in places:
         node = replace(
             simulator,
@@ -139,6 +145,18 @@ def ros2_nodes(
             unknowns=tuple(each for each in (why, _doubt(use)) if each is not None),
         )
         yield replace(node, endpoints=tuple(_ros2_ends(use, known, what, node, space, rules, inner, spawned)))
+
+
+def namespace_of(use: Use, spawned: Spawned) -> str | NotKnown | None:
+    """The namespace that a ROS 2 plug-in is given: by its spawner, else by ``<namespace>``."""
+    inner = next(use.element.all("ros"), use.element)
+    return value(inner, "namespace") if spawned.namespace in (None, "") else spawned.namespace
+
+
+def beside_name(use: Use, known: KnownPlugin) -> str | None:
+    """What the node is called that a plug-in makes besides, a controller manager; None if that is not known."""
+    name = element(use, known, MANAGER_NAME)
+    return name if isinstance(name, str) else None
 
 
 def on_server(known: KnownPlugin, node: Node, rules: tuple[Rule, ...]) -> tuple[Endpoint, ...]:

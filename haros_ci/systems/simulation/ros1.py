@@ -3,19 +3,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 from haros_ci.graph.names import clean, resolve
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.graph.words import Words, split
 from haros_ci.model.architecture import Node, Parameter
 from haros_ci.model.launch import Launched, Started
+from haros_ci.model.location import Location
+from haros_ci.systems.following import Types
+from haros_ci.systems.gazebo_plugins import PLUGIN, GazeboPlugin, started
+from haros_ci.systems.outside import as_data
+from haros_ci.systems.simulation.built import given, moved, under
 from haros_ci.systems.simulation.endpoints import ros1_endpoints
+from haros_ci.systems.simulation.ros1_managers import asked, controllers
 from haros_ci.systems.simulation.simulators import (
     PACKAGE,
     SERVERS,
-    Completes,
     Found,
     completed,
     gather,
@@ -26,68 +31,99 @@ from haros_ci.systems.simulation.simulators import (
     unpredictable,
 )
 from haros_ci.systems.simulation.trees import Tree, Trees
+from haros_ci.systems.system import Job
+from haros_ci.systems.system import launched as launched_job
 
 SPAWNERS = frozenset(("spawn_model", "spawn_urdf", "spawn_gazebo_model"))
 #: Plug-ins of the server's command line that make nothing but what the data on known nodes says of the simulator.
 ACCOUNTED = frozenset(("gazebo_ros_api_plugin", "gazebo_ros_paths_plugin"))
 
 
-def simulation(launched: Launched, trees: Trees, environment: Mapping[str, str]) -> Completes | None:
-    """What completes the simulators of what was *launched*; None if there is none."""
+def simulation(
+    types: Types, launched: Launched, server: ParameterServer, trees: Trees, environment: Mapping[str, str]
+) -> Simulation:
+    """What is simulated of what was *launched*. *server* has the parameters that are set."""
     servers = [each for each in launched.nodes if each.package == PACKAGE and each.type in SERVERS]
     if not servers:
-        return None
+        return Simulation(types, launched, server, [])
     parameters: dict[str, list[Parameter]] = {}
     for each in launched.parameters:
         parameters.setdefault(each.name, []).append(each)
     spawners = [
         (each, split(each.arguments)) for each in launched.nodes if each.package == PACKAGE and each.type in SPAWNERS
     ]
-    return _Simulation(launched, servers, spawners, parameters, trees, environment).complete
+    models = _Models(len(servers) == 1, spawners, parameters, trees, environment)
+    return Simulation(types, launched, server, [(each, models.found(each, types.gazebo)) for each in servers])
 
 
 @dataclass(frozen=True, slots=True)
-class _Simulation:
+class Simulation:
+    """The simulators of a configuration with their plug-ins."""
+
+    types: Types
     launched: Launched
-    servers: list[Started]
+    parameters: ParameterServer
+    servers: list[tuple[Started, Found]]
+
+    def jobs(self) -> Iterator[Job]:
+        """The plug-ins that the workspace builds, each to be followed in the simulator's node."""
+        for server, into in self.servers:
+            host = launched_job(self.types, server, self.parameters).node
+            for use, plugin, spawned in into.built:
+                yield started(self.types, plugin, given(use, spawned), under(host, use, spawned), self.parameters)
+
+    def complete(self, nodes: Sequence[Node]) -> tuple[Node, ...]:
+        """*nodes*, where each simulator has what its plug-ins make."""
+        if not self.servers:
+            return tuple(nodes)
+        by_place: dict[tuple[str, Location | None], Found] = {
+            (each.name, each.location): into for each, into in self.servers
+        }
+        reasons = tuple(unpredictable(nodes, SPAWNERS))
+        plugins = [node for node in nodes if node.kind == PLUGIN]
+        done = []
+        for node in nodes:
+            into = by_place.get((node.name, node.location)) if node.source == "launch" and node.ros == 1 else None
+            if node.kind == PLUGIN or into is None:
+                done += [node] if node.kind != PLUGIN else []
+                continue
+            for reason in reasons:
+                into.lose(reason, node.location)
+            made = [
+                end
+                for use, known, spawned in into.uses
+                for end in ros1_endpoints(use, known, node, spawned, lambda name: as_data(self.parameters.get(name)))
+            ]
+            own = [each for each in plugins if (each.name, each.location) == (node.name, node.location)]
+            made += [end for each in own for end in moved(each, node)]
+            made += controllers(node, made, asked(self.launched.nodes), self.parameters, self.types.known, into)
+            more = tuple(each for plugin in own for each in plugin.unknowns if each.field == "endpoints")
+            done.append(completed(replace(node, unknowns=(*node.unknowns, *more)), made, into.lost))
+        return tuple(done)
+
+
+@dataclass(frozen=True, slots=True)
+class _Models:
+    #: Whether there is one simulator only.
+    is_alone: bool
     spawners: list[tuple[Started, Words]]
     #: What is set on the parameter server, by name.
     parameters: Mapping[str, list[Parameter]]
     trees: Trees
     environment: Mapping[str, str]
 
-    def complete(self, nodes: Sequence[Node]) -> tuple[Node, ...]:
-        server = ParameterServer(self.launched.parameters)
-        by_place: dict[tuple[str, object], Started] = {(each.name, each.location): each for each in self.servers}
-        reasons = tuple(unpredictable(nodes, SPAWNERS))
-        done = []
-        for node in nodes:
-            started = by_place.get((node.name, node.location)) if node.source == "launch" and node.ros == 1 else None
-            if started is None:
-                done.append(node)
-                continue
-            into = self._found(started)
-            for reason in reasons:
-                into.lose(reason, node.location)
-            made = [
-                end
-                for use, known, spawned in into.uses
-                for end in ros1_endpoints(use, known, node, spawned, server.get)
-            ]
-            done.append(completed(node, made, into.lost))
-        return tuple(done)
-
-    def _found(self, server: Started) -> Found:
-        into = of_server(self.trees, server, 1, ACCOUNTED)
+    def found(self, server: Started, ours: Mapping[str, Sequence[GazeboPlugin]]) -> Found:
+        """The plug-ins of a *server*; *ours* are those that the workspace builds."""
+        into = of_server(self.trees, server, 1, ACCOUNTED, ours)
         for spawner, words in self.spawners:
             self._spawn(spawner, words, server, into)
         return into
 
     def _spawn(self, spawner: Started, words: Words, server: Started, into: Found) -> None:
         target = option(words.rest, "-gazebo_namespace")
-        if target is not None and "?" not in target and clean(target) != server.name and len(self.servers) > 1:
+        if target is not None and "?" not in target and clean(target) != server.name and not self.is_alone:
             return
-        if target is None and len(self.servers) > 1 and server.name != "/gazebo":
+        if target is None and not self.is_alone and server.name != "/gazebo":
             return
         space = option(words.rest, "-robot_namespace")
         if space is None:

@@ -10,6 +10,7 @@ from haros_ci.graph.words import split
 from haros_ci.model.architecture import Endpoint, Node, Unknown
 from haros_ci.model.launch import LaunchedNode, Started
 from haros_ci.model.location import Location
+from haros_ci.systems.gazebo_plugins import GazeboPlugin
 from haros_ci.systems.simulation.endpoints import Spawned, is_idle
 from haros_ci.systems.simulation.table import KnownPlugin, library_of, plugins, silent
 from haros_ci.systems.simulation.trees import MODEL, Tree, Trees
@@ -34,6 +35,7 @@ MOST = 2_000
 DEEPEST = 10
 #: Elements of descriptions that are looked through for one simulator; the last description is looked through to its end.
 MAX_ELEMENTS = 200_000
+NONE: Mapping[str, Sequence[GazeboPlugin]] = {}
 TOO_MANY = "it has more plug-ins and models than are looked at"
 
 
@@ -41,11 +43,13 @@ TOO_MANY = "it has more plug-ins and models than are looked at"
 class Found:
     """The plug-ins of one simulator, each with its row and how it was brought; *lost* says where there may be more.
 
-    *libraries* are the plug-ins that its command line names; *included* is the number of models that others include,
+    *ours* are the plug-ins that the workspace builds, by library, *built* those of them that are used. *libraries* are the plug-ins that its command line names; *included* is the number of models that others include,
     *elements* that of the elements that have been looked through.
     """
 
+    ours: Mapping[str, Sequence[GazeboPlugin]] = field(default_factory=dict)
     uses: list[tuple[Use, KnownPlugin, Spawned]] = field(default_factory=list)
+    built: list[tuple[Use, GazeboPlugin, Spawned]] = field(default_factory=list)
     lost: dict[str, Location | None] = field(default_factory=dict)
     libraries: tuple[str, ...] = ()
     included: int = 0
@@ -92,12 +96,18 @@ def command_line(words: Iterable[str]) -> CommandLine:
     return CommandLine(world, tuple(named))
 
 
-def of_server(trees: Trees, server: Started | LaunchedNode, ros: int, accounted: Container[str]) -> Found:
+def of_server(
+    trees: Trees,
+    server: Started | LaunchedNode,
+    ros: int,
+    accounted: Container[str],
+    ours: Mapping[str, Sequence[GazeboPlugin]] = NONE,
+) -> Found:
     """What the command line of a *server* brings: the plug-ins of its world, and those that it names itself.
 
     What it names and is not *accounted* for may make more than is known.
     """
-    into = Found()
+    into = Found(ours)
     line = command_line(split(server.arguments).rest)
     into.libraries = line.plugins
     if line.world is None:
@@ -149,7 +159,7 @@ def gather(
         return
     into.elements += sum(1 for _ in tree.root.walk())
     for each in found(tree.root, spawned.model):
-        if max(len(into.uses), into.included) >= MOST or depth > DEEPEST:
+        if max(len(into.uses) + len(into.built), into.included) >= MOST or depth > DEEPEST:
             into.lose(TOO_MANY, place)
             return
         if isinstance(each, Use):
@@ -173,10 +183,13 @@ def _take(use: Use, spawned: Spawned, ros: int, into: Found) -> None:
         into.lose("which library a plug-in is, is not known", use.element.location)
         return
     library = library_of(use.filename)
-    known = plugins(ros).get(library)
-    if known is not None:
+    known, own = plugins(ros).get(library), into.ours.get(library, ())
+    if known is not None and (not own or any(each.package == known.package for each in own)):
         if not is_idle(use, known):
             into.uses.append((use, known, spawned))
+    elif len(own) == 1:
+        if own[0].at == use.at:
+            into.built.append((use, own[0], spawned))
     elif library not in silent():
         into.lose(f"what the plug-in {use.filename[:100]} makes is not known", use.element.location)
 

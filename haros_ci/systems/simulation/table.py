@@ -20,7 +20,7 @@ from haros_ci.systems.known.shape import read_package, shown
 _HERE = Path(__file__).parent / "plugins"
 #: Where a plug-in can stand: in a world, a model, a sensor or a visual, or on the server's command line.
 PLACES = ("world", "model", "sensor", "visual", "system")
-OWN_KEYS = ("source", "at", "namespace", "elements", "requires", "beside")
+OWN_KEYS = ("source", "at", "namespace", "elements", "requires", "beside", "called")
 SPACE_KEYS = ("missing", "empty", "slash", "above", "below", "ignored")
 _ELEMENT = re.compile(r"[A-Za-z]\w{0,60}")
 
@@ -46,6 +46,7 @@ class KnownPlugin:
 
     *package* is whose data file it is in; *elements* are those that it reads, with their defaults (None: without one); it makes nothing without those that it *requires*.
     *node* has its endpoints, in whose names ``~x`` is the element ``<x>``. *beside* are the package and type of a known node that it makes besides.
+    *called* is what its node is called, where that is not the name of the plug-in.
     """
 
     library: str
@@ -57,6 +58,7 @@ class KnownPlugin:
     elements: Mapping[str, Any]
     requires: tuple[str, ...] = ()
     beside: tuple[str, str] | None = None
+    called: str = ""
 
 
 @lru_cache(maxsize=2)
@@ -125,6 +127,7 @@ def _row(library: str, row: object, where: str, ros: int) -> KnownPlugin | list[
         elements=MappingProxyType(dict(row.get("elements", {}))),
         requires=tuple(row.get("requires", [])),
         beside=tuple(beside.split("/", 1)) if isinstance(beside, str) else None,  # type: ignore[arg-type]
+        called=row.get("called", ""),
     )
 
 
@@ -162,6 +165,9 @@ def _wrong_naming(row: Mapping[Any, Any], ros: int) -> Iterator[str]:
     beside = row.get("beside")
     if beside is not None and (not isinstance(beside, str) or beside.count("/") != 1):
         yield "beside must be package/type of a known node"
+    called = row.get("called", "")
+    if not isinstance(called, str) or (called and ros == 1):
+        yield "called must be a name, in ROS 2"
 
 
 def _files(ros: int) -> list[Path]:

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Controllers of ros_control in a simulator: what ``spawner`` asks the controller manager of its plug-in for works in the simulator's node.
+
+What counts is controller_manager/scripts/spawner and controller_manager.cpp of ros-controls/ros_control: a controller called *name* has its parameters,
+and among these its type, below the manager's namespace and *name*.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from haros_ci.graph.names import clean, resolve
+from haros_ci.graph.parameters import ParameterServer
+from haros_ci.graph.words import split
+from haros_ci.model.architecture import Endpoint, Node
+from haros_ci.model.launch import Started
+from haros_ci.systems.known.entry import KnownNode
+from haros_ci.systems.known.instantiate import instantiate
+from haros_ci.systems.outside import as_data
+from haros_ci.systems.simulation.simulators import Found
+from haros_ci.values.abstract import Known
+
+PACKAGE = "controller_manager"
+#: The plug-in of Gazebo that has a controller manager, and the service that tells where that is.
+LIBRARY, SERVICE = "gazebo_ros_control", "controller_manager/load_controller"
+#: Options of the spawner that a value follows.
+TAKING = ("--wait-for", "--namespace", "--timeout", "--shutdown-timeout")
+#: Verbs of ``controller_manager/controller_manager`` that load controllers.
+LOADING = ("load", "spawn")
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """The controllers that a node *by* asks for, by their *names*, of the manager in *namespace*."""
+
+    by: Started
+    namespace: str
+    names: tuple[str, ...]
+
+
+def asked(nodes: Iterable[Started]) -> Iterator[Asked]:
+    """What the spawners among *nodes* ask for."""
+    for each in nodes:
+        words = split(each.arguments).rest
+        if each.package != PACKAGE:
+            continue
+        if each.type in ("spawner", "spawner.py"):
+            space, names = _spawned(words)
+            yield Asked(
+                each, resolve(space, each.namespace, each.name) if space else clean(f"/{each.namespace}"), names
+            )
+        elif each.type == PACKAGE and words[:1] and words[0] in LOADING:
+            yield Asked(each, clean(f"/{each.namespace}"), tuple(words[1:]))
+
+
+def _spawned(words: Sequence[str]) -> tuple[str, tuple[str, ...]]:
+    """The namespace and the controllers that a spawner's command line names."""
+    names: list[str] = []
+    space = option = ""
+    for word in words:
+        name, sign, value = word.partition("=")
+        if option or (sign and name in TAKING):
+            space = (value if not option else word) if (option or name) == "--namespace" else space
+            option = ""
+        elif word in TAKING:
+            option = word
+        elif not word.startswith("-"):
+            names.append(word)
+    return space, tuple(names)
+
+
+def controllers(
+    node: Node,
+    made: Iterable[Endpoint],
+    every: Iterable[Asked],
+    server: ParameterServer,
+    known: Callable[[str, str, int], KnownNode | None],
+    into: Found,
+) -> Iterator[Endpoint]:
+    """What the controllers make that the managers on *node*, which has *made* these endpoints, are asked for; *into* takes why one is not known."""
+    spaces = {end.name.removesuffix(f"/{SERVICE}") or "/" for end in made if end.name.endswith(f"/{SERVICE}")}
+    for ask in every:
+        if ask.namespace not in spaces and not any("?" in each for each in (ask.namespace, *spaces)):
+            continue
+        for name in ask.names if spaces else ():
+            full = clean(f"{ask.namespace}/{name}")
+            value = server.get(f"{full}/type")
+            kind = value.value if isinstance(value, Known) and isinstance(value.value, str) else "?"
+            found = known(kind.partition("/")[0], kind, 1) if "?" not in full else None
+            if found is None:
+                said = f": it is a {kind}" if kind != "?" else ""
+                into.lose(f"what the controller {name} makes is not known{said}", ask.by.location)
+                continue
+            yield from _made(node, found, full, ask, server)
+
+
+def _made(node: Node, found: KnownNode, full: str, ask: Asked, server: ParameterServer) -> Iterator[Endpoint]:
+    remaps = dict(node.remaps)
+    conditions = tuple(each for each in ask.by.conditions if each not in node.conditions)
+    ends = instantiate(
+        found,
+        name=full,
+        namespace=ask.namespace,
+        arguments=(),
+        parameter=lambda name: as_data(server.get(name)),
+        remap=lambda name: remaps.get(name, name),
+    )
+    for end in ends:
+        yield replace(end, location=ask.by.location, conditions=(*end.conditions, *conditions))
