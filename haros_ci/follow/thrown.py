@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Exceptions that reading a parameter raises which nothing sets: they end a loop that has no other known end.
+
+``rospy.get_param`` raises KeyError (rospy/client.py), ``get_parameter`` ParameterNotDeclaredException (rclpy/node.py, rclcpp/exceptions.hpp).
+Elsewhere a node is followed as if its parameters were set: what it makes then is of interest.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from haros_ci import syntax
+
+if TYPE_CHECKING:
+    from haros_ci.follow.run import Run
+    from haros_ci.model.location import Location
+    from haros_ci.syntax import Expression
+
+#: What a handler's text has that catches these exceptions; one without a type catches all.
+CATCHING = ("KeyError", "LookupError", "Exception", "exception", "ParameterNotDeclared", "runtime_error", "...")
+
+
+def absent(run: Run, name: str, location: Location) -> bool:
+    """Whether reading a parameter without a default that nothing sets raises an exception.
+
+    In the first turn of a loop that goes on as if it were set. A later turn that asks for another name raises, and has not
+    come to that (``run.is_raised``) where the first one had nothing either.
+    """
+    loop = next((loop for loop in reversed(run.turning) if loop.is_endless), None)
+    if loop is None or run.dead or "?" in name:
+        return False
+    if not loop.turn:
+        loop.absent.add((location, name))
+    elif (location, name) not in loop.absent:
+        run.is_raised = any(place == location for place, _ in loop.absent)
+        return True
+    return False
+
+
+def catches(handler: syntax.Handler) -> bool:
+    """Whether a handler catches what ``absent`` raises."""
+    text = f"{handler.text} {handler.type.name}"
+    return not text.strip() or any(word in text for word in CATCHING)
+
+
+def is_endless(test: Expression | None) -> bool:
+    """Whether the test of a loop tells nothing of how long it goes on: it is always true, or a flag."""
+    if isinstance(test, (syntax.Boolean, syntax.Number)):
+        return bool(test.value)
+    return test is None or isinstance(test, (syntax.Name, syntax.Member))
+
+
+def leaves(handlers: tuple[syntax.Handler, ...]) -> bool:
+    """Whether a handler of these exceptions leaves the loop around it."""
+    return any(
+        catches(each) and any(isinstance(last, (syntax.Break, syntax.Return)) for last in each.body[-1:])
+        for each in handlers
+    )
