@@ -136,7 +136,7 @@ ZEROS = {"bool": FALSE, "int": Known(0), "double": Known(0.0)}
 def of_template(
     run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.Argument, ...], location: Location
 ) -> Value:
-    """``T{...}`` or ``T(...)`` of the type that a template parameter stands for."""
+    """``T{...}`` or ``T(...)`` of the type that a template parameter stands for, and elements that a list is made with."""
     if "*" in kind.marks:
         return arguments[0].value if arguments else NONE
     if not arguments and call_arguments.is_scalar(kind):
@@ -166,7 +166,7 @@ def _vector(run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.
         cells = []
         for _ in range(first.value):
             given = copies.copied(run, fill, inner) if fill is not None else None
-            start = given if given is not None else create(run, frame, inner, (), Location(frame.source.path))
+            start = given if given is not None else of_template(run, frame, inner, (), Location(frame.source.path))
             cells.append(Cell(start, inner))
         return Sequence(Cell(tuple(cells)), kind)
     return Sequence(Cell(run.opaque("a list of unknown length", frame)), kind)

@@ -96,7 +96,7 @@ def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[
             value = conversions.converted(construct.copied(run, args[0].value, inner), inner)
             run.state.write(receiver.content, (*cells, Cell(value, inner)))
         elif known and name == "emplace_back" and inner is not None and len(cells) < LIST_LIMIT:
-            value = construct.create(run, frame, inner, args, Location(frame.source.path))
+            value = construct.of_template(run, frame, inner, args, Location(frame.source.path))
             run.state.write(receiver.content, (*cells, Cell(value, inner)))
         else:
             run.state.write(receiver.content, _grown(run, frame, cells, name, args, inner))
@@ -108,8 +108,14 @@ def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[
         if args and isinstance(args[0].value, Known) and isinstance(args[0].value.value, int) and name == "resize":
             wanted = args[0].value.value
             if known and 0 <= wanted <= 1000:
+                kind, place = inner or syntax.Type(""), Location(frame.source.path)
                 made = [
-                    Cell(construct.create(run, frame, inner or syntax.Type(""), (), Location(frame.source.path)), inner)
+                    Cell(
+                        construct.copied(run, args[1].value, inner)
+                        if len(args) > 1
+                        else construct.of_template(run, frame, kind, (), place),
+                        inner,
+                    )
                     for _ in range(wanted - len(cells))
                 ]
                 run.state.write(receiver.content, (*cells[:wanted], *made))
