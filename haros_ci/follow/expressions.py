@@ -157,6 +157,8 @@ def _lambda(run: Run, frame: Frame, expression: syntax.Lambda) -> Value:
         held = construct.initial(run, frame, syntax.AUTO, each.init, place)
         kind = copies.static_copy(run, frame, each.init.value) if isinstance(each.init, syntax.Equals) else None
         around.scopes = [*around.scopes, {each.name: Cell(held, kind)}]
+    if function.captures:
+        around.scopes = [*around.scopes, copies.by_value(run, frame, function.captures)]
     return Callable(frame.source, function, here(frame), frame=around)
 
 

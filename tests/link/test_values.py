@@ -332,6 +332,39 @@ UNKNOWN = (
     case("capture of all by value", 'std::string s = "a"; auto f = [=] { return s; }; s = "b"; ADV(f(), 1);', "/a"),
     case("lambda that assigns", 'std::string s = "a"; auto f = [&] { s = "b"; }; f(); ADV(s, 1);', "/b"),
     case("mutable lambda", 'std::string s = "a"; auto f = [s]() mutable { s = "b"; }; f(); ADV(s, 1);', "/a"),
+    case(
+        "one of two by value",
+        'std::string s = "a", t = "a"; auto f = [&s, t] { return s + t; }; s = t = "b"; ADV(f(), 1);',
+        "/ba",
+    ),
+    case(
+        "all but one by value",
+        'std::string s = "a", t = "a"; auto f = [=, &s] { return s + t; }; s = t = "b"; ADV(f(), 1);',
+        "/ba",
+    ),
+    case(
+        "a static is not captured",
+        'static std::string s = "a"; auto f = [=] { return s; }; s = "b"; ADV(f(), 1);',
+        "/b",
+    ),
+    case(
+        "a global is not captured",
+        'auto f = [=] { return s; }; s = "b"; ADV(f(), 1);',
+        "/b",
+        before='std::string s = "a";',
+    ),
+    case(
+        "an object by pointer",
+        'C* c = new C; auto f = [c] { return c->s; }; c->s = "b"; ADV(f(), 1);',
+        "/b",
+        before='struct C { std::string s = "a"; };',
+    ),
+    case(
+        "a member is not captured",
+        "C c; ADV(c.get(), 1);",
+        "/b",
+        before='struct C { std::string s = "a"; std::string get() { auto f = [=] { return s; }; s = "b"; return f(); } };',
+    ),
     case("getenv", 'std::string s = "a"; if (getenv("X")) s = getenv("X"); ADV(s, 1);', "/?"),
     case(
         "overloads by type",
@@ -377,12 +410,6 @@ DEFECTS = (
         "integers have no width, and the remainder is Python's (operators._computed, converted)",
         "float compared with a double",
         "signed compared with unsigned",
-    )
-    | because(
-        "captures by value are the captured variables (expressions._lambda)",
-        "capture by value",
-        "capture of all by value",
-        "mutable lambda",
     )
     | because(
         "goto is passed over (extract/cpp statements)",
