@@ -13,6 +13,7 @@ from haros_ci.follow import (
     callbacks,
     conversions,
     copies,
+    data_classes,
     expressions,
     methods,
     uncertain,
@@ -336,6 +337,8 @@ def python_construct(
     method = methods.method_of(run, this, "__init__")
     if method is not None:
         activation.invoke(run, frame, method, arguments)
+    else:
+        data_classes.construct(run, frame, this, arguments)
     for base in methods.library_bases(run, source, definition):
         if method is None:
             library_objects.construct_library(run, frame, this, syntax.Type(base), arguments, location)

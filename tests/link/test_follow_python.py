@@ -557,10 +557,6 @@ DEFECTS = (
         "__eq__",
     )
     | because(
-        "fields of a dataclass are not set by its arguments",
-        "dataclass",
-    )
-    | because(
         "any object is true, whatever its __len__ or __bool__ says (statements.truth)",
     )
     | because(
@@ -651,3 +647,65 @@ def test_the_length_of_the_command_line_is_that_of_roslaunch() -> None:
     launch = '<launch><node pkg="p" type="n.py" name="me" args="q"/></launch>'
     code = 'import sys\nPUB("a" if len(sys.argv) > 3 else "b")\n'
     assert names(python(code, launch)) in (["/a"], ["/?"])
+
+
+D = "from dataclasses import dataclass, field\n"
+#: What the constructor that a dataclass or named tuple has by itself makes of its arguments.
+DATA = (
+    case("default", D + '@dataclass\nclass D:\n    s: str = "a"\nPUB(D().s)', "/a"),
+    case("in order", D + '@dataclass\nclass D:\n    s: str\n    t: str = "x"\nPUB(D("a", "b").t)', "/b"),
+    case("by name", D + '@dataclass\nclass D:\n    s: str\n    t: str = "x"\nPUB(D(t="b", s="a").s)', "/a"),
+    case(
+        "of a base",
+        D
+        + '@dataclass\nclass B:\n    s: str = "x"\n@dataclass\nclass D(B):\n    t: str = "y"\nd = D("a", "b")\nPUB(d.s + d.t)',
+        "/ab",
+    ),
+    case("field with a default", D + '@dataclass\nclass D:\n    s: str = field(default="a")\nPUB(D().s)', "/a"),
+    case(
+        "field with a factory",
+        D
+        + '@dataclass\nclass D:\n    s: list = field(default_factory=lambda: ["a", "b"])\nfor s in D().s:\n    PUB(s)',
+        "/a",
+        "/b",
+    ),
+    case(
+        "field that is not given",
+        D + '@dataclass\nclass D:\n    n: int = field(init=False, default=3)\n    s: str = "x"\nPUB(D("a").s)',
+        "/a",
+    ),
+    case("set afterwards", D + '@dataclass\nclass D:\n    s: str = "x"\nd = D("b")\nd.s = "a"\nPUB(d.s)', "/a"),
+    case(
+        "after the constructor",
+        D
+        + '@dataclass\nclass D:\n    s: str\n    def __post_init__(self):\n        self.t = self.s + "b"\nPUB(D("a").t)',
+        "/ab",
+    ),
+    case(
+        "two of one class",
+        D + '@dataclass\nclass D:\n    s: str = "x"\nfor d in [D("a"), D("b"), D()]:\n    PUB(d.s)',
+        "/a",
+        "/b",
+        "/x",
+    ),
+    case(
+        "named tuple",
+        'from typing import NamedTuple\nclass D(NamedTuple):\n    s: str\n    t: str = "x"\nPUB(D("a").s)',
+        "/a",
+    ),
+    case("unpacked", D + '@dataclass\nclass D:\n    s: str = "x"\nPUB(D(**text()).s)', "/?"),
+    case(
+        "an attribute that is no field", D + '@dataclass\nclass D:\n    k = "x"\n    s: str = "y"\nPUB(D("a").s)', "/?"
+    ),
+    case(
+        "a constructor of its own",
+        'class D:\n    s: str = "x"\n    def __init__(self, s):\n        pass\nPUB(D("b").s)',
+        "/x",
+    ),
+    case("of the class", D + '@dataclass\nclass D:\n    s: str = "a"\nd = D("b")\nPUB(D.s)', "/a"),
+)
+
+
+@table(DATA)
+def test_fields_of_data_classes(before: str, code: str, expected: list[str]) -> None:
+    assert names(python(code + "\n")) == expected
