@@ -24,7 +24,7 @@ from haros_ci.follow import (
     uncertain,
 )
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.libraries import texts
+from haros_ci.follow.libraries import python_lists, texts, tuples
 from haros_ci.follow.run import Run
 from haros_ci.index.types import MAPS, SEQUENCES
 from haros_ci.syntax import Expression, Type
@@ -76,8 +76,8 @@ def assignment(run: Run, frame: Frame, expression: syntax.Assignment) -> Value:
         if method is not None and method.function.body is not None:
             return activation.invoke(run, frame, method, (argument,))
     if symbol != "=":
-        if python and symbol == "+=" and isinstance(held, Sequence):
-            return _extended(run, frame, held, value)
+        if python and isinstance(held, Sequence) and symbol[0] in python_lists.CHANGING:
+            return python_lists.changed(run, frame, held, symbol[0], value)
         value = operators.binary(run, frame, symbol[:-1], held, value)
     elif isinstance(source, syntax.ListLiteral) and not python and cell.type is not None:
         value = braces.from_list(run, frame, cell.type, value)
@@ -124,27 +124,12 @@ def _fill(run: Run, held: Object, value: Value) -> bool:
     return value.definition[1] is held.definition[1]
 
 
-def _extended(run: Run, frame: Frame, held: Sequence, value: Value) -> Value:
-    """Python's ``l += m``: the list itself is longer."""
-    cells: Any = held.content.value
-    items: list[Value] | None = None
-    if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
-        items = [cell.value for cell in value.content.value]
-    elif isinstance(value, Known) and issubclass(value.kind, list):
-        items = [Known(item) for item in value.value]
-    if items is None or not isinstance(cells, tuple) or len(cells) + len(items) > LIST_LIMIT:
-        run.state.write(held.content, run.opaque("a list that is changed", frame))
-    else:
-        run.state.write(held.content, (*cells, *(Cell(item) for item in items)))
-    return held
-
-
 def _unpack(run: Run, frame: Frame, targets: tuple[Expression, ...], value: Value) -> Value:
     items: list[Value] | None = None
     if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
         items = [cell.value for cell in value.content.value]
-    elif isinstance(value, Object) and value.name == "std::pair" and {"first", "second"} <= value.fields.keys():
-        items = [value.fields["first"].value, value.fields["second"].value]
+    elif isinstance(value, Object) and value.name == tuples.PAIR:
+        items = [cell.value for number in range(2) if (cell := tuples.part(value, number)) is not None]
     known = (
         items is not None and len(items) == len(targets) and not any(isinstance(item, syntax.Star) for item in targets)
     )
@@ -244,6 +229,8 @@ def indexed(run: Run, frame: Frame, expression: syntax.Subscript) -> Value:
         method = methods.method_of(run, container, "operator[]")
         if method is not None:
             return activation.invoke(run, frame, method, (call_arguments.Argument(key),))
+    if isinstance(container, Object) and isinstance(key, Known) and (part := tuples.part(container, key.value)):
+        return part.value
     cells = container.content.value if isinstance(container, Sequence) else ()
     if isinstance(cells, tuple) and isinstance(container, Sequence) and isinstance(key, Known):
         return run.opaque(f"there is no element {key.value}: the list has {len(cells)}", frame)

@@ -20,7 +20,7 @@ from haros_ci.follow import (
 )
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
-from haros_ci.follow.libraries import texts
+from haros_ci.follow.libraries import texts, tuples
 from haros_ci.follow.run import Run
 from haros_ci.index.index import Source
 from haros_ci.index.ros_types import parameter_type
@@ -118,6 +118,8 @@ def create(
         if not isinstance(given, Mapped):
             return Mapped(Cell(run.opaque("a map that is built in a way that is not followed", frame)))
         return copies.copied(run, given, kind)
+    if name == tuples.TUPLE.name:
+        return arguments[0].value if len(arguments) == 1 and len(kind.arguments) != 1 else tuples.made(arguments)
     if call_arguments.is_scalar(kind):
         if arguments:
             return conversions.converted(arguments[0].value, kind)
@@ -146,6 +148,9 @@ def of_template(
 
 
 def _vector(run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.Argument, ...]) -> Value:
+    if not arguments:
+        number = tuples.number_of(kind, 1) or 0
+        arguments = (call_arguments.Argument(Known(number)),) if 0 < number <= OBJECTS else ()
     if not arguments:
         return Sequence(Cell(()), kind)
     first = arguments[0].value

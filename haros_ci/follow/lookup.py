@@ -306,7 +306,7 @@ def imported(run: Run, frame: Frame, target: str) -> Value:
             break
         rest.append(last)
     beside = python_modules.beside(run, frame.source, target)
-    return imported(run, frame, beside) if beside is not None else Library(target)
+    return imported(run, frame, beside) if beside is not None else Library(python_modules.passed_on(target))
 
 
 def is_generated(run: Run, source: Source, name: str) -> bool:

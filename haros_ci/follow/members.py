@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from haros_ci import syntax
-from haros_ci.follow import expressions, lookup, methods
+from haros_ci.follow import enums, expressions, lookup, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import python as library_python
 from haros_ci.follow.libraries import python_modules
@@ -201,6 +201,10 @@ def class_inside(run: Run, source: Source, definition: Class, name: str, depth: 
 
 
 def field(run: Run, frame: Frame, expression: syntax.Member) -> Value:
+    if expression.name in enums.FIELDS and frame.source.separator == ".":
+        told = enums.field(run, frame, expression)
+        if told is not None:
+            return told
     value = expressions.evaluate(run, frame, expression.object)
     cell = member(run, value, expression.name, frame)
     if cell is not None:

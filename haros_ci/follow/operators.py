@@ -10,7 +10,7 @@ from typing import Any
 from haros_ci import syntax
 from haros_ci.follow import activation, call_arguments, conversions, expressions, methods
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.libraries import formats, python_kinds, texts
+from haros_ci.follow.libraries import formats, python_kinds, python_lists, texts
 from haros_ci.follow.run import Run
 from haros_ci.index.types import STRINGS
 from haros_ci.syntax import Expression
@@ -98,6 +98,10 @@ def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Va
         return concatenate((left, Known("/"), right))
     if symbol == "%" and isinstance(left, Known) and issubclass(left.kind, str):
         return formats.percent(run, frame, left.value, right)
+    if frame.source.separator == "." and (isinstance(left, Sequence) or isinstance(right, Sequence)):
+        whole = python_lists.repeated(left, right) if symbol == "*" else python_lists.combined(symbol, left, right)
+        if whole is not None:
+            return whole
     if isinstance(left, Known) and isinstance(right, Known):
         return _computed(run, frame, symbol, left.value, right.value)
     if symbol == "+" and isinstance(left, Sequence) and isinstance(right, Sequence):

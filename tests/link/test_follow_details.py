@@ -175,7 +175,7 @@ REACHED = (
     case("object by dereference", 'W* w = new W; (*w).init("a");', "/a", before=W),
     case("object of an unknown list", 'for (auto& w : list()) w.init("a");', "/a", before=W + "std::vector<W> list();"),
     case(
-        "std::for_each", 'std::vector<std::string> v = {"a"}; std::for_each(v.begin(), v.end(), go);', "/?", before=GO
+        "std::for_each", 'std::vector<std::string> v = {"a"}; std::for_each(v.begin(), v.end(), go);', "/a", before=GO
     ),
     case("macro that calls", 'GO("a");', "/a", before=GO + "#define GO(x) go(x)"),
     case("constructor of a temporary", 'C("a");', "/a", before=GO + "struct C { C(const char* s) { go(s); } };"),

@@ -173,8 +173,8 @@ UNKNOWN = (
     case(
         "std::reverse", 'std::vector<std::string> v = {"b", "a"}; std::reverse(v.begin(), v.end()); ADV(v[0], 1);', "/?"
     ),
-    case("sprintf", 'char s[9] = "a"; sprintf(s, "b%d", number()); ADV(s, 1);', "/?"),
-    case("std::snprintf", 'char s[9] = "a"; std::snprintf(s, 9, "b%d", number()); ADV(s, 1);', "/?"),
+    case("sprintf", 'char s[9] = "a"; sprintf(s, "b%d", number()); ADV(s, 1);', "/b?"),
+    case("std::snprintf", 'char s[9] = "a"; std::snprintf(s, 9, "b%d", number()); ADV(s, 1);', "/b?"),
     case("strcpy", 'char s[9] = "a"; std::strcpy(s, text().c_str()); ADV(s, 1);', "/?"),
     case("character set", "std::string s = \"a\"; s[0] = 'b'; ADV(s, 1);", "/?"),
     case("character set by at", "std::string s = \"a\"; s.at(0) = 'b'; ADV(s, 1);", "/?"),
@@ -325,7 +325,7 @@ UNKNOWN = (
             'std::string s = "a"; std::vector<int> v = {1}; std::for_each(v.begin(), v.end(), '
             '[&](int i) { s = "b"; }); ADV(s, 1);'
         ),
-        "/?",
+        "/b",
     ),
     case("lambda given to what is not known", 'std::string s = "a"; run([&] { s = "b"; }); ADV(s, 1);', "/?"),
     case("capture by value", 'std::string s = "a"; auto f = [s] { return s; }; s = "b"; ADV(f(), 1);', "/a"),

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from haros_ci import syntax
 from haros_ci.follow import alternatives, assignments, construct, conversions
 from haros_ci.follow.frames import Frame
+from haros_ci.follow.libraries import tuples
 from haros_ci.follow.run import Run
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import Argument
 
 
+#: Methods of maps that add an entry.
+PUTTING = ("insert", "emplace", "try_emplace", "insert_or_assign")
 #: Methods that add elements.
 ADDING = frozenset(("insert", "emplace"))
 
@@ -158,6 +161,19 @@ def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[
     return None
 
 
+def _entry(args: tuple[Argument, ...]) -> tuple[Any, Value] | None:
+    """The key and the value of an entry that a map is given; None if they are not known, or nested braces."""
+    values = [argument.value for argument in args]
+    if len(values) == 1 and isinstance(values[0], Object) and values[0].name == tuples.PAIR:
+        values = [cell.value for number in range(2) if (cell := tuples.part(values[0], number)) is not None]
+    elif len(values) == 1 and isinstance(values[0], Sequence) and isinstance(values[0].content.value, tuple):
+        values = [cell.value for cell in values[0].content.value]
+    if len(values) != 2 or not isinstance(values[0], Known) or not issubclass(values[0].kind, (str, int)):
+        return None
+    is_braces = isinstance(values[1], Sequence) and values[1].type is None
+    return None if is_braces else (values[0].value, values[1])
+
+
 def mapped(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Argument, ...]) -> Value | None:
     pairs: Any = receiver.content.value
     if name in ("size", "empty", "count") and isinstance(pairs, dict):
@@ -170,7 +186,13 @@ def mapped(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Argu
         run.state.write(receiver.content, other.value)
         run.state.write(other, pairs)
         return NONE
-    if name in ("insert", "emplace", "erase", "clear", "swap"):
+    if name in PUTTING and isinstance(pairs, dict):
+        entry = _entry(args)
+        if entry is not None and len(pairs) < LIST_LIMIT:
+            fresh = {entry[0]: Cell(entry[1])}
+            run.state.write(receiver.content, {**pairs, **fresh} if name == "insert_or_assign" else {**fresh, **pairs})
+            return NONE
+    if name in ("erase", "clear", "swap", *PUTTING):
         run.state.write(receiver.content, {} if name == "clear" else run.opaque("a map that is changed", frame))
         return NONE
     if name in ("begin", "cbegin", "end", "cend") and isinstance(pairs, dict):
@@ -179,6 +201,8 @@ def mapped(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Argu
         return iterators.found(receiver, args[0].value)
     if name == "at" and args:
         cell = assignments.element(run, frame, receiver, args[0].value)
+        if cell is None and not isinstance(args[0].value, Known) and isinstance(pairs, dict) and pairs:
+            return assignments.any_of(each.value for each in pairs.values())
         return cell.value if cell is not None else run.opaque("an entry that is not known", frame)
     return None
 
