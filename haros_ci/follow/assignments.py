@@ -20,6 +20,7 @@ from haros_ci.follow import (
     members,
     methods,
     operators,
+    properties,
     slices,
     uncertain,
 )
@@ -62,6 +63,8 @@ def assignment(run: Run, frame: Frame, expression: syntax.Assignment) -> Value:
         return _unpack(run, frame, target.arguments, expressions.evaluate(run, frame, source))
     run.references = None
     value = expressions.evaluate(run, frame, source)
+    if python and isinstance(target, syntax.Member) and symbol == "=" and _set(run, frame, target, value):
+        return value
     is_lvalue = not python and (
         not isinstance(source, (syntax.Call, syntax.New, syntax.ListLiteral)) or run.references is not None
     )
@@ -92,6 +95,17 @@ def assignment(run: Run, frame: Frame, expression: syntax.Assignment) -> Value:
         return held
     run.state.write(cell, value)
     return value
+
+
+def _set(run: Run, frame: Frame, target: syntax.Member, value: Value) -> bool:
+    """Whether a property of a class of the workspace is assigned to, which its setter does."""
+    if not properties.has_setter(run, target.name):
+        return False
+    owner = expressions.evaluate(run, frame, target.object)
+    method = properties.setter(run, owner, target.name) if isinstance(owner, Object) else None
+    if method is not None:
+        activation.invoke(run, frame, method, (call_arguments.Argument(value),))
+    return method is not None
 
 
 def _is_own(held: Object, kind: Type | None) -> bool:

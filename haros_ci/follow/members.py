@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from haros_ci import syntax
-from haros_ci.follow import enums, expressions, lookup, methods
+from haros_ci.follow import activation, enums, expressions, lookup, methods, properties
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import python as library_python
 from haros_ci.follow.libraries import python_modules
@@ -116,6 +116,8 @@ def attribute(run: Run, value: Value, name: str, frame: Frame) -> Value:
         if cell is not None:
             return cell.value
         method = methods.method_of(run, value, name)
+        if method is not None and properties.is_property(method.function):
+            return activation.invoke(run, frame, method, ())
         if method is not None:
             return method
         if frame.source.separator == ".":

@@ -255,7 +255,6 @@ NOT_REACHED_IN_PYTHON = (
     )
     | because("a call of what a decorator returned is skipped as inert", "wrapper by a decorator")
     | because("with calls no __enter__", "context manager")
-    | because("properties are not called", "property")
     | because("default arguments are not carried out", "default argument")
 )
 

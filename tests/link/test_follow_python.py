@@ -541,16 +541,11 @@ DEFECTS = (
     )
     | because(
         ("of several definitions of one name the first is taken for the only one (calls.choose, index.near)"),
-        "defined under a condition",
         "class under a condition",
     )
     | because(
         ("imports are looked up last and in their order in the file, whatever is assigned when (_python_name)"),
         "import over a variable",
-    )
-    | because(
-        "decorators are passed over",
-        "property with a setter",
     )
     | because(
         "__eq__ is not asked (operators.binary)",
@@ -709,3 +704,57 @@ DATA = (
 @table(DATA)
 def test_fields_of_data_classes(before: str, code: str, expected: list[str]) -> None:
     assert names(python(code + "\n")) == expected
+
+
+#: Names of properties, and of what is defined more than once.
+DEFINED = (
+    case("property", 'class C:\n    @property\n    def t(self):\n        return "a"\nPUB(C().t)', "/a"),
+    case(
+        "property of what is set",
+        'class C:\n    def __init__(self):\n        self._t = "a"\n        PUB(self.t)\n    @property\n    def t(self):\n        return self._t + "b"\nC()',
+        "/ab",
+    ),
+    case(
+        "property of a base",
+        'class B:\n    @property\n    def t(self):\n        return self.n()\nclass C(B):\n    def n(self):\n        return "a"\nPUB(C().t)',
+        "/a",
+    ),
+    case(
+        "cached property",
+        'import functools\nclass C:\n    @functools.cached_property\n    def t(self):\n        return "a"\nPUB(C().t)',
+        "/a",
+    ),
+    case(
+        "setter",
+        'class C:\n    @property\n    def t(self):\n        return self._t\n    @t.setter\n    def t(self, v):\n        self._t = v + "x"\nc = C()\nc.t = "b"\nPUB(c.t)',
+        "/bx",
+    ),
+    case(
+        "attribute of that name",
+        'class D:\n    pass\nclass C:\n    @property\n    def t(self):\n        return self._t\n    @t.setter\n    def t(self, v):\n        self._t = v + "x"\nd = D()\nd.t = "b"\nPUB(d.t)',
+        "/b",
+    ),
+    case("method", 'class C:\n    def t(self):\n        return "a"\nf = C().t\nPUB(f())', "/a"),
+    case("property of the class", "class C:\n    @property\n    def t(self):\n        return 'a'\nPUB(C.t)", "/?"),
+    case("the last definition", 'def f():\n    return "a"\ndef f():\n    return "b"\nPUB(f())', "/b"),
+    case(
+        "after one under a condition",
+        'if cond():\n    def f():\n        return "a"\ndef f():\n    return "b"\nPUB(f())',
+        "/b",
+    ),
+    case(
+        "one of two definitions",
+        'if cond():\n    def f():\n        return "a"\nelse:\n    def f():\n        return "b"\nPUB(f())',
+        "/?",
+    ),
+    case(
+        "another where an import fails",
+        'def f():\n    return "a"\ntry:\n    import q\nexcept ImportError:\n    def f():\n        return "b"\nPUB(f())',
+        "/?",
+    ),
+)
+
+
+@table(DEFINED)
+def test_properties_and_definitions(before: str, code: str, expected: list[str]) -> None:
+    assert names(python(f"def cond():\n    return input()\n{code}\n")) == expected

@@ -161,8 +161,8 @@ def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[
     return None
 
 
-def _entry(args: tuple[Argument, ...]) -> tuple[Any, Value] | None:
-    """The key and the value of an entry that a map is given; None if they are not known, or nested braces."""
+def _entry(run: Run, args: tuple[Argument, ...]) -> tuple[Any, Value] | None:
+    """The key and the value of an entry that a map is given; None if they are not known, nested braces, or one of several plug-ins."""
     values = [argument.value for argument in args]
     if len(values) == 1 and isinstance(values[0], Object) and values[0].name == tuples.PAIR:
         values = [cell.value for number in range(2) if (cell := tuples.part(values[0], number)) is not None]
@@ -171,7 +171,8 @@ def _entry(args: tuple[Argument, ...]) -> tuple[Any, Value] | None:
     if len(values) != 2 or not isinstance(values[0], Known) or not issubclass(values[0].kind, (str, int)):
         return None
     is_braces = isinstance(values[1], Sequence) and values[1].type is None
-    return None if is_braces else (values[0].value, values[1])
+    is_any = isinstance(values[1], Choice) and alternatives.are(run, values[1].options)
+    return None if is_braces or is_any else (values[0].value, values[1])
 
 
 def mapped(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Argument, ...]) -> Value | None:
@@ -187,7 +188,7 @@ def mapped(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Argu
         run.state.write(other, pairs)
         return NONE
     if name in PUTTING and isinstance(pairs, dict):
-        entry = _entry(args)
+        entry = _entry(run, args)
         if entry is not None and len(pairs) < LIST_LIMIT:
             fresh = {entry[0]: Cell(entry[1])}
             run.state.write(receiver.content, {**pairs, **fresh} if name == "insert_or_assign" else {**fresh, **pairs})

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Python's properties: what is read calls a method, what is assigned to calls another (docs.python.org/3/library/functions.html#property)."""
+
+from __future__ import annotations
+
+from haros_ci import syntax
+from haros_ci.follow import methods
+from haros_ci.follow.run import Run
+from haros_ci.syntax import Function
+from haros_ci.values.abstract import Callable, Object
+
+#: Decorators of methods that are called where their name is read, by the last part of their names.
+PROPERTIES = frozenset(("property", "cached_property", "abstractproperty"))
+
+
+def is_property(function: Function) -> bool:
+    """Whether a method is called where its name is read."""
+    return any(isinstance(d, (syntax.Name, syntax.Member)) and d.name in PROPERTIES for d in function.decorators)
+
+
+def setter(run: Run, this: Object, name: str) -> Callable | None:
+    """The method that an assignment to an attribute calls, of the object's class or its bases; None if there is none."""
+    if this.definition is None:
+        return None
+    found = methods.method_of(run, this, name)
+    if found is None:
+        return None
+    owner = found.function.owner
+    own = [
+        (source, each)
+        for source, each in run.index.functions.get(f"{owner}.{name}", ())
+        if source.path == found.source.path and _is_setter(each)
+    ]
+    return Callable(own[-1][0], own[-1][1], this) if own else None
+
+
+def has_setter(run: Run, name: str) -> bool:
+    """Whether an attribute of that name has a setter in some class."""
+    key = ("setters",)
+    if key not in run.found:
+        run.found[key] = frozenset(
+            name.rpartition(".")[2]
+            for name, found in dict.items(run.index.functions)
+            if any(source.separator == "." and _is_setter(each) for source, each in found)
+        )
+    return name in run.found[key]
+
+
+def _is_setter(function: Function) -> bool:
+    return any(isinstance(d, syntax.Member) and d.name == "setter" for d in function.decorators)
