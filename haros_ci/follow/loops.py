@@ -158,7 +158,10 @@ def _leave(run: Run, loop: Loop, *, goes_on: bool, ended: str = NEXT) -> str:
 
 def _matters(run: Run, frame: Frame, body: Block, test: Expression | None) -> bool:
     blocks = (body,) if test is None else (body, test)
-    return any(run.relevance.matters(block, frame.source, frame.function) for block in blocks)
+    function = frame.function
+    if function is None and frame.source.separator == ".":  # the module's variables may hold functions
+        function = next((each for each in frame.source.program.functions if each.kind == "module"), None)
+    return any(run.relevance.matters(block, frame.source, function) for block in blocks)
 
 
 def _worthwhile(run: Run, frame: Frame, body: Block, test: Expression | None) -> bool:

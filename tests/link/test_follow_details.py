@@ -239,21 +239,13 @@ PYTHON_REACHED = (
     case("default argument", 'def f(x=make("a")):\n    pass', "/a"),
     case("class body", 'class W:\n    p = make("a")', "/a"),
 )
-UNSEEN = "a loop's body is not seen to matter where what it calls is a variable (relevance.names)"
 NOT_REACHED = (
     because("a variable declared as a function's or method's pointer is lost", "function pointer", "method by pointer")
     | because("destructors are not called", "destructor")
     | because("what a default argument calls is not seen to matter", "default argument that makes")
 )
 NOT_REACHED_IN_PYTHON = (
-    because(
-        UNSEEN,
-        "alias of Publisher",
-        "alias of a function",
-        "partial in a loop of unknown length",
-        "class in a variable",
-    )
-    | because("a call of what a decorator returned is skipped as inert", "wrapper by a decorator")
+    because("a call of what a decorator returned is skipped as inert", "wrapper by a decorator")
     | because("with calls no __enter__", "context manager")
     | because("default arguments are not carried out", "default argument")
 )
