@@ -18,6 +18,7 @@ from haros_ci.follow import (
     lookup,
     members,
     operators,
+    properties,
     static_types,
     uncertain,
 )
@@ -102,7 +103,7 @@ def _this(run: Run, frame: Frame, expression: syntax.This) -> Value:
     around: Frame | None = frame
     while around is not None:
         if around.this is not None:
-            return around.this
+            return properties.this(around.function, around.this)
         around = around.outer
     return run.opaque("the object is not known", frame)
 

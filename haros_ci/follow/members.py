@@ -134,7 +134,7 @@ def attribute(run: Run, value: Value, name: str, frame: Frame) -> Value:
             ).value
         unbound = methods.class_method(run, value.source, value.definition, name)
         if unbound is not None:
-            return Callable(*unbound)
+            return properties.of_class(value, *unbound)
         if value.source.separator == ".":
             inside = class_inside(run, value.source, value.definition, name)
             if inside is not None:

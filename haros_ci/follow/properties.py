@@ -1,21 +1,46 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Python's properties: what is read calls a method, what is assigned to calls another (docs.python.org/3/library/functions.html#property)."""
+"""Python's properties, where what is read calls a method and what is assigned to calls another, and class methods (docs.python.org/3/library/functions.html)."""
 
 from __future__ import annotations
 
 from haros_ci import syntax
 from haros_ci.follow import methods
 from haros_ci.follow.run import Run
+from haros_ci.index.index import Source
 from haros_ci.syntax import Function
-from haros_ci.values.abstract import Callable, Object
+from haros_ci.values.abstract import Callable, ClassValue, Object, Value
 
 #: Decorators of methods that are called where their name is read, by the last part of their names.
 PROPERTIES = frozenset(("property", "cached_property", "abstractproperty"))
+
+#: Decorators of methods that are called on the class.
+OF_CLASS = frozenset(("classmethod", "abstractclassmethod"))
 
 
 def is_property(function: Function) -> bool:
     """Whether a method is called where its name is read."""
     return any(isinstance(d, (syntax.Name, syntax.Member)) and d.name in PROPERTIES for d in function.decorators)
+
+
+def _is_of_class(function: Function | None) -> bool:
+    """Whether the first argument of a method is its class."""
+    return (
+        function is not None
+        and function.is_static
+        and any(isinstance(d, (syntax.Name, syntax.Member)) and d.name in OF_CLASS for d in function.decorators)
+    )
+
+
+def of_class(owner: ClassValue, source: Source, function: Function) -> Callable:
+    """A method as the class *owner* has it: a class method is called on it."""
+    if not _is_of_class(function):
+        return Callable(source, function)
+    return Callable(source, function, Object(owner.definition.name, (), (owner.source, owner.definition)))
+
+
+def this(function: Function | None, held: Object) -> Value:
+    """What the first argument of a method is that is called on *held*: the object, or its class."""
+    return ClassValue(*held.definition) if held.definition is not None and _is_of_class(function) else held
 
 
 def setter(run: Run, this: Object, name: str) -> Callable | None:

@@ -734,6 +734,32 @@ DEFINED = (
         'class D:\n    pass\nclass C:\n    @property\n    def t(self):\n        return self._t\n    @t.setter\n    def t(self, v):\n        self._t = v + "x"\nd = D()\nd.t = "b"\nPUB(d.t)',
         "/b",
     ),
+    case(
+        "class method",
+        'class C:\n    T = "a"\n    @classmethod\n    def t(cls):\n        return cls.T\nPUB(C.t() + C().t())',
+        "/aa",
+    ),
+    case(
+        "class method of a base",
+        'class B:\n    T = "b"\n    @classmethod\n    def t(cls):\n        return cls.T\nclass C(B):\n    T = "a"\nPUB(C.t())',
+        "/a",
+    ),
+    case(
+        "class method that makes one",
+        'class C:\n    def __init__(self, t):\n        PUB(t)\n    @classmethod\n    def make(cls, t):\n        return cls(t)\nC.make("a")',
+        "/a",
+    ),
+    case(
+        "class method that sets",
+        'class C:\n    @classmethod\n    def set(cls):\n        cls.T = "a"\nC.set()\nPUB(C.T)',
+        "/?",
+    ),
+    case(
+        "static method",
+        'class C:\n    @staticmethod\n    def t(x):\n        return x\nPUB(C.t("a") + C().t("b"))',
+        "/ab",
+    ),
+    case("not called on an object", 'class C:\n    def t(self, x):\n        return x\nPUB(C.t(C(), "a"))', "/a"),
     case("method", 'class C:\n    def t(self):\n        return "a"\nf = C().t\nPUB(f())', "/a"),
     case("property of the class", "class C:\n    @property\n    def t(self):\n        return 'a'\nPUB(C.t)", "/?"),
     case("the last definition", 'def f():\n    return "a"\ndef f():\n    return "b"\nPUB(f())', "/b"),
