@@ -63,7 +63,12 @@ def assignment(run: Run, frame: Frame, expression: syntax.Assignment) -> Value:
         return _unpack(run, frame, target.arguments, expressions.evaluate(run, frame, source))
     run.references = None
     value = expressions.evaluate(run, frame, source)
-    if python and isinstance(target, syntax.Member) and symbol == "=" and _set(run, frame, target, value):
+    if (
+        python
+        and isinstance(target, syntax.Member)
+        and symbol == "="
+        and properties.assigned(run, frame, target, value)
+    ):
         return value
     is_lvalue = not python and (
         not isinstance(source, (syntax.Call, syntax.New, syntax.ListLiteral)) or run.references is not None
@@ -95,17 +100,6 @@ def assignment(run: Run, frame: Frame, expression: syntax.Assignment) -> Value:
         return held
     run.state.write(cell, value)
     return value
-
-
-def _set(run: Run, frame: Frame, target: syntax.Member, value: Value) -> bool:
-    """Whether a property of a class of the workspace is assigned to, which its setter does."""
-    if not properties.has_setter(run, target.name):
-        return False
-    owner = expressions.evaluate(run, frame, target.object)
-    method = properties.setter(run, owner, target.name) if isinstance(owner, Object) else None
-    if method is not None:
-        activation.invoke(run, frame, method, (call_arguments.Argument(value),))
-    return method is not None
 
 
 def _is_own(held: Object, kind: Type | None) -> bool:
@@ -239,12 +233,8 @@ def indexed(run: Run, frame: Frame, expression: syntax.Subscript) -> Value:
         except (LookupError, TypeError):
             if isinstance(container.value, (dict, list)) and frame.source.separator != ".":
                 return NONE  # yaml-cpp: an undefined node
-    if isinstance(container, Object) and container.definition is not None:
-        method = methods.method_of(run, container, "operator[]")
-        if method is not None:
-            return activation.invoke(run, frame, method, (call_arguments.Argument(key),))
-    if isinstance(container, Object) and isinstance(key, Known) and (part := tuples.part(container, key.value)):
-        return part.value
+    if isinstance(container, Object) and (part := _of_object(run, frame, container, key)) is not None:
+        return part
     cells = container.content.value if isinstance(container, Sequence) else ()
     if isinstance(cells, tuple) and isinstance(container, Sequence) and isinstance(key, Known):
         return run.opaque(f"there is no element {key.value}: the list has {len(cells)}", frame)
@@ -259,6 +249,15 @@ def indexed(run: Run, frame: Frame, expression: syntax.Subscript) -> Value:
     elif isinstance(container, Opaque) and container.type is not None and container.type.name in (SEQUENCES | MAPS):
         kind = container.type.of(len(container.type.arguments) - 1) if container.type.arguments else None
     return run.opaque("an element that is not known", frame, None, kind)
+
+
+def _of_object(run: Run, frame: Frame, container: Object, key: Value) -> Value | None:
+    """What ``operator[]`` of an object's class gives, or a part of a pair or struct that is taken apart."""
+    method = methods.method_of(run, container, "operator[]") if container.definition is not None else None
+    if method is not None:
+        return activation.invoke(run, frame, method, (call_arguments.Argument(key),))
+    part = tuples.part(container, key.value) if isinstance(key, Known) else None
+    return part.value if part is not None else None
 
 
 def _chosen(run: Run, frame: Frame, container: Mapped, key: Choice) -> Value:

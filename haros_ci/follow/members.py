@@ -116,10 +116,8 @@ def attribute(run: Run, value: Value, name: str, frame: Frame) -> Value:
         if cell is not None:
             return cell.value
         method = methods.method_of(run, value, name)
-        if method is not None and properties.is_property(method.function):
-            return activation.invoke(run, frame, method, ())
         if method is not None:
-            return method
+            return activation.invoke(run, frame, method, ()) if properties.is_property(method.function) else method
         if frame.source.separator == ".":
             held = of_class(run, value, name, frame)
             if held is not None:

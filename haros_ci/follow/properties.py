@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 from haros_ci import syntax
-from haros_ci.follow import methods
+from haros_ci.follow import activation, call_arguments, expressions, methods
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.run import Run
 from haros_ci.index.index import Source
 from haros_ci.syntax import Function
@@ -43,7 +44,18 @@ def this(function: Function | None, held: Object) -> Value:
     return ClassValue(*held.definition) if held.definition is not None and _is_of_class(function) else held
 
 
-def setter(run: Run, this: Object, name: str) -> Callable | None:
+def assigned(run: Run, frame: Frame, target: syntax.Member, value: Value) -> bool:
+    """Whether a property of a class of the workspace is assigned to, which its setter does."""
+    if not _has_setter(run, target.name):
+        return False
+    owner = expressions.evaluate(run, frame, target.object)
+    method = _setter(run, owner, target.name) if isinstance(owner, Object) else None
+    if method is not None:
+        activation.invoke(run, frame, method, (call_arguments.Argument(value),))
+    return method is not None
+
+
+def _setter(run: Run, this: Object, name: str) -> Callable | None:
     """The method that an assignment to an attribute calls, of the object's class or its bases; None if there is none."""
     if this.definition is None:
         return None
@@ -59,7 +71,7 @@ def setter(run: Run, this: Object, name: str) -> Callable | None:
     return Callable(own[-1][0], own[-1][1], this) if own else None
 
 
-def has_setter(run: Run, name: str) -> bool:
+def _has_setter(run: Run, name: str) -> bool:
     """Whether an attribute of that name has a setter in some class."""
     key = ("setters",)
     if key not in run.found:

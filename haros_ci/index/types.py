@@ -154,10 +154,7 @@ def resolve_type(
             return hidden
         else:
             spaces = {*index.opened(source)}
-            if head in INTERFACES:
-                inside = tail.partition("::")[0]
-                told = _of_interfaces(index, inside, source, {f"{space}::{head}" for space in spaces})
-                name = told + tail[len(inside) :] if told is not None else name
+            name = _inside_interfaces(index, name, source, spaces)
             whole = _by_include(index, head, source, scope) if head[:1].isupper() else head
             if whole == head and head not in spaces and name.startswith(f"{head}::"):
                 name = _of_library(index, name, spaces, scope)
@@ -218,6 +215,16 @@ def _of_interfaces(index: Index, name: str, source: Source, spaces: set[str]) ->
     known = {space for space, kind in kinds.items() if kind == "msg" and name in COMMON.get(space[:-5], ())}
     homes = homes or known
     return f"{homes.pop()}::{name}" if len(homes) == 1 else None
+
+
+def _inside_interfaces(index: Index, name: str, source: Source, spaces: set[str]) -> str:
+    """``msg::Type`` with the open namespace of its package, as far as that is told."""
+    head, _, tail = name.partition("::")
+    if head not in INTERFACES:
+        return name
+    inside = tail.partition("::")[0]
+    told = _of_interfaces(index, inside, source, {f"{space}::{head}" for space in spaces})
+    return told + tail[len(inside) :] if told is not None else name
 
 
 def _of_library(index: Index, name: str, spaces: set[str], scope: str) -> str:

@@ -175,6 +175,20 @@ def function(
         return library_yaml.yaml_stream(run, args[0].value)
     if name in patterns.NAMES:
         return patterns.matched(args)
+    if name in ("std::find_if", "std::find") and args:
+        return algorithms.found(run, frame, args)
+    if name in ("std::getline",) and len(args) >= 2 and args[1].cell is not None:
+        run.state.write(args[1].cell, run.opaque("it is read from a stream", frame, None, args[1].cell.type))
+        return run.opaque("whether a stream has more is not known", frame, None, syntax.Type("bool"))
+    if name in ("std::swap", "boost::swap", "swap") and len(args) == 2 and args[0].cell is not None:
+        return library_containers.swapped(run, args)
+    return _put_together(run, frame, name, args, targs)
+
+
+def _put_together(
+    run: Run, frame: Frame, name: str, args: tuple[Argument, ...], targs: tuple[syntax.Argument, ...]
+) -> Value | None:
+    """Functions that make tuples and texts, or go through a list."""
     if name == "std::for_each" and len(args) == 3:
         return algorithms.for_each(run, frame, args)
     if name == "std::get" and targs:
@@ -183,13 +197,6 @@ def function(
         return tuples.made(args)
     if name in formats.FMT and args:
         return formats.fmt(run, frame, args)
-    if name in ("std::find_if", "std::find") and args:
-        return algorithms.found(run, frame, args)
-    if name in ("std::getline",) and len(args) >= 2 and args[1].cell is not None:
-        run.state.write(args[1].cell, run.opaque("it is read from a stream", frame, None, args[1].cell.type))
-        return run.opaque("whether a stream has more is not known", frame, None, syntax.Type("bool"))
-    if name in ("std::swap", "boost::swap", "swap") and len(args) == 2 and args[0].cell is not None:
-        return library_containers.swapped(run, args)
     if name in ("sprintf", "snprintf", "std::sprintf", "std::snprintf") and args and args[0].cell is not None:
         run.state.write(args[0].cell, formats.printf(run, frame, args[1:], name.endswith("snprintf")))
         return run.opaque("the length of a text", frame, None, syntax.Type("int"))

@@ -188,11 +188,6 @@ def method(run: Run, frame: Frame, receiver: Value, name: str, args: tuple[Argum
         if name == "append" and args and isinstance(cells, tuple) and len(cells) < LIST_LIMIT:
             run.state.write(receiver.content, (*cells, Cell(args[0].value)))
             return NONE
-        if name == "clear":
-            run.state.write(receiver.content, ())
-            return NONE
-        if name == "copy" and isinstance(cells, tuple):
-            return Sequence(Cell(tuple(Cell(cell.value) for cell in cells)), receiver.type)
         if name == "extend" and args and isinstance(cells, tuple):
             more = comprehensions.items(args[0].value)
             if more is not None and len(cells) + len(more) <= LIST_LIMIT:

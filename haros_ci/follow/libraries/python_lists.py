@@ -97,8 +97,13 @@ def _data(items: list[Value]) -> list[Any] | None:
 def method(run: Run, receiver: Sequence, name: str, args: tuple[Argument, ...]) -> Value | None:
     """A method of a set, or one that puts a list's elements elsewhere; None if it cannot be told what it does."""
     cells: Any = receiver.content.value
+    if name == "clear":
+        run.state.write(receiver.content, ())
+        return NONE
     if not isinstance(cells, tuple) or any(argument.keyword for argument in args):
         return None
+    if name == "copy":
+        return Sequence(Cell(tuple(Cell(cell.value) for cell in cells)), receiver.type)
     if name in METHODS and args:
         found: Value | None = receiver
         for argument in args:
