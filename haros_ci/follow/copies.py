@@ -22,6 +22,8 @@ from haros_ci.values.abstract import Cell, Choice, Known, Mapped, Object, Opaque
 DEEP = 6
 CELLS = 2_000
 PAIR = "std::pair"
+#: Of what a lambda captures all by value: what is copied, whether it is used or not.
+CAPTURED = (Known, Text, Choice, Opaque, Sequence, Mapped)
 
 
 def is_by_value(kind: Type | None) -> bool:
@@ -289,14 +291,14 @@ def passed(run: Run, inner: Frame, value: Value, kind: Type, argument: call_argu
 
 
 def by_value(run: Run, frame: Frame, names: tuple[str, ...]) -> dict[str, Cell]:
-    """What a lambda has of the texts and numbers that it captures by value: what they are where it is made."""
+    """What a lambda captures by value, as it is where it is made; of all (``=``) texts, numbers, lists and maps."""
     found = {name: cell for scope in frame.scopes for name, cell in scope.items()} if "=" in names else {}
     found.update((name, cell) for name in names if (cell := frame.find(name)) is not None)
     return {
-        name: Cell(cell.value, cell.type)
+        name: Cell(copied(run, cell.value, cell.type), cell.type)
         for name, cell in found.items()
         if f"&{name}" not in names
-        and isinstance(cell.value, (Known, Text, Choice, Opaque))
+        and (isinstance(cell.value, CAPTURED) or (isinstance(cell.value, Object) and name in names))
         and cell not in run.lasting
         and all(cell is not each for each in run.statics.values())
     }

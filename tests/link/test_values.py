@@ -365,6 +365,39 @@ UNKNOWN = (
         "/b",
         before='struct C { std::string s = "a"; std::string get() { auto f = [=] { return s; }; s = "b"; return f(); } };',
     ),
+    case(
+        "a list by value",
+        'std::vector<std::string> v = {"a"}; auto f = [v] { return v[0]; }; v[0] = "b"; ADV(f(), 1);',
+        "/a",
+    ),
+    case(
+        "all lists by value",
+        'std::vector<std::string> v = {"a"}; auto f = [=] { return v[0]; }; v[0] = "b"; ADV(f(), 1);',
+        "/a",
+    ),
+    case(
+        "a list by reference",
+        'std::vector<std::string> v = {"a"}; auto f = [&v] { return v[0]; }; v[0] = "b"; ADV(f(), 1);',
+        "/b",
+    ),
+    case(
+        "an object by value",
+        'C c; auto f = [c] { return c.s; }; c.s = "b"; ADV(f(), 1);',
+        "/a",
+        before='struct C { std::string s = "a"; };',
+    ),
+    case(
+        "all objects by value",
+        'C c; auto f = [=] { return c.s; }; c.s = "b"; ADV(f(), 1);',
+        "/a",
+        before='struct C { std::string s = "a"; };',
+    ),
+    case(
+        "a shared pointer by value",
+        'auto c = std::make_shared<C>(); auto f = [c] { return c->s; }; c->s = "b"; ADV(f(), 1);',
+        "/b",
+        before='struct C { std::string s = "a"; };',
+    ),
     case("getenv", 'std::string s = "a"; if (getenv("X")) s = getenv("X"); ADV(s, 1);', "/?"),
     case(
         "overloads by type",
@@ -410,6 +443,10 @@ DEFECTS = (
         "integers have no width, and the remainder is Python's (operators._computed, converted)",
         "float compared with a double",
         "signed compared with unsigned",
+    )
+    | because(
+        "of what a lambda captures all by value, objects are the captured ones (copies.by_value)",
+        "all objects by value",
     )
     | because(
         "goto is passed over (extract/cpp statements)",
