@@ -125,6 +125,24 @@ def test_where_nothing_is_set_the_first_one_raises() -> None:
     assert names(found) == ["/?"]
 
 
+def test_what_is_called_back_after_an_exception() -> None:
+    loop = "    i = 0\n    while True:\n        s = rospy.get_param('~s%d' % i)\n        i += 1\n"
+    found = python(
+        f"def one(m):\n{loop}def two(m):\n    PUB('b')\n{loop}    PUB('c')\n"
+        "rospy.Subscriber('x', String, one)\nrospy.Subscriber('y', String, two)\n",
+        SENSORS,
+    )
+    assert names(found) == ["/b"]
+
+
+def test_an_exception_of_what_is_started() -> None:
+    loop = "i = 0\nwhile True:\n    s = rospy.get_param('~s%d' % i)\n    i += 1\n"
+    assert names(python(f"def cb(m):\n    PUB('b')\nrospy.Subscriber('x', String, cb)\n{loop}", SENSORS)) == ["/b"]
+    started = "def cb(m):\n    PUB('b')\ndef main():\n    rospy.Subscriber('x', String, cb)\n"
+    code = started + "".join(f"    {line}\n" for line in loop.splitlines()) + "main()\nPUB('c')\n"
+    assert names(python(code, SENSORS)) == ["/b"]
+
+
 COUNTED = (
     'i = 0\nwhile True:\n    PUB("s%d" % i)\n    i += 1\n    if cond():\n        break',
     'i = 0\nwhile True:\n    if cond():\n        break\n    PUB("s%d" % i)\n    i += 1',
