@@ -148,9 +148,8 @@ def of_template(
 
 
 def _vector(run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.Argument, ...]) -> Value:
-    if not arguments:
-        number = tuples.number_of(kind, 1) or 0
-        arguments = (call_arguments.Argument(Known(number)),) if 0 < number <= OBJECTS else ()
+    if not arguments and 0 < (number := tuples.number_of(kind, 1) or 0) <= OBJECTS:
+        arguments = (call_arguments.Argument(Known(number)),)
     if not arguments:
         return Sequence(Cell(()), kind)
     first = arguments[0].value
@@ -163,6 +162,7 @@ def _vector(run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.
             Cell(tuple(Cell(argument.value) for argument in arguments))
         )  # no other constructor takes texts
         return braces.from_list(run, frame, kind, items)
+    begin = create if tuples.is_unset(kind, inner) else of_template
     fill = arguments[1].value if len(arguments) > 1 else None
     within = fill.content.value if isinstance(fill, Sequence) else ()
     most = LIST_LIMIT // max(1, len(within) if isinstance(within, tuple) else 1)
@@ -172,7 +172,7 @@ def _vector(run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.
         cells = []
         for _ in range(first.value):
             given = copies.copied(run, fill, inner) if fill is not None else None
-            start = given if given is not None else of_template(run, frame, inner, (), Location(frame.source.path))
+            start = given if given is not None else begin(run, frame, inner, (), Location(frame.source.path))
             cells.append(Cell(start, inner))
         return Sequence(Cell(tuple(cells)), kind)
     return Sequence(Cell(run.opaque("a list of unknown length", frame)), kind)

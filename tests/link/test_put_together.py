@@ -102,6 +102,10 @@ CPP = (
         "/b",
         before='void fill(std::array<std::string, 2>& v) { v[0] = "a"; v[1] = "b"; }',
     ),
+    case("numbers of an array that are not set", 'std::array<int, 2> v; ADV("a" + std::to_string(v[0]), 1);', "/a?"),
+    case(
+        "pointers of an array", "std::array<C*, 2> v;", before='struct C { ros::NodeHandle nh; C() { ADV("a", 1); } };'
+    ),
     case("tuple", 'auto t = std::make_tuple("a", "b"); ADV(std::get<1>(t), 1);', "/b"),
     case(
         "tuples",

@@ -6,12 +6,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
+from haros_ci.follow import call_arguments
 from haros_ci.values.abstract import Cell, Object, Sequence, Value
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import Argument
 
 PAIR = "std::pair"
+#: Its elements have no value before they are set, where they are numbers.
+ARRAY = "std::array"
 TUPLE = syntax.Type("std::tuple")
 #: What std::get and structured bindings find a pair's parts under.
 PARTS = ("first", "second")
@@ -53,3 +56,8 @@ def number_of(kind: syntax.Type, place: int) -> int | None:
     if isinstance(given, syntax.Number) and type(given.value) is int:
         return given.value
     return None
+
+
+def is_unset(kind: syntax.Type, inner: syntax.Type) -> bool:
+    """Whether the elements of a container that is made without values have none: the numbers of an array."""
+    return kind.name == ARRAY and call_arguments.is_scalar(inner) and "*" not in inner.marks
