@@ -60,7 +60,7 @@ class Loop:
     turn: int = 0
     #: Whether only what is inside ends it, as far as its test tells.
     is_endless: bool = False
-    #: The places and names of parameters that its first turn has read, and nothing sets.
-    absent: set[tuple[Location, str]] = field(default_factory=set)
+    #: By place the names of parameters that its turns have read, and whether something sets them.
+    asked: dict[Location, dict[str, bool]] = field(default_factory=dict)
     breaks: list[dict[Cell, Any]] = field(default_factory=list)
     continues: list[dict[Cell, Any]] = field(default_factory=list)

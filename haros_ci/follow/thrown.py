@@ -20,25 +20,27 @@ if TYPE_CHECKING:
 CATCHING = ("KeyError", "LookupError", "Exception", "exception", "ParameterNotDeclared", "runtime_error", "...")
 
 
-def absent(run: Run, name: str, location: Location) -> bool:
-    """Whether reading a parameter without a default that nothing sets raises an exception.
+def raises(run: Run, name: str, location: Location, is_set: bool) -> bool:
+    """Whether reading a parameter without a default, which something sets or nothing, raises an exception that ends a loop.
 
-    In the first turn of a loop that goes on as if it were set. A later turn that asks for another name raises, and has not
-    come to that (``run.is_raised``) where the first one had nothing either.
+    In the first turn a loop goes on as if it were set. A later turn that asks for another name at that place raises, and has
+    not come to that (``run.is_raised``) where the first one had nothing either.
     """
     loop = next((loop for loop in reversed(run.turning) if loop.is_endless), None)
     if loop is None or run.dead or "?" in name:
         return False
-    if not loop.turn:
-        loop.absent.add((location, name))
-    elif (location, name) not in loop.absent:
-        run.is_raised = any(place == location for place, _ in loop.absent)
-        return True
-    return False
+    asked = loop.asked.setdefault(location, {})
+    if is_set or not loop.turn:
+        asked[name] = is_set
+        return False
+    if not asked or asked.get(name) is False:
+        return False
+    run.is_raised = not all(asked.values())
+    return True
 
 
 def catches(handler: syntax.Handler) -> bool:
-    """Whether a handler catches what ``absent`` raises."""
+    """Whether a handler catches what ``raises`` tells of."""
     text = f"{handler.text} {handler.type.name}"
     return not text.strip() or any(word in text for word in CATCHING)
 

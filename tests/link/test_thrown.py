@@ -84,6 +84,13 @@ GOES_ON = (
     ),
     case("a list of names", "for s in ('~x', '~y'):\n    PUB(rospy.get_param(s) + s[1:])", "/?x", "/?y"),
     case("one name", "while True:\n    s = rospy.get_param('~none')\n    PUB('a')\n    PUB('b')", "/a", "/b"),
+    case(
+        "another place in a later turn",
+        "k = 0\nwhile True:\n    if k == 0:\n        PUB('a' + rospy.get_param('~x'))\n        k = 1\n"
+        "    elif k == 1:\n        PUB('b' + rospy.get_param('~y'))\n        break",
+        "/a?",
+        "/b?",
+    ),
     case("has_param", "i = 0\nwhile rospy.has_param('~s%d' % i):\n    " + READ + "    i += 1", "/a", "/b"),
     case(
         "a branch that is not taken",

@@ -107,7 +107,7 @@ def _raises(applied: Applied, entry: Entry, name: str, default: Value | None) ->
         return False
     run = applied.run
     found = parameter_value(applied, run.context.remap(name), default)
-    return found is None and thrown.absent(run, name, applied.location)
+    return thrown.raises(run, name, applied.location, found is not None)
 
 
 def _fitting(found: Value, kind: str | None, default: Value | None) -> Value | None:

@@ -196,7 +196,7 @@ def _parameter(
         data = float(data)
     if entry.unsure:
         unknowns.append(("conditions", entry.unsure, applied.location))
-    raises = bool(run.turning) and value is None and _raises(applied, entry, node, full)
+    raises = bool(run.turning) and _raises(applied, entry, node, full, value is not None)
     make(
         run,
         Made(
@@ -233,11 +233,13 @@ def _parameter(
     return value
 
 
-def _raises(applied: Applied, entry: Entry, node: RosNode | None, full: str) -> bool:
+def _raises(applied: Applied, entry: Entry, node: RosNode | None, full: str, is_set: bool) -> bool:
     """Whether a parameter is read that is not declared, which ends a loop."""
     if not entry.strict or entry.kind != "getters" or applied.frame.is_dead or node is None:
         return False
-    return not node.whole.options.get(ros2_nodes.UNDECLARED) and thrown.absent(applied.run, full, applied.location)
+    return not node.whole.options.get(ros2_nodes.UNDECLARED) and thrown.raises(
+        applied.run, full, applied.location, is_set
+    )
 
 
 def _unwrapped(value: Value | None) -> Value | None:
