@@ -45,20 +45,23 @@ def _set(run: Run, this: Object, fields: dict[str, tuple[Source, Field]], args: 
     rest = [argument.value for argument in args if not argument.keyword]
     is_told = not rest or all(each.type.name for _, each in fields.values())
     for name, (where, each) in fields.items():
-        options = _options(where, each)
-        value: Value | None = None
-        if not is_told:  # which of them are fields is not told
-            value = Opaque(OTHER)
-        elif "*" in named or "**" in named:
+        # where it is not told, which of them are fields is not
+        value = _first_of(run, where, _options(where, each), named.get(name), rest) if is_told else Opaque(OTHER)
+        if is_told and not named.keys().isdisjoint(("*", "**")):
             value = named.get(name) or Opaque(call_arguments.UNPACKED)
-        elif options.get("init") == syntax.Boolean(False):
-            value = _default(run, where, options)
-        elif rest:
-            value = rest.pop(0)
-        else:
-            value = named.get(name) or _default(run, where, options)
         if value is not None:
             this.fields[name] = Cell(value)
+
+
+def _first_of(
+    run: Run, where: Source, options: dict[str, syntax.Expression], named: Value | None, rest: list[Value]
+) -> Value | None:
+    """What a field begins with: one of the *rest* of the arguments, that of its name, or what its declaration says."""
+    if options.get("init") == syntax.Boolean(False):
+        return _default(run, where, options)
+    if rest:
+        return rest.pop(0)
+    return named or _default(run, where, options)
 
 
 def _fields(run: Run, source: Source, definition: Class, depth: int) -> dict[str, tuple[Source, Field]]:

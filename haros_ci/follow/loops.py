@@ -77,8 +77,7 @@ def _turned(
     start, first = (keep(run), run.state.mark()) if is_kept else None, 0
     for turn in range(TURNS):
         if turn or statement.keyword != "do":
-            met = expressions.evaluate(run, frame, test) if test is not None else None
-            holds = expressions.holds(run, frame, test, met) if test is not None and met is not None else None
+            holds = _holds(run, frame, test)
             if holds is False:
                 return _leave(run, loop, goes_on=True)
             if holds is None:
@@ -94,6 +93,13 @@ def _turned(
         run.state.undo(start[1])
         loop.breaks.clear()
     return None
+
+
+def _holds(run: Run, frame: Frame, test: Expression | None) -> bool | None:
+    """Whether the test of a loop is true; None if that is not known, or there is none."""
+    if test is None:
+        return None
+    return expressions.holds(run, frame, test, expressions.evaluate(run, frame, test))
 
 
 def _turn(run: Run, frame: Frame, loop: Loop, body: Callable[[], str], after: Callable[[], None] | None = None) -> str:

@@ -219,17 +219,12 @@ def _try(run: Run, frame: Frame, statement: syntax.Try) -> str:
     block, handlers = statement.body, statement.handlers
     mark = run.state.mark()
     is_caught = frame.function is not None and frame.function.name != "main" and not harmless.are_ends(handlers)
-    loop = run.loops[-1] if run.loops else None
-    is_left = loop is not None and not loop.is_endless and thrown.leaves(handlers)
     run.trying += is_caught
-    if is_left and loop is not None:
-        loop.is_endless = True
     try:
-        ended = execute(run, frame, block)
+        with thrown.left(run, handlers):
+            ended = execute(run, frame, block)
     finally:
         run.trying -= is_caught
-        if is_left and loop is not None:
-            loop.is_endless = False
     after = run.state.undo(mark)
     branches: list[tuple[str, Writes]] = [(ended, after)]
     for handler in handlers:
@@ -250,9 +245,8 @@ def _try(run: Run, frame: Frame, statement: syntax.Try) -> str:
         own = run.state.since(begun)
         run.state.undo(start)
         branches.append((how, {**after, **own}))
-    if ended == RAISED and not any(map(thrown.catches, handlers)):
-        branches = branches[:1]
-    return merge(run, frame, branches, None)
+    is_passed_on = ended == RAISED and not any(map(thrown.catches, handlers))
+    return merge(run, frame, branches[:1] if is_passed_on else branches, None)
 
 
 def _is_failure(value: Value) -> bool:

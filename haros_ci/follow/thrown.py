@@ -7,6 +7,8 @@ Elsewhere a node is followed as if its parameters were set: what it makes then i
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
@@ -52,7 +54,21 @@ def is_endless(test: Expression | None) -> bool:
     return test is None or isinstance(test, (syntax.Name, syntax.Member))
 
 
-def leaves(handlers: tuple[syntax.Handler, ...]) -> bool:
+@contextmanager
+def left(run: Run, handlers: tuple[syntax.Handler, ...]) -> Iterator[None]:
+    """In the block of a ``try`` whose *handlers* leave the loop around it, exceptions end that loop."""
+    loop = run.loops[-1] if run.loops else None
+    if loop is None or loop.is_endless or not _leaves(handlers):
+        yield
+        return
+    loop.is_endless = True
+    try:
+        yield
+    finally:
+        loop.is_endless = False
+
+
+def _leaves(handlers: tuple[syntax.Handler, ...]) -> bool:
     """Whether a handler of these exceptions leaves the loop around it."""
     return any(
         catches(each) and any(isinstance(last, (syntax.Break, syntax.Return)) for last in each.body[-1:])

@@ -161,13 +161,17 @@ def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[
     return None
 
 
+def _parts(value: Value) -> list[Value]:
+    """The key and the value of a pair, or of what stands in braces."""
+    if isinstance(value, Object) and value.name == tuples.PAIR:
+        return [cell.value for number in range(2) if (cell := tuples.part(value, number)) is not None]
+    cells = value.content.value if isinstance(value, Sequence) else ()
+    return [cell.value for cell in cells] if isinstance(cells, tuple) else []
+
+
 def _entry(run: Run, args: tuple[Argument, ...]) -> tuple[Any, Value] | None:
     """The key and the value of an entry that a map is given; None if they are not known, nested braces, or one of several plug-ins."""
-    values = [argument.value for argument in args]
-    if len(values) == 1 and isinstance(values[0], Object) and values[0].name == tuples.PAIR:
-        values = [cell.value for number in range(2) if (cell := tuples.part(values[0], number)) is not None]
-    elif len(values) == 1 and isinstance(values[0], Sequence) and isinstance(values[0].content.value, tuple):
-        values = [cell.value for cell in values[0].content.value]
+    values = _parts(args[0].value) if len(args) == 1 else [argument.value for argument in args]
     if len(values) != 2 or not isinstance(values[0], Known) or not issubclass(values[0].kind, (str, int)):
         return None
     is_braces = isinstance(values[1], Sequence) and values[1].type is None

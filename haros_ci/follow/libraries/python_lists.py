@@ -74,8 +74,11 @@ def combined(symbol: str, left: Value, right: Value) -> Sequence | None:
     one, other = comprehensions.items(left), comprehensions.items(right)
     if one is None or other is None or len(one) + len(other) > LIST_LIMIT:
         return None
-    if symbol == "|":
-        return made([*one, *other])
+    return made([*one, *other]) if symbol == "|" else _chosen(symbol, one, other)
+
+
+def _chosen(symbol: str, one: list[Value], other: list[Value]) -> Sequence | None:
+    """The elements of two sets that an operator leaves; None if they are not known."""
     first, second = _data(one), _data(other)
     if first is None or second is None:
         return None
@@ -105,19 +108,25 @@ def method(run: Run, receiver: Sequence, name: str, args: tuple[Argument, ...]) 
     if name == "copy":
         return Sequence(Cell(tuple(Cell(cell.value) for cell in cells)), receiver.type)
     if name in METHODS and args:
-        found: Value | None = receiver
-        for argument in args:
-            found = combined(METHODS[name][0], found, argument.value) if found is not None else None
-        if not isinstance(found, Sequence) or not METHODS[name].endswith("="):
-            return found
-        run.state.write(receiver.content, _with(cells, found) if name == "update" else found.content.value)
-        return NONE
+        return _combining(run, receiver, name, args)
     if name == "add" and len(args) == 1 and len(cells) < LIST_LIMIT:
         run.state.write(receiver.content, _with(cells, [args[0].value]))
         return NONE
     if name in ("remove", "discard") and len(args) == 1:
         return _removed(run, receiver, cells, args[0].value)
     return None if is_set(receiver) else _at_place(run, receiver, cells, name, args)
+
+
+def _combining(run: Run, receiver: Sequence, name: str, args: tuple[Argument, ...]) -> Value | None:
+    """A method of a set that takes others: a new set, or the same with other elements."""
+    found: Value | None = receiver
+    for argument in args:
+        found = combined(METHODS[name][0], found, argument.value) if found is not None else None
+    if not isinstance(found, Sequence) or not METHODS[name].endswith("="):
+        return found
+    content = found.content.value
+    run.state.write(receiver.content, _with(receiver.content.value, found) if name == "update" else content)
+    return NONE
 
 
 def _removed(run: Run, receiver: Sequence, cells: tuple[Cell, ...], wanted: Value) -> Value | None:
@@ -174,9 +183,15 @@ def function(name: str, args: tuple[Argument, ...]) -> Value | None:
         return None
     if name in ("set", "frozenset"):
         return made(lists[0] if lists else []) if len(lists) < 2 else None
-    if name == "itertools.chain":
-        whole = [item for items in lists for item in items]
-        return Sequence(Cell(tuple(map(Cell, whole)))) if len(whole) <= LIST_LIMIT else None
+    return _chain(lists) if name == "itertools.chain" else _product(lists)
+
+
+def _chain(lists: list[list[Value]]) -> Value | None:
+    whole = [item for items in lists for item in items]
+    return Sequence(Cell(tuple(map(Cell, whole)))) if len(whole) <= LIST_LIMIT else None
+
+
+def _product(lists: list[list[Value]]) -> Value | None:
     if prod(map(len, lists)) * len(lists) > LIST_LIMIT:
         return None
     return Sequence(Cell(tuple(Cell(Sequence(Cell(tuple(map(Cell, row))))) for row in product(*lists))))
