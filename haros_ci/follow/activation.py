@@ -18,7 +18,7 @@ from haros_ci.follow import (
     overloads,
     statements,
 )
-from haros_ci.follow.frames import NEXT, Frame
+from haros_ci.follow.frames import NEXT, RAISED, Frame
 from haros_ci.follow.libraries import library
 from haros_ci.follow.run import DEPTH, Run
 from haros_ci.index.index import EITHER, Source
@@ -305,6 +305,7 @@ def follow_body(run: Run, inner: Frame, function: Function) -> Value:
         run.loops = loops
         run.active.pop()
         del run.conditions[len(run.conditions) - len(guards) :]
+    run.is_raised = run.is_raised or (ended == RAISED and not inner.exits)
     if inner.exits:
         branches = list(inner.exits)
         if ended == NEXT and not inner.is_dead:

@@ -20,11 +20,12 @@ from haros_ci.follow import (
     members,
     methods,
     operators,
+    properties,
     slices,
     uncertain,
 )
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.libraries import texts
+from haros_ci.follow.libraries import python_lists, texts, tuples
 from haros_ci.follow.run import Run
 from haros_ci.index.types import MAPS, SEQUENCES
 from haros_ci.syntax import Expression, Type
@@ -62,6 +63,13 @@ def assignment(run: Run, frame: Frame, expression: syntax.Assignment) -> Value:
         return _unpack(run, frame, target.arguments, expressions.evaluate(run, frame, source))
     run.references = None
     value = expressions.evaluate(run, frame, source)
+    if (
+        python
+        and isinstance(target, syntax.Member)
+        and symbol == "="
+        and properties.assigned(run, frame, target, value)
+    ):
+        return value
     is_lvalue = not python and (
         not isinstance(source, (syntax.Call, syntax.New, syntax.ListLiteral)) or run.references is not None
     )
@@ -76,8 +84,8 @@ def assignment(run: Run, frame: Frame, expression: syntax.Assignment) -> Value:
         if method is not None and method.function.body is not None:
             return activation.invoke(run, frame, method, (argument,))
     if symbol != "=":
-        if python and symbol == "+=" and isinstance(held, Sequence):
-            return _extended(run, frame, held, value)
+        if python and isinstance(held, Sequence) and symbol[0] in python_lists.CHANGING:
+            return python_lists.changed(run, frame, held, symbol[0], value)
         value = operators.binary(run, frame, symbol[:-1], held, value)
     elif isinstance(source, syntax.ListLiteral) and not python and cell.type is not None:
         value = braces.from_list(run, frame, cell.type, value)
@@ -124,27 +132,12 @@ def _fill(run: Run, held: Object, value: Value) -> bool:
     return value.definition[1] is held.definition[1]
 
 
-def _extended(run: Run, frame: Frame, held: Sequence, value: Value) -> Value:
-    """Python's ``l += m``: the list itself is longer."""
-    cells: Any = held.content.value
-    items: list[Value] | None = None
-    if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
-        items = [cell.value for cell in value.content.value]
-    elif isinstance(value, Known) and issubclass(value.kind, list):
-        items = [Known(item) for item in value.value]
-    if items is None or not isinstance(cells, tuple) or len(cells) + len(items) > LIST_LIMIT:
-        run.state.write(held.content, run.opaque("a list that is changed", frame))
-    else:
-        run.state.write(held.content, (*cells, *(Cell(item) for item in items)))
-    return held
-
-
 def _unpack(run: Run, frame: Frame, targets: tuple[Expression, ...], value: Value) -> Value:
     items: list[Value] | None = None
     if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
         items = [cell.value for cell in value.content.value]
-    elif isinstance(value, Object) and value.name == "std::pair" and {"first", "second"} <= value.fields.keys():
-        items = [value.fields["first"].value, value.fields["second"].value]
+    elif isinstance(value, Object) and value.name == tuples.PAIR:
+        items = [cell.value for number in range(2) if (cell := tuples.part(value, number)) is not None]
     known = (
         items is not None and len(items) == len(targets) and not any(isinstance(item, syntax.Star) for item in targets)
     )
@@ -240,10 +233,8 @@ def indexed(run: Run, frame: Frame, expression: syntax.Subscript) -> Value:
         except (LookupError, TypeError):
             if isinstance(container.value, (dict, list)) and frame.source.separator != ".":
                 return NONE  # yaml-cpp: an undefined node
-    if isinstance(container, Object) and container.definition is not None:
-        method = methods.method_of(run, container, "operator[]")
-        if method is not None:
-            return activation.invoke(run, frame, method, (call_arguments.Argument(key),))
+    if isinstance(container, Object) and (part := _of_object(run, frame, container, key)) is not None:
+        return part
     cells = container.content.value if isinstance(container, Sequence) else ()
     if isinstance(cells, tuple) and isinstance(container, Sequence) and isinstance(key, Known):
         return run.opaque(f"there is no element {key.value}: the list has {len(cells)}", frame)
@@ -258,6 +249,15 @@ def indexed(run: Run, frame: Frame, expression: syntax.Subscript) -> Value:
     elif isinstance(container, Opaque) and container.type is not None and container.type.name in (SEQUENCES | MAPS):
         kind = container.type.of(len(container.type.arguments) - 1) if container.type.arguments else None
     return run.opaque("an element that is not known", frame, None, kind)
+
+
+def _of_object(run: Run, frame: Frame, container: Object, key: Value) -> Value | None:
+    """What ``operator[]`` of an object's class gives, or a part of a pair or struct that is taken apart."""
+    method = methods.method_of(run, container, "operator[]") if container.definition is not None else None
+    if method is not None:
+        return activation.invoke(run, frame, method, (call_arguments.Argument(key),))
+    part = tuples.part(container, key.value) if isinstance(key, Known) else None
+    return part.value if part is not None else None
 
 
 def _chosen(run: Run, frame: Frame, container: Mapped, key: Choice) -> Value:

@@ -54,7 +54,7 @@ def register(
         for option in value.options:
             register(run, option, others, is_update, doubt=ONE_OF)
         return
-    if not isinstance(value, Callable):
+    if not isinstance(value, Callable) or run.is_raised:
         return
     function = value.function
     if value.this is None and function.owner and value.frame is None:

@@ -18,6 +18,7 @@ from haros_ci.follow import (
     library_calls,
     members,
     methods,
+    packs,
     partials,
     static_types,
     twins,
@@ -45,6 +46,9 @@ from haros_ci.values.abstract import (
     Value,
 )
 
+#: What an expression of a pack is for each of its elements.
+FOLD = syntax.Name("[fold]")
+
 
 def call(run: Run, frame: Frame, expression: syntax.Call) -> Value:
     """The value of a call, with all that it makes, stores and registers on the way."""
@@ -54,6 +58,8 @@ def call(run: Run, frame: Frame, expression: syntax.Call) -> Value:
     receiver_cell: Cell | None = None
     name = ""
     twins.called(run, callee)
+    if callee == FOLD:
+        return packs.folded(run, frame, written[0])
     if isinstance(callee, syntax.Member):
         name = callee.name
         receiver_cell = (

@@ -13,13 +13,14 @@ from haros_ci.follow import (
     callbacks,
     conversions,
     copies,
+    data_classes,
     expressions,
     methods,
     uncertain,
 )
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
-from haros_ci.follow.libraries import texts
+from haros_ci.follow.libraries import texts, tuples
 from haros_ci.follow.run import Run
 from haros_ci.index.index import Source
 from haros_ci.index.ros_types import parameter_type
@@ -117,6 +118,8 @@ def create(
         if not isinstance(given, Mapped):
             return Mapped(Cell(run.opaque("a map that is built in a way that is not followed", frame)))
         return copies.copied(run, given, kind)
+    if name == tuples.TUPLE.name:
+        return arguments[0].value if len(arguments) == 1 and len(kind.arguments) != 1 else tuples.made(arguments)
     if call_arguments.is_scalar(kind):
         if arguments:
             return conversions.converted(arguments[0].value, kind)
@@ -136,7 +139,7 @@ ZEROS = {"bool": FALSE, "int": Known(0), "double": Known(0.0)}
 def of_template(
     run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.Argument, ...], location: Location
 ) -> Value:
-    """``T{...}`` or ``T(...)`` of the type that a template parameter stands for."""
+    """``T{...}`` or ``T(...)`` of the type that a template parameter stands for, and elements that a list is made with."""
     if "*" in kind.marks:
         return arguments[0].value if arguments else NONE
     if not arguments and call_arguments.is_scalar(kind):
@@ -145,6 +148,8 @@ def of_template(
 
 
 def _vector(run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.Argument, ...]) -> Value:
+    if not arguments and 0 < (number := tuples.number_of(kind, 1) or 0) <= OBJECTS:
+        arguments = (call_arguments.Argument(Known(number)),)
     if not arguments:
         return Sequence(Cell(()), kind)
     first = arguments[0].value
@@ -157,6 +162,7 @@ def _vector(run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.
             Cell(tuple(Cell(argument.value) for argument in arguments))
         )  # no other constructor takes texts
         return braces.from_list(run, frame, kind, items)
+    begin = create if tuples.is_unset(kind, inner) else of_template
     fill = arguments[1].value if len(arguments) > 1 else None
     within = fill.content.value if isinstance(fill, Sequence) else ()
     most = LIST_LIMIT // max(1, len(within) if isinstance(within, tuple) else 1)
@@ -166,7 +172,7 @@ def _vector(run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.
         cells = []
         for _ in range(first.value):
             given = copies.copied(run, fill, inner) if fill is not None else None
-            start = given if given is not None else create(run, frame, inner, (), Location(frame.source.path))
+            start = given if given is not None else begin(run, frame, inner, (), Location(frame.source.path))
             cells.append(Cell(start, inner))
         return Sequence(Cell(tuple(cells)), kind)
     return Sequence(Cell(run.opaque("a list of unknown length", frame)), kind)
@@ -336,6 +342,8 @@ def python_construct(
     method = methods.method_of(run, this, "__init__")
     if method is not None:
         activation.invoke(run, frame, method, arguments)
+    else:
+        data_classes.construct(run, frame, this, arguments)
     for base in methods.library_bases(run, source, definition):
         if method is None:
             library_objects.construct_library(run, frame, this, syntax.Type(base), arguments, location)

@@ -16,12 +16,14 @@ from haros_ci.index.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer, poi
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Expression, Function, Type
 from haros_ci.syntax.walk import everything
-from haros_ci.values.abstract import Cell, Choice, Mapped, Object, Opaque, Sequence, Value
+from haros_ci.values.abstract import Cell, Choice, Known, Mapped, Object, Opaque, Sequence, Text, Value
 
 #: Values inside values that are copied, and all of them together.
 DEEP = 6
 CELLS = 2_000
 PAIR = "std::pair"
+#: Of what a lambda captures all by value: what is copied, whether it is used or not.
+CAPTURED = (Known, Text, Choice, Opaque, Sequence, Mapped)
 
 
 def is_by_value(kind: Type | None) -> bool:
@@ -286,6 +288,20 @@ def passed(run: Run, inner: Frame, value: Value, kind: Type, argument: call_argu
     if is_open:
         return copied(run, value, argument.cell.type if argument.cell is not None and not kind.marks else None)
     return copied(run, value, kind)
+
+
+def by_value(run: Run, frame: Frame, names: tuple[str, ...]) -> dict[str, Cell]:
+    """What a lambda captures by value, as it is where it is made; of all (``=``) texts, numbers, lists and maps."""
+    found = {name: cell for scope in frame.scopes for name, cell in scope.items()} if "=" in names else {}
+    found.update((name, cell) for name in names if (cell := frame.find(name)) is not None)
+    return {
+        name: Cell(copied(run, cell.value, cell.type), cell.type)
+        for name, cell in found.items()
+        if f"&{name}" not in names
+        and (isinstance(cell.value, CAPTURED) or (isinstance(cell.value, Object) and name in names))
+        and cell not in run.lasting
+        and all(cell is not each for each in run.statics.values())
+    }
 
 
 def captures(run: Run, frame: Frame, index: int) -> tuple[Function, tuple[syntax.Variable, ...]]:

@@ -18,6 +18,7 @@ from haros_ci.follow import (
     lookup,
     members,
     operators,
+    properties,
     static_types,
     uncertain,
 )
@@ -102,7 +103,7 @@ def _this(run: Run, frame: Frame, expression: syntax.This) -> Value:
     around: Frame | None = frame
     while around is not None:
         if around.this is not None:
-            return around.this
+            return properties.this(around.function, around.this)
         around = around.outer
     return run.opaque("the object is not known", frame)
 
@@ -157,6 +158,8 @@ def _lambda(run: Run, frame: Frame, expression: syntax.Lambda) -> Value:
         held = construct.initial(run, frame, syntax.AUTO, each.init, place)
         kind = copies.static_copy(run, frame, each.init.value) if isinstance(each.init, syntax.Equals) else None
         around.scopes = [*around.scopes, {each.name: Cell(held, kind)}]
+    if function.captures:
+        around.scopes = [*around.scopes, copies.by_value(run, frame, function.captures)]
     return Callable(frame.source, function, here(frame), frame=around)
 
 

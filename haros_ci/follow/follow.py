@@ -294,7 +294,7 @@ def _together(effects: Iterable[Writes], found: dict[Cell, Any] | None = None) -
 
 def _invoke(run: Run, frame: Frame, root: Root) -> None:
     before, dead = run.conditions[:], run.dead_root
-    run.conditions[:], run.dead_root = root.conditions, root.dead
+    run.conditions[:], run.dead_root, run.is_raised = root.conditions, root.dead, False
     for cell, value in root.writes.items():
         run.state.write(cell, value)
     if root.is_tick:

@@ -9,11 +9,14 @@ from typing import Any
 
 from haros_ci import syntax
 from haros_ci.index.index import Source
+from haros_ci.model.location import Location
 from haros_ci.syntax import Function
 from haros_ci.values.abstract import Cell, Object, Value
 
 #: How a block ends: it falls through, or it leaves in one of these ways.
 NEXT, RETURN, BREAK, CONTINUE, THROW = "next", "return", "break", "continue", "throw"
+#: It ends by an exception that goes on through the functions around it (``follow.thrown``).
+RAISED = "raised"
 
 
 @dataclass(slots=True)
@@ -55,5 +58,9 @@ class Loop:
     is_switch: bool = False
     #: How many turns have been gone through, where that is done one by one.
     turn: int = 0
+    #: Whether only what is inside ends it, as far as its test tells.
+    is_endless: bool = False
+    #: By place the names of parameters that its turns have read, and whether something sets them.
+    asked: dict[Location, dict[str, bool]] = field(default_factory=dict)
     breaks: list[dict[Cell, Any]] = field(default_factory=list)
     continues: list[dict[Cell, Any]] = field(default_factory=list)

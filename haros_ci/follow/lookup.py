@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from haros_ci import syntax
-from haros_ci.follow import construct, conversions, expressions, members, methods
+from haros_ci.follow import construct, conversions, expressions, members, methods, overloads
 from haros_ci.follow.frames import NEXT, Frame
 from haros_ci.follow.libraries import cpp as library_cpp
 from haros_ci.follow.libraries import numbers as library_numbers
@@ -210,13 +210,13 @@ def python_name(run: Run, frame: Frame, name: str) -> Value:
         return Known({"True": True, "False": False, "None": None}[name])
     found = run.index.near(run.index.classes, name, frame.source, run.files)
     if found and found[0][0].path == frame.source.path:
-        return ClassValue(*found[0])
+        return overloads.either([ClassValue(*each) for each in overloads.last(found)])
     functions = [f for f in run.index.functions.get(name, ()) if f[0].path == frame.source.path]
     if frame.function is None and frame.scope:  # the body of a class
         own = run.index.functions.get(f"{frame.scope}.{name}", ())
         functions = [f for f in own if f[0].path == frame.source.path] or functions
     if functions:
-        return Callable(functions[-1][0], functions[-1][1])
+        return overloads.either([Callable(*each) for each in overloads.last(functions)])
     looking = ("looking", frame.source.path, name)
     if looking not in run.found:  # else modules import each other
         run.found[looking] = True
@@ -306,7 +306,7 @@ def imported(run: Run, frame: Frame, target: str) -> Value:
             break
         rest.append(last)
     beside = python_modules.beside(run, frame.source, target)
-    return imported(run, frame, beside) if beside is not None else Library(target)
+    return imported(run, frame, beside) if beside is not None else Library(python_modules.passed_on(target))
 
 
 def is_generated(run: Run, source: Source, name: str) -> bool:

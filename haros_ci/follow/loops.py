@@ -8,7 +8,7 @@ from functools import partial
 from typing import Any
 
 from haros_ci import syntax
-from haros_ci.follow import alternatives, expressions, statements, static_types
+from haros_ci.follow import alternatives, expressions, statements, static_types, thrown
 from haros_ci.follow.frames import BREAK, CONTINUE, NEXT, Frame, Loop
 from haros_ci.follow.made import forget_dead, go_back, keep
 from haros_ci.follow.run import TURNS, Run
@@ -54,24 +54,9 @@ def loop(run: Run, frame: Frame, statement: syntax.Loop) -> str:
         for item in first:
             statements.STATEMENTS[type(item)](run, frame, item)
         with run.under(keyword, text, frame, line, column):
-            before = run.steps - run.aside
-            worthwhile = _worthwhile(run, frame, body, test)
-            for turn in range(TURNS):
-                if turn or keyword != "do":
-                    met = expressions.evaluate(run, frame, test) if test is not None else None
-                    holds = expressions.holds(run, frame, test, met) if test is not None and met is not None else None
-                    if holds is False:
-                        return _leave(run, current, goes_on=True)
-                    if holds is None:
-                        break
-                if not worthwhile or run.steps - run.aside - before > LONG:
-                    break
-                run.turns *= 2
-                current.turn = turn
-                ended = _turn(run, frame, current, one, after)
-                run.turns //= 2
-                if ended != NEXT:
-                    return _leave(run, current, goes_on=False, ended=ended)
+            ended = _turned(run, frame, statement, current, one, after)
+            if ended is not None:
+                return ended
             current.turn = 0
             matters = _matters(run, frame, body, test)
             _widened(run, frame, current, matters, line, one, after_and_test)
@@ -81,12 +66,62 @@ def loop(run: Run, frame: Frame, statement: syntax.Loop) -> str:
         forget_dead(run, known)
 
 
+def _turned(
+    run: Run, frame: Frame, statement: syntax.Loop, loop: Loop, one: Callable[[], str], after: Callable[[], None]
+) -> str | None:
+    """Go through a loop turn by turn, as long as that is known and worth it: how it ends; None if that is not seen."""
+    test, before = statement.test, run.steps - run.aside
+    worthwhile = _worthwhile(run, frame, statement.body, test)
+    loop.is_endless = thrown.is_endless(test)
+    is_kept = loop.is_endless and worthwhile and not run.quiet
+    start, first = (keep(run), run.state.mark()) if is_kept else None, 0
+    for turn in range(TURNS):
+        if turn or statement.keyword != "do":
+            holds = _holds(run, frame, test)
+            if holds is False:
+                return _leave(run, loop, goes_on=True)
+            if holds is None:
+                return None
+        if not worthwhile or run.steps - run.aside - before > LONG:
+            break
+        ended = _counted(run, frame, loop, turn, one, after)
+        if ended != NEXT:
+            return _leave(run, loop, goes_on=False, ended=ended)
+        first = first or len(run.made)
+    if start is not None and len(run.made) > first:  # which of its turns there are is not known
+        go_back(run, start[0])
+        run.state.undo(start[1])
+        loop.breaks.clear()
+    return None
+
+
+def _holds(run: Run, frame: Frame, test: Expression | None) -> bool | None:
+    """Whether the test of a loop is true; None if that is not known, or there is none."""
+    if test is None:
+        return None
+    return expressions.holds(run, frame, test, expressions.evaluate(run, frame, test))
+
+
 def _turn(run: Run, frame: Frame, loop: Loop, body: Callable[[], str], after: Callable[[], None] | None = None) -> str:
     """One turn of a loop, and what comes *after* it if the loop goes on."""
     ended = _body(run, frame, loop, body)
     if ended == NEXT and after is not None:
         after()
     return ended
+
+
+def _counted(
+    run: Run, frame: Frame, loop: Loop, number: int, body: Callable[[], str], after: Callable[[], None] | None = None
+) -> str:
+    """The turn of that *number*, where they are gone through one by one."""
+    run.turns *= 2
+    run.turning.append(loop)
+    loop.turn = number
+    try:
+        return _turn(run, frame, loop, body, after)
+    finally:
+        run.turning.pop()
+        run.turns //= 2
 
 
 def _body(run: Run, frame: Frame, loop: Loop, body: Callable[[], str]) -> str:
@@ -129,7 +164,10 @@ def _leave(run: Run, loop: Loop, *, goes_on: bool, ended: str = NEXT) -> str:
 
 def _matters(run: Run, frame: Frame, body: Block, test: Expression | None) -> bool:
     blocks = (body,) if test is None else (body, test)
-    return any(run.relevance.matters(block, frame.source, frame.function) for block in blocks)
+    function = frame.function
+    if function is None and frame.source.separator == ".":  # the module's variables may hold functions
+        function = next((each for each in frame.source.program.functions if each.kind == "module"), None)
+    return any(run.relevance.matters(block, frame.source, function) for block in blocks)
 
 
 def _worthwhile(run: Run, frame: Frame, body: Block, test: Expression | None) -> bool:
@@ -208,6 +246,8 @@ def each(run: Run, frame: Frame, statement: syntax.Each) -> str:
     line, column, text = statement.line, statement.column, statement.text
     name, kind, iterable, body = statement.name, statement.type, statement.iterable, statement.body
     items, others = static_types.some_elements(run, frame, iterable)
+    if run.is_raised:
+        return NEXT
     resolved = run.type_in(kind, frame)
 
     def turn(value: Value | Cell) -> str:
@@ -238,10 +278,7 @@ def each(run: Run, frame: Frame, statement: syntax.Each) -> str:
             items = []
         known = len(run.made)
         for number, item in enumerate(items):
-            run.turns *= 2
-            current.turn = number
-            ended = _turn(run, frame, current, partial(turn, item))
-            run.turns //= 2
+            ended = _counted(run, frame, current, number, partial(turn, item))
             forget_dead(run, known)
             if ended != NEXT:
                 return _leave(run, current, goes_on=False, ended=ended)

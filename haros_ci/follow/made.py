@@ -103,7 +103,7 @@ def either(
 
 def make(run: Run, made: Made) -> None:
     """Keep *made* unless this is a rehearsal; of two ways to one endpoint the less conditional counts."""
-    if run.quiet:
+    if run.quiet or run.is_raised:
         return
     key = (
         made.kind,

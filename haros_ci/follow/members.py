@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from haros_ci import syntax
-from haros_ci.follow import expressions, lookup, methods
+from haros_ci.follow import activation, enums, expressions, lookup, methods, properties
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import python as library_python
 from haros_ci.follow.libraries import python_modules
@@ -117,7 +117,7 @@ def attribute(run: Run, value: Value, name: str, frame: Frame) -> Value:
             return cell.value
         method = methods.method_of(run, value, name)
         if method is not None:
-            return method
+            return activation.invoke(run, frame, method, ()) if properties.is_property(method.function) else method
         if frame.source.separator == ".":
             held = of_class(run, value, name, frame)
             if held is not None:
@@ -132,7 +132,7 @@ def attribute(run: Run, value: Value, name: str, frame: Frame) -> Value:
             ).value
         unbound = methods.class_method(run, value.source, value.definition, name)
         if unbound is not None:
-            return Callable(*unbound)
+            return properties.of_class(value, *unbound)
         if value.source.separator == ".":
             inside = class_inside(run, value.source, value.definition, name)
             if inside is not None:
@@ -201,6 +201,10 @@ def class_inside(run: Run, source: Source, definition: Class, name: str, depth: 
 
 
 def field(run: Run, frame: Frame, expression: syntax.Member) -> Value:
+    if expression.name in enums.FIELDS and frame.source.separator == ".":
+        told = enums.field(run, frame, expression)
+        if told is not None:
+            return told
     value = expressions.evaluate(run, frame, expression.object)
     cell = member(run, value, expression.name, frame)
     if cell is not None:

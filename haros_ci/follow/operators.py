@@ -10,7 +10,7 @@ from typing import Any
 from haros_ci import syntax
 from haros_ci.follow import activation, call_arguments, conversions, expressions, methods
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.libraries import formats, python_kinds, texts
+from haros_ci.follow.libraries import formats, python_kinds, python_lists, texts
 from haros_ci.follow.run import Run
 from haros_ci.index.types import STRINGS
 from haros_ci.syntax import Expression
@@ -98,14 +98,12 @@ def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Va
         return concatenate((left, Known("/"), right))
     if symbol == "%" and isinstance(left, Known) and issubclass(left.kind, str):
         return formats.percent(run, frame, left.value, right)
+    if isinstance(left, Sequence) or isinstance(right, Sequence):
+        whole = _of_lists(run, frame, symbol, left, right)
+        if whole is not None:
+            return whole
     if isinstance(left, Known) and isinstance(right, Known):
         return _computed(run, frame, symbol, left.value, right.value)
-    if symbol == "+" and isinstance(left, Sequence) and isinstance(right, Sequence):
-        one, other = left.content.value, right.content.value
-        if isinstance(one, tuple) and isinstance(other, tuple):
-            if len(one) + len(other) > LIST_LIMIT:
-                return Sequence(Cell(run.opaque("it is a long list", frame)))
-            return Sequence(Cell((*one, *other)))
     if isinstance(left, Object) and symbol in ("+", "-") and isinstance(right, Known) and type(right.value) is int:
         further = iterators.moved(left, right.value if symbol == "+" else -right.value)
         if further is not None:
@@ -145,6 +143,20 @@ def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Va
     kind = conversions.value_type(left) or conversions.value_type(right)
     comparison = symbol in ("==", "!=", "<", ">", "<=", ">=", "in", "not in", "is", "is not")
     return run.opaque("it is computed from what is not known", frame, None, syntax.Type("bool") if comparison else kind)
+
+
+def _of_lists(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Value | None:
+    """``+``, and Python's ``*`` and operators of sets; None if that is not known."""
+    if symbol == "+" and isinstance(left, Sequence) and isinstance(right, Sequence):
+        one, other = left.content.value, right.content.value
+        if not isinstance(one, tuple) or not isinstance(other, tuple):
+            return None
+        if len(one) + len(other) > LIST_LIMIT:
+            return Sequence(Cell(run.opaque("it is a long list", frame)))
+        return Sequence(Cell((*one, *other)))
+    if frame.source.separator != ".":
+        return None
+    return python_lists.repeated(left, right) if symbol == "*" else python_lists.combined(symbol, left, right)
 
 
 def _over(choice: Choice, function: Any) -> Value:

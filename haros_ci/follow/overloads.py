@@ -7,7 +7,7 @@ C++ ranks overloads by how their parameters fit the arguments (en.cppreference.c
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
 from haros_ci.follow.frames import Frame
@@ -15,7 +15,7 @@ from haros_ci.follow.run import Run
 from haros_ci.index.index import EITHER, Source
 from haros_ci.index.types import INTEGERS, REALS, STRINGS, is_smart_pointer, pointee
 from haros_ci.syntax import Block, Function, Type
-from haros_ci.values.abstract import Known, Object
+from haros_ci.values.abstract import Known, Object, Value, join
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import Argument
@@ -142,6 +142,20 @@ def python_methods(found: list[Found]) -> list[Found]:
         if not any(isinstance(d, syntax.Member) and d.name in ACCESSORS for d in item[1].decorators)
     ]
     return (own or found)[-1:]
+
+
+def last(found: list[tuple[Source, Any]]) -> list[tuple[Source, Any]]:
+    """Of definitions of one name in a module those that count: the last, and before it those that an ``if`` or ``try`` decides about."""
+    sure = [number for number, (_, each) in enumerate(found) if each.column == 1]
+    return found[sure[-1] :] if sure else found
+
+
+def either(values: list[Value]) -> Value:
+    """What a name is that has one of *values*."""
+    value = values[0]
+    for other in values[1:]:
+        value = join(value, other)
+    return value
 
 
 def signature(function: Function) -> tuple[str, ...]:

@@ -107,6 +107,10 @@ class Run:
     #: The place of the ``if`` that each ``else`` belongs to.
     pairs: dict[Location, Location] = field(default_factory=dict)
     loops: list[Loop] = field(default_factory=list)
+    #: Those that are gone through turn by turn, of all functions that are active.
+    turning: list[Loop] = field(default_factory=list)
+    #: Whether the expression that is evaluated has raised an exception (``follow.thrown``).
+    is_raised: bool = False
     is_interlude: bool = False
     #: Whether callbacks are followed, not initialisation.
     is_called_back: bool = False

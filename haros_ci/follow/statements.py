@@ -7,8 +7,8 @@ from collections.abc import Callable
 from typing import TypeVar, cast
 
 from haros_ci import syntax
-from haros_ci.follow import construct, expressions, guarded, library_calls, lookup, loops, members
-from haros_ci.follow.frames import BREAK, CONTINUE, NEXT, RETURN, THROW, Frame, Loop
+from haros_ci.follow import construct, expressions, guarded, library_calls, lookup, loops, members, thrown
+from haros_ci.follow.frames import BREAK, CONTINUE, NEXT, RAISED, RETURN, THROW, Frame, Loop
 from haros_ci.follow.libraries import harmless
 from haros_ci.follow.run import Run
 from haros_ci.model.location import Location
@@ -30,6 +30,9 @@ def execute(run: Run, frame: Frame, block: Block) -> str:
         for statement in block:
             run.step()
             ended = STATEMENTS[type(statement)](run, frame, statement)
+            if run.is_raised:
+                run.is_raised = False
+                return RAISED
             if ended != NEXT:
                 return ended
         return NEXT
@@ -98,6 +101,8 @@ def _if(run: Run, frame: Frame, statement: syntax.If) -> str:
     if text.replace("'", '"').replace(" ", "").strip("()") in MAIN_GUARD and frame.source.program.language == "python":
         return execute(run, frame, then) if frame.source.path in run.files else NEXT
     holds = expressions.holds(run, frame, statement.test, expressions.evaluate(run, frame, statement.test))
+    if run.is_raised:
+        return NEXT
     if holds is not None and run.outer is not None:  # what a wrapper does not do as things are is nobody's
         return execute(run, frame, then if holds else other)
     branches = []
@@ -141,7 +146,7 @@ def merge(run: Run, frame: Frame, branches: list[tuple[str, Writes]], live: list
         run.state.merge(rest)
         return NEXT
     ends = {ended for ended, _ in chosen}
-    return next((ended for ended in (CONTINUE, BREAK, RETURN, THROW) if ended in ends), NEXT)
+    return next((ended for ended in (CONTINUE, BREAK, RETURN, THROW, RAISED) if ended in ends), NEXT)
 
 
 def _switch(run: Run, frame: Frame, statement: syntax.Switch) -> str:
@@ -216,7 +221,8 @@ def _try(run: Run, frame: Frame, statement: syntax.Try) -> str:
     is_caught = frame.function is not None and frame.function.name != "main" and not harmless.are_ends(handlers)
     run.trying += is_caught
     try:
-        ended = execute(run, frame, block)
+        with thrown.left(run, handlers):
+            ended = execute(run, frame, block)
     finally:
         run.trying -= is_caught
     after = run.state.undo(mark)
@@ -234,12 +240,13 @@ def _try(run: Run, frame: Frame, statement: syntax.Try) -> str:
         with run.under("catch", handler.text, frame, handler.line, handler.column):
             how = execute(run, frame, handler.body)
         frame.scopes.pop()
-        if how == RETURN and ended != THROW and all(map(_is_failure, frame.returned[returned:])):
+        if how == RETURN and ended not in (THROW, RAISED) and all(map(_is_failure, frame.returned[returned:])):
             del frame.returned[returned:], frame.exits[returned:]
         own = run.state.since(begun)
         run.state.undo(start)
         branches.append((how, {**after, **own}))
-    return merge(run, frame, branches, None)
+    is_passed_on = ended == RAISED and not any(map(thrown.catches, handlers))
+    return merge(run, frame, branches[:1] if is_passed_on else branches, None)
 
 
 def _is_failure(value: Value) -> bool:
@@ -251,7 +258,7 @@ def _is_failure(value: Value) -> bool:
 
 def _return(run: Run, frame: Frame, statement: syntax.Return) -> str:
     value = expressions.evaluate(run, frame, statement.value) if statement.value is not None else Known(None)
-    if not frame.is_dead:
+    if not frame.is_dead and not run.is_raised:
         frame.returned.append(value)
         frame.exits.append(run.state.since(frame.mark))
     return RETURN

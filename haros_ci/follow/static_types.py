@@ -4,13 +4,24 @@
 from __future__ import annotations
 
 from haros_ci import syntax
-from haros_ci.follow import conversions, expressions
+from haros_ci.follow import conversions, enums, expressions
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.run import Run
 from haros_ci.index.types import SEQUENCES
 from haros_ci.syntax import Expression, Type
 from haros_ci.values import iterators
-from haros_ci.values.abstract import LIST_LIMIT, Cell, Known, Mapped, Object, Opaque, Pointer, Sequence, Value
+from haros_ci.values.abstract import (
+    LIST_LIMIT,
+    Cell,
+    ClassValue,
+    Known,
+    Mapped,
+    Object,
+    Opaque,
+    Pointer,
+    Sequence,
+    Value,
+)
 from haros_ci.values.state import certain, possible
 
 
@@ -30,6 +41,8 @@ def some_elements(run: Run, frame: Frame, expression: Expression) -> tuple[list[
         value = value.cell.value
     if isinstance(value, Sequence) and isinstance(value.content.value, Opaque):
         return list(certain(value.content.value)), objects(value.content.value)
+    if isinstance(value, ClassValue) and (every := enums.elements(run, value)) is not None:
+        return [*every], None
     is_dead = bool(run.dead or frame.is_dead)
     found = (
         None if is_dead and isinstance(value, Known) and issubclass(value.kind, str) else _all_elements(frame, value)

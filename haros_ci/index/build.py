@@ -106,6 +106,10 @@ def _above(alias: Alias) -> str:
     return alias.name.rpartition("::")[0].rpartition("::")[0]
 
 
+#: Directories of generated headers of ROS 2 (``pkg/msg/some_type.hpp``).
+INTERFACES = ("/msg", "/srv", "/action")
+
+
 def _included(program: Program) -> dict[str, str]:
     found: dict[str, str] = {}
     for include in program.includes:
@@ -113,4 +117,6 @@ def _included(program: Program) -> dict[str, str]:
         if slash and head and "/" not in head and tail.endswith((".h", ".hpp")):
             name = tail.rpartition(".")[0]
             found.setdefault(name, f"{head}::{name}")
+        elif head.endswith(INTERFACES) and head.count("/") == 1 and tail.endswith(".hpp"):
+            found.setdefault(f"{head.partition('/')[2]}/{tail[:-4]}", head.replace("/", "::"))
     return found

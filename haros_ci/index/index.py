@@ -265,6 +265,8 @@ class Index:
     def messages(self, source: Source) -> Mapping[str, str]:
         """``pkg::Type`` for every ``#include "pkg/Type.h"`` of a file and of the headers that it includes, by ``Type``.
 
+        ``pkg::msg`` for ``pkg/msg/some_type.hpp``, by ``msg/some_type``.
+
         Of two packages' types of one name the file's own inclusion counts; else it is left out.
         """
         found = self.headers.get(source.path)

@@ -30,6 +30,8 @@ CONTAINERS = (
 COUNTED = frozenset(("publish",))
 #: Stands for an assignment to an element among the names of a block.
 ELEMENT = "[]="
+#: What an entry of a map is made of: who calls it calls what the map holds.
+PAIR = frozenset(("first", "second"))
 #: Stands for the call of a variable: what it holds may make something.
 CALLED = "()"
 #: Types of variables that can be called, and Python's expressions that may give a function.
@@ -46,7 +48,7 @@ HELD = (
     syntax.Operation,
 )
 #: What ``auto`` may take a function from.
-GIVING = (syntax.Lambda, syntax.Name, syntax.Address, syntax.Call, syntax.Conditional)
+GIVING = (syntax.Lambda, syntax.Name, syntax.Address, syntax.Call, syntax.Conditional, syntax.Subscript)
 
 
 def called_in(item: Part, found: set[str], mentioned: set[str], source: Source) -> None:
@@ -64,9 +66,11 @@ def called_in(item: Part, found: set[str], mentioned: set[str], source: Source) 
                     found.add(callee.name.split("::")[-2])
             elif isinstance(callee, syntax.Member):
                 found.add(callee.name if callee.name in COLLECTING else f".{callee.name.rpartition('::')[2]}")
+                if callee.name in PAIR and source.separator == "::":
+                    found.add(CALLED)
                 if callee.name in COUNTED:
                     found.add(f"{callee.name}/{len(node.arguments)}")
-            elif isinstance(callee, syntax.Subscript) and source.separator == ".":
+            elif isinstance(callee, syntax.Call) or (isinstance(callee, syntax.Subscript) and source.separator == "."):
                 found.add(CALLED)
             elif isinstance(callee, syntax.Subscript) and isinstance(callee.object, (syntax.Name, syntax.Member)):
                 found.add(last(callee.object.name))

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
 from haros_ci import syntax
@@ -13,6 +14,9 @@ from haros_ci.syntax import Argument, Type
 from haros_ci.syntax.codec import plain
 
 NO_TYPE = syntax.NOTHING
+#: Namespaces of interfaces inside of their packages, and where rosidl puts underscores into the names of their headers (rosidl_cmake).
+INTERFACES = frozenset(("msg", "srv", "action"))
+_UPPER_WORD, _LOWER_UPPER = re.compile(r"(.)([A-Z][a-z]+)"), re.compile(r"([a-z0-9])([A-Z])")
 SMART_POINTERS = frozenset(
     f"{space}::{name}"
     for space in ("boost", "std")
@@ -150,8 +154,9 @@ def resolve_type(
             return hidden
         else:
             spaces = {*index.opened(source)}
+            name = _inside_interfaces(index, name, source, spaces)
             whole = _by_include(index, head, source, scope) if head[:1].isupper() else head
-            if whole == head and head not in spaces:
+            if whole == head and head not in spaces and name.startswith(f"{head}::"):
                 name = _of_library(index, name, spaces, scope)
             name = f"{whole}::{tail}" if whole != head else name
         if name in _TYPEDEFS:
@@ -190,10 +195,36 @@ def _by_include(index: Index, name: str, source: Source, scope: str) -> str:
         if found and found.partition("::")[0] in spaces:
             return found + (suffix if name.endswith(suffix) else "")
     bare = name.removesuffix("ConstPtr") if name.endswith("ConstPtr") else name.removesuffix("Ptr")
+    told = _of_interfaces(index, bare, source, spaces)
+    if told is not None:
+        return told + name[len(bare) :]
     homes = [space for space in sorted(spaces) if bare in COMMON.get(space, ())]
     if len(homes) == 1:
         return f"{homes[0]}::{name}"
     return _of_library(index, name, spaces, scope)
+
+
+def _of_interfaces(index: Index, name: str, source: Source, spaces: set[str]) -> str | None:
+    """An unqualified message, service or action of ROS 2 by its header, or as one that is widely known; None if that is not told."""
+    kinds = {space: space.partition("::")[2] for space in spaces}
+    if not any(kind in INTERFACES for kind in kinds.values()) or not name[:1].isupper():
+        return None
+    stem = _LOWER_UPPER.sub(r"\1_\2", _UPPER_WORD.sub(r"\1_\2", name)).lower()
+    headers = index.messages(source)
+    homes = {space for space, kind in kinds.items() if headers.get(f"{kind}/{stem}") == space}
+    known = {space for space, kind in kinds.items() if kind == "msg" and name in COMMON.get(space[:-5], ())}
+    homes = homes or known
+    return f"{homes.pop()}::{name}" if len(homes) == 1 else None
+
+
+def _inside_interfaces(index: Index, name: str, source: Source, spaces: set[str]) -> str:
+    """``msg::Type`` with the open namespace of its package, as far as that is told."""
+    head, _, tail = name.partition("::")
+    if head not in INTERFACES:
+        return name
+    inside = tail.partition("::")[0]
+    told = _of_interfaces(index, inside, source, {f"{space}::{head}" for space in spaces})
+    return told + tail[len(inside) :] if told is not None else name
 
 
 def _of_library(index: Index, name: str, spaces: set[str], scope: str) -> str:

@@ -36,7 +36,7 @@ class Function(Record, frozen=True):
     is the module's own body). *owner* is the qualified class as far as the file tells, else ""; for C++ it is all of the name but the
     last part, even where that may be a namespace. *kind*: function, constructor, destructor, lambda, module. *templates* are template
     parameters' names, *template_defaults* the types that some of them stand for where nothing else tells. *body* is None for a declaration; *body_line* and *body_column* are its opening brace's (Python: the
-    ``def``'s). *guards* are ``(line, column, text)`` of the ``#if`` lines around it.
+    ``def``'s). *guards* are ``(line, column, text)`` of the ``#if`` lines around it. *captures* are the variables that a lambda captures by value, ``=`` for all but ``&name``.
     """
 
     name: str
@@ -56,6 +56,7 @@ class Function(Record, frozen=True):
     is_virtual: bool = False
     decorators: tuple[Expression, ...] = ()
     template_defaults: tuple[tuple[str, Type], ...] = ()
+    captures: tuple[str, ...] = ()
 
 
 class Field(Record, frozen=True):

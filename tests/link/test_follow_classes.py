@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from follow_kit import CMAKE, admits, because, case, cpp, follow, names, table, types, well_formed
+from follow_kit import CMAKE, PUBLISH, admits, because, case, cpp, follow, names, table, types, well_formed
 
 OUTSIDE = "#include <string>\n#include <memory>\nbool cond();\nstd::string text();\n"
 #: A class around ``s``; its methods and constructors stand for ``BODY``.
@@ -647,3 +647,26 @@ INCLUDED = {
 @pytest.mark.parametrize("kind", INCLUDED)
 def test_what_a_header_says_that_is_not_included_does_not_count(kind: str) -> None:
     assert two_headers(INCLUDED[kind]) in (["/of_b"], ["/?"])
+
+
+W = "struct W { ros::NodeHandle nh; W() { ADV_ } W(std::string s) { ADV(s, 1); } };".replace(
+    "ADV_", 'ADV("w", 1);'
+).replace("ADV(", PUBLISH)
+#: Lists of pointers are made without what they point to; lists of objects and numbers are not.
+SIZED = (
+    case("pointers", "std::vector<W*> v; v.resize(2);", before=W),
+    case("pointers at once", "std::vector<W*> v(2);", before=W),
+    case("shared pointers", "std::vector<std::shared_ptr<W>> v; v.resize(2);", before=W),
+    case("one more pointer", "std::vector<W*> v; v.emplace_back();", before=W),
+    case("pointers that are set", 'std::vector<W*> v; v.resize(2); v[1] = new W("a");', "/a", before=W),
+    case("objects", "std::vector<W> v; v.resize(2);", "/w", before=W),
+    case("objects at once", "std::vector<W> v(2);", "/w", before=W),
+    case("numbers", 'std::vector<int> v; v.resize(2); ADV("n" + std::to_string(v[1]), 1);', "/n0"),
+    case("numbers of a value", 'std::vector<int> v; v.resize(2, 7); ADV("n" + std::to_string(v[1]), 1);', "/n7"),
+    case("a number is kept", 'std::vector<int> v = {5}; v.resize(2, 7); ADV("n" + std::to_string(v[0]), 1);', "/n5"),
+)
+
+
+@table(SIZED)
+def test_lists_of_a_size(before: str, code: str, expected: list[str]) -> None:
+    assert sorted(set(names(cpp(code, "#include <vector>\n#include <memory>\n" + before)))) == expected

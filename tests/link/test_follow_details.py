@@ -175,7 +175,7 @@ REACHED = (
     case("object by dereference", 'W* w = new W; (*w).init("a");', "/a", before=W),
     case("object of an unknown list", 'for (auto& w : list()) w.init("a");', "/a", before=W + "std::vector<W> list();"),
     case(
-        "std::for_each", 'std::vector<std::string> v = {"a"}; std::for_each(v.begin(), v.end(), go);', "/?", before=GO
+        "std::for_each", 'std::vector<std::string> v = {"a"}; std::for_each(v.begin(), v.end(), go);', "/a", before=GO
     ),
     case("macro that calls", 'GO("a");', "/a", before=GO + "#define GO(x) go(x)"),
     case("constructor of a temporary", 'C("a");', "/a", before=GO + "struct C { C(const char* s) { go(s); } };"),
@@ -239,23 +239,14 @@ PYTHON_REACHED = (
     case("default argument", 'def f(x=make("a")):\n    pass', "/a"),
     case("class body", 'class W:\n    p = make("a")', "/a"),
 )
-UNSEEN = "a loop's body is not seen to matter where what it calls is a variable (relevance.names)"
 NOT_REACHED = (
     because("a variable declared as a function's or method's pointer is lost", "function pointer", "method by pointer")
     | because("destructors are not called", "destructor")
     | because("what a default argument calls is not seen to matter", "default argument that makes")
 )
 NOT_REACHED_IN_PYTHON = (
-    because(
-        UNSEEN,
-        "alias of Publisher",
-        "alias of a function",
-        "partial in a loop of unknown length",
-        "class in a variable",
-    )
-    | because("a call of what a decorator returned is skipped as inert", "wrapper by a decorator")
+    because("a call of what a decorator returned is skipped as inert", "wrapper by a decorator")
     | because("with calls no __enter__", "context manager")
-    | because("properties are not called", "property")
     | because("default arguments are not carried out", "default argument")
 )
 

@@ -541,7 +541,6 @@ DEFECTS = (
     )
     | because(
         ("of several definitions of one name the first is taken for the only one (calls.choose, index.near)"),
-        "defined under a condition",
         "class under a condition",
     )
     | because(
@@ -549,16 +548,8 @@ DEFECTS = (
         "import over a variable",
     )
     | because(
-        "decorators are passed over",
-        "property with a setter",
-    )
-    | because(
         "__eq__ is not asked (operators.binary)",
         "__eq__",
-    )
-    | because(
-        "fields of a dataclass are not set by its arguments",
-        "dataclass",
     )
     | because(
         "any object is true, whatever its __len__ or __bool__ says (statements.truth)",
@@ -651,3 +642,145 @@ def test_the_length_of_the_command_line_is_that_of_roslaunch() -> None:
     launch = '<launch><node pkg="p" type="n.py" name="me" args="q"/></launch>'
     code = 'import sys\nPUB("a" if len(sys.argv) > 3 else "b")\n'
     assert names(python(code, launch)) in (["/a"], ["/?"])
+
+
+D = "from dataclasses import dataclass, field\n"
+#: What the constructor that a dataclass or named tuple has by itself makes of its arguments.
+DATA = (
+    case("default", D + '@dataclass\nclass D:\n    s: str = "a"\nPUB(D().s)', "/a"),
+    case("in order", D + '@dataclass\nclass D:\n    s: str\n    t: str = "x"\nPUB(D("a", "b").t)', "/b"),
+    case("by name", D + '@dataclass\nclass D:\n    s: str\n    t: str = "x"\nPUB(D(t="b", s="a").s)', "/a"),
+    case(
+        "of a base",
+        D
+        + '@dataclass\nclass B:\n    s: str = "x"\n@dataclass\nclass D(B):\n    t: str = "y"\nd = D("a", "b")\nPUB(d.s + d.t)',
+        "/ab",
+    ),
+    case("field with a default", D + '@dataclass\nclass D:\n    s: str = field(default="a")\nPUB(D().s)', "/a"),
+    case(
+        "field with a factory",
+        D
+        + '@dataclass\nclass D:\n    s: list = field(default_factory=lambda: ["a", "b"])\nfor s in D().s:\n    PUB(s)',
+        "/a",
+        "/b",
+    ),
+    case(
+        "field that is not given",
+        D + '@dataclass\nclass D:\n    n: int = field(init=False, default=3)\n    s: str = "x"\nPUB(D("a").s)',
+        "/a",
+    ),
+    case("set afterwards", D + '@dataclass\nclass D:\n    s: str = "x"\nd = D("b")\nd.s = "a"\nPUB(d.s)', "/a"),
+    case(
+        "after the constructor",
+        D
+        + '@dataclass\nclass D:\n    s: str\n    def __post_init__(self):\n        self.t = self.s + "b"\nPUB(D("a").t)',
+        "/ab",
+    ),
+    case(
+        "two of one class",
+        D + '@dataclass\nclass D:\n    s: str = "x"\nfor d in [D("a"), D("b"), D()]:\n    PUB(d.s)',
+        "/a",
+        "/b",
+        "/x",
+    ),
+    case(
+        "named tuple",
+        'from typing import NamedTuple\nclass D(NamedTuple):\n    s: str\n    t: str = "x"\nPUB(D("a").s)',
+        "/a",
+    ),
+    case("unpacked", D + '@dataclass\nclass D:\n    s: str = "x"\nPUB(D(**text()).s)', "/?"),
+    case(
+        "an attribute that is no field", D + '@dataclass\nclass D:\n    k = "x"\n    s: str = "y"\nPUB(D("a").s)', "/?"
+    ),
+    case(
+        "a constructor of its own",
+        'class D:\n    s: str = "x"\n    def __init__(self, s):\n        pass\nPUB(D("b").s)',
+        "/x",
+    ),
+    case("of the class", D + '@dataclass\nclass D:\n    s: str = "a"\nd = D("b")\nPUB(D.s)', "/a"),
+)
+
+
+@table(DATA)
+def test_fields_of_data_classes(before: str, code: str, expected: list[str]) -> None:
+    assert names(python(code + "\n")) == expected
+
+
+#: Names of properties, and of what is defined more than once.
+DEFINED = (
+    case("property", 'class C:\n    @property\n    def t(self):\n        return "a"\nPUB(C().t)', "/a"),
+    case(
+        "property of what is set",
+        'class C:\n    def __init__(self):\n        self._t = "a"\n        PUB(self.t)\n    @property\n    def t(self):\n        return self._t + "b"\nC()',
+        "/ab",
+    ),
+    case(
+        "property of a base",
+        'class B:\n    @property\n    def t(self):\n        return self.n()\nclass C(B):\n    def n(self):\n        return "a"\nPUB(C().t)',
+        "/a",
+    ),
+    case(
+        "cached property",
+        'import functools\nclass C:\n    @functools.cached_property\n    def t(self):\n        return "a"\nPUB(C().t)',
+        "/a",
+    ),
+    case(
+        "setter",
+        'class C:\n    @property\n    def t(self):\n        return self._t\n    @t.setter\n    def t(self, v):\n        self._t = v + "x"\nc = C()\nc.t = "b"\nPUB(c.t)',
+        "/bx",
+    ),
+    case(
+        "attribute of that name",
+        'class D:\n    pass\nclass C:\n    @property\n    def t(self):\n        return self._t\n    @t.setter\n    def t(self, v):\n        self._t = v + "x"\nd = D()\nd.t = "b"\nPUB(d.t)',
+        "/b",
+    ),
+    case(
+        "class method",
+        'class C:\n    T = "a"\n    @classmethod\n    def t(cls):\n        return cls.T\nPUB(C.t() + C().t())',
+        "/aa",
+    ),
+    case(
+        "class method of a base",
+        'class B:\n    T = "b"\n    @classmethod\n    def t(cls):\n        return cls.T\nclass C(B):\n    T = "a"\nPUB(C.t())',
+        "/a",
+    ),
+    case(
+        "class method that makes one",
+        'class C:\n    def __init__(self, t):\n        PUB(t)\n    @classmethod\n    def make(cls, t):\n        return cls(t)\nC.make("a")',
+        "/a",
+    ),
+    case(
+        "class method that sets",
+        'class C:\n    @classmethod\n    def set(cls):\n        cls.T = "a"\nC.set()\nPUB(C.T)',
+        "/?",
+    ),
+    case(
+        "static method",
+        'class C:\n    @staticmethod\n    def t(x):\n        return x\nPUB(C.t("a") + C().t("b"))',
+        "/ab",
+    ),
+    case("not called on an object", 'class C:\n    def t(self, x):\n        return x\nPUB(C.t(C(), "a"))', "/a"),
+    case("method", 'class C:\n    def t(self):\n        return "a"\nf = C().t\nPUB(f())', "/a"),
+    case("property of the class", "class C:\n    @property\n    def t(self):\n        return 'a'\nPUB(C.t)", "/?"),
+    case("the last definition", 'def f():\n    return "a"\ndef f():\n    return "b"\nPUB(f())', "/b"),
+    case(
+        "after one under a condition",
+        'if cond():\n    def f():\n        return "a"\ndef f():\n    return "b"\nPUB(f())',
+        "/b",
+    ),
+    case(
+        "one of two definitions",
+        'if cond():\n    def f():\n        return "a"\nelse:\n    def f():\n        return "b"\nPUB(f())',
+        "/?",
+    ),
+    case(
+        "another where an import fails",
+        'def f():\n    return "a"\ntry:\n    import q\nexcept ImportError:\n    def f():\n        return "b"\nPUB(f())',
+        "/?",
+    ),
+)
+
+
+@table(DEFINED)
+def test_properties_and_definitions(before: str, code: str, expected: list[str]) -> None:
+    assert names(python(f"def cond():\n    return input()\n{code}\n")) == expected

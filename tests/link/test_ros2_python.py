@@ -631,3 +631,35 @@ def test_module_of_a_console_script_is_no_program(setup: str, shebang: str, prog
     text = f"{shebang}{HEAD}{CLASS}{MAIN}    rclpy.spin(N())\n\nif __name__ == '__main__':\n    main()\n"
     found = follow(files(text) | {"p/setup.py": setup}, 2)
     assert [configuration.name for configuration in found.configurations] == programs
+
+
+@pytest.mark.parametrize(
+    ("head", "kind", "expected"),
+    (
+        ("from tf2_geometry_msgs import PointStamped", "PointStamped", "geometry_msgs/msg/PointStamped"),
+        ("from tf2_sensor_msgs import PointCloud2", "PointCloud2", "sensor_msgs/msg/PointCloud2"),
+        ("from tf2_geometry_msgs import Other", "Other", None),
+        ("from some_msgs import PointStamped", "PointStamped", None),
+    ),
+)
+def test_messages_that_a_library_passes_on(head: str, kind: str, expected: str | None) -> None:
+    (end,) = explicit(node(f'self.create_subscription({kind}, "a", print, 1)', head=head), "subscribers")
+    assert end.type == expected
+
+
+COUNTED = "i = 0\nwhile True:\n    try:\n        s = self.get_parameter('s%d' % i).value\n    except Exception:\n        break\n    i += 1\n"
+
+
+def test_a_loop_ends_where_a_parameter_is_not_declared() -> None:
+    found = node(f"self.declare_parameter('s0', 'a')\n{COUNTED}    self.create_publisher(String, s, 1)")
+    assert [end.name for end in explicit(found, "getters")] == ["/s/n:s0", "/s/n:s1"]
+    assert made(found, "publishers") == ["publishers /s/a"]
+
+
+def test_a_node_that_may_read_what_it_does_not_declare() -> None:
+    body = f"super().__init__('n', namespace='s', allow_undeclared_parameters=True)\n{COUNTED}"
+    found = program(
+        "rclpy.spin(N())",
+        "class N(Node):\n    def __init__(self):\n" + "".join(f"        {line}\n" for line in body.splitlines()),
+    )
+    assert [end.name for end in explicit(found.nodes[0], "getters")] == ["/s/n:s?"]

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Classes that are declared in a namespace and defined under a using-directive of it."""
+"""Classes that are declared in a namespace and defined under a using-directive of it; messages under one of their package."""
 
 from __future__ import annotations
 
 import pytest
-from follow_kit import CPP_HEAD, cpp, names
+from follow_kit import CPP_HEAD, cpp, explicit, names, ros2_cpp
 
 HEADER = '#include <string>\nnamespace ns { class B { public: B(const std::string& s = "robot"); virtual ~B(); }; }\n'
 OTHER = '#include <string>\nnamespace other { class B { public: B(const std::string& s = "else"); }; }\n'
@@ -28,3 +28,30 @@ def test_an_argument_that_is_given(code: str) -> None:
 def test_one_of_two_classes_of_one_name() -> None:
     found = cpp("ns::B b;", '#include "b.h"\n#include "o.h"\n', b__h=HEADER, o__h=OTHER, b__cpp=USING)
     assert names(found) == ["/?"]
+
+
+INCLUDE = "#include <my_msgs/msg/some_point2.hpp>\n"
+#: What stands before a publisher of a type, and the message that this is.
+OPENED = (
+    (INCLUDE + "using namespace my_msgs::msg;\n", "SomePoint2", "my_msgs/msg/SomePoint2"),
+    (
+        INCLUDE + "using namespace my_msgs::msg;\nusing namespace other_msgs::msg;\n",
+        "SomePoint2",
+        "my_msgs/msg/SomePoint2",
+    ),
+    (INCLUDE + "using namespace my_msgs;\n", "msg::SomePoint2", "my_msgs/msg/SomePoint2"),
+    ("using namespace sensor_msgs::msg;\nusing namespace my_msgs::msg;\n", "Image", "sensor_msgs/msg/Image"),
+    ("using namespace my_msgs::msg;\n", "SomePoint2", None),
+    (INCLUDE, "SomePoint2", None),
+    (INCLUDE + "using namespace other_msgs::msg;\n", "SomePoint2", None),
+    (INCLUDE + "using namespace my_msgs::srv;\n", "SomePoint2", None),
+    (INCLUDE + "#include <other_msgs/msg/some_point2.hpp>\nusing namespace other_msgs::msg;\n", "SomePoint2", None),
+    ("using namespace my_msgs;\n", "msg::SomePoint2", None),
+    (INCLUDE + "using namespace my_msgs::msg;\nstruct SomePoint2 {};\n", "SomePoint2", None),
+)
+
+
+@pytest.mark.parametrize(("before", "kind", "expected"), OPENED)
+def test_messages_of_an_open_namespace(before: str, kind: str, expected: str | None) -> None:
+    (node,) = ros2_cpp(f'create_publisher<{kind}>("a", 1);', before=before).nodes
+    assert [end.type for end in explicit(node)] == [expected]

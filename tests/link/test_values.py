@@ -173,8 +173,8 @@ UNKNOWN = (
     case(
         "std::reverse", 'std::vector<std::string> v = {"b", "a"}; std::reverse(v.begin(), v.end()); ADV(v[0], 1);', "/?"
     ),
-    case("sprintf", 'char s[9] = "a"; sprintf(s, "b%d", number()); ADV(s, 1);', "/?"),
-    case("std::snprintf", 'char s[9] = "a"; std::snprintf(s, 9, "b%d", number()); ADV(s, 1);', "/?"),
+    case("sprintf", 'char s[9] = "a"; sprintf(s, "b%d", number()); ADV(s, 1);', "/b?"),
+    case("std::snprintf", 'char s[9] = "a"; std::snprintf(s, 9, "b%d", number()); ADV(s, 1);', "/b?"),
     case("strcpy", 'char s[9] = "a"; std::strcpy(s, text().c_str()); ADV(s, 1);', "/?"),
     case("character set", "std::string s = \"a\"; s[0] = 'b'; ADV(s, 1);", "/?"),
     case("character set by at", "std::string s = \"a\"; s.at(0) = 'b'; ADV(s, 1);", "/?"),
@@ -325,13 +325,79 @@ UNKNOWN = (
             'std::string s = "a"; std::vector<int> v = {1}; std::for_each(v.begin(), v.end(), '
             '[&](int i) { s = "b"; }); ADV(s, 1);'
         ),
-        "/?",
+        "/b",
     ),
     case("lambda given to what is not known", 'std::string s = "a"; run([&] { s = "b"; }); ADV(s, 1);', "/?"),
     case("capture by value", 'std::string s = "a"; auto f = [s] { return s; }; s = "b"; ADV(f(), 1);', "/a"),
     case("capture of all by value", 'std::string s = "a"; auto f = [=] { return s; }; s = "b"; ADV(f(), 1);', "/a"),
     case("lambda that assigns", 'std::string s = "a"; auto f = [&] { s = "b"; }; f(); ADV(s, 1);', "/b"),
     case("mutable lambda", 'std::string s = "a"; auto f = [s]() mutable { s = "b"; }; f(); ADV(s, 1);', "/a"),
+    case(
+        "one of two by value",
+        'std::string s = "a", t = "a"; auto f = [&s, t] { return s + t; }; s = t = "b"; ADV(f(), 1);',
+        "/ba",
+    ),
+    case(
+        "all but one by value",
+        'std::string s = "a", t = "a"; auto f = [=, &s] { return s + t; }; s = t = "b"; ADV(f(), 1);',
+        "/ba",
+    ),
+    case(
+        "a static is not captured",
+        'static std::string s = "a"; auto f = [=] { return s; }; s = "b"; ADV(f(), 1);',
+        "/b",
+    ),
+    case(
+        "a global is not captured",
+        'auto f = [=] { return s; }; s = "b"; ADV(f(), 1);',
+        "/b",
+        before='std::string s = "a";',
+    ),
+    case(
+        "an object by pointer",
+        'C* c = new C; auto f = [c] { return c->s; }; c->s = "b"; ADV(f(), 1);',
+        "/b",
+        before='struct C { std::string s = "a"; };',
+    ),
+    case(
+        "a member is not captured",
+        "C c; ADV(c.get(), 1);",
+        "/b",
+        before='struct C { std::string s = "a"; std::string get() { auto f = [=] { return s; }; s = "b"; return f(); } };',
+    ),
+    case(
+        "a list by value",
+        'std::vector<std::string> v = {"a"}; auto f = [v] { return v[0]; }; v[0] = "b"; ADV(f(), 1);',
+        "/a",
+    ),
+    case(
+        "all lists by value",
+        'std::vector<std::string> v = {"a"}; auto f = [=] { return v[0]; }; v[0] = "b"; ADV(f(), 1);',
+        "/a",
+    ),
+    case(
+        "a list by reference",
+        'std::vector<std::string> v = {"a"}; auto f = [&v] { return v[0]; }; v[0] = "b"; ADV(f(), 1);',
+        "/b",
+    ),
+    case(
+        "an object by value",
+        'C c; auto f = [c] { return c.s; }; c.s = "b"; ADV(f(), 1);',
+        "/a",
+        before='struct C { std::string s = "a"; };',
+    ),
+    case(
+        "all objects by value",
+        'C c; auto f = [=] { return c.s; }; c.s = "b"; ADV(f(), 1);',
+        "/a",
+        before='struct C { std::string s = "a"; };',
+    ),
+    case(
+        "a shared pointer by value",
+        'auto c = std::make_shared<C>(); auto f = [c] { return c->s; }; c->s = "b"; ADV(f(), 1);',
+        "/b",
+        before='struct C { std::string s = "a"; };',
+    ),
     case("getenv", 'std::string s = "a"; if (getenv("X")) s = getenv("X"); ADV(s, 1);', "/?"),
     case(
         "overloads by type",
@@ -379,10 +445,8 @@ DEFECTS = (
         "signed compared with unsigned",
     )
     | because(
-        "captures by value are the captured variables (expressions._lambda)",
-        "capture by value",
-        "capture of all by value",
-        "mutable lambda",
+        "of what a lambda captures all by value, objects are the captured ones (copies.by_value)",
+        "all objects by value",
     )
     | because(
         "goto is passed over (extract/cpp statements)",

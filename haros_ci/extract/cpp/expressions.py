@@ -185,6 +185,15 @@ def _comma(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     return syntax.Operation(",", tuple(expression(unit, child, depth) for child in _operands(node)))
 
 
+def _fold(unit: Unit, node: Node, depth: int) -> syntax.Expression:
+    """``(f(a), ...)`` as a call of ``[fold]``; other operators are not read."""
+    parts = [child for child in node.children if child.is_named]
+    if len(parts) != 1 or all(unit.cut(child) != "," for child in node.children if not child.child_count):
+        return unit.opaque(node)
+    line, column = unit.position(node)
+    return syntax.Call(syntax.Name("[fold]"), (expression(unit, parts[0], depth),), (), line, column)
+
+
 def _index(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     children = _operands(node)
     if len(children) != 2:
@@ -296,6 +305,7 @@ _HANDLERS: dict[int, Handler] = table(
         "conditional_expression": _conditional,
         "parenthesized_expression condition_clause": _parentheses,
         "comma_expression": _comma,
+        "fold_expression": _fold,
         "subscript_expression": _index,
         "new_expression": calls.new,
         "delete_expression sizeof_expression alignof_expression": _keyword,

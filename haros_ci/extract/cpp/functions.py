@@ -165,13 +165,14 @@ def lambda_expression(unit: Unit, node: Node, depth: int) -> syntax.Lambda:
     parameters: tuple[syntax.Parameter, ...] = ()
     returns: syntax.Type = syntax.AUTO
     captured: list[syntax.Statement] = []
+    copied: tuple[str, ...] = ()
     templates: tuple[str, ...] = ()
     body: syntax.Block = ()
     brace = (0, 0)
     for child in node.children:
         kind = child.kind_id
         if kind in _CAPTURES:
-            captured = _captures(unit, child, depth)
+            captured, copied = _captures(unit, child, depth), _copied(unit, child)
         elif kind in _ABSTRACT_FUNCTION:
             for each in child.children:
                 if each.kind_id in types.PARAMETER_LIST:
@@ -183,7 +184,7 @@ def lambda_expression(unit: Unit, node: Node, depth: int) -> syntax.Lambda:
         elif kind in _BODY:
             brace = unit.position(child)
             body = statements.block(unit, child.children, depth)
-    _fill(unit, slot, node, (*captured, *body), brace, parameters, returns, templates)
+    _fill(unit, slot, node, (*captured, *body), brace, parameters, returns, templates, copied)
     return syntax.Lambda(slot)
 
 
@@ -205,6 +206,7 @@ def _fill(
     parameters: tuple[syntax.Parameter, ...] = (),
     returns: syntax.Type = syntax.AUTO,
     templates: tuple[str, ...] = (),
+    captures: tuple[str, ...] = (),
 ) -> None:
     line, column = unit.position(node)
     unit.found.functions[slot] = Function(
@@ -219,7 +221,21 @@ def _fill(
         body_line=brace[0],
         body_column=brace[1],
         templates=templates,
+        captures=captures,
     )
+
+
+def _copied(unit: Unit, node: Node) -> tuple[str, ...]:
+    """What a lambda captures by value as it stands: names, ``=`` for all but those after ``&``."""
+    found, before = [], ""
+    for child in node.children:
+        text = unit.cut(child) if child.child_count < 2 else ""
+        if text == "=":
+            found.append(text)
+        elif child.kind_id in _NAMES and (before != "&" or "=" in found):
+            found.append(f"&{text}" if before == "&" else text)
+        before = text
+    return tuple(found)
 
 
 def _captures(unit: Unit, node: Node, depth: int) -> list[syntax.Statement]:

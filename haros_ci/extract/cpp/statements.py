@@ -89,13 +89,11 @@ def _variable(unit: Unit, each: declarations.Variable, depth: int, out: Statemen
     line, column = unit.position(declared.node)
     out.append(syntax.Variable(declared.name, declared.type, init, line, column))
     if declared.node.kind_id in _PATTERN:
-        text = unit.cut(declared.node)[:200]
-        for child in declared.node.children:
-            if child.is_named:
-                line, column = unit.position(child)
-                out.append(
-                    syntax.Variable(unit.cut(child), syntax.AUTO, syntax.Equals(syntax.Unknown(text)), line, column)
-                )
+        names = [child for child in declared.node.children if child.is_named]
+        for number, child in enumerate(names):
+            line, column = unit.position(child)
+            part = syntax.Subscript(syntax.Name(""), syntax.Number(number))
+            out.append(syntax.Variable(unit.cut(child), syntax.AUTO, syntax.Equals(part), line, column))
 
 
 def _condition(unit: Unit, node: Node | None, depth: int, before: Statements) -> tuple[str, syntax.Expression]:

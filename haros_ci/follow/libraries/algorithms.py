@@ -87,6 +87,20 @@ def found(run: Run, frame: Frame, args: tuple[Argument, ...]) -> Value | None:
     return every.end
 
 
+def for_each(run: Run, frame: Frame, args: tuple[Argument, ...]) -> Value | None:
+    """``std::for_each`` over a list from its ``begin()`` to its ``end()``; None if its elements are not known."""
+    start, end = args[0].value, args[1].value
+    of = start.fields.get("[of]") if isinstance(start, Object) else None
+    every = of.value if of is not None else None
+    cells = every.content.value if isinstance(every, Sequence) and end is every.end else None
+    if not isinstance(cells, tuple) or len(cells) > SOUGHT or not isinstance(args[2].value, Callable):
+        return None
+    place = iterators.position(start)
+    for cell in cells[place:] if place is not None else ():
+        activation.invoke(run, frame, args[2].value, (call_arguments.Argument(cell.value, cell, cell.type),))
+    return args[2].value if place is not None else None
+
+
 def _fits(run: Run, frame: Frame, wanted: Value, cell: Cell) -> bool | None:
     """Whether the element in *cell* is what is *wanted*, a value or a predicate; None if that is not known."""
     if not isinstance(wanted, Callable):

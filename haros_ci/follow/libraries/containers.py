@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from haros_ci import syntax
 from haros_ci.follow import alternatives, assignments, construct, conversions
 from haros_ci.follow.frames import Frame
+from haros_ci.follow.libraries import tuples
 from haros_ci.follow.run import Run
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import Argument
 
 
+#: Methods of maps that add an entry.
+PUTTING = ("insert", "emplace", "try_emplace", "insert_or_assign")
 #: Methods that add elements.
 ADDING = frozenset(("insert", "emplace"))
 
@@ -96,7 +99,7 @@ def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[
             value = conversions.converted(construct.copied(run, args[0].value, inner), inner)
             run.state.write(receiver.content, (*cells, Cell(value, inner)))
         elif known and name == "emplace_back" and inner is not None and len(cells) < LIST_LIMIT:
-            value = construct.create(run, frame, inner, args, Location(frame.source.path))
+            value = construct.of_template(run, frame, inner, args, Location(frame.source.path))
             run.state.write(receiver.content, (*cells, Cell(value, inner)))
         else:
             run.state.write(receiver.content, _grown(run, frame, cells, name, args, inner))
@@ -108,8 +111,14 @@ def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[
         if args and isinstance(args[0].value, Known) and isinstance(args[0].value.value, int) and name == "resize":
             wanted = args[0].value.value
             if known and 0 <= wanted <= 1000:
+                kind, place = inner or syntax.Type(""), Location(frame.source.path)
                 made = [
-                    Cell(construct.create(run, frame, inner or syntax.Type(""), (), Location(frame.source.path)), inner)
+                    Cell(
+                        construct.copied(run, args[1].value, inner)
+                        if len(args) > 1
+                        else construct.of_template(run, frame, kind, (), place),
+                        inner,
+                    )
                     for _ in range(wanted - len(cells))
                 ]
                 run.state.write(receiver.content, (*cells[:wanted], *made))
@@ -152,6 +161,24 @@ def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[
     return None
 
 
+def _parts(value: Value) -> list[Value]:
+    """The key and the value of a pair, or of what stands in braces."""
+    if isinstance(value, Object) and value.name == tuples.PAIR:
+        return [cell.value for number in range(2) if (cell := tuples.part(value, number)) is not None]
+    cells = value.content.value if isinstance(value, Sequence) else ()
+    return [cell.value for cell in cells] if isinstance(cells, tuple) else []
+
+
+def _entry(run: Run, args: tuple[Argument, ...]) -> tuple[Any, Value] | None:
+    """The key and the value of an entry that a map is given; None if they are not known, nested braces, or one of several plug-ins."""
+    values = _parts(args[0].value) if len(args) == 1 else [argument.value for argument in args]
+    if len(values) != 2 or not isinstance(values[0], Known) or not issubclass(values[0].kind, (str, int)):
+        return None
+    is_braces = isinstance(values[1], Sequence) and values[1].type is None
+    is_any = isinstance(values[1], Choice) and alternatives.are(run, values[1].options)
+    return None if is_braces or is_any else (values[0].value, values[1])
+
+
 def mapped(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Argument, ...]) -> Value | None:
     pairs: Any = receiver.content.value
     if name in ("size", "empty", "count") and isinstance(pairs, dict):
@@ -164,7 +191,13 @@ def mapped(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Argu
         run.state.write(receiver.content, other.value)
         run.state.write(other, pairs)
         return NONE
-    if name in ("insert", "emplace", "erase", "clear", "swap"):
+    if name in PUTTING and isinstance(pairs, dict):
+        entry = _entry(run, args)
+        if entry is not None and len(pairs) < LIST_LIMIT:
+            fresh = {entry[0]: Cell(entry[1])}
+            run.state.write(receiver.content, {**pairs, **fresh} if name == "insert_or_assign" else {**fresh, **pairs})
+            return NONE
+    if name in ("erase", "clear", "swap", *PUTTING):
         run.state.write(receiver.content, {} if name == "clear" else run.opaque("a map that is changed", frame))
         return NONE
     if name in ("begin", "cbegin", "end", "cend") and isinstance(pairs, dict):
@@ -173,6 +206,8 @@ def mapped(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Argu
         return iterators.found(receiver, args[0].value)
     if name == "at" and args:
         cell = assignments.element(run, frame, receiver, args[0].value)
+        if cell is None and not isinstance(args[0].value, Known) and isinstance(pairs, dict) and pairs:
+            return assignments.any_of(each.value for each in pairs.values())
         return cell.value if cell is not None else run.opaque("an entry that is not known", frame)
     return None
 

@@ -12,8 +12,10 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import (
     algorithms,
     cpp_data,
+    formats,
     patterns,
     texts,
+    tuples,
 )
 from haros_ci.follow.libraries import (
     bind as library_bind,
@@ -77,7 +79,7 @@ TRANSPARENT = frozenset(
         "boost::static_pointer_cast std::static_pointer_cast boost::dynamic_pointer_cast std::dynamic_pointer_cast "
         "std::const_pointer_cast ros::names::clean boost::filesystem::path std::to_string boost::to_string "
         "boost::lexical_cast std::function boost::function std::max std::abs CHECK_NOTNULL DCHECK_NOTNULL "
-        "GazeboRosPtr gazebo::GazeboRosPtr"
+        "GazeboRosPtr gazebo::GazeboRosPtr FMT_COMPILE FMT_STRING fmt::runtime"
     ).split()
 )
 
@@ -180,9 +182,24 @@ def function(
         return run.opaque("whether a stream has more is not known", frame, None, syntax.Type("bool"))
     if name in ("std::swap", "boost::swap", "swap") and len(args) == 2 and args[0].cell is not None:
         return library_containers.swapped(run, args)
+    return _put_together(run, frame, name, args, targs)
+
+
+def _put_together(
+    run: Run, frame: Frame, name: str, args: tuple[Argument, ...], targs: tuple[syntax.Argument, ...]
+) -> Value | None:
+    """Functions that make tuples and texts, or go through a list."""
+    if name == "std::for_each" and len(args) == 3:
+        return algorithms.for_each(run, frame, args)
+    if name == "std::get" and targs:
+        return tuples.got(targs, args)
+    if name == "std::make_tuple":
+        return tuples.made(args)
+    if name in formats.FMT and args:
+        return formats.fmt(run, frame, args)
     if name in ("sprintf", "snprintf", "std::sprintf", "std::snprintf") and args and args[0].cell is not None:
-        run.state.write(args[0].cell, run.opaque("it is formatted by sprintf", frame, None, syntax.Type("std::string")))
-        return NONE
+        run.state.write(args[0].cell, formats.printf(run, frame, args[1:], name.endswith("snprintf")))
+        return run.opaque("the length of a text", frame, None, syntax.Type("int"))
     return None
 
 

@@ -20,6 +20,10 @@ def _of_list(run: Run, data: list[Any], cell: Cell, name: str, args: tuple[Argum
     """Methods of a vector that holds a parameter's list."""
     if name == "empty":
         return Known(not data)
+    if name in ("at", "front", "back"):
+        place = Known({"front": 0, "back": -1}[name]) if not args and name != "at" else args[0].value if args else NONE
+        number = place.value if isinstance(place, Known) else None
+        return Known(data[number]) if type(number) is int and -1 <= number < len(data) and data else None
     if name in ("push_back", "emplace_back") and len(args) == 1 and len(data) < LIST_LIMIT:
         added = args[0].value
         if isinstance(added, Known):

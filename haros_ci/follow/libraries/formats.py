@@ -6,13 +6,28 @@ from __future__ import annotations
 import posixpath
 import re
 import string
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from haros_ci import syntax
 from haros_ci.follow import members
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.run import Run
 from haros_ci.model.digits import whole_number
-from haros_ci.values.abstract import Cell, Known, Mapped, Object, Opaque, Sequence, Text, Value, concatenate, printed
+from haros_ci.values.abstract import (
+    NONE,
+    Cell,
+    Character,
+    Known,
+    Mapped,
+    Object,
+    Opaque,
+    Sequence,
+    Text,
+    Value,
+    concatenate,
+    printed,
+)
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import Argument
@@ -49,6 +64,41 @@ def percent(run: Run, frame: Frame, text: str, right: Value) -> Value:
     for (_, flags, kind), piece in zip(specifiers, pieces[4::4], strict=True):
         values += [Known("%") if kind == "%" else _shown(given.pop(0), flags, kind), Known(piece)]
     return concatenate(tuple(values), printed)
+
+
+#: Functions of C++ that format as ``str.format`` does (fmt.dev/latest/syntax).
+FMT = frozenset(("fmt::format", "std::format"))
+#: What says in C how long a number is.
+_LENGTH = re.compile(r"(%[-#0 +]{0,3}\d{0,2}(?:\.\d{1,2})?)(?:hh|ll|[hljztL])(?=[diouxXeEfFgG])")
+
+
+def fmt(run: Run, frame: Frame, args: tuple[Argument, ...]) -> Value:
+    """``fmt::format``; flags and characters are written as C++ does."""
+    form = args[0].value
+    if not isinstance(form, Known) or not issubclass(form.kind, str):
+        return run.opaque("its format is not known", frame, None, syntax.Type("std::string"))
+    return braces(run, frame, form.value, tuple(replace(each, value=_of_cpp(each.value)) for each in args[1:]))
+
+
+def _of_cpp(value: Value) -> Value:
+    if isinstance(value, Known) and issubclass(value.kind, (bool, Character)):
+        return Known(str(value.value).lower() if value.kind is bool else chr(value.value))
+    return value
+
+
+def printf(run: Run, frame: Frame, args: tuple[Argument, ...], is_cut: bool) -> Value:
+    """The text that ``sprintf`` writes; *is_cut* is ``snprintf``, of which the first of *args* is the size.
+
+    A size that is not known (``sizeof``) is taken to be enough.
+    """
+    size = args[0].value.value if is_cut and args and isinstance(args[0].value, Known) else None
+    form, *values = [each.value for each in args[is_cut:]] or [NONE]
+    if not isinstance(form, Known) or not issubclass(form.kind, str):
+        return run.opaque("it is formatted by sprintf", frame, None, syntax.Type("std::string"))
+    text = percent(run, frame, _LENGTH.sub(r"\1", form.value), Sequence(Cell(tuple(map(Cell, values)))))
+    if isinstance(text, Known) and type(size) is int:
+        return Known(text.value[: max(size - 1, 0)])
+    return text
 
 
 def _given(right: Value, names: list[str | None]) -> list[Value] | None:

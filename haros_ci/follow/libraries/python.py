@@ -14,6 +14,7 @@ from haros_ci.follow.libraries import (
 from haros_ci.follow.libraries import (
     formats,
     python_kinds,
+    python_lists,
     python_texts,
 )
 from haros_ci.follow.libraries import (
@@ -75,14 +76,14 @@ def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> V
             if len(numbers) <= 1000:
                 return Known(list(numbers))
         return run.opaque("a range that is not known", frame)
+    if (found := python_lists.function(name, args)) is not None:
+        return found
     if name in ("list", "tuple", "sorted", "set", "frozenset", "reversed", "iter") and first is not None:
         items = comprehensions.items(first)
-        if name in ("sorted", "set", "frozenset") and items is not None:
-            items = _ordered(items) if len(args) == 1 else None
-            if items is not None and name != "sorted":
-                items = [item for number, item in enumerate(items) if item not in items[:number]]
-            if items is not None and name != "sorted" and len(items) > 1:
-                items = None  # in no order that is known
+        if name == "sorted" and items is not None:
+            items = python_lists.ordered(items) if len(args) == 1 else None
+        elif items is not None and python_lists.is_set(first) and len(items) > 1:
+            items = None  # in no order that is known
         if items is not None and name == "reversed":
             items = items[::-1]
         if items is not None:
@@ -182,14 +183,11 @@ def method(run: Run, frame: Frame, receiver: Value, name: str, args: tuple[Argum
         return python_texts.method(run, frame, receiver.value, name, args)
     if isinstance(receiver, Sequence):
         cells: Any = receiver.content.value
+        if (found := python_lists.method(run, receiver, name, args)) is not None:
+            return found
         if name == "append" and args and isinstance(cells, tuple) and len(cells) < LIST_LIMIT:
             run.state.write(receiver.content, (*cells, Cell(args[0].value)))
             return NONE
-        if name == "clear":
-            run.state.write(receiver.content, ())
-            return NONE
-        if name == "copy" and isinstance(cells, tuple):
-            return Sequence(Cell(tuple(Cell(cell.value) for cell in cells)))
         if name == "extend" and args and isinstance(cells, tuple):
             more = comprehensions.items(args[0].value)
             if more is not None and len(cells) + len(more) <= LIST_LIMIT:
@@ -197,17 +195,17 @@ def method(run: Run, frame: Frame, receiver: Value, name: str, args: tuple[Argum
                 return NONE
         if name in ("sort", "reverse") and isinstance(cells, tuple) and not args:
             held = [cell.value for cell in cells]
-            turned = held[::-1] if name == "reverse" else _ordered(held)
+            turned = held[::-1] if name == "reverse" else python_lists.ordered(held)
             if turned is not None:
                 run.state.write(receiver.content, tuple(Cell(item) for item in turned))
                 return NONE
-        if name == "pop" and isinstance(cells, tuple) and cells and not args:
+        if name == "pop" and isinstance(cells, tuple) and cells and not args and not python_lists.is_set(receiver):
             run.state.write(receiver.content, cells[:-1])
             return cells[-1].value
         if name == "pop":
             run.state.write(receiver.content, run.opaque("a list that is changed", frame))
             return run.opaque("an element that is not known", frame)
-        if name in ("append", "extend", "insert", "remove", "pop", "sort", "reverse"):
+        if name in ("append", "extend", "insert", "remove", "pop", "sort", "reverse", "add", "discard", "update"):
             run.state.write(receiver.content, run.opaque("a list that is changed", frame))
             return NONE
     if isinstance(receiver, Known) and issubclass(receiver.kind, dict):
@@ -230,18 +228,6 @@ def method(run: Run, frame: Frame, receiver: Value, name: str, args: tuple[Argum
     return None
 
 
-def _ordered(items: list[Value]) -> list[Value] | None:
-    """The texts or numbers *items* in their order; None if they are not known."""
-    data = [item.value for item in items if isinstance(item, Known)]
-    if (
-        len(data) != len(items)
-        or len({type(item) for item in data}) > 1
-        or not isinstance((data or [0])[0], (str, int))
-    ):
-        return None
-    return [Known(item) for item in sorted(data)]
-
-
 def _changed(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Argument, ...]) -> Value | None:
     """A method that changes a dictionary."""
     pairs: Any = receiver.content.value
@@ -252,12 +238,15 @@ def _changed(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Ar
     if isinstance(pairs, dict):
         if name == "copy":
             return Mapped(Cell({key: Cell(cell.value, cell.type) for key, cell in pairs.items()}))
-        if name == "update" and len(args) == 1 and not args[0].keyword:
+        named = {argument.keyword: Cell(argument.value) for argument in args if argument.keyword}
+        if name == "update" and "**" not in named and len(args) - len(named) < 2:
             more: Any = first.content.value if isinstance(first, Mapped) else None
+            if args and args[0].keyword:
+                more = {}
             if isinstance(first, Known) and issubclass(first.kind, dict):
                 more = {key: Cell(Known(item)) for key, item in first.value.items()}
             if isinstance(more, dict) and len(pairs) + len(more) <= LIST_LIMIT:
-                fresh = {key: Cell(cell.value, cell.type) for key, cell in more.items()}
+                fresh = {key: Cell(cell.value, cell.type) for key, cell in {**more, **named}.items()}
                 run.state.write(receiver.content, {**pairs, **fresh})
                 return NONE
         if isinstance(first, Known) and issubclass(first.kind, (str, int)) and name in ("pop", "setdefault"):

@@ -8,6 +8,7 @@ from collections.abc import Iterable
 
 from haros_ci.follow import lookup
 from haros_ci.follow.run import Run
+from haros_ci.index.common_messages import COMMON
 from haros_ci.index.index import Source
 from haros_ci.values.abstract import Library, Module, Value
 
@@ -47,6 +48,17 @@ def imported(run: Run, first: Iterable[Source]) -> set[str]:
                         found.add(other.path)
                         waiting.append(other)
     return found
+
+
+#: Python modules that give the messages of a package under their own name (tf2_geometry_msgs.py, tf2_sensor_msgs.py of geometry2).
+PASSING = {"tf2_geometry_msgs": "geometry_msgs", "tf2_sensor_msgs": "sensor_msgs"}
+
+
+def passed_on(target: str) -> str:
+    """The full name of a message that a module of a library only passes on."""
+    head, _, last = target.rpartition(".")
+    package = PASSING.get(head.partition(".")[0])
+    return f"{package}.msg.{last}" if package is not None and last in COMMON.get(package, ()) else target
 
 
 def beside(run: Run, source: Source, target: str) -> str | None:

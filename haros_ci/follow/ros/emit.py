@@ -7,6 +7,7 @@ from math import ceil, floor, fmod, isfinite
 from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
+from haros_ci.follow import thrown
 from haros_ci.follow.made import Made, make
 from haros_ci.follow.ros import ros2_emit
 from haros_ci.follow.ros.ends import UNNAMED
@@ -64,6 +65,7 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
         latched = _flag(applied, entry, unknowns)
     if entry.unsure:
         unknowns.append(("conditions", entry.unsure, applied.location))
+    raises = bool(run.turning) and _raises(applied, entry, name, default)
     make(
         run,
         Made(
@@ -82,6 +84,7 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
             is_strict=entry.strict and not (run.trying or run.dead or applied.frame.is_dead),
         ),
     )
+    run.is_raised = run.is_raised or raises
     if entry.kind == "setters" and entry.each is None:
         _set(applied, run.context.remap(name), default if default is not None else NONE)
     if entry.kind != "getters":
@@ -94,6 +97,17 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
     if entry.each is not None:
         _remember(applied, entry, found)
     return found
+
+
+def _raises(applied: Applied, entry: Entry, name: str, default: Value | None) -> bool:
+    """Whether a parameter is read that nothing sets, which ends a loop."""
+    from haros_ci.follow.ros.api_rows import parameter_value
+
+    if not entry.strict or entry.kind != "getters" or applied.frame.is_dead:
+        return False
+    run = applied.run
+    found = parameter_value(applied, run.context.remap(name), default)
+    return thrown.raises(run, name, applied.location, found is not None)
 
 
 def _fitting(found: Value, kind: str | None, default: Value | None) -> Value | None:

@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
-from haros_ci.follow import conversions
+from haros_ci.follow import conversions, thrown
 from haros_ci.follow.made import Made, make
 from haros_ci.follow.ros import forwarding, qos_overrides, ros2_nodes, ros2_parameters, ros2_selectors
 from haros_ci.graph.names import UNKNOWN, pattern
@@ -196,6 +196,7 @@ def _parameter(
         data = float(data)
     if entry.unsure:
         unknowns.append(("conditions", entry.unsure, applied.location))
+    raises = bool(run.turning) and _raises(applied, entry, node, full, value is not None)
     make(
         run,
         Made(
@@ -217,6 +218,7 @@ def _parameter(
             is_strict=entry.strict and not (run.trying or run.dead or applied.frame.is_dead),
         ),
     )
+    run.is_raised = run.is_raised or raises
     if entry.kind == "setters" or entry.kind == "parameters":
         stored = default if entry.kind == "setters" else value
         if (
@@ -229,6 +231,15 @@ def _parameter(
             )  # without a value from outside the declaration or reading throws
         ros2_parameters.remember(applied, full, stored if stored is not None else NONE)
     return value
+
+
+def _raises(applied: Applied, entry: Entry, node: RosNode | None, full: str, is_set: bool) -> bool:
+    """Whether a parameter is read that is not declared, which ends a loop."""
+    if not entry.strict or entry.kind != "getters" or applied.frame.is_dead or node is None:
+        return False
+    return not node.whole.options.get(ros2_nodes.UNDECLARED) and thrown.raises(
+        applied.run, full, applied.location, is_set
+    )
 
 
 def _unwrapped(value: Value | None) -> Value | None:

@@ -47,8 +47,8 @@ def call(name: str, line: int, column: int, *arguments: Any) -> tuple[Any, ...]:
             "auto &[v, w] = a;",
             [
                 ("", T("auto", marks="&"), ("=", A)),
-                ("v", T("auto"), ("=", ("?", "[v, w]"))),
-                ("w", T("auto"), ("=", ("?", "[v, w]"))),
+                ("v", T("auto"), ("=", ("index", ("name", ""), ("num", 0)))),
+                ("w", T("auto"), ("=", ("index", ("name", ""), ("num", 1)))),
             ],
         ),
         ("A v();", []),
@@ -123,8 +123,8 @@ def test_a_variable_stands_at_its_name() -> None:
                 T("auto"),
                 A,
                 (
-                    ("var", "k", T("auto"), ("=", ("?", "[k, v]")), 2, 12),
-                    ("var", "v", T("auto"), ("=", ("?", "[k, v]")), 2, 15),
+                    ("var", "k", T("auto"), ("=", ("index", ("name", ""), ("num", 0))), 2, 12),
+                    ("var", "v", T("auto"), ("=", ("index", ("name", ""), ("num", 1))), 2, 15),
                 ),
             ),
         ),

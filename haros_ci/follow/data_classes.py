@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Python classes without a constructor of their own that take arguments: these are their annotated fields (docs.python.org/3/library/dataclasses.html)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from haros_ci import syntax
+from haros_ci.follow import activation, call_arguments, expressions, methods
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.run import Run
+from haros_ci.index.index import Source
+from haros_ci.syntax import Class, Field
+from haros_ci.values.abstract import Cell, Object, Opaque, Value
+
+if TYPE_CHECKING:
+    from haros_ci.follow.call_arguments import Argument
+
+#: Bases that leave the fields to the class (docs.python.org/3/library/typing.html).
+PLAIN = frozenset(("object", "typing.NamedTuple", "typing.Generic", "typing.Protocol", "abc.ABC"))
+#: The last parts of the names of functions that declare a field.
+FIELD = ("field", "ib", "attrib")
+#: Why a field is not known.
+OTHER = "the constructor of its class is not known"
+
+
+def construct(run: Run, frame: Frame, this: Object, args: tuple[Argument, ...]) -> None:
+    """Set the fields of *this* to *args*, or as their ``field(…)`` says, and call ``__post_init__``."""
+    source, definition = this.definition
+    fields = _fields(run, source, definition, 0)
+    if not fields:
+        return
+    is_other = any(base not in PLAIN for base in methods.library_bases(run, source, definition))
+    if is_other or methods.method_of(run, this, "__new__") is not None:
+        fields = {name: fields[name] for argument in args if (name := argument.keyword) and name in fields}
+        args = tuple(argument for argument in args if argument.keyword)
+    _set(run, this, fields, args)
+    after = methods.method_of(run, this, "__post_init__")
+    if after is not None:
+        activation.invoke(run, frame, after, ())
+
+
+def _set(run: Run, this: Object, fields: dict[str, tuple[Source, Field]], args: tuple[Argument, ...]) -> None:
+    named = {argument.keyword: argument.value for argument in args if argument.keyword}
+    rest = [argument.value for argument in args if not argument.keyword]
+    is_told = not rest or all(each.type.name for _, each in fields.values())
+    for name, (where, each) in fields.items():
+        # where it is not told, which of them are fields is not
+        value = _first_of(run, where, _options(where, each), named.get(name), rest) if is_told else Opaque(OTHER)
+        if is_told and not named.keys().isdisjoint(("*", "**")):
+            value = named.get(name) or Opaque(call_arguments.UNPACKED)
+        if value is not None:
+            this.fields[name] = Cell(value)
+
+
+def _first_of(
+    run: Run, where: Source, options: dict[str, syntax.Expression], named: Value | None, rest: list[Value]
+) -> Value | None:
+    """What a field begins with: one of the *rest* of the arguments, that of its name, or what its declaration says."""
+    if options.get("init") == syntax.Boolean(False):
+        return _default(run, where, options)
+    if rest:
+        return rest.pop(0)
+    return named or _default(run, where, options)
+
+
+def _fields(run: Run, source: Source, definition: Class, depth: int) -> dict[str, tuple[Source, Field]]:
+    """The annotated fields of a class, those of its bases first."""
+    found: dict[str, tuple[Source, Field]] = {}
+    if depth < methods.BASES:
+        for base in reversed(run.bases(source, definition, {})):
+            owner = methods.python_class(run, base, source)
+            if owner is not None and owner[1] is not definition:
+                found.update(_fields(run, *owner, depth + 1))
+    for each in definition.fields:
+        if not each.type.name.endswith("ClassVar"):
+            found[each.name] = (source, each)
+    return found
+
+
+def _options(source: Source, field: Field) -> dict[str, syntax.Expression]:
+    """The keyword arguments of a field that is declared by ``field(…)``."""
+    value = field.init.value if isinstance(field.init, syntax.Equals) else None
+    if not isinstance(value, syntax.Call) or syntax.name_of(value.callee).rpartition(".")[2] not in FIELD:
+        return {}
+    return {each.name: each.value for each in value.arguments if isinstance(each, syntax.Keyword)}
+
+
+def _default(run: Run, source: Source, options: dict[str, syntax.Expression]) -> Value | None:
+    """What ``field(default=…)`` or ``field(default_factory=…)`` begins with; None for a field that is not declared so."""
+    inner = Frame(source, "")
+    if "default" in options:
+        return expressions.evaluate(run, inner, options["default"])
+    factory = options.get("default_factory", options.get("factory"))
+    return expressions.evaluate(run, inner, syntax.Call(factory, (), (), 0, 0)) if factory is not None else None
