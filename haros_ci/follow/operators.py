@@ -36,6 +36,8 @@ from haros_ci.values.abstract import (
     data_of,
     join,
 )
+from haros_ci.values.given import plain
+from haros_ci.values.questions import PLAIN
 
 BINARY = {
     "-": operator.sub,
@@ -50,6 +52,8 @@ BINARY = {
     "|": operator.or_,
     "^": operator.xor,
 }
+#: Comparisons, and what they are with their operands the other way round.
+MIRRORED = {"==": "==", "!=": "!=", "<": ">", ">": "<", "<=": ">=", ">=": "<="}
 
 
 def operation(run: Run, frame: Frame, expression: syntax.Operation) -> Value:
@@ -99,6 +103,10 @@ def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Va
     if symbol == "%" and isinstance(left, Known) and issubclass(left.kind, str):
         return formats.percent(run, frame, left.value, right)
     if isinstance(left, Known) and isinstance(right, Known):
+        if (left.__class__ is not Known or right.__class__ is not Known) and symbol in MIRRORED:
+            told = _compared(symbol, left, right)
+            if told is not None:
+                return told
         return _computed(run, frame, symbol, left.value, right.value)
     if symbol == "+" and isinstance(left, Sequence) and isinstance(right, Sequence):
         one, other = left.content.value, right.content.value
@@ -145,6 +153,21 @@ def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Va
     kind = conversions.value_type(left) or conversions.value_type(right)
     comparison = symbol in ("==", "!=", "<", ">", "<=", ">=", "in", "not in", "is", "is not")
     return run.opaque("it is computed from what is not known", frame, None, syntax.Type("bool") if comparison else kind)
+
+
+def _compared(symbol: str, left: Known, right: Known) -> Value | None:
+    """What a comparison with a value that is given from outside gives, which is looked at no further; None where it must be."""
+    if symbol in ("==", "!="):
+        return Known((left == right) is (symbol == "=="))
+    if left.__class__ is Known:
+        symbol, left, right = MIRRORED[symbol], right, left
+    operand = plain(right.value) if right.__class__ is Known else None
+    if operand.__class__ not in PLAIN:
+        return None
+    try:
+        return Known(left.ask(symbol, operand))
+    except TypeError:
+        return None
 
 
 def _over(choice: Choice, function: Any) -> Value:
