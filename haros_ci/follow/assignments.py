@@ -47,6 +47,7 @@ from haros_ci.values.abstract import (
     Value,
     join,
 )
+from haros_ci.values.given import letter
 
 TIES = frozenset(map(syntax.Name, ("std::tie", "boost::tie", "tie")))
 #: Methods of containers that give one of their elements.
@@ -225,8 +226,8 @@ def indexed(run: Run, frame: Frame, expression: syntax.Subscript) -> Value:
         return cell.value
     if isinstance(container, Known) and isinstance(key, Known):
         if issubclass(container.kind, str) and frame.source.program.language != "python":
-            if isinstance(key.value, int) and 0 <= key.value < len(container.value):
-                return texts.number(Known(container.value[key.value]))
+            if isinstance(key.value, int) and key.value >= 0 and container.ask("longer than", key.value):
+                return texts.number(letter(container, key.value))
             return run.opaque("a character that is not known", frame)
         try:
             return Known(container.value[key.value])

@@ -155,7 +155,7 @@ def smart(kind: Type | None) -> Type | None:
 def truth(value: Value) -> bool | None:
     """Whether a condition holds, None if that is not known."""
     if isinstance(value, Known):
-        return bool(value.value)
+        return bool(value.value) if value.__class__ is Known else bool(value.ask("truth"))
     if isinstance(value, Object):
         return None if _decides(value) else True
     if isinstance(value, Sequence) and isinstance(value.content.value, tuple):

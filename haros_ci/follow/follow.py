@@ -151,6 +151,8 @@ def _counted(first: Writes, second: Writes) -> Writes:
 
 
 def _has_other_number(held: Any, value: Any) -> bool:
+    if held is value:
+        return False
     before, then = _numbers(held), _numbers(value)
     return bool(before and then - before)
 

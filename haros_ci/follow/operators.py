@@ -36,6 +36,8 @@ from haros_ci.values.abstract import (
     data_of,
     join,
 )
+from haros_ci.values.given import plain
+from haros_ci.values.questions import PLAIN
 
 BINARY = {
     "-": operator.sub,
@@ -50,6 +52,8 @@ BINARY = {
     "|": operator.or_,
     "^": operator.xor,
 }
+#: Comparisons, and what they are with their operands the other way round.
+MIRRORED = {"==": "==", "!=": "!=", "<": ">", ">": "<", "<=": ">=", ">=": "<="}
 
 
 def operation(run: Run, frame: Frame, expression: syntax.Operation) -> Value:
@@ -103,6 +107,10 @@ def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Va
         if whole is not None:
             return whole
     if isinstance(left, Known) and isinstance(right, Known):
+        if (left.__class__ is not Known or right.__class__ is not Known) and symbol in MIRRORED:
+            told = _compared(symbol, left, right)
+            if told is not None:
+                return told
         return _computed(run, frame, symbol, left.value, right.value)
     if isinstance(left, Object) and symbol in ("+", "-") and isinstance(right, Known) and type(right.value) is int:
         further = iterators.moved(left, right.value if symbol == "+" else -right.value)
@@ -157,6 +165,21 @@ def _of_lists(run: Run, frame: Frame, symbol: str, left: Value, right: Value) ->
     if frame.source.separator != ".":
         return None
     return python_lists.repeated(left, right) if symbol == "*" else python_lists.combined(symbol, left, right)
+
+
+def _compared(symbol: str, left: Known, right: Known) -> Value | None:
+    """What a comparison with a value that is given from outside gives, which is looked at no further; None where it must be."""
+    if symbol in ("==", "!="):
+        return Known((left == right) is (symbol == "=="))
+    if left.__class__ is Known:
+        symbol, left, right = MIRRORED[symbol], right, left
+    operand = plain(right.value) if right.__class__ is Known else None
+    if operand.__class__ not in PLAIN:
+        return None
+    try:
+        return Known(left.ask(symbol, operand))
+    except TypeError:
+        return None
 
 
 def _over(choice: Choice, function: Any) -> Value:

@@ -24,6 +24,7 @@ from haros_ci.keeping.moves import Lines
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
 from haros_ci.values.abstract import Value
+from haros_ci.values.questions import Answer
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +41,8 @@ class Followed:
     consulted: Consulted | None = None
     #: The statements and calls that it took.
     steps: int = 0
+    #: What it asked of parameters and names, besides what it looked at.
+    answers: tuple[Answer, ...] = ()
 
 
 def digest_of(*parts: Any) -> str:
@@ -127,6 +130,7 @@ def _written(followed: Followed) -> list[Any]:
         problems,
         twins,
         followed.steps,
+        to_json(followed.answers),
     ]
 
 
@@ -182,7 +186,7 @@ def read(
             if is_as_it_was and number in earlier.made:
                 found.append(earlier.made[number])
                 continue
-            table, count, made, requested, gaps, names, problems, twins, steps = now
+            table, count, made, requested, gaps, names, problems, twins, steps, answers = now
             nodes = from_json(table)
             if not isinstance(nodes, tuple) or not all(node.__class__ is RosNode for node in nodes):
                 return []
@@ -196,6 +200,7 @@ def read(
                 twins=tuple(_twin(twin) for twin in twins),
                 consulted=what,
                 steps=_count(steps),
+                answers=_answers_of(from_json(answers)),
             )
             found.append((from_json(key), followed))
             if is_as_it_was:
@@ -258,6 +263,12 @@ def _made(data: Any, nodes: tuple[RosNode, ...]) -> Made:
     if made.__class__ is not Made:
         raise Unfit
     return made if number == -1 else replace(made, node=nodes[_index(number, nodes)])
+
+
+def _answers_of(value: Any) -> tuple[Answer, ...]:
+    if not isinstance(value, tuple) or not all(each.__class__ is Answer for each in value):
+        raise Unfit
+    return value
 
 
 def _text(value: Any) -> str:

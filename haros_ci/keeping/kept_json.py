@@ -14,6 +14,7 @@ from haros_ci.model.architecture import KINDS, Condition, Qos
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import Known, Opaque
 from haros_ci.values.given import AsGiven, Unseen
+from haros_ci.values.questions import PLAIN, QUESTIONS, Answer
 
 #: Containers in containers that are kept.
 DEEPEST = 40
@@ -122,6 +123,14 @@ CLASSES: dict[type, dict[str, Check]] = {
     Known: {"value": _plain},
     Unseen: {"shape": _text},
     AsGiven: {"key": _text},
+    Answer: {
+        "of": _text,
+        "is_text": _flag,
+        "question": lambda value: value in QUESTIONS,
+        "operand": _optional(_is(*PLAIN)),
+        "answer": _is(*PLAIN),
+        "place": _optional(_is(int)),
+    },
 }
 _NAMES = {kind.__name__: kind for kind in CLASSES}
 _SEQUENCES = {"t": tuple, "l": list}

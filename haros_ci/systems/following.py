@@ -229,6 +229,7 @@ def _followed_in(
         tuple(run.twins.values()),
         small(trace, relevance, view),
         run.steps,
+        context.marks.answers(),
     )
     types.fresh.append((key, followed))
     return followed

@@ -18,7 +18,8 @@ from haros_ci.model.workspace import Problem
 from haros_ci.systems import sharing
 from haros_ci.systems.following import Types, files_key, followed_in
 from haros_ci.values.abstract import Known, Value
-from haros_ci.values.given import PARAMETER, Marks, Unseen, filled
+from haros_ci.values.given import Marks
+from haros_ci.values.marks import PARAMETER, filled
 
 #: Steps that may go into one program, however many times and ways it is started.
 OF_ONE_PROGRAM = 500_000
@@ -89,7 +90,7 @@ def _shared(
     counted = types.counted.setdefault((entry.key, started.has_plugins), {})
     is_over = sum(counted.values()) > OF_ONE_PROGRAM
     for done in earlier:
-        if sharing.fits(done.asked, parameter):
+        if sharing.fits(done, names, parameter):
             digest = _digest(key, done)
             if is_over and digest not in counted:
                 break  # what an earlier run has followed; this one would not
@@ -101,10 +102,10 @@ def _shared(
     given: dict[str, Value | None] = {}
 
     def ask(name: str) -> Value | None:
-        if PARAMETER in name:
+        if PARAMETER in name and not name.partition(":")[2].startswith("qos_overrides."):
             name = marks.looked_at(name)
         if name not in asked:
-            value = parameter(name)
+            value = parameter(marks.real(name) if PARAMETER in name else name)
             asked[name] = value
             given[name] = value if is_exact else marks.given(name, f"p{len(asked) - 1}", value)
         return given[name]
@@ -142,8 +143,7 @@ def _put_under(
     parameter: Callable[[str], Value | None],
 ) -> Followed | None:
     """``sharing.put_under``, once for the same names, rules and values."""
-    unseen = (parameter(cell) for cell, before in done.asked.items() if isinstance(before, Unseen))
-    values = tuple((value.kind, value.value) for value in unseen if isinstance(value, Known))
+    values = sharing.unseen(done, names, parameter)
     key = (id(done), tuple(names.items()), tuple(instead.items()), values)
     if key not in types.put:
         types.put[key] = (done, sharing.put_under(done, names, instead, parameter))
@@ -151,4 +151,4 @@ def _put_under(
 
 
 def _digest(key: Any, done: Followed) -> str:
-    return digest_of(key, *done.asked.items())
+    return digest_of(key, *done.asked.items(), *done.answers)

@@ -8,7 +8,7 @@ where all that it did look at is the same; then the marks are replaced by what t
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -19,7 +19,8 @@ from haros_ci.graph.ros2_process import NAMES, SPACES, RosNode, Rule
 from haros_ci.keeping.kept import Followed
 from haros_ci.systems.following import same
 from haros_ci.values.abstract import Known, Value
-from haros_ci.values.given import BEGIN, END, AsGiven, Unseen, filled, shape
+from haros_ci.values.given import AsGiven, Unseen, shape
+from haros_ci.values.marks import BEGIN, END, PARAMETER, filled
 
 _NAME = re.compile(r"[A-Za-z]\w{0,100}", re.ASCII)
 _SPACE = re.compile(r"/|/?[A-Za-z][\w/]{0,100}", re.ASCII)
@@ -53,30 +54,48 @@ def without_names(*groups: Rules) -> tuple[tuple[Rules, ...], dict[str, str], di
     return tuple(found), texts, instead
 
 
-def fits(asked: Mapping[str, Any], given: Callable[[str], Value | None]) -> bool:
-    """Whether what is *given* now is what was *asked* for: the same, or of the same shape where nobody looked at it."""
-    for name, before in asked.items():
-        now = given(name)
+Give = Callable[[str], "Value | None"]
+
+
+def fits(followed: Followed, names: Mapping[str, str], given: Give) -> bool:
+    """Whether a result is that for *names* and what is *given*: what was looked at is the same, what was not is of the same shape and has the same answers."""
+    texts, values = dict(names), dict[str, Any]()
+    for name, now, before in _asked(followed, texts, given):
         if isinstance(before, Unseen):
             if shape(now) != before.shape:
                 return False
         elif not same(now, before):
             return False
-    return True
+        values[name] = now.value if isinstance(now, Known) else None
+    return all(answer.holds(texts, values.get) for answer in followed.answers)
 
 
-def put_under(
-    followed: Followed, names: Mapping[str, str], rules: Mapping[Rule, Rule], given: Callable[[str], Value | None]
-) -> Followed | None:
+def _asked(followed: Followed, texts: dict[str, str], given: Give) -> Iterator[tuple[str, Value | None, Any]]:
+    """The names of the parameters that were asked for, what they are given now and what they were; *texts* get those that are texts."""
+    for number, (name, before) in enumerate(followed.asked.items()):
+        now = given(filled(name, texts) if PARAMETER in name else name)
+        if isinstance(now, Known) and isinstance(now.value, str):
+            texts[f"p{number}"] = now.value
+        yield name, now, before
+
+
+def unseen(followed: Followed, names: Mapping[str, str], given: Give) -> tuple[Any, ...]:
+    """What is *given* for the parameters that were not looked at, in order."""
+    found = _asked(followed, dict(names), given)
+    return tuple(
+        (now.kind, now.value) for _, now, before in found if isinstance(before, Unseen) and isinstance(now, Known)
+    )
+
+
+def put_under(followed: Followed, names: Mapping[str, str], rules: Mapping[Rule, Rule], given: Give) -> Followed | None:
     """*followed* with *names* for their keys, *rules* for those with marks and the parameters that are *given*.
 
-    None if two things that were made are one then.
+    None if two things that were made, or two parameters that were asked for, are one then.
     """
     texts = dict(names)
-    for number, (cell, before) in enumerate(followed.asked.items()):
-        value = given(cell) if isinstance(before, Unseen) else before
-        if isinstance(value, Known) and isinstance(value.value, str):
-            texts[f"p{number}"] = value.value
+    values = {name: now for name, now, _ in _asked(followed, texts, given)}
+    if len({filled(name, texts) if PARAMETER in name else name for name in values}) < len(values):
+        return None
     nodes: dict[int, RosNode] = {}
 
     def text(marked: str) -> str:
@@ -104,7 +123,7 @@ def put_under(
     def made(before: Made) -> Made:
         effective: Any = before.effective
         if isinstance(effective, AsGiven):
-            value = given(effective.key)
+            value = values.get(effective.key)
             effective = value.value if isinstance(value, Known) else None
         elif isinstance(effective, str):
             effective = text(effective)

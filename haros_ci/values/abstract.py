@@ -17,6 +17,7 @@ from typing import Any, Union
 from haros_ci import syntax
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Function, Type
+from haros_ci.values.questions import QUESTIONS
 
 #: More possible values than this are not kept apart.
 CHOICES = 8
@@ -47,6 +48,10 @@ class Known:
     def kind(self) -> type:
         """The type of the data; of what is given from outside it may be asked without looking at the value (``values.given``)."""
         return type(self.value)
+
+    def ask(self, question: str, operand: Any = None) -> Any:
+        """The answer to one of ``values.questions.QUESTIONS``; TypeError where the data is not of the kind that it is about."""
+        return QUESTIONS[question](self.value, operand)
 
 
 @dataclass(frozen=True, slots=True)
@@ -205,7 +210,7 @@ def join(one: Value, other: Value) -> Value:
     for option in other.options if isinstance(other, Choice) else (other,):
         if not any(
             option is seen
-            or (isinstance(option, Known) and isinstance(seen, Known) and same(option.value, seen.value))
+            or (isinstance(option, Known) and isinstance(seen, Known) and option.kind is seen.kind and option == seen)
             or (isinstance(option, Text) and option == seen)
             for seen in options
         ):

@@ -8,45 +8,67 @@ value has it twice: as it is, and as a *mark* that stands for it in what is made
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from math import isfinite
 from typing import Any
 
-from haros_ci.values.abstract import Known, Opaque, Value, concatenate
+from haros_ci.values.abstract import Character, Known, Opaque, Value, concatenate
+from haros_ci.values.marks import BEGIN, END, filled, keys
+from haros_ci.values.questions import MOST, PLAIN, QUESTIONS, Answer
 
-#: What begins and ends a mark; Unicode has no characters there (U+FDD0, U+FDD1).
-BEGIN, END = "\ufdd0", "\ufdd1"
-#: What the mark of a parameter begins with.
-PARAMETER = f"{BEGIN}p"
-#: A mark by its key; that of a namespace (s) has the slash that it begins with, and the next one.
-_MARKS = re.compile(f"/?{BEGIN}(s\\d+){END}(/?)|{BEGIN}([np]\\d+){END}")
-#: Texts of which the first character and the kind of name say nothing but that they are one.
-_PLAIN = re.compile(r"[A-Za-z0-9_][\w ./:+-]{0,200}", re.ASCII)
+#: Texts of which the first character and the kind of name say nothing but that they are one, and paths below a package's share directory.
+_PLAIN = re.compile(r"(?:[A-Za-z0-9_]|\$\(find-pkg-share \w{1,100}\)/)[\w ./:+-]{0,200}", re.ASCII)
 #: Numbers that every type of C++ holds, characters aside.
 _INTEGERS = range(2**31)
 
 
+@dataclass(slots=True)
+class Looks:
+    """What a program has looked at: *seen* are the names of what is given that count as they are, *answers* are what it has asked of others."""
+
+    seen: set[str] = field(default_factory=set)
+    #: By each answer the names that it is about.
+    answers: dict[Answer, tuple[str, ...]] = field(default_factory=dict)
+
+
 class Given(Known):
-    """Data from outside, of the *cells* (names of what is given); reading ``value`` adds these to *seen*.
+    """Data from outside, of the *cells* (names of what is given); reading ``value`` makes these count as they are, ``ask`` the answer alone.
 
     *mark* is the text with marks for its cells; None if the value is no text. ``kind`` may be read, it is compared in any case.
     """
 
-    __slots__ = ("cells", "held", "mark", "seen")
+    __slots__ = ("cells", "held", "looks", "mark")
     cells: tuple[str, ...]
     held: Any
+    looks: Looks
     mark: str | None
-    seen: set[str]
 
-    def __init__(self, held: Any, mark: str | None, cells: tuple[str, ...], seen: set[str]) -> None:
-        for name, value in (("held", held), ("mark", mark), ("cells", cells), ("seen", seen)):
+    def __init__(self, held: Any, mark: str | None, cells: tuple[str, ...], looks: Looks) -> None:
+        for name, value in (("held", held), ("mark", mark), ("cells", cells), ("looks", looks)):
             object.__setattr__(self, name, value)
 
     @property
     def value(self) -> Any:
-        self.seen.update(self.cells)
+        self.looks.seen.update(self.cells)
         return self.held
+
+    def ask(self, question: str, operand: Any = None) -> Any:
+        answer = QUESTIONS[question](self.held, operand)
+        self._answered(question, operand, answer, self.cells)
+        return answer
+
+    def _answered(self, question: str, operand: Any, answer: Any, cells: tuple[str, ...]) -> None:
+        looks = self.looks
+        if looks.seen.issuperset(cells):
+            return
+        if (operand is not None and operand.__class__ not in PLAIN) or len(looks.answers) >= MOST:
+            looks.seen.update(cells)
+            return
+        looks.answers[self._answer(question, operand, answer)] = cells
+
+    def _answer(self, question: str, operand: Any, answer: Any) -> Answer:
+        return Answer(self.mark or self.cells[0], self.mark is not None, question, operand, answer)
 
     @property
     def kind(self) -> type:
@@ -55,11 +77,17 @@ class Given(Known):
     def __eq__(self, other: object) -> bool:
         if self is other:
             return True
-        if isinstance(other, Given) and other.held == self.held and other.mark == self.mark and self.mark is not None:
-            return True
-        if not isinstance(other, Known) or (other.__class__ is Known and other.value in (None, "")):
+        if isinstance(other, Given):
+            if self.mark is None or other.mark is None:
+                return bool(self.value == other.value)
+            same = bool(self.held == other.held)
+            if self.mark != other.mark:
+                self._answered("==", other.mark, same, (*self.cells, *other.cells))
+            return same
+        if not isinstance(other, Known) or other.value in (None, ""):
             return False  # there is a value, and a text that is given is not empty
-        return bool(self.value == other.value)
+        data = plain(other.value)
+        return bool(self.ask("==", data) if data.__class__ in PLAIN else self.value == data)
 
     def __hash__(self) -> int:
         return hash((self.value,))
@@ -72,7 +100,7 @@ class Given(Known):
         given = [value for value in values if isinstance(value, Given)]
         for value in given:
             if value.mark is None:
-                value.seen.update(value.cells)
+                value.looks.seen.update(value.cells)
         whole = concatenate(tuple(Known(v.held) if isinstance(v, Given) else v for v in values), show)
         marked = [value for value in given if value.mark is not None]
         if not marked:
@@ -81,14 +109,57 @@ class Given(Known):
             mark = concatenate(tuple(Known(v.mark) if isinstance(v, Given) else v for v in map(_plain, values)), show)
             if isinstance(mark, Known):
                 cells = tuple(dict.fromkeys(cell for value in marked for cell in value.cells))
-                return Given(whole.value, mark.value, cells, self.seen)
+                return Given(whole.value, mark.value, cells, self.looks)
         for value in marked:
-            value.seen.update(value.cells)
+            value.looks.seen.update(value.cells)
         return whole
 
 
 def _plain(value: Value) -> Value:
     return Known(value.held) if isinstance(value, Given) and value.mark is None else value
+
+
+class Letter(Given):
+    """The character at a *place* of a given *text*, as the number that it is."""
+
+    __slots__ = ("place", "text")
+    place: int
+    text: str
+
+    def __init__(self, whole: Given, place: int) -> None:
+        super().__init__(Character(ord(whole.held[place])), None, whole.cells, whole.looks)
+        object.__setattr__(self, "place", place)
+        object.__setattr__(self, "text", whole.mark)
+
+    __eq__ = Given.__eq__
+    __hash__ = Given.__hash__
+
+    def _answer(self, question: str, operand: Any, answer: Any) -> Answer:
+        return Answer(self.text, True, question, operand, answer, self.place)
+
+
+def letter(value: Known, place: int) -> Known:
+    """The character at a *place* that a text has."""
+    if isinstance(value, Given) and value.mark is not None and value.held[place].isascii():
+        return Letter(value, place)
+    return Known(value.value[place])
+
+
+def beginning(value: Known, count: int) -> Known | None:
+    """The first *count* characters of a given text where the rest of it is not given; None for others."""
+    if not isinstance(value, Given) or value.mark is None or not 0 < count <= len(value.held):
+        return None
+    rest = value.held[count:]
+    if END in rest or not value.mark.endswith(rest):
+        return None
+    value.ask("size")
+    mark = value.mark.removesuffix(rest)
+    return Given(value.held[:count], mark, value.cells, value.looks) if END in mark else Known(value.held[:count])
+
+
+def plain(data: Any) -> Any:
+    """*data*, a character as its number."""
+    return int(data) if isinstance(data, Character) else data
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,7 +199,7 @@ class Marks:
     def __init__(self, names: Mapping[str, str] = {}) -> None:  # noqa: B006
         self.texts = dict(names)
         self.cells = {key: key for key in names}
-        self.seen: set[str] = set()
+        self.looks = Looks()
         self.held: set[str] = set()
 
     def given(self, cell: str, key: str, value: Value | None) -> Value | None:
@@ -140,7 +211,7 @@ class Marks:
         mark = None
         if isinstance(value.value, str):
             mark, self.texts[key], self.cells[key] = f"{BEGIN}{key}{END}", value.value, cell
-        return Given(value.value, mark, (cell,), self.seen)
+        return Given(value.value, mark, (cell,), self.looks)
 
     def real(self, text: str) -> str:
         """*text* as it is."""
@@ -148,38 +219,27 @@ class Marks:
 
     def known(self, text: str) -> Known:
         """*text* as a value of the program."""
-        cells = tuple(dict.fromkeys(self.cells[key] for key in _keys(text)))
-        return Given(self.real(text), text, cells, self.seen) if cells else Known(text)
+        cells = tuple(dict.fromkeys(self.cells[key] for key in keys(text)))
+        return Given(self.real(text), text, cells, self.looks) if cells else Known(text)
 
     def looked_at(self, text: str) -> str:
         """*text* as it is; what is done depends on it from now on."""
-        self.seen.update(self.cells[key] for key in _keys(text))
+        self.looks.seen.update(self.cells[key] for key in keys(text))
         return self.real(text)
+
+    def answers(self) -> tuple[Answer, ...]:
+        """What was asked of that which does not count as it is."""
+        return tuple(asked for asked, cells in self.looks.answers.items() if not self.looks.seen.issuperset(cells))
 
     def settled(self, asked: Mapping[str, Value | None]) -> dict[str, Any]:
         """*asked* as it has to be again: as it is, or only its type; and the names that were looked at."""
         found: dict[str, Any] = {}
         for name, value in asked.items():
-            kind = shape(value) if name in self.held and name not in self.seen else None
+            kind = shape(value) if name in self.held and name not in self.looks.seen else None
             found[name] = value if kind is None else Unseen(kind)
-        return found | {key: Known(text) for key, text in self.texts.items() if key in self.seen and key[0] != "p"}
-
-
-def _keys(text: str) -> Iterator[str]:
-    return (found[1] or found[3] for found in _MARKS.finditer(text)) if BEGIN in text else iter(())
-
-
-def filled(text: str, texts: Mapping[str, str]) -> str:
-    """*text* with what its marks stand for; a mark that *texts* has not stays."""
-
-    def put(found: re.Match[str]) -> str:
-        space, after, other = found.groups()
-        known = texts.get(space or other)
-        if known is None:
-            return found[0]
-        return known if known == "/" and after else known + (after or "")
-
-    return _MARKS.sub(put, text)
+        return found | {
+            key: Known(text) for key, text in self.texts.items() if key in self.looks.seen and key[0] != "p"
+        }
 
 
 def marked(value: Value) -> Value:

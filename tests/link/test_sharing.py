@@ -15,7 +15,8 @@ from haros_ci.analysis.architecture import architecture
 from haros_ci.config.settings import Settings
 from haros_ci.report.model_json import render
 from haros_ci.systems import sharing
-from haros_ci.values.given import BEGIN, END, Marks, filled, shape
+from haros_ci.values.given import Marks, shape
+from haros_ci.values.marks import BEGIN, END, filled
 from haros_ci.values.abstract import Known, Opaque
 from test_kept import Cache, digested
 
@@ -78,6 +79,10 @@ COUNT = 'const int count = declare_parameter<int>("count", 1);\n'
 PUBLISHER = 'create_publisher<String>("{}", 1);\n'
 
 
+COUNTS = (GIVEN.format("one", "a", 3), GIVEN.format("two", "a", 9))
+TEXTS = (GIVEN.format("one", "a", 3), GIVEN.format("two", "b", 3))
+
+
 @pytest.mark.parametrize(
     ("body", "nodes"),
     [
@@ -107,10 +112,31 @@ PUBLISHER = 'create_publisher<String>("{}", 1);\n'
             (GIVEN.format("o", "a", 3), GIVEN.format("t", "b", 3)),
         ),
         (READ + COUNT + PUBLISHER.format("x"), (GIVEN.format("one", "a", 3), GIVEN.format("two", "a", 9))),
+        # What is asked of a value has the same answer.
+        (COUNT + 'if (count > 2) { create_publisher<String>("x", 1); }', COUNTS),
+        (COUNT + 'if (count == 2 || 1 >= count) { create_publisher<String>("x", 1); }', COUNTS),
+        (COUNT + 'if (count) { create_publisher<String>("x", 1); }', COUNTS),
+        (READ + 'if (text == "c") { create_publisher<String>("x", 1); }', TEXTS),
+        (READ + 'if (text != "c") { create_publisher<String>(text, 1); }', TEXTS),
+        (READ + "if (!text.empty() && text.size() < 9) { create_publisher<String>(text, 1); }", TEXTS),
+        (READ + "if (text.back() == '/' || text[0] == '_') { create_publisher<String>(\"x\", 1); }", TEXTS),
+        (READ + 'if (text.find("map") == std::string::npos) { create_publisher<String>(text, 1); }', TEXTS),
+        (READ + "if (text.find('q') == std::string::npos) { create_publisher<String>(text, 1); }", TEXTS),
+        (READ + 'std::string to = "c"; if (flag_) { to = text; } create_publisher<String>("x", 1);', TEXTS),
+        (
+            READ
+            + "rclcpp::PublisherOptions o; o.qos_overriding_options = rclcpp::QosOverridingOptions::with_default_policies();"
+            " create_publisher<String>(text, 1, o);",
+            TEXTS,
+        ),
+        (
+            "const std::string s = get_namespace(); if (!s.empty() && s.back() == '/') { create_publisher<String>(\"x\", 1); }",
+            TWO,
+        ),
     ],
 )
 def test_followed_once(body: str, nodes: tuple[str, ...], monkeypatch: pytest.MonkeyPatch) -> None:
-    files = ros2_files(program(body, "std::string text_;"), started(*nodes))
+    files = ros2_files(program(body, "std::string text_; bool flag_;"), started(*nodes))
     assert follows(files, monkeypatch) == 1
 
 
@@ -135,13 +161,25 @@ def test_followed_once(body: str, nodes: tuple[str, ...], monkeypatch: pytest.Mo
         (COUNT, (GIVEN.format("o", "a", 3), GIVEN.format("t", "a", 2.5))),
         (READ + 'declare_parameter<int>(text + "_rate", 1);', (GIVEN.format("o", "a", 3), GIVEN.format("t", "b", 3))),
         (READ + PUBLISHER.format("x"), (GIVEN.format("one", "a", 3), "name='two'")),
+        # What is asked of a value has another answer.
+        (READ + 'if (text.size() > 1) { create_publisher<String>("x", 1); }', (GIVEN.format("o", "a", 3), GIVEN.format("t", "bb", 3))),
+        (READ + 'if (text[0] == \'a\') { create_publisher<String>("x", 1); }', TEXTS),
+        (READ + 'if (text < "b") { create_publisher<String>("x", 1); }', TEXTS),
+        (READ + 'if (text.find("a") == 0) { create_publisher<String>("x", 1); }', TEXTS),
+        (COUNT + 'if (count) { create_publisher<String>("x", 1); }', (GIVEN.format("o", "a", 3), GIVEN.format("t", "a", 0))),
+        (COUNT + 'if (5 < count) { create_publisher<String>("x", 1); }', COUNTS),
+        (READ + 'std::string to = "a"; if (flag_) { to = text; } create_publisher<String>(to, 1);', TEXTS),
+        (READ + 'const auto other = declare_parameter<std::string>("other", "y"); if (text == other) { create_publisher<String>("x", 1); }',
+         ("name='one', parameters=[{'text': 'a', 'other': 'b'}]", "name='two', parameters=[{'text': 'a', 'other': 'a'}]")),
+        (READ + 'if (text == get_name()) { create_publisher<String>("x", 1); }',
+         ("name='a', parameters=[{'text': 'a'}]", "name='b', parameters=[{'text': 'a'}]")),
         (PUBLISHER.format("x"), ("name='one'", "")),
         (PUBLISHER.format("x"), ("name='one', remappings=[('x', 'y')]", "name='two'")),
         (PUBLISHER.format("x"), ("name='one', arguments=['-a']", "name='two'")),
     ],
 )  # fmt: skip
 def test_followed_for_each(body: str, nodes: tuple[str, ...], monkeypatch: pytest.MonkeyPatch) -> None:
-    files = ros2_files(program(body, "std::string text_; int count_ = 1;"), started(*nodes))
+    files = ros2_files(program(body, "std::string text_; int count_ = 1; bool flag_;"), started(*nodes))
     assert follows(files, monkeypatch) >= 2 or "namespace='/'" in nodes
 
 

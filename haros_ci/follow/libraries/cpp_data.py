@@ -5,12 +5,25 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from haros_ci.follow.conversions import NPOS
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import text_methods, texts
 from haros_ci.follow.libraries import xml as library_xml
 from haros_ci.follow.run import Run
 from haros_ci.index.types import SEQUENCES
-from haros_ci.values.abstract import LIST_LIMIT, NONE, Cell, Known, Library, Object, Pointer, Value, concatenate
+from haros_ci.values.abstract import (
+    LIST_LIMIT,
+    NONE,
+    Cell,
+    Character,
+    Known,
+    Library,
+    Object,
+    Pointer,
+    Value,
+    concatenate,
+)
+from haros_ci.values.given import beginning, letter
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import Argument
@@ -35,6 +48,27 @@ def _of_list(run: Run, data: list[Any], cell: Cell, name: str, args: tuple[Argum
     return None
 
 
+def _asked(text: Known, name: str, args: tuple[Argument, ...]) -> Value | None:
+    """What a method of a text that is given from outside says of it, where it need not be looked at any further for that."""
+    operand = args[0].value.value if len(args) == 1 and args[0].value.__class__ is Known else None
+    if not args and name in ("size", "length"):
+        return Known(text.ask("size"))
+    if not args and name == "empty":
+        return Known(not text.ask("truth"))
+    if not args and name in ("front", "back"):
+        return texts.number(letter(text, 0 if name == "front" else -1))
+    if name == "substr" and len(args) == 2 and args[0].value == Known(0) and args[1].value.__class__ is Known:
+        count = args[1].value.value
+        return beginning(text, count) if count.__class__ is int else None
+    operand = chr(operand) if isinstance(operand, Character) else operand
+    if name in ASKED and operand.__class__ is str:
+        found = text.ask(ASKED[name], operand)
+        return Known(NPOS if found.__class__ is int and found < 0 else found)
+    return None
+
+
+#: Methods with one text of which the result says no more than the answer to a question.
+ASKED = {"starts_with": "starts with", "ends_with": "ends with", "find": "first place of", "rfind": "last place of"}
 #: Parts of a path.
 PARTS = frozenset(("path", "string", "filename", "extension", "stem", "parent_path"))
 
@@ -49,6 +83,10 @@ def of_known(
     if name in ("append", "push_back") and issubclass(receiver.kind, str) and cell is not None and args:
         run.state.write(cell, concatenate((receiver, texts.constructed(args))))
         return cell.value
+    if receiver.__class__ is not Known and receiver.kind is str:
+        told = _asked(receiver, name, args)
+        if told is not None:
+            return told
     data = receiver.value
     if isinstance(data, str):
         if name in ("size", "length"):
