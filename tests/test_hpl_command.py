@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -145,3 +146,12 @@ def test_a_property_that_has_moved_is_the_same_finding(workspace: Path, capsys: 
     found = json.loads(capsys.readouterr().out)["results"]
     states = {(each["rule"], each["line"]): each["state"] for each in found if "out-of-range" in each["rule"]}
     assert states == {("hpl-out-of-range", 8): "unchanged", ("hpl-out-of-range", 9): "new"}
+
+
+def test_nothing_of_it_is_loaded_where_no_property_is_stated() -> None:
+    code = (
+        "import sys; from haros_ci.registry import checks; import haros_ci.analysis.inspection, haros_ci.checking.project; checks();"
+        "print([name for name in sys.modules if name.startswith(('haros_ci.behaviour', 'haros_ci.checking.properties'))])"
+    )
+    said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert said.stdout == "[]\n"

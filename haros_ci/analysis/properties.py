@@ -5,9 +5,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 from haros_ci.analysis.inspection import Architectures, project_of
 from haros_ci.behaviour.declared import WORKSPACE, Owner, Stated, in_file, in_project
+from haros_ci.checking.project import Project
 from haros_ci.checking.properties import find_file
 from haros_ci.checking.run import Checked, run_on_project
 from haros_ci.checking.system import systems
@@ -46,18 +48,8 @@ def checked(
     _demand(configurations, {system.name for system in every}, "configuration")
     _demand(nodes, {node.type for system in every for node in system.nodes}, "node")
     project = project_of(made, workspace, every)
-    owners = tuple(Owner("configuration", name) for name in configurations) + tuple(
-        Owner("node", name) for name in nodes
-    )
-    stated: list[Stated] = []
-    for path in files:
-        if path not in workspace.names:
-            raise UserError(f"{path}: no file of the workspace", help="name .hpl files, or project files in YAML")
-        text = workspace.text(path)
-        if path.endswith(YAML):
-            stated += in_project(text, path, lambda name: find_file(project, name))
-        else:
-            stated += (each for owner in owners or (WORKSPACE,) for each in in_file(text, path, owner))
+    owners = (*(Owner("configuration", name) for name in configurations), *(Owner("node", name) for name in nodes))
+    stated = [each for path in files for each in _stated(project, path, owners or (WORKSPACE,))]
     project = project_of(made, workspace, every, stated=stated)
     checks = [check for check in architectures.registry.checks if check.id.startswith(PREFIX)]
     said = run_on_project(checks, project, own.TOOL)
@@ -65,11 +57,22 @@ def checked(
     return Read(said, frozenset(each.source.path for each in stated), count)
 
 
+def _stated(project: Project, path: str, owners: Iterable[Owner]) -> Iterator[Stated]:
+    """The properties in the file *path*."""
+    if path not in project.workspace.names:
+        raise UserError(f"{path}: no file of the workspace", help="name .hpl files, or project files in YAML")
+    text = project.text(path)
+    if path.endswith(YAML):
+        yield from in_project(text, path, partial(find_file, project))
+        return
+    for owner in owners:
+        yield from in_file(text, path, owner)
+
+
 def _demand(names: Iterable[str], known: set[str], what: str) -> None:
     for name in names:
         if name not in known:
-            there: Iterator[str] = iter(sorted(known))
-            shown = ", ".join(each for each, _ in zip(there, range(10)))
+            shown = ", ".join(sorted(known)[:10])
             raise UserError(
                 f"no {what} {name} in the workspace", help=f"there is {shown}" if shown else "see haros-ci model"
             )

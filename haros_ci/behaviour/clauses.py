@@ -8,7 +8,7 @@ itself or its opposite. A comparison with NaN is false, so what says the opposit
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import product
 from typing import Union
@@ -33,6 +33,7 @@ from haros_ci.interfaces.definitions import FieldType
 #: Alternatives and conditions of one predicate; what has more is not decided.
 MOST_CLAUSES, MOST_CONDITIONS = 256, 64
 
+_LOGIC = frozenset(("and", "or", "implies", "iff"))
 COMPARISONS = ("=", "!=", "<", "<=", ">", ">=")
 _OPPOSITE = {"=": "!=", "!=": "=", "<": ">=", ">=": "<", ">": "<=", "<=": ">"}
 _MIRRORED = {"=": "=", "!=": "!=", "<": ">", ">": "<", "<=": ">=", ">=": "<="}
@@ -96,15 +97,8 @@ class Reader:
                 return ((),) if value is positive else ()
             case Unary(operator="not", operand=operand):
                 return self.clauses(operand, not positive)
-            case Binary(operator="and" | "or" as word, left=left, right=right):
-                both = (word == "and") is positive
-                return (_all if both else _any)(self.clauses(left, positive), self.clauses(right, positive))
-            case Binary(operator="implies", left=left, right=right):
-                join = _any if positive else _all
-                return join(self.clauses(left, not positive), self.clauses(right, positive))
-            case Binary(operator="iff", left=left, right=right):
-                same = _all(self.clauses(left, True), self.clauses(right, positive))
-                return _any(same, _all(self.clauses(left, False), self.clauses(right, not positive)))
+            case Binary(operator=word) if word in _LOGIC:
+                return self._logic(expression, positive)
             case Binary(operator="in"):
                 return self._membership(expression, positive)
             case Binary(operator=sign) if sign in _OPPOSITE:
@@ -113,6 +107,17 @@ class Reader:
                 return ((Atom(self.term(expression), Domain(has_nan=False), "=", positive),),)
             case _:
                 return ((Opaque(self.term(expression), positive),),)
+
+    def _logic(self, binary: Binary, positive: bool) -> Clauses:
+        left, right = binary.left, binary.right
+        if binary.operator == "iff":
+            same = _all(self.clauses(left, True), self.clauses(right, positive))
+            return _any(same, _all(self.clauses(left, False), self.clauses(right, not positive)))
+        if binary.operator == "implies":
+            join = _any if positive else _all
+            return join(self.clauses(left, not positive), self.clauses(right, positive))
+        join = _all if (binary.operator == "and") is positive else _any
+        return join(self.clauses(left, positive), self.clauses(right, positive))
 
     def term(self, expression: Expression) -> str:
         """The text of *expression*; the event's own alias is left out."""
@@ -137,22 +142,23 @@ class Reader:
 
     def _membership(self, binary: Binary, positive: bool) -> Clauses:
         left, members = binary.left, binary.right
-        opaque: Clauses = ((Opaque(expression_text(binary), positive),),)
-        if not _is_term(left, self.scene):
-            return opaque
-        if isinstance(members, Range):
-            low, high = folded(members.low, self.scene), folded(members.high, self.scene)
-            if low is None or high is None:
-                return opaque
-            above = self._atom(left, ">" if members.open_low else ">=", low, positive)
-            below = self._atom(left, "<" if members.open_high else "<=", high, positive)
-            return ((above, below),) if positive else ((above,), (below,))
-        if isinstance(members, SetOf):
-            values = [folded(each, self.scene) for each in members.values]
-            if len(values) <= MOST_CONDITIONS and None not in values:
-                atoms = [self._atom(left, "=", each, positive) for each in values if each is not None]
-                return tuple((each,) for each in atoms) if positive else (tuple(atoms),)
-        return opaque
+        if isinstance(members, (Range, SetOf)) and _is_term(left, self.scene):
+            ends = (members.low, members.high) if isinstance(members, Range) else members.values
+            values = [value for each in ends if (value := folded(each, self.scene)) is not None]
+            if len(values) == len(ends) <= MOST_CONDITIONS:
+                inside = self._in_range if isinstance(members, Range) else self._in_set
+                return inside(left, members, values, positive)
+        return ((Opaque(expression_text(binary), positive),),)
+
+    def _in_range(self, term: Expression, members: Range | SetOf, values: list[Scalar], positive: bool) -> Clauses:
+        assert isinstance(members, Range)
+        above = self._atom(term, ">" if members.open_low else ">=", values[0], positive)
+        below = self._atom(term, "<" if members.open_high else "<=", values[1], positive)
+        return ((above, below),) if positive else ((above,), (below,))
+
+    def _in_set(self, term: Expression, members: Range | SetOf, values: list[Scalar], positive: bool) -> Clauses:
+        atoms = [self._atom(term, "=", each, positive) for each in values]
+        return tuple((each,) for each in atoms) if positive else (tuple(atoms),)
 
     def domain(self, term: Expression) -> Domain:
         """The values that a field, or the length of one, can have."""
@@ -225,23 +231,31 @@ def _has_value(atoms: list[Atom]) -> bool:
 
 def _interval(atoms: Iterable[Atom], domain: Domain, excluded: set[Scalar]) -> bool:
     """Whether a number is left between all bounds that is not *excluded*."""
-    low, high, open_low, open_high = domain.low, domain.high, False, False
-    for each in atoms:
-        if isinstance(each.value, str):
-            continue
-        if each.operator in (">", ">=") and (each.value, each.operator == ">") > (low, open_low):
-            low, open_low = each.value, each.operator == ">"
-        elif each.operator in ("<", "<=") and (-each.value, each.operator == "<") > (-high, open_high):
-            high, open_high = each.value, each.operator == "<"
-    if domain.is_integer and math.isfinite(low):
-        low, open_low = (math.floor(low) + 1 if open_low else math.ceil(low)), False
-    if domain.is_integer and math.isfinite(high):
-        high, open_high = (math.ceil(high) - 1 if open_high else math.floor(high)), False
+    low, open_low = max([(domain.low, False), *_bounds(atoms, ">")])
+    high, is_closed = min([(domain.high, True), *((value, not is_open) for value, is_open in _bounds(atoms, "<"))])
+    open_high = not is_closed
+    if domain.is_integer:
+        low, open_low = _first_integer(low, open_low), False
+        high, open_high = -_first_integer(-high, open_high), False
     if low > high or (low == high and (open_low or open_high or low in excluded)):
         return False
     if domain.is_integer and high - low < len(excluded):
         return any(number not in excluded for number in range(int(low), int(high) + 1))
     return True
+
+
+def _first_integer(low: float, is_open: bool) -> float:
+    """The least integer from *low* on, or above it; infinity is its own."""
+    if not math.isfinite(low):
+        return low
+    return math.floor(low) + 1 if is_open else math.ceil(low)
+
+
+def _bounds(atoms: Iterable[Atom], sign: str) -> Iterator[tuple[float, bool]]:
+    """The bounds below (*sign* ``>``) or above (``<``), each with whether it is itself left out."""
+    for each in atoms:
+        if each.operator in (sign, f"{sign}=") and not isinstance(each.value, str):
+            yield each.value, each.operator == sign
 
 
 def _fits(value: Scalar, domain: Domain) -> bool:

@@ -46,22 +46,26 @@ def follows(one: Compared, other: Compared) -> bool:
     first, second = one.pattern.kind, other.pattern.kind
     if not _may_compare(one, other) or not _covers(other, one):
         return False
-    if second is PatternKind.NO and first in (PatternKind.NO, PatternKind.FORBIDS, PatternKind.REQUIRES):
-        is_without_end = first is PatternKind.NO or other.bound == math.inf
-        return (
-            is_without_end and (first is not PatternKind.NO or one.bound <= other.bound) and _behaviour_in(one, other)
-        )
+    if second is PatternKind.NO:
+        return _follows_from_absence(one, other)
     if first is not second:
         return False
-    match first:
-        case PatternKind.SOME:
-            return _behaviour_in(other, one) and other.bound <= one.bound
-        case PatternKind.CAUSES:
-            return _triggers_in(one, other) and _behaviour_in(other, one) and other.bound <= one.bound
-        case PatternKind.FORBIDS:
-            return _triggers_in(one, other) and _behaviour_in(one, other) and one.bound <= other.bound
-        case _:  # requires
-            return _behaviour_in(one, other) and _triggers_in(other, one) and other.bound <= one.bound
+    if first is PatternKind.SOME:
+        return _behaviour_in(other, one) and other.bound <= one.bound
+    if first is PatternKind.CAUSES:
+        return _triggers_in(one, other) and _behaviour_in(other, one) and other.bound <= one.bound
+    if first is PatternKind.FORBIDS:
+        return _triggers_in(one, other) and _behaviour_in(one, other) and one.bound <= other.bound
+    return _behaviour_in(one, other) and _triggers_in(other, one) and other.bound <= one.bound  # requires
+
+
+def _follows_from_absence(one: Compared, other: Compared) -> bool:
+    """Whether *one* holds where what *other* forbids never comes."""
+    kind = one.pattern.kind
+    if kind is PatternKind.NO:
+        return one.bound <= other.bound and _behaviour_in(one, other)
+    is_kept = kind in (PatternKind.FORBIDS, PatternKind.REQUIRES)
+    return is_kept and other.bound == math.inf and _behaviour_in(one, other)
 
 
 def excluded(one: Compared, other: Compared) -> str | None:

@@ -89,9 +89,8 @@ def expression_text(expression: Expression) -> str:
             return written
         case SetOf(values=values):
             return f"{{{_list(values)}}}"
-        case Range(low=low, high=high):
-            opening, closing = "![" if expression.open_low else "[", "]!" if expression.open_high else "]"
-            return f"{opening}{_at_least(low, 6)} to {_at_least(high, 6)}{closing}"
+        case Range():
+            return _range_text(expression)
         case Variable(name=name):
             return f"@{name}"
         case Field(base=base, name=name):
@@ -100,16 +99,23 @@ def expression_text(expression: Expression) -> str:
             return f"{expression_text(base)}[{_at_least(index, 6)}]"
         case Call(name=name, arguments=arguments):
             return f"{name}({_list(arguments)})"
-        case Unary(operator="not", operand=operand):
-            return f"not {_at_least(operand, _LOGIC)}"
-        case Unary(operand=operand):
-            return f"-{_at_least(operand, _PREFIX)}"
-        case Binary(operator=operator, left=left, right=right):
-            rank = RANKS[operator]
-            first = rank + 1 if rank == _COMPARISON else rank
-            return f"{_at_least(left, first)} {operator} {_at_least(right, rank + 1)}"
+        case Unary(operator=operator, operand=operand):
+            return f"not {_at_least(operand, _LOGIC)}" if operator == "not" else f"-{_at_least(operand, _PREFIX)}"
+        case Binary():
+            return _binary_text(expression)
         case Quantifier(word=word, variable=variable, domain=domain, condition=condition):
             return f"{word} {variable} in {expression_text(domain)}: {_at_least(condition, _LOGIC)}"
+
+
+def _range_text(range: Range) -> str:
+    opening, closing = "![" if range.open_low else "[", "]!" if range.open_high else "]"
+    return f"{opening}{_at_least(range.low, 6)} to {_at_least(range.high, 6)}{closing}"
+
+
+def _binary_text(binary: Binary) -> str:
+    rank = RANKS[binary.operator]
+    first = rank + 1 if rank == _COMPARISON else rank
+    return f"{_at_least(binary.left, first)} {binary.operator} {_at_least(binary.right, rank + 1)}"
 
 
 def rank_of(expression: Expression) -> int:
