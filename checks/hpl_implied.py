@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 #: Properties of one owner that are compared, each with each.
-MOST = 300
+MOST = 150
 
 
 def check(properties: Properties) -> Iterator[Finding]:

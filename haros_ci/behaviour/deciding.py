@@ -3,21 +3,34 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from haros_ci.behaviour.clauses import Clauses, Reader, TooMany, is_decided, is_possible, joined
 from haros_ci.behaviour.tree import Expression, Item, parts
 
+#: Alternatives of two predicates together that are looked at to compare them.
+MOST_JOINED = 64
 
-@dataclass(frozen=True, slots=True)
+
 class Predicate:
-    """The predicate of an event, None for none, with what reads it."""
+    """The predicate of an event, None for none, with what reads it; its clauses are made once."""
 
-    expression: Expression | None
-    reader: Reader
+    __slots__ = ("_made", "expression", "reader")
+
+    def __init__(self, expression: Expression | None, reader: Reader) -> None:
+        self.expression = expression
+        self.reader = reader
+        self._made: dict[bool, Clauses | None] = {}
 
     def clauses(self, positive: bool = True) -> Clauses:
-        return self.reader.clauses(self.expression, positive)
+        """Those of the predicate, or of its opposite; TooMany if there are too many."""
+        if positive not in self._made:
+            try:
+                self._made[positive] = self.reader.clauses(self.expression, positive)
+            except TooMany:
+                self._made[positive] = None
+        found = self._made[positive]
+        if found is None:
+            raise TooMany
+        return found
 
 
 def is_never(predicate: Predicate) -> bool:
@@ -45,7 +58,7 @@ def implies(one: Predicate, other: Predicate) -> bool:
     if _items(other) - _items(one):  # an array of the one may be too short for the other
         return False
     try:
-        return not any(map(is_possible, joined(one.clauses(), other.clauses(False))))
+        return not any(map(is_possible, _both(one.clauses(), other.clauses(False))))
     except TooMany:
         return False
 
@@ -53,9 +66,15 @@ def implies(one: Predicate, other: Predicate) -> bool:
 def overlap(one: Predicate, other: Predicate) -> bool:
     """Whether some message matches both, for certain."""
     try:
-        return any(is_decided(each) and is_possible(each) for each in joined(one.clauses(), other.clauses()))
+        return any(is_decided(each) and is_possible(each) for each in _both(one.clauses(), other.clauses()))
     except TooMany:
         return False
+
+
+def _both(one: Clauses, other: Clauses) -> Clauses:
+    if len(one) * len(other) > MOST_JOINED:
+        raise TooMany
+    return joined(one, other)
 
 
 def _items(predicate: Predicate) -> set[str]:

@@ -8,7 +8,7 @@ properties, as ``package/path`` or as paths from the root.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from haros_ci.behaviour.fault import HplFault
 from haros_ci.behaviour.parser import parse_property, read_file
@@ -21,6 +21,8 @@ PROPERTIES, AXIOMS, FILES = ("properties",), ("assumptions", "axioms"), "files"
 KEYS = (*PROPERTIES, *AXIOMS, FILES)
 #: Properties of one project that are read.
 MOST_STATED = 5_000
+#: Files of properties that one project names.
+MOST_FILES = 100
 
 #: The text of a file by the name that a project file gives it, and its path; None if it is not there.
 FindFile = Callable[[str], tuple[str, str] | None]
@@ -96,6 +98,7 @@ class _Reader:
     path: str
     lines: Lines
     find: FindFile
+    named: list[str] = field(default_factory=list)
 
     def entry(self, owner: Owner, value: Value | None) -> Iterator[Stated]:
         """What stands under one ``hpl``."""
@@ -130,6 +133,11 @@ class _Reader:
             return Stated(owner, is_axiom, source, source.location(fault.at), fault=fault)
 
     def file(self, owner: Owner, value: Value) -> Iterator[Stated]:
+        self.named.append(str(value.data)[:1_000])
+        if len(self.named) > MOST_FILES:
+            if len(self.named) == MOST_FILES + 1:
+                yield self.refused(owner, value, f"more than {MOST_FILES} files of properties", "join them")
+            return
         found = self.find(str(value.data)) if value.is_text else None
         if found is None:
             said = (

@@ -111,8 +111,10 @@ class Properties:
     def compared(self, stated: Stated) -> Compared:
         """The property as it is compared with others."""
         assert stated.parsed is not None
-        kept = self._of(stated)
-        return Compared(stated.parsed, lambda event: Predicate(event.predicate, Reader(kept[id(event)], event.alias)))
+        made = {
+            id(event): Predicate(event.predicate, Reader(scene, event.alias)) for event, scene in self.scenes(stated)
+        }
+        return Compared(stated.parsed, lambda event: made[id(event)])
 
     def _of(self, stated: Stated) -> Mapping[int, Scene]:
         if id(stated) not in self._scenes:

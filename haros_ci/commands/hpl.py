@@ -23,7 +23,8 @@ def hpl(flags: Mapping[str, Any]) -> int:
     from haros_ci.registry import registry
 
     outputs = parse_outputs(flags["output"])
-    settings = settings_from({**flags, "paths": flags["files"], "no_baseline": True})
+    # all that the checks say, hints included: of a few files that is not much
+    settings = settings_from({**flags, "paths": flags["files"], "no_baseline": True, "profile": "architecture"})
     files = settings.paths
     settings = replace(settings, packages=(), ignore_files=())  # what is named is looked at
     known = registry(settings)

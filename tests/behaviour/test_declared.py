@@ -94,6 +94,13 @@ def test_none_are_stated(text: str) -> None:
     assert in_project(text, "haros.yaml", FILES.get) == ()
 
 
+def test_files_have_an_end() -> None:
+    named = ", ".join(["p/a.hpl"] * 150)
+    found = in_project(f"nodes:\n  p/x:\n    hpl: {{files: [{named}]}}\n", "haros.yaml", FILES.get)
+    assert len(found) == 201
+    assert found[-1].fault is not None and "more than 100 files" in found[-1].fault.message
+
+
 def test_a_file_alone() -> None:
     found = tuple(in_file("# id: a\nglobally: no /a\n\nglobally: no /b {\n", "x.hpl"))
     assert [(each.location.line, each.identity) for each in found[:1]] == [(2, "a")]
