@@ -220,11 +220,17 @@ class _Kinds:
         return result
 
     def call(self, call: Call) -> int:
-        given = [self.of[id(each)] for each in call.arguments]
+        given = [self.argument(each) for each in call.arguments]
         if not kinds.takes(call.name, given):
             words = ", ".join(map(kinds.in_words, given))
             self.say(call.at, f"{call.name} takes {kinds.signature(call.name)}, not ({words})")
         return kinds.RESULTS.get(call.name, kinds.NUMBER)
+
+    def argument(self, expression: Expression) -> int:
+        """The kinds that an argument can have: of a field any, whatever its type (a text has a length, too)."""
+        if isinstance(expression, (Field, Item)):
+            return kinds.FIELD
+        return self.of[id(expression)]
 
     def binary(self, binary: Binary) -> int:
         first, second, result = kinds.OPERATORS[binary.operator]
