@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def check(properties: Properties) -> Iterator[Finding]:
-    from haros_ci.api.hpl import OF_ALL, found
+    from haros_ci.api.hpl import found
 
     for stated, property in properties.sound:
         owner = stated.owner
@@ -22,7 +22,7 @@ def check(properties: Properties) -> Iterator[Finding]:
             continue
         known = properties.topics(owner)
         for event in property.events:
-            if event.topic in OF_ALL or properties.ends(owner, event.topic):
+            if properties.may_have(owner, event.topic):
                 continue
             last = event.topic.rpartition("/")[2].lstrip("~")
             if any(name.rpartition("/")[2] == last for name in known):

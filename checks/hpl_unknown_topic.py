@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def check(properties: Properties) -> Iterator[Finding]:
-    from haros_ci.api.hpl import OF_ALL, found
+    from haros_ci.api.hpl import found
 
     for stated, property in properties.sound:
         owner = stated.owner
@@ -23,7 +23,7 @@ def check(properties: Properties) -> Iterator[Finding]:
         known = properties.topics(owner)
         for event in property.events:
             name = event.topic if event.topic.startswith("/") else f"/{event.topic}"
-            if event.topic.startswith("~") or name in OF_ALL or properties.ends(owner, event.topic):
+            if event.topic.startswith("~") or properties.may_have(owner, event.topic):
                 continue
             message = f"No node of {owner} publishes or subscribes to {event.topic}: HAROS drops this property{_meant(name, known)}"
             yield found(stated, event.topic_at, message, event.topic)

@@ -34,7 +34,13 @@ def _of_fields(properties: Properties, stated: Stated) -> Iterator[Finding]:
     for event, scene in properties.scenes(stated):
         for each in mistyped(event, partial(_kind, scene)):
             of = f" ({event.topic} has {scene.own.name})" if scene.own is not None else ""
-            yield found(stated, each.at, f"The predicate does not fit the message: {each.message}{of}", event.topic, each.message)
+            yield found(
+                stated,
+                each.at,
+                f"The predicate does not fit the message: {each.message}{of}",
+                event.topic,
+                each.message,
+            )
 
 
 def _kind(scene: Scene, expression: Expression) -> int | None:

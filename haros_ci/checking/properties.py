@@ -16,7 +16,7 @@ from haros_ci.behaviour.tree import Event, Place, Property
 from haros_ci.checking.check import Finding
 from haros_ci.checking.check import Place as Seen
 from haros_ci.checking.interface_users import defined_in
-from haros_ci.checking.kinds import TOPIC
+from haros_ci.checking.kinds import ACTION, TOPIC
 from haros_ci.checking.project import Project
 from haros_ci.checking.system import End, System, SystemNode
 from haros_ci.interfaces.definitions import Definitions
@@ -24,6 +24,8 @@ from haros_ci.results.rule import Level
 
 #: Topics that client libraries and simulators are on, whoever is started.
 OF_ALL = frozenset(("/rosout", "/rosout_agg", "/clock", "/tf", "/tf_static", "/parameter_events", "/diagnostics"))
+#: How topics end that client libraries make beside others: dynamic_reconfigure, lifecycle nodes, nodelets.
+_BESIDE = ("/parameter_descriptions", "/parameter_updates", "/transition_event", "/bond")
 #: Packages whose nodes hold others, and are on no topics themselves.
 CONTAINERS = frozenset(("nodelet", "rclcpp_components"))
 
@@ -74,10 +76,20 @@ class Properties:
             return tuple(end for end in ends if names & node_names(end))
         return tuple(end for end in ends if end.name in names)
 
+    def may_have(self, owner: Owner, topic: str) -> bool:
+        """Whether the nodes can be on *topic*, as far as is known: also by what libraries make below topics (image_transport) and actions."""
+        name = topic if topic.startswith("/") else f"/{topic}"
+        if name in OF_ALL or name.endswith(_BESIDE) or self.ends(owner, topic):
+            return True
+        ends = (end for node in self.nodes(owner) for end in node.of(*TOPIC, *ACTION))
+        return any(name.startswith(f"{each}/") for end in ends for each in node_names(end))
+
     def is_complete(self, owner: Owner) -> bool:
         """Whether all topics of the nodes are known, so that what is not there does not exist."""
         nodes = [node for node in self.nodes(owner) if node.package not in CONTAINERS]
-        return bool(nodes) and all(node.complete and all(end.known for end in node.of(*TOPIC)) for node in nodes)
+        return bool(nodes) and all(
+            node.complete and all(end.known for end in node.of(*TOPIC, *ACTION)) for node in nodes
+        )
 
     def topics(self, owner: Owner) -> frozenset[str]:
         """The names of all topics that the nodes are on."""
