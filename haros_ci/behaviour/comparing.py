@@ -100,21 +100,21 @@ def _may_compare(one: Compared, other: Compared) -> bool:
     )
 
 
-def _covers(other: Compared, one: Compared) -> bool:
-    """Whether *other* counts wherever *one* does: the same scope, or always, for what a wider scope only makes stronger."""
-    if scope_text(other.said.scope) == scope_text(one.said.scope):
+def _covers(wide: Compared, narrow: Compared) -> bool:
+    """Whether *wide* counts wherever *narrow* does: the same scope, or always, for what a wider scope only makes stronger."""
+    if scope_text(wide.said.scope) == scope_text(narrow.said.scope):
         return True
-    kind = other.pattern.kind
-    is_wide = other.said.scope.kind is ScopeKind.GLOBALLY
-    return is_wide and (kind is PatternKind.FORBIDS or (kind is PatternKind.NO and other.bound == math.inf))
+    kind = wide.pattern.kind
+    is_wide = wide.said.scope.kind is ScopeKind.GLOBALLY
+    return is_wide and (kind is PatternKind.FORBIDS or (kind is PatternKind.NO and wide.bound == math.inf))
 
 
-def _behaviour_in(one: Compared, other: Compared) -> bool:
-    return _within(one.pattern.behaviour, one.read, other.pattern.behaviour, other.read)
+def _behaviour_in(narrow: Compared, wide: Compared) -> bool:
+    return _within(narrow.pattern.behaviour, narrow.read, wide.pattern.behaviour, wide.read)
 
 
-def _triggers_in(one: Compared, other: Compared) -> bool:
-    return _within(one.pattern.trigger, one.read, other.pattern.trigger, other.read)
+def _triggers_in(narrow: Compared, wide: Compared) -> bool:
+    return _within(narrow.pattern.trigger, narrow.read, wide.pattern.trigger, wide.read)
 
 
 def _within(events: tuple[Event, ...], read: Read, others: tuple[Event, ...], read_other: Read) -> bool:
