@@ -72,9 +72,7 @@ def test_every_key() -> None:
     )
     assert read.values["ignore_files"] == ("*/src/gen/*", "*/vendor/*", "/x", "?y", "[ab]*")
     assert read.values["project"]["configurations"]["long"]["hints"]["nodes"]["/base"]["remaps"] == {"/a": "/b"}
-    assert read.notes == (
-        "haros.yaml: repositories are never cloned: 'rover'; check them out into the workspace",
-    )
+    assert read.notes == ("haros.yaml: repositories are never cloned: 'rover'; check them out into the workspace",)
     assert ("haros formatting", "haros.yaml:40") in read.origins
 
 
