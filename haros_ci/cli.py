@@ -17,7 +17,9 @@ from haros_ci.commands.flags import (
     costs_option,
     file_option,
     format_option,
+    hpl_options,
     plugin_option,
+    query_options,
     report_options,
     what_options,
     workspace_options,
@@ -203,18 +205,7 @@ def model(**flags: Any) -> int:
 
 
 @haros_ci.command()
-@click.argument("text", metavar="QUERY", required=False)
-@click.argument("paths", nargs=-1, type=click.Path())
-@click.option("--file", type=click.Path(dir_okay=False), help="Read the query here; all arguments are PATHS then.")
-@click.option(
-    "--scope", type=click.Choice(["configuration", "package", "global"]), default="configuration", show_default=True,
-    help="What the query is asked of, one after the other.",
-)  # fmt: skip
-@format_option("text", "json", help="As a table or as data.")
-@click.option("--fail-on-match", is_flag=True, help="Exit with 1 if anything matches.")
-@click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations.")
-@click.option("--launch", metavar="FILE", multiple=True, help="These launch files as one configuration.")
-@click.option("--arg", metavar="NAME:=VALUE", multiple=True, help="An argument of the launch files.")
+@query_options
 @workspace_options
 def query(**flags: Any) -> int:
     """Ask a QUERY of the running systems, as HAROS does: topics[len(self.publishers) > 1] (docs/queries.md)."""
@@ -255,6 +246,16 @@ def policy(**flags: Any) -> int:
     from haros_ci.commands import policy as policy_command
 
     return policy_command.policy(flags)
+
+
+@haros_ci.command()
+@hpl_options
+@workspace_options
+def hpl(**flags: Any) -> int:
+    """Check the properties in each FILE, written in HPL, against the language and the workspace (docs/hpl.md)."""
+    from haros_ci.commands import hpl as hpl_command
+
+    return hpl_command.hpl(flags)
 
 
 @haros_ci.command()

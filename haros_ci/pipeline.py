@@ -155,7 +155,10 @@ def found(settings: Settings, selection: Selection) -> Workspace:
 
 
 def narrowed(workspace: Workspace, settings: Settings, selection: Selection) -> Workspace:
-    """The workspace with HAROS's ``packages`` and ``analysis.ignore.files`` as targets; unchanged without them."""
+    """The workspace with HAROS's ``packages`` and ``analysis.ignore.files`` as targets; unchanged without them.
+
+    The project file is of no package, and what is wrong in it is always wanted.
+    """
     if not settings.packages and not settings.ignore_files:
         return workspace
     place = {package.name: package.path for package in workspace.packages}
@@ -163,7 +166,7 @@ def narrowed(workspace: Workspace, settings: Settings, selection: Selection) -> 
     for file in workspace.files:
         home = place.get(file.package or "", ".")
         inside = file.path if home == "." else file.path.removeprefix(f"{home}/")
-        is_selected = not settings.packages or file.package in settings.packages
+        is_selected = not settings.packages or file.package in settings.packages or file.path == settings.project_file
         if is_selected and workspace.reports_on(file.path) and not selection.ignores_file(file.package, inside):
             targets.append(file.path)
     package_of = workspace.package_finder()

@@ -24,6 +24,8 @@ DOORS: dict[str, set[str]] = {
     "scratch": {"errors", "interruption"},
     "workspace": {"errors", "model", "results", "scratch", "timing"},
     "interfaces": {"model", "workspace"},
+    # HPL: its texts, and what follows of them; what is in the workspace is given to it
+    "behaviour": {"bounded_yaml", "interfaces", "model"},
     # programs as front ends write them: typed nodes and their codec
     "syntax": set(),
     "changes": {"interfaces", "model", "syntax"},
@@ -35,7 +37,18 @@ DOORS: dict[str, set[str]] = {
     # call sites as text, and what the call graph says of them
     "coverage": {"code", "index", "model", "results", "syntax"},
     "knowledge": set(),
-    "checking": {"bounded_yaml", "changes", "code", "interfaces", "knowledge", "model", "results", "syntax", "timing"},
+    "checking": {
+        "behaviour",
+        "bounded_yaml",
+        "changes",
+        "code",
+        "interfaces",
+        "knowledge",
+        "model",
+        "results",
+        "syntax",
+        "timing",
+    },
     "config": {"bounded_yaml", "errors", "model", "results"},
     "values": {"model", "syntax"},
     "graph": {"model", "substitutions", "values"},
@@ -69,6 +82,7 @@ DOORS: dict[str, set[str]] = {
         "values",
     },
     "analysis": {
+        "behaviour",
         "changes",
         "checking",
         "code",
@@ -195,6 +209,7 @@ DOORS: dict[str, set[str]] = {
     # checks see a system; api.testing makes one of the examples of their pages
     "api": {
         "analysis",
+        "behaviour",
         "changes",
         "checking",
         "code",

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -22,6 +22,7 @@ from haros_ci.timing import stage, timed
 
 if TYPE_CHECKING:  # they are loaded where there is something to check
     from haros_ci.analysis.architecture import Common
+    from haros_ci.behaviour.declared import Stated
     from haros_ci.checking.check import Check
     from haros_ci.checking.project import Project
     from haros_ci.checking.system import System
@@ -92,7 +93,8 @@ def inspected(
         progress(f"{len(chosen)} checks")
     all_systems = tuple(systems(found, workspace))
     said = run_checks(chosen, all_systems, own.TOOL, under)
-    project = project_of(made, workspace, all_systems, _past(base, architectures), base.renames if base else None)
+    past, renames = _past(base, architectures), base.renames if base else None
+    project = project_of(made, workspace, all_systems, past, renames, project_file=settings.project_file or "")
     said_once = run_on_project(chosen, project, own.TOOL)
     failures = (*said.notifications, *said_once.notifications)
     faults = tuple(refused(workspace))
@@ -183,8 +185,14 @@ def project_of(
     systems: tuple[System, ...],
     base: Project | Callable[[], Project | None] | None = None,
     renames: Mapping[str, str] | None = None,
+    *,
+    project_file: str = "",
+    stated: Sequence[Stated] | None = None,
 ) -> Project:
-    """What the checks of packages see, from what the architecture was *made* of; *base* is that of the base revision."""
+    """What the checks of packages see, from what the architecture was *made* of; *base* is that of the base revision.
+
+    *stated* are the properties that count in place of those of the project file.
+    """
     from haros_ci.analysis.comparison import revision_of
     from haros_ci.checking.project import Project
     from haros_ci.robot.descriptions import Descriptions
@@ -215,6 +223,8 @@ def project_of(
         revision=revision_of(workspace, made),
         robots=Descriptions(workspace, made.builds),
         code=code,
+        project_file=project_file,
+        stated=stated,
     )
 
 

@@ -23,6 +23,7 @@ from haros_ci.checking.offered import type_mismatches
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.checking.remapping import is_idle, named_at, rule_of, way_to
 from haros_ci.checking.run import command
+from haros_ci.checking.stated import of_properties
 from haros_ci.checking.system import Channel, End, System, SystemNode
 from haros_ci.checking.whole import Whole
 from haros_ci.checking.whole_graph import WholeGraph, is_opaque
@@ -88,6 +89,7 @@ __all__ = [
     "misplaced",
     "named_at",
     "near",
+    "of_properties",
     "qos_in_words",
     "refused_pairs",
     "refuses",

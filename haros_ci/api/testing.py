@@ -20,7 +20,7 @@ from haros_ci.api import Check
 from haros_ci.checking.page import SECTIONS, Example, filled, read_page
 from haros_ci.checking.run import run_checks, run_on_project
 from haros_ci.checking.system import System, systems
-from haros_ci.config.load import load
+from haros_ci.config.load import FILE_NAMES, load
 from haros_ci.config.settings import Settings
 from haros_ci.model.workspace import Workspace
 from haros_ci.results.fix import Edit, applied
@@ -86,7 +86,9 @@ def said(check: Check, example: Example, directory: Path, plugins: tuple[str, ..
         base = project_of(made, workspace, all_systems)
     workspace, made, all_systems = read(example.files, directory / "head", example.executables, plugins)
     outcome = run_checks((check,), all_systems, "haros-ci")
-    once = run_on_project((check,), project_of(made, workspace, all_systems, base), "haros-ci")
+    file = project_file_of(example.files)
+    project = project_of(made, workspace, all_systems, base, project_file=file)
+    once = run_on_project((check,), project, "haros-ci")
     for problem in (*outcome.notifications, *once.notifications):
         raise AssertionError(problem.message)
     return (*outcome.results, *once.results)
@@ -102,11 +104,15 @@ def read(
         place.write_text(text, encoding="utf-8")
         if path in executables:
             place.chmod(0o755)
-    project = next((name for name in (".haros-ci.yaml", "haros.yaml") if name in files), None)
-    settings = replace(load(root) if project else Settings(root=root), plugins=plugins)
+    settings = replace(load(root) if project_file_of(files) else Settings(root=root), plugins=plugins)
     workspace = discover(root, (".",))
     made = varied(workspace, settings, MemoryCache(), alternatives=False)
     return workspace, made, tuple(systems(made.architecture, workspace))
+
+
+def project_file_of(files: Container[str]) -> str:
+    """The project file among *files*; "" if there is none."""
+    return next((name for name in FILE_NAMES if name in files), "")
 
 
 def mended(example: Example, results: Iterable[Result]) -> Example:

@@ -25,7 +25,9 @@ from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.syntax import Program
 
 if TYPE_CHECKING:
+    from haros_ci.behaviour.declared import Stated
     from haros_ci.checking.included import IncludedHeaders
+    from haros_ci.checking.properties import Properties
     from haros_ci.checking.provision import Sources
     from haros_ci.code.codebase import Codebase
 
@@ -147,8 +149,13 @@ class Project:
         robots: Robots | None = None,
         code: Callable[[], Codebase] | None = None,
         knowledge: Knowledge | None = None,
+        project_file: str = "",
+        stated: Sequence[Stated] | None = None,
     ) -> None:
         self.workspace = workspace
+        #: The path of the project file; "" if there is none in the workspace.
+        self.project_file = project_file
+        self._stated = stated
         self.programs = programs
         #: The configurations that launch takes; what it refuses is one finding each, and shows nothing of the workspace.
         self.systems = tuple(system for system in systems if not system.is_refused)
@@ -267,6 +274,16 @@ class Project:
     def problems(self) -> tuple[Problem, ...]:
         """What could not be read to its end for the checks that have run."""
         return () if self._robots is None else tuple(self._robots.problems)
+
+    @cached_property
+    def properties(self) -> Properties | None:
+        """What is stated in HPL, in the project file if nothing else is given; None if nothing is."""
+        if self._stated is None and (not self.project_file or "hpl" not in self.text(self.project_file)):
+            return None
+        from haros_ci.checking.properties import Properties, stated_in
+
+        stated = stated_in(self) if self._stated is None else tuple(self._stated)
+        return Properties(self, stated) if stated else None
 
     @cached_property
     def code(self) -> Codebase:

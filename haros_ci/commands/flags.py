@@ -159,3 +159,46 @@ workspace_options = options(
     click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies."),
     click.option("--no-cache", is_flag=True, help="Neither read nor write the cache."),
 )
+
+#: What haros-ci query has besides.
+query_options = options(
+    click.argument("text", metavar="QUERY", required=False),
+    click.argument("paths", nargs=-1, type=click.Path()),
+    click.option("--file", type=click.Path(dir_okay=False), help="Read the query here; all arguments are PATHS then."),
+    click.option(
+        "--scope",
+        type=click.Choice(["configuration", "package", "global"]),
+        default="configuration",
+        show_default=True,
+        help="What the query is asked of, one after the other.",
+    ),
+    format_option("text", "json", help="As a table or as data."),
+    click.option("--fail-on-match", is_flag=True, help="Exit with 1 if anything matches."),
+    click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations."),
+    click.option("--launch", metavar="FILE", multiple=True, help="These launch files as one configuration."),
+    click.option("--arg", metavar="NAME:=VALUE", multiple=True, help="An argument of the launch files."),
+)
+
+#: What haros-ci hpl has besides.
+hpl_options = options(
+    click.argument("files", nargs=-1, required=True, type=click.Path(), metavar="FILE..."),
+    click.option(
+        "--configuration", metavar="NAME", multiple=True, help="The properties are about these configurations."
+    ),
+    click.option("--node", metavar="PACKAGE/EXECUTABLE", multiple=True, help="The properties are about these nodes."),
+    click.option(
+        "--output",
+        metavar="FORMAT[=PATH]",
+        multiple=True,
+        shell_complete=completion_of("formats"),
+        help="text, sarif, github, json, junit, gitlab, rdjson, checkstyle, csv or markdown; repeatable.",
+    ),
+    click.option(
+        "--sarif-for",
+        type=click.Choice(["archive", "github"]),
+        default="archive",
+        show_default=True,
+        help="Who reads the SARIF.",
+    ),
+    click.option("--fail-on", type=LEVELS, help="Lowest level of a finding that fails the run; default: warning."),
+)

@@ -105,6 +105,11 @@ EXAMPLES: Mapping[str, tuple[tuple[str, str], ...]] = {
             "haros-ci policy robot/launch/robot.launch.xml --output robot.policy.xml",
         ),
     ),
+    "hpl": (
+        ("the properties of a file, about all systems", "haros-ci hpl robot/hpl/robot.hpl"),
+        ("those of one node", "haros-ci hpl robot/hpl/driver.hpl --node robot/driver"),
+        ("those of a project file, as SARIF", "haros-ci hpl haros.yaml --output sarif=hpl.sarif"),
+    ),
     "rules": (("what is on in a profile", "haros-ci rules --profile strict"),),
     "explain": (("a rule by its id, its catalogue id or HAROS's", "haros-ci explain G06"),),
     "init": (("see first what would be written", "haros-ci init --dry-run"),),
@@ -143,6 +148,10 @@ is shown as ?, with the reason. docs/model.md describes the formats.
     "diff": """
 BASE and HEAD are git revisions. Nothing is checked out. The job summary of the action holds the same text for a pull request.
 """,
+    "hpl": """
+A project file (YAML) says itself what its properties are about; those of other files are about the configurations and nodes that are
+named, or about all systems of the workspace. haros-ci check does the same for the project file, among all the rest.
+""",
     "init": """
 Looks at PATH (default: here): packages, languages, other people's code, settings of linters. What is there already is left as it is,
 and haros-ci says what to add by hand.
@@ -161,6 +170,7 @@ SHORT: Mapping[str, str] = {
     "check": "Analyse a workspace and report what is new.",
     "completion": "Print the completion script for a shell.",
     "diff": "Say what a change does to the system.",
+    "hpl": "Check properties that are written in HPL.",
     "init": "Write a workflow, a pre-commit entry and a project file.",
     "merge": "Report what all shards have found, as one check.",
     "metrics": "Measure functions, classes, files and packages.",

@@ -123,16 +123,7 @@ def _blacklist(file: File, value: YamlValue | None) -> tuple[NamedShape, ...]:
 
 
 def _say_idle(file: File, top: dict[str, YamlValue]) -> None:
-    """Notes on what is read and has no effect: properties, and repositories to clone."""
-    entries = [
-        entry.data
-        for key in ("configurations", "nodes")
-        for entry in _entries(top, key).values()
-        if isinstance(entry.data, dict)
-    ]
-    has_properties = any("hpl" in entry and entry["hpl"].data for entry in entries)
-    if has_properties:
-        file.note("read, but without effect yet: hpl")
+    """Notes on what is read and has no effect: repositories to clone."""
     if names := [quoted(str(name)) for name in _entries(top, "repositories")]:
         more = f" and {len(names) - MAX_NAMED} more" if len(names) > MAX_NAMED else ""
         file.note(

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-#: The kinds of file that anything here reads. ``cpp`` is C and C++, headers included, ``world`` what Gazebo reads besides SDF.
+#: The kinds of file that anything here reads. ``cpp`` is C and C++, headers included, ``world`` what Gazebo reads besides SDF, ``hpl`` properties.
 LANGUAGES = (
     "cpp",
     "python",
@@ -20,6 +20,7 @@ LANGUAGES = (
     "dockerfile",
     "markdown",
     "world",
+    "hpl",
 )
 
 #: The kind of any other file: one that a tool of the project file reads, and one that sets environment variables.

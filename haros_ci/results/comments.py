@@ -45,6 +45,7 @@ _BY_LANGUAGE = {
     "shell": "shell",
     "dockerfile": "dockerfile",
     "markdown": "xml",
+    "hpl": "interface",
 }
 _BY_SUFFIX = {".py": "python", ".yaml": "yaml", ".yml": "yaml", ".cfg": "yaml"}
 _SPACE = re.compile(r"\s+")

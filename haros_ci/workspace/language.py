@@ -33,6 +33,7 @@ SUFFIXES = {
     **dict.fromkeys(("sh", "bash"), "shell"),
     "dockerfile": "dockerfile",
     "md": "markdown",
+    "hpl": "hpl",
 }
 
 #: Environment hooks that are templates or of ament's own form, and files of environment variables.

@@ -72,10 +72,7 @@ def test_every_key() -> None:
     )
     assert read.values["ignore_files"] == ("*/src/gen/*", "*/vendor/*", "/x", "?y", "[ab]*")
     assert read.values["project"]["configurations"]["long"]["hints"]["nodes"]["/base"]["remaps"] == {"/a": "/b"}
-    assert read.notes == (
-        "haros.yaml: read, but without effect yet: hpl",
-        "haros.yaml: repositories are never cloned: 'rover'; check them out into the workspace",
-    )
+    assert read.notes == ("haros.yaml: repositories are never cloned: 'rover'; check them out into the workspace",)
     assert ("haros formatting", "haros.yaml:40") in read.origins
 
 
@@ -101,11 +98,8 @@ def test_the_same_keys_in_our_own_file() -> None:
         ("configurations: {a: {launch: [p/x.launch], hints: {fix: {advertise@name1: /a}}}}", []),
         ("configurations: {a: {launch: [p/x.launch], hints: , hpl: , user_data: , args: , environment: }}", []),
         ("configurations: {a: {launch: [p/x.launch], hpl: {}}}\nnodes: {p/x: {hpl: {}}, p/y: {fix: {}}}", []),
-        (
-            "configurations: {a: {launch: [p/x.launch], hpl: {properties: [x]}}}",
-            [": read, but without effect yet: hpl"],
-        ),
-        ("nodes: {p/x: {hpl: {assumptions: [x]}}}", [": read, but without effect yet: hpl"]),
+        ("configurations: {a: {launch: [p/x.launch], hpl: {properties: [x], files: [y]}}}", []),
+        ("nodes: {p/x: {hpl: {assumptions: [x]}}}", []),
         (
             "configurations: {a: {launch: [p/x.launch], hint: {}, launch_commands: [x]}}",
             [":1: key 'hint' has no effect; did you mean 'hints'?", ":1: key 'launch_commands' has no effect"],

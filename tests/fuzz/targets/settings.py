@@ -9,6 +9,13 @@ from fuzz.targets.kit import ROOT, Entry, parts, refused, ros_package, text_of, 
 
 from haros_ci.analysis.architecture import api_rows, known_types
 from haros_ci.analysis.wanted import configurations
+from haros_ci.behaviour.clauses import Reader
+from haros_ci.behaviour.comparing import Compared, excluded, follows
+from haros_ci.behaviour.deciding import Predicate, is_always, is_never
+from haros_ci.behaviour.declared import in_file, in_project
+from haros_ci.behaviour.meaning import mistakes
+from haros_ci.behaviour.parser import parse_property
+from haros_ci.behaviour.text import canonical
 from haros_ci.config.describe import describe
 from haros_ci.config.project import read_project
 from haros_ci.config.settings import Settings
@@ -171,6 +178,29 @@ def queries(data: bytes) -> object:
         return told
 
 
+def properties(data: bytes) -> object:
+    """Texts of HPL, alone, in files and in project files; what follows of them; the canonical text is the same property again."""
+    text = text_of(data, "hpl")
+    if text is None:
+        return None
+    stated = (*in_file(text, "a.hpl"), *in_project(text, "haros.yaml", lambda name: ("a.hpl", text)))[:20]
+    said: list[object] = []
+    compared = []
+    for each in stated:
+        assert each.location.line is not None and each.location.line <= text.count("\n") + 1
+        said.append((str(each.location), each.identity, str(each.fault)))
+        if each.parsed is None:
+            continue
+        again = parse_property(canonical(each.parsed))
+        assert canonical(again) == canonical(each.parsed)
+        said += [wrong.message for wrong in mistakes(each.parsed)]
+        read = {id(event): Predicate(event.predicate, Reader(None, event.alias)) for event in each.parsed.events}
+        said += [(is_never(one), is_always(one)) for one in read.values()]
+        compared.append(Compared(each.parsed, lambda event, read=read: read[id(event)]))  # type: ignore[misc]
+    said += [(follows(one, other), excluded(one, other)) for one in compared[:6] for other in compared[:6]]
+    return said
+
+
 def readme_tables(data: bytes) -> object:
     text = text_of(data, "markdown")
     if text is None:
@@ -216,6 +246,10 @@ _SECTIONS = (
     ),
 )
 
+_HPL = tuple(
+    b"globally|after|until|some|no|causes|forbids|requires|within|as|or|and|not|implies|iff|forall|exists|in|to|True|PI|len|max|hz|ms|"
+    b"# id:|properties:|files:|configurations:|nodes:|hpl:|![|]!|**|<=|@A".split(b"|")
+)
 TARGETS = {
     "yaml-lines": Entry(yaml_lines, "YAML with its lines", ("config.yaml_lines",), _YAML),
     "project-file": Entry(project_file, ".haros-ci.yaml", ("config", "query.declared", "analysis.wanted"), _YAML),
@@ -226,5 +260,6 @@ TARGETS = {
     "linter-plans": Entry(linter_plans, "what adapters make of settings of linters", ("linters",), _SECTIONS),
     "patterns": Entry(patterns, "regular expressions of the project file", ("results.linear_regex",)),
     "queries": Entry(queries, "queries", ("query",)),
+    "properties": Entry(properties, "properties in HPL", ("behaviour",), _HPL),
     "readme-tables": Entry(readme_tables, "tables of READMEs", ("report.readme_tables", "report.readme_values")),
 }

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Predicates about fields and constants that the message of the topic does not have."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from difflib import get_close_matches
+from typing import TYPE_CHECKING
+
+from haros_ci.api import Check, Finding, Level, listed, of_properties
+
+if TYPE_CHECKING:
+    from haros_ci.api.hpl import Properties
+
+
+def check(properties: Properties) -> Iterator[Finding]:
+    from haros_ci.api.hpl import Field, Missing, found, parts
+
+    for stated, _ in properties.sound:
+        for event, scene in properties.scenes(stated):
+            for each in parts(event.predicate):
+                lacking = scene.typed(each) if isinstance(each, Field) else None
+                if isinstance(lacking, Missing) and lacking.field is each:
+                    name, message = each.name, lacking.message
+                    said = f"{message.name} has no field or constant {name}: HAROS drops this property{_meant(name, message.names)}"
+                    yield found(stated, each.name_at, said, event.topic, message.name, name)
+
+
+def _meant(name: str, names: tuple[str, ...]) -> str:
+    near = get_close_matches(name, names, 1)
+    if near:
+        return f"; did you mean {near[0]}?"
+    return f"; it has {listed(names)}" if names else "; it has none"
+
+
+CHECK = Check(
+    id="hpl-unknown-field",
+    summary="Predicate about a field or constant that the message does not have.",
+    level=Level.ERROR,
+    catalogue="H08",
+    tags=("properties",),
+    project=of_properties(check),
+)

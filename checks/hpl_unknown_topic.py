@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Properties of configurations about topics that no node of them is on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from difflib import get_close_matches
+from typing import TYPE_CHECKING
+
+from haros_ci.api import Check, Finding, Level, is_moved, of_properties
+
+if TYPE_CHECKING:
+    from haros_ci.api.hpl import Properties
+
+
+def check(properties: Properties) -> Iterator[Finding]:
+    from haros_ci.api.hpl import found
+
+    for stated, property in properties.sound:
+        owner = stated.owner
+        if owner.kind == "node" or not properties.is_complete(owner):
+            continue
+        known = properties.topics(owner)
+        for event in property.events:
+            name = event.topic if event.topic.startswith("/") else f"/{event.topic}"
+            if event.topic.startswith("~") or properties.may_have(owner, event.topic):
+                continue
+            message = f"No node of {owner} publishes or subscribes to {event.topic}: HAROS drops this property{_meant(name, known)}"
+            yield found(stated, event.topic_at, message, event.topic)
+
+
+def _meant(name: str, known: Iterable[str]) -> str:
+    known = sorted(known)
+    moved = [each for each in known if is_moved(each, name)]
+    near = moved or get_close_matches(name, known, 1, 0.75)
+    return f"; did you mean {near[0]}?" if near else "; correct the topic"
+
+
+CHECK = Check(
+    id="hpl-unknown-topic",
+    summary="Property about a topic that no node of the configuration is on.",
+    level=Level.WARNING,
+    catalogue="H05",
+    tags=("properties",),
+    project=of_properties(check),
+)
