@@ -32,11 +32,11 @@ def check(properties: Properties) -> Iterator[Finding]:
 
 def _is_silent(system: System, topic: str) -> bool:
     """Whether it is certain that nobody publishes *topic*, which somebody subscribes to."""
-    from haros_ci.api.hpl import told
+    from haros_ci.api.hpl import is_certainly_absent
 
     name = topic if topic.startswith("/") else f"/{topic}"
     channel = next((each for each in system.topics if each.name == name), None)
-    return channel is not None and not channel.publishers and told(system, channel, "givers")
+    return channel is not None and not channel.publishers and is_certainly_absent(system, channel, "givers")
 
 
 CHECK = Check(

@@ -19,7 +19,7 @@ from haros_ci.behaviour.tree import (
     PatternKind,
     parts,
 )
-from haros_ci.checking.closed import told
+from haros_ci.checking.closed import is_certainly_absent
 from haros_ci.checking.properties import OF_ALL, Properties, found
 
 __all__ = [
@@ -45,11 +45,11 @@ __all__ = [
     "is_always",
     "is_never",
     "kind_of",
+    "is_certainly_absent",
     "mistakes",
     "mistyped",
     "outside",
     "overlap",
     "parts",
-    "told",
     "unused_aliases",
 ]

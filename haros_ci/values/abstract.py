@@ -21,8 +21,7 @@ from haros_ci.values.questions import QUESTIONS
 
 #: More possible values than this are not kept apart.
 CHOICES = 8
-#: Attributes of Python objects that are set on some paths only: to read them on others is an error, but for classes
-#: with a base class outside, which may set them.
+#: Attributes of Python objects that are set on some paths only: to read them on others is an error, but where a base class outside may set them.
 UNSET = "the attribute is not set before"
 UNSET_OR_INHERITED = "the attribute is not set before, or by a base class"
 #: Longer texts are not put together, nor those of more parts.

@@ -17,22 +17,12 @@ from haros_ci.follow.libraries import (
     texts,
     tuples,
 )
-from haros_ci.follow.libraries import (
-    bind as library_bind,
-)
-from haros_ci.follow.libraries import (
-    containers as library_containers,
-)
+from haros_ci.follow.libraries import bind as library_bind
+from haros_ci.follow.libraries import containers as library_containers
 from haros_ci.follow.libraries import gazebo as library_gazebo
-from haros_ci.follow.libraries import (
-    numbers as library_numbers,
-)
-from haros_ci.follow.libraries import (
-    xml as library_xml,
-)
-from haros_ci.follow.libraries import (
-    yaml as library_yaml,
-)
+from haros_ci.follow.libraries import numbers as library_numbers
+from haros_ci.follow.libraries import xml as library_xml
+from haros_ci.follow.libraries import yaml as library_yaml
 from haros_ci.follow.ros import loaders, ros2_selectors
 from haros_ci.follow.run import Run
 from haros_ci.index.mentions import LOADERS
