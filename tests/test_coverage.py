@@ -290,3 +290,16 @@ def test_too_little_is_said_of_production_code_alone() -> None:
 def test_shares_are_rounded_down() -> None:
     assert percent(counted([site("other")] * 9999 + [site(OPEN)]).share) == "99.9%"
     assert (percent(1.0), percent(None), percent(0.0)) == ("100.0%", "-", "0.0%")
+
+
+@pytest.mark.parametrize(
+    "option", [["--configuration", "lamp/lamp"], ["--as-running"], ["--expect", "lamp.yaml"], ["--check-readme"]]
+)
+def test_options_that_have_no_say_in_it_are_refused(
+    workspace: Path, capsys: pytest.CaptureFixture[str], option: list[str]
+) -> None:
+    assert main(["model", "--no-cache", "--coverage", *option]) == 2
+    said = capsys.readouterr()
+    assert (
+        f"--coverage is about the code of the whole workspace, so {option[0]} has no say" in said.err and not said.out
+    )
