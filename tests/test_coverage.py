@@ -222,15 +222,19 @@ PLUGINLIB_EXPORT_CLASS(lamp::Dimmer, acme::Tool)
 DESCRIPTION = '<library path="dimmer"><class type="lamp::Dimmer" base_class_type="acme::Tool"/></library>'
 
 
+SIMULATED = PLUGIN.replace("PLUGINLIB_EXPORT_CLASS(lamp::Dimmer, acme::Tool)", "GZ_REGISTER_MODEL_PLUGIN(lamp::Dimmer)")
+
+
 @pytest.mark.parametrize(
-    ("named", "state", "reason"),
+    ("code", "named", "state", "reason", "detail"),
     [
-        ("tools: [lamp::Dimmer]", "open", "in a plug-in"),
-        ("tools: []", "unreached", "a plug-in that nothing in the workspace loads"),
+        (PLUGIN, "tools: []", "endpoint", "", ""),
+        (SIMULATED, "tools: [libdimmer.so, dimmer]", "open", "in a plug-in", "the simulator"),
+        (SIMULATED, "tools: []", "unreached", "a plug-in that nothing in the workspace loads", "the simulator"),
     ],
 )
-def test_a_plugin_is_missing_where_a_file_names_it(
-    workspace: Path, capsys: pytest.CaptureFixture[str], named: str, state: str, reason: str
+def test_a_plugin_is_followed_or_missing_where_a_file_names_it(
+    workspace: Path, capsys: pytest.CaptureFixture[str], code: str, named: str, state: str, reason: str, detail: str
 ) -> None:
     write(
         workspace / "src/lamp",
@@ -239,14 +243,54 @@ def test_a_plugin_is_missing_where_a_file_names_it(
             "package.xml": MANIFEST.format(name="lamp").replace(
                 "<export>", '<export><acme plugin="${prefix}/plugins.xml"/>'
             ),
-            "plugins.xml": DESCRIPTION,
-            "src/dimmer.cpp": PLUGIN,
+            "plugins.xml": DESCRIPTION if code is PLUGIN else "<library path='other'/>",
+            "src/dimmer.cpp": code,
             "config/tools.yaml": f"{named}\n",
         },
     )
     (found,) = [site for site in sites(capsys) if site.path.endswith("dimmer.cpp")]
     assert (found.line, found.call) == (5, 'node.declare_parameter("level", 1)')
-    assert (found.state, found.reason) == (state, reason) and "acme::Tool" in found.detail
+    assert (found.state, found.reason) == (state, reason) and detail in found.detail
+
+
+@pytest.mark.parametrize(
+    ("call", "before", "state", "reason"),
+    [
+        ('vk::getParam("rate", 5);', "", "other", "a function of a library that is not here"),
+        ('getParam(config, "rate");', "bool getParam(int & a, const char * b);", "other", "called without a node"),
+        ('getParam(config, "rate");', "", "other", "called without a node"),
+        ('ros2::get_parameter(config, "rate");', "", "open", ""),
+        ('config.getParam("rate", 5);', "", "open", ""),
+    ],
+)
+def test_functions_that_are_no_methods_of_a_node(
+    workspace: Path, capsys: pytest.CaptureFixture[str], call: str, before: str, state: str, reason: str
+) -> None:
+    code = f"{before}\nint main() {{ int config = 0; if (rand() > 5) {{ {call} }} return config; }}\n"
+    files = {
+        "src/lamp/src/lamp.cpp": code,
+        "src/lamp/package.xml": MANIFEST.format(name="lamp")
+        .replace("ament_cmake", "catkin")
+        .replace("rclcpp", "roscpp"),
+    }
+    write(workspace, {name: text.replace("get_parameter(", "getParam(") for name, text in files.items()})
+    (found,) = [site for site in sites(capsys) if site.path.endswith("/lamp.cpp")]
+    assert found.state == state and reason in found.reason
+
+
+def test_copies_of_other_projects_are_no_calls(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = "inline void go(Source & source) { source.declare_parameter(1); }\n"
+    write(
+        workspace / "src/lamp",
+        {
+            "third_party/rx/rx.hpp": text,
+            "src/lamp.cpp": LAMP.replace(
+                "int main(", '#include "../third_party/rx/rx.hpp"\nvoid all() { go(1); }\nint main('
+            ),
+        },
+    )
+    (found,) = [site for site in sites(capsys) if site.path.endswith("rx.hpp")]
+    assert found.state in ("other", "unreached")
 
 
 def test_the_summary_of_a_check_says_a_small_share(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from haros_ci.analysis.architecture import api_rows, plugin_rows
-from haros_ci.analysis.coverage_files import Plugins, area_of, built, imported, loaded, plugins_of
+from haros_ci.analysis.coverage_files import Plugins, area_of, built, copies, imported, loaded, plugins_of
 from haros_ci.code.codebase import Codebase, codebase
 from haros_ci.config.settings import Settings
 from haros_ci.coverage import judge
@@ -80,6 +80,8 @@ class _Judge:
     #: The files of the product's targets and of those for tests, made when they are asked for.
     files: list[tuple[frozenset[str], frozenset[str]]] = field(default_factory=list)
     sought: list[Found] | None = None
+    #: Files of libraries that are copied into a package, each with the directory of its library.
+    copies: Mapping[str, str] = field(default_factory=dict)
 
     def found(self) -> list[Found]:
         """All call sites, file by file; they are looked for once."""
@@ -112,6 +114,7 @@ class _Judge:
         places = judge.places_of(_locations(self.made.architecture))
         area = self.areas()
         areas = {each.source.path: area(each.source) for each in found}
+        self.copies = copies(self.workspace)
         pending = [each for each in found if not places.has(each)]
         verdicts = dict(self.judged(found, places, area)) if pending else {}
         for each in found:
@@ -194,6 +197,8 @@ class _Judge:
         none = judge.other(self.code, where, found, seen)
         if none is not None:
             return OTHER, *none
+        if found.source.path in self.copies:
+            return OTHER, "a copy of another project", self.copies[found.source.path]
         if piece is None:
             return UNREACHED, "the file is in no target", ""
         if piece not in reach.running:

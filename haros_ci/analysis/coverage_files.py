@@ -155,3 +155,15 @@ def area_of(path: str, package: Package | None, is_of_test: bool) -> str:
         return TEST
     inside = path if package.path == "." else path[len(package.path) + 1 :]
     return EXAMPLE if _EXAMPLES.intersection(inside.split("/")[:-1]) else PRODUCTION
+
+
+def copies(workspace: Workspace) -> dict[str, str]:
+    """The files of other projects' libraries inside of packages, each with the directory that holds the copy."""
+    homes = {package.name: package.path for package in workspace.packages}
+    return {
+        file.path: file.third_party
+        for file in workspace.files
+        if file.third_party
+        and (home := homes.get(file.package or "", ".")) != file.third_party
+        and not home.startswith(f"{file.third_party}/")
+    }
