@@ -77,7 +77,7 @@ def model(flags: Mapping[str, Any]) -> int:
         found = as_running(found) if flags["as_running"] else found
         problems = (*workspace.problems, *workspace.faults, *found.problems)
         found = replace(found, problems=tuple(dict.fromkeys(problems)))
-        unknown = notes(unmodelled(made.architecture, made.builds))
+        unknown = notes(unmodelled(made.architecture, made.builds, made.sources))
         return found, (*notes(settings.notes), *warnings(found.problems), *unknown)
 
     def output() -> Output:

@@ -34,7 +34,7 @@ from haros_ci.systems.following import Instance, Types, incomplete, run_node
 from haros_ci.systems.ros2_library import Seen
 from haros_ci.systems.ros2_processes import Started
 from haros_ci.systems.system import PROGRAM, Job
-from haros_ci.values.abstract import Callable, Cell, Object, Opaque, Text, Value
+from haros_ci.values.abstract import Cell, Object, Opaque, Text, Value
 
 #: Bases of plug-ins that have a place of their own.
 ELSEWHERE = frozenset(

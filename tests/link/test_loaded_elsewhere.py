@@ -109,7 +109,7 @@ LOADER = (
     ("inside", "base"),
     [
         ("void initialize() {}", "tools::Tool"),  # makes nothing
-        (f"private: void helper() {{ other(); }} void other() {{}}", "tools::Tool"),
+        ("private: void helper() {{ other(); }} void other() {{}}", "tools::Tool"),
         (BODY.replace("initialize", "onInit"), "nodelet::Nodelet"),
         (BODY, "controller_interface::ControllerBase"),
     ],

@@ -13,7 +13,7 @@ from haros_ci.follow.ros import ros2_nodes
 from haros_ci.follow.run import Run
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
-from haros_ci.values.abstract import ClassValue, Object, Pointer, Value
+from haros_ci.values.abstract import ClassValue, Object, Pointer
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import Argument
