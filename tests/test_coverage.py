@@ -4,18 +4,25 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from commandline import write
 
 from haros_ci.analysis.coverage import too_little
+from haros_ci.analysis.coverage_nodes import Users
 from haros_ci.cli import main
 from haros_ci.coverage.blanked import blanked
 from haros_ci.coverage.names import Names, names_of
 from haros_ci.coverage.search import calls_in, shown
 from haros_ci.extract.apis.tables import rows
+from haros_ci.extract.cpp.read import read_cpp
+from haros_ci.index.index import Source
+from haros_ci.model.architecture import Architecture, Configuration, Endpoint, Node
 from haros_ci.model.coverage import OPEN, Coverage, Site, counted
+from haros_ci.model.location import Location
+from haros_ci.report import coverage_text
 from haros_ci.report.coverage_text import percent
 
 ROS2 = names_of(rows("cpp", 2))
@@ -175,7 +182,13 @@ def sites(capsys: pytest.CaptureFixture[str]) -> list[Site]:
     assert document["schema_version"] == 1
     return [
         Site(
-            **{**each, "reason": each["reason"] or "", "detail": each["detail"] or "", "package": each["package"] or ""}
+            **{
+                **each,
+                "reason": each["reason"] or "",
+                "detail": each["detail"] or "",
+                "package": each["package"] or "",
+                "node_types": tuple(each["node_types"]),
+            }
         )
         for each in document["sites"]
     ]
@@ -316,6 +329,60 @@ def test_the_summary_of_a_check_says_a_small_share(workspace: Path, capsys: pyte
 def test_other_formats_are_refused(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["model", "--coverage", "--format", "dot"]) == 2
     assert "--coverage is text or json" in capsys.readouterr().err
+
+
+HIDDEN = """
+class Dimmer : public rclcpp::Node
+{
+public:
+  Dimmer() : Node("dimmer")
+  {
+    light_ = create_publisher<std_msgs::msg::Bool>("light", 1);
+    table_.at(which())(this);
+  }
+  static void add(Dimmer * dimmer) { dimmer->create_publisher<std_msgs::msg::Bool>("more", 1); }
+  int which();
+  std::map<int, void (*)(Dimmer *)> table_ = make_table(&Dimmer::add);
+};
+"""
+
+
+def test_a_missing_call_makes_the_nodes_incomplete_whose_code_it_stands_in() -> None:
+    source = Source("a.cpp", "a", read_cpp(HIDDEN + "void other() {}\n"))
+    end = Endpoint(
+        kind="publishers", name="/light", original_name="/light", type=None, location=Location("a.cpp", 7, 5)
+    )
+    node = Node(name="/dimmer", kind="node", package="a", type="dimmer", endpoints=(end,))
+    users = Users(Architecture(configurations=(Configuration(name="a", nodes=(node,)),)), (source,))
+    assert users.of("a.cpp", 8) == users.of("a.cpp", 10) == users.of("a.cpp", 15) == ("a/dimmer",)
+    assert users.of("b.cpp", 8) == ()
+
+
+def test_of_two_nodes_of_a_file_the_one_whose_class_it_is_is_incomplete() -> None:
+    code = "struct A { void a() {}\nvoid b() {} };\nstruct B { void a() {}\nvoid b() {} };\n"
+    nodes = tuple(
+        Node(name=f"/{name}", kind="node", package="p", type=name, endpoints=(end_at(line),))
+        for name, line in (("a", 1), ("b", 3))
+    )
+    found = Architecture(configurations=(Configuration(name="p", nodes=nodes),))
+    users = Users(found, (Source("a.cpp", "p", read_cpp(code)),))
+    assert [users.of("a.cpp", line) for line in (1, 2, 3, 4)] == [("p/a",), ("p/a",), ("p/b",), ("p/b",)]
+
+
+def end_at(line: int) -> Endpoint:
+    return Endpoint(kind="publishers", name="/x", original_name="/x", type=None, location=Location("a.cpp", line, 1))
+
+
+def test_incomplete_node_types_are_counted() -> None:
+    sites = (
+        replace(site(OPEN), node_types=("a/x", "a/y")),
+        replace(site(OPEN), node_types=("a/x",)),
+        replace(site(OPEN, "test"), node_types=("a/z",)),
+        site("endpoint"),
+    )
+    assert Coverage(sites=sites).incomplete() == {"a/x": 2, "a/y": 1}
+    assert coverage_text.render(Coverage(sites=sites)).splitlines()[-2:] == ["      2  a/x", "      1  a/y"]
+    assert "incomplete" not in coverage_text.render(Coverage(sites=sites[-1:]))
 
 
 def site(state: str, area: str = "production") -> Site:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 
 from haros_ci.analysis.architecture import api_rows, plugin_rows
 from haros_ci.analysis.coverage_files import Plugins, area_of, built, copies, imported, loaded, plugins_of
+from haros_ci.analysis.coverage_nodes import Users
 from haros_ci.code.codebase import Codebase, codebase
 from haros_ci.config.settings import Settings
 from haros_ci.coverage import judge
@@ -116,6 +117,7 @@ class _Judge:
         areas = {each.source.path: area(each.source) for each in found}
         self.copies = copies(self.workspace)
         pending = [each for each in found if not places.has(each)]
+        users = Users(self.made.architecture, self.code.sources)
         verdicts = dict(self.judged(found, places, area)) if pending else {}
         for each in found:
             path = each.source.path
@@ -135,6 +137,7 @@ class _Judge:
                 state=state,
                 reason=reason,
                 detail=detail,
+                node_types=users.of(path, each.line) if state == OPEN else (),
             )
 
     def areas(self) -> Callable[[Source], str]:
