@@ -31,21 +31,29 @@ def unmodelled(found: Architecture, builds: Mapping[str, Build], sources: Iterab
     """
     shown = {name for one in found.configurations for node in one.nodes for name in _names(node.package, node.type)}
     shown |= {node.class_name for one in found.configurations for node in one.nodes if node.class_name}
-    missing: dict[str, str] = {}
-    code: _Code | None = None
-    for package, build in sorted(builds.items()):
-        for plugin in build.plugins:
-            if package in missing or plugin.base in _NODES or plugin.name in shown or plugin.type in shown:
-                continue
-            code = code or _Code(found, sources)
-            if code.may_lack(plugin.type):
-                missing[package] = plugin.base
+    missing = _missing(found, builds, sources, shown)
     if not missing:
         return ()
     return (
         f"Not modelled: plug-ins of {plural(len(missing), 'package')} ({_listed(missing.items())}). No node is seen to load them, so the topics, "
         "services and parameters that they may use are not in the model",
     )
+
+
+def _missing(
+    found: Architecture, builds: Mapping[str, Build], sources: Iterable[Source], shown: set[str]
+) -> dict[str, str]:
+    """By package the base class of its first plug-in that is not *shown* and of whose code the model may lack all."""
+    missing: dict[str, str] = {}
+    code: _Code | None = None
+    for package, build in sorted(builds.items()):
+        for plugin in build.plugins:
+            if package in missing or plugin.base in _NODES or not shown.isdisjoint((plugin.name, plugin.type)):
+                continue
+            code = code or _Code(found, sources)
+            if code.may_lack(plugin.type):
+                missing[package] = plugin.base
+    return missing
 
 
 class _Code:

@@ -177,7 +177,11 @@ def other(code: Codebase, where: Syntax, found: Found, seen: Seen) -> tuple[str,
         if any(seen.lacks(code, found, target) for target in targets):
             return None
         return "a function of the workspace", f"{targets[0].title} at {targets[0].location}"
-    receiver = call.receiver
+    return _of_library(code, routine, call.receiver)
+
+
+def _of_library(code: Codebase, routine: Routine, receiver: syntax.Expression | None) -> tuple[str, str] | None:
+    """Why a method of *receiver* is none of a ROS API: its class is of a library without ROS, or makes nothing here."""
     if isinstance(receiver, (syntax.This, type(None))):
         return None
     name = _receiver(code, routine, receiver)

@@ -195,12 +195,23 @@ def _begin(plugin: Plugin, ros: int, run: Run, frame: Frame) -> None:
         this.fields[name] = Cell(given)
     construct.initialise(run, frame, this, (source, definition), {}, (), location)
     callbacks.framework_entries(run, this)
-    for name in MEMBERS if given is not None else ():  # of base classes in the workspace, which others set
+    if given is not None:
+        _give(run, this, given)
+    _call(run, frame, plugin, this, given)
+
+
+def _give(run: Run, this: Object, given: Object) -> None:
+    """The node for the members of base classes in the workspace, which others set."""
+    for name in MEMBERS:
         cell = this.fields.get(name)
         if cell is not None and cell.type is not None and _class(pointee(cell.type)) in NODES:
             run.state.write(cell, given)
-    names = _overridden(run, plugin)
-    for name in (*(each for each in names if each in BEGINNING), *(each for each in names if each not in BEGINNING)):
+
+
+def _call(run: Run, frame: Frame, plugin: Plugin, this: Object, given: Object | None) -> None:
+    """Initialise the plug-in, and let its other methods be called back."""
+    location = Location(plugin.source.path, plugin.definition.line)
+    for name in sorted(_overridden(run, plugin), key=lambda each: each not in BEGINNING):
         found = methods.method_of(run, this, name)
         if found is None or not run.relevance.makes(found.function, found.source):
             continue
