@@ -414,3 +414,41 @@ def test_options_that_have_no_say_in_it_are_refused(
     assert (
         f"--coverage is about the code of the whole workspace, so {option[0]} has no say" in said.err and not said.out
     )
+
+
+@pytest.mark.parametrize(
+    ("imports", "states"),
+    [
+        ("from lamp.parts.light import Light", {"lamp/light.py": "unreached", "lamp/parts/light.py": "open"}),
+        ("from .parts.light import *", {"lamp/light.py": "unreached", "lamp/parts/light.py": "open"}),
+        (
+            "from lamp.parts import light\nfrom lamp.light import Light",
+            {"lamp/light.py": "open", "lamp/parts/light.py": "open"},
+        ),
+    ],
+)
+def test_of_modules_of_one_name_those_run_that_are_imported(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    imports: str,
+    states: dict[str, str],
+) -> None:
+    light = "import rclpy\nclass Light:\n    def __init__(self, host):\n        host.create_publisher(1, 'a', 1)\n"
+    write(
+        tmp_path,
+        {
+            "package.xml": MANIFEST.format(name="lamp")
+            .replace("ament_cmake", "ament_python")
+            .replace("rclcpp", "rclpy"),
+            "setup.py": "from setuptools import setup\nsetup(name='lamp', packages=['lamp', 'lamp.parts'], "
+            "entry_points={'console_scripts': ['lamp = lamp.main:main']})\n",
+            "lamp/__init__.py": "",
+            "lamp/parts/__init__.py": "",
+            "lamp/light.py": light,
+            "lamp/parts/light.py": light,
+            "lamp/main.py": f"{imports}\nimport other\ndef main():\n    for one in other.all({{'Light': 1}}):\n        getattr(one, 'x')(Light)\n",
+        },
+    )
+    monkeypatch.chdir(tmp_path)
+    assert {each.path: each.state for each in sites(capsys) if each.path in states} == states

@@ -8,9 +8,11 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
+from haros_ci.code.classes import absolute
 from haros_ci.code.codebase import Codebase
 from haros_ci.coverage.pieces import Piece, last_name
-from haros_ci.index.index import HEADERS, is_test
+from haros_ci.coverage.reach import stem
+from haros_ci.index.index import HEADERS, Source, is_test
 from haros_ci.model.build import Build
 from haros_ci.model.coverage import EXAMPLE, PRODUCTION, TEST
 from haros_ci.model.package import Package
@@ -167,3 +169,24 @@ def copies(workspace: Workspace) -> dict[str, str]:
         and (home := homes.get(file.package or "", ".")) != file.third_party
         and not home.startswith(f"{file.third_party}/")
     }
+
+
+def shadowed(code: Codebase, modules: frozenset[str]) -> frozenset[str]:
+    """The files among *modules* that no file imports under their own dotted name, where others share its last part.
+
+    By names alone, an import of one would count for the other, too.
+    """
+    by_last: dict[str, list[Source]] = {}
+    targets: set[str] = set()
+    for source in code.sources:
+        if source.separator == ".":
+            by_last.setdefault(stem(source.path), []).append(source)
+            targets |= {absolute(source, alias.type.name).removesuffix(".*") for alias in source.program.aliases}
+    every = targets | {target.rpartition(".")[0] for target in targets}
+    return frozenset(
+        source.path
+        for alike in by_last.values()
+        if len(alike) > 1
+        for source in alike
+        if source.module and source.path in modules and source.module not in every
+    )
