@@ -452,3 +452,34 @@ def test_of_modules_of_one_name_those_run_that_are_imported(
     )
     monkeypatch.chdir(tmp_path)
     assert {each.path: each.state for each in sites(capsys) if each.path in states} == states
+
+
+@pytest.mark.parametrize(
+    ("more", "state"),
+    [
+        ({}, "unreached"),
+        ({"launch/a.launch.py": "cmd = ['python3', 'lamp/tool.py']\n"}, "open"),
+        ({"run.sh": "#!/bin/sh\npython3 lamp/tool.py\n"}, "open"),
+        ({"lamp/main.py": "from lamp.tool import Tool\nimport other\ndef main():\n    other.go(Tool)\n"}, "open"),
+    ],
+)
+def test_a_script_that_ros2_run_does_not_find_is_run_by_whoever_names_it(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    more: dict[str, str],
+    state: str,
+) -> None:
+    manifest = MANIFEST.format(name="lamp").replace("ament_cmake", "ament_python").replace("rclcpp", "rclpy")
+    files = {
+        "package.xml": manifest,
+        "setup.py": "from setuptools import setup\nsetup(name='lamp', packages=['lamp'], "
+        "entry_points={'console_scripts': ['lamp = lamp.main:main']})\n",
+        "lamp/__init__.py": "",
+        "lamp/main.py": "def main():\n    pass\n",
+        "lamp/tool.py": "import rclpy\nclass Tool:\n    def __init__(self, host):\n        host.create_publisher(1, 'a', 1)\n"
+        "if __name__ == '__main__':\n    Tool(1)\n",
+    }
+    write(tmp_path, files | more)
+    monkeypatch.chdir(tmp_path)
+    assert [each.state for each in sites(capsys) if each.path == "lamp/tool.py"] == [state]

@@ -25,6 +25,7 @@ _TEST_FILE = re.compile(r"(?:test_\w+|\w+_tests?|conftest|\w+[._]gtest)\.\w+")
 _TEST_PACKAGE = re.compile(r"(?:\w+_)?(?:tests?|testing)|test_\w+")
 _LOADER = re.compile(r"\bClassLoader\s*<\s*([\w:]+)")
 _PROGRAM = re.compile(r"^if[ \t(]+__name__\b|^#!", re.MULTILINE)
+_SCRIPT = re.compile(r"\w{1,100}\.py\b")
 #: What registers a class with Gazebo.
 _SIMULATED = re.compile(r"(?:GZ|IGN|IGNITION|GAZEBO)_(?:REGISTER_\w*PLUGIN|ADD_PLUGIN)")
 #: Kinds of files that name plug-ins and classes which are to be loaded, and ends of names of others.
@@ -136,15 +137,32 @@ def built(
 
 
 def imported(code: Codebase, builds: Mapping[str, Build], workspace: Workspace) -> frozenset[str]:
-    """The Python files that run only if something imports them."""
+    """The Python files that run only if something imports them.
+
+    One that could be run as a program is among them where ``ros2 run`` finds none of its name and no launch file or script names it.
+    """
     programs = {path for build in builds.values() for path in build.scripts}
     programs |= {entry.path for build in builds.values() for entry in build.entry_points}
     programs |= {each.path for build in builds.values() for each in build.installed if each.kind == "program"}
-    return frozenset(
-        source.path
-        for source in code.sources
-        if source.separator == "." and source.path not in programs and not _PROGRAM.search(workspace.text(source.path))
-    )
+    left = [source for source in code.sources if source.separator == "." and source.path not in programs]
+    started = {source.path for source in left if _PROGRAM.search(workspace.text(source.path))}
+    by_hand = {
+        path for path in started if code.by_path[path].package in builds and code.ros_of(code.by_path[path]) == 2
+    }
+    if by_hand:
+        by_hand -= _named(workspace, by_hand)
+    return frozenset(source.path for source in left if source.path not in started or source.path in by_hand)
+
+
+def _named(workspace: Workspace, paths: Iterable[str]) -> set[str]:
+    """Those of *paths* whose last part stands in a launch file or shell script."""
+    waiting = {path: posixpath.basename(path) for path in paths}
+    found: set[str] = set()
+    for file in workspace.files:
+        if file.language in ("launch", "shell") or file.path.endswith((".launch.py", "_launch.py")):
+            words = set(_SCRIPT.findall(workspace.text(file.path)))
+            found |= {path for path, name in waiting.items() if name in words and path != file.path}
+    return found
 
 
 def area_of(path: str, package: Package | None, is_of_test: bool) -> str:
