@@ -454,10 +454,17 @@ def test_of_modules_of_one_name_those_run_that_are_imported(
     assert {each.path: each.state for each in sites(capsys) if each.path in states} == states
 
 
+TOOL = (
+    "#!/usr/bin/env python3\nimport rclpy\nclass Tool:\n    def __init__(self, host):\n        host.create_publisher(1, 'a', 1)\n"
+    "if __name__ == '__main__':\n    Tool(1)\n"
+)
+
+
 @pytest.mark.parametrize(
     ("more", "state"),
     [
         ({}, "unreached"),
+        ({"lamp/tool.py": TOOL.partition("if __name__")[0]}, "unreached"),
         ({"launch/a.launch.py": "cmd = ['python3', 'lamp/tool.py']\n"}, "open"),
         ({"run.sh": "#!/bin/sh\npython3 lamp/tool.py\n"}, "open"),
         ({"lamp/main.py": "from lamp.tool import Tool\nimport other\ndef main():\n    other.go(Tool)\n"}, "open"),
@@ -477,8 +484,7 @@ def test_a_script_that_ros2_run_does_not_find_is_run_by_whoever_names_it(
         "entry_points={'console_scripts': ['lamp = lamp.main:main']})\n",
         "lamp/__init__.py": "",
         "lamp/main.py": "def main():\n    pass\n",
-        "lamp/tool.py": "import rclpy\nclass Tool:\n    def __init__(self, host):\n        host.create_publisher(1, 'a', 1)\n"
-        "if __name__ == '__main__':\n    Tool(1)\n",
+        "lamp/tool.py": TOOL,
     }
     write(tmp_path, files | more)
     monkeypatch.chdir(tmp_path)

@@ -141,11 +141,11 @@ def imported(code: Codebase, builds: Mapping[str, Build], workspace: Workspace) 
 
     One that could be run as a program is among them where ``ros2 run`` finds none of its name and no launch file or script names it.
     """
-    programs = {path for build in builds.values() for path in build.scripts}
-    programs |= {entry.path for build in builds.values() for entry in build.entry_points}
+    scripts = {path for build in builds.values() for path in build.scripts}
+    programs = {entry.path for build in builds.values() for entry in build.entry_points}
     programs |= {each.path for build in builds.values() for each in build.installed if each.kind == "program"}
     left = [source for source in code.sources if source.separator == "." and source.path not in programs]
-    started = {source.path for source in left if _PROGRAM.search(workspace.text(source.path))}
+    started = {each.path for each in left if each.path in scripts or _PROGRAM.search(workspace.text(each.path))}
     by_hand = {
         path for path in started if code.by_path[path].package in builds and code.ros_of(code.by_path[path]) == 2
     }
