@@ -4,18 +4,25 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from commandline import write
 
 from haros_ci.analysis.coverage import too_little
+from haros_ci.analysis.coverage_nodes import Users
 from haros_ci.cli import main
 from haros_ci.coverage.blanked import blanked
 from haros_ci.coverage.names import Names, names_of
 from haros_ci.coverage.search import calls_in, shown
 from haros_ci.extract.apis.tables import rows
+from haros_ci.extract.cpp.read import read_cpp
+from haros_ci.index.index import Source
+from haros_ci.model.architecture import Architecture, Configuration, Endpoint, Node
 from haros_ci.model.coverage import OPEN, Coverage, Site, counted
+from haros_ci.model.location import Location
+from haros_ci.report import coverage_text
 from haros_ci.report.coverage_text import percent
 
 ROS2 = names_of(rows("cpp", 2))
@@ -175,7 +182,13 @@ def sites(capsys: pytest.CaptureFixture[str]) -> list[Site]:
     assert document["schema_version"] == 1
     return [
         Site(
-            **{**each, "reason": each["reason"] or "", "detail": each["detail"] or "", "package": each["package"] or ""}
+            **{
+                **each,
+                "reason": each["reason"] or "",
+                "detail": each["detail"] or "",
+                "package": each["package"] or "",
+                "node_types": tuple(each["node_types"]),
+            }
         )
         for each in document["sites"]
     ]
@@ -222,15 +235,19 @@ PLUGINLIB_EXPORT_CLASS(lamp::Dimmer, acme::Tool)
 DESCRIPTION = '<library path="dimmer"><class type="lamp::Dimmer" base_class_type="acme::Tool"/></library>'
 
 
+SIMULATED = PLUGIN.replace("PLUGINLIB_EXPORT_CLASS(lamp::Dimmer, acme::Tool)", "GZ_REGISTER_MODEL_PLUGIN(lamp::Dimmer)")
+
+
 @pytest.mark.parametrize(
-    ("named", "state", "reason"),
+    ("code", "named", "state", "reason", "detail"),
     [
-        ("tools: [lamp::Dimmer]", "open", "in a plug-in"),
-        ("tools: []", "unreached", "a plug-in that nothing in the workspace loads"),
+        (PLUGIN, "tools: []", "endpoint", "", ""),
+        (SIMULATED, "tools: [libdimmer.so, dimmer]", "open", "in a plug-in", "the simulator"),
+        (SIMULATED, "tools: []", "unreached", "a plug-in that nothing in the workspace loads", "the simulator"),
     ],
 )
-def test_a_plugin_is_missing_where_a_file_names_it(
-    workspace: Path, capsys: pytest.CaptureFixture[str], named: str, state: str, reason: str
+def test_a_plugin_is_followed_or_missing_where_a_file_names_it(
+    workspace: Path, capsys: pytest.CaptureFixture[str], code: str, named: str, state: str, reason: str, detail: str
 ) -> None:
     write(
         workspace / "src/lamp",
@@ -239,14 +256,54 @@ def test_a_plugin_is_missing_where_a_file_names_it(
             "package.xml": MANIFEST.format(name="lamp").replace(
                 "<export>", '<export><acme plugin="${prefix}/plugins.xml"/>'
             ),
-            "plugins.xml": DESCRIPTION,
-            "src/dimmer.cpp": PLUGIN,
+            "plugins.xml": DESCRIPTION if code is PLUGIN else "<library path='other'/>",
+            "src/dimmer.cpp": code,
             "config/tools.yaml": f"{named}\n",
         },
     )
     (found,) = [site for site in sites(capsys) if site.path.endswith("dimmer.cpp")]
     assert (found.line, found.call) == (5, 'node.declare_parameter("level", 1)')
-    assert (found.state, found.reason) == (state, reason) and "acme::Tool" in found.detail
+    assert (found.state, found.reason) == (state, reason) and detail in found.detail
+
+
+@pytest.mark.parametrize(
+    ("call", "before", "state", "reason"),
+    [
+        ('vk::getParam("rate", 5);', "", "other", "a function of a library that is not here"),
+        ('getParam(config, "rate");', "bool getParam(int & a, const char * b);", "other", "called without a node"),
+        ('getParam(config, "rate");', "", "other", "called without a node"),
+        ('ros2::get_parameter(config, "rate");', "", "open", ""),
+        ('config.getParam("rate", 5);', "", "open", ""),
+    ],
+)
+def test_functions_that_are_no_methods_of_a_node(
+    workspace: Path, capsys: pytest.CaptureFixture[str], call: str, before: str, state: str, reason: str
+) -> None:
+    code = f"{before}\nint main() {{ int config = 0; if (rand() > 5) {{ {call} }} return config; }}\n"
+    files = {
+        "src/lamp/src/lamp.cpp": code,
+        "src/lamp/package.xml": MANIFEST.format(name="lamp")
+        .replace("ament_cmake", "catkin")
+        .replace("rclcpp", "roscpp"),
+    }
+    write(workspace, {name: text.replace("get_parameter(", "getParam(") for name, text in files.items()})
+    (found,) = [site for site in sites(capsys) if site.path.endswith("/lamp.cpp")]
+    assert found.state == state and reason in found.reason
+
+
+def test_copies_of_other_projects_are_no_calls(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = "inline void go(Source & source) { source.declare_parameter(1); }\n"
+    write(
+        workspace / "src/lamp",
+        {
+            "third_party/rx/rx.hpp": text,
+            "src/lamp.cpp": LAMP.replace(
+                "int main(", '#include "../third_party/rx/rx.hpp"\nvoid all() { go(1); }\nint main('
+            ),
+        },
+    )
+    (found,) = [site for site in sites(capsys) if site.path.endswith("rx.hpp")]
+    assert found.state in ("other", "unreached")
 
 
 def test_the_summary_of_a_check_says_a_small_share(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -274,6 +331,60 @@ def test_other_formats_are_refused(workspace: Path, capsys: pytest.CaptureFixtur
     assert "--coverage is text or json" in capsys.readouterr().err
 
 
+HIDDEN = """
+class Dimmer : public rclcpp::Node
+{
+public:
+  Dimmer() : Node("dimmer")
+  {
+    light_ = create_publisher<std_msgs::msg::Bool>("light", 1);
+    table_.at(which())(this);
+  }
+  static void add(Dimmer * dimmer) { dimmer->create_publisher<std_msgs::msg::Bool>("more", 1); }
+  int which();
+  std::map<int, void (*)(Dimmer *)> table_ = make_table(&Dimmer::add);
+};
+"""
+
+
+def test_a_missing_call_makes_the_nodes_incomplete_whose_code_it_stands_in() -> None:
+    source = Source("a.cpp", "a", read_cpp(HIDDEN + "void other() {}\n"))
+    end = Endpoint(
+        kind="publishers", name="/light", original_name="/light", type=None, location=Location("a.cpp", 7, 5)
+    )
+    node = Node(name="/dimmer", kind="node", package="a", type="dimmer", endpoints=(end,))
+    users = Users(Architecture(configurations=(Configuration(name="a", nodes=(node,)),)), (source,))
+    assert users.of("a.cpp", 8) == users.of("a.cpp", 10) == users.of("a.cpp", 15) == ("a/dimmer",)
+    assert users.of("b.cpp", 8) == ()
+
+
+def test_of_two_nodes_of_a_file_the_one_whose_class_it_is_is_incomplete() -> None:
+    code = "struct A { void a() {}\nvoid b() {} };\nstruct B { void a() {}\nvoid b() {} };\n"
+    nodes = tuple(
+        Node(name=f"/{name}", kind="node", package="p", type=name, endpoints=(end_at(line),))
+        for name, line in (("a", 1), ("b", 3))
+    )
+    found = Architecture(configurations=(Configuration(name="p", nodes=nodes),))
+    users = Users(found, (Source("a.cpp", "p", read_cpp(code)),))
+    assert [users.of("a.cpp", line) for line in (1, 2, 3, 4)] == [("p/a",), ("p/a",), ("p/b",), ("p/b",)]
+
+
+def end_at(line: int) -> Endpoint:
+    return Endpoint(kind="publishers", name="/x", original_name="/x", type=None, location=Location("a.cpp", line, 1))
+
+
+def test_incomplete_node_types_are_counted() -> None:
+    sites = (
+        replace(site(OPEN), node_types=("a/x", "a/y")),
+        replace(site(OPEN), node_types=("a/x",)),
+        replace(site(OPEN, "test"), node_types=("a/z",)),
+        site("endpoint"),
+    )
+    assert Coverage(sites=sites).incomplete() == {"a/x": 2, "a/y": 1}
+    assert coverage_text.render(Coverage(sites=sites)).splitlines()[-2:] == ["      2  a/x", "      1  a/y"]
+    assert "incomplete" not in coverage_text.render(Coverage(sites=sites[-1:]))
+
+
 def site(state: str, area: str = "production") -> Site:
     return Site(path="a.cpp", line=1, column=1, name="f", call="f(1)", package="a", area=area, state=state)
 
@@ -290,3 +401,91 @@ def test_too_little_is_said_of_production_code_alone() -> None:
 def test_shares_are_rounded_down() -> None:
     assert percent(counted([site("other")] * 9999 + [site(OPEN)]).share) == "99.9%"
     assert (percent(1.0), percent(None), percent(0.0)) == ("100.0%", "-", "0.0%")
+
+
+@pytest.mark.parametrize(
+    "option", [["--configuration", "lamp/lamp"], ["--as-running"], ["--expect", "lamp.yaml"], ["--check-readme"]]
+)
+def test_options_that_have_no_say_in_it_are_refused(
+    workspace: Path, capsys: pytest.CaptureFixture[str], option: list[str]
+) -> None:
+    assert main(["model", "--no-cache", "--coverage", *option]) == 2
+    said = capsys.readouterr()
+    assert (
+        f"--coverage is about the code of the whole workspace, so {option[0]} has no say" in said.err and not said.out
+    )
+
+
+@pytest.mark.parametrize(
+    ("imports", "states"),
+    [
+        ("from lamp.parts.light import Light", {"lamp/light.py": "unreached", "lamp/parts/light.py": "open"}),
+        ("from .parts.light import *", {"lamp/light.py": "unreached", "lamp/parts/light.py": "open"}),
+        (
+            "from lamp.parts import light\nfrom lamp.light import Light",
+            {"lamp/light.py": "open", "lamp/parts/light.py": "open"},
+        ),
+    ],
+)
+def test_of_modules_of_one_name_those_run_that_are_imported(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    imports: str,
+    states: dict[str, str],
+) -> None:
+    light = "import rclpy\nclass Light:\n    def __init__(self, host):\n        host.create_publisher(1, 'a', 1)\n"
+    write(
+        tmp_path,
+        {
+            "package.xml": MANIFEST.format(name="lamp")
+            .replace("ament_cmake", "ament_python")
+            .replace("rclcpp", "rclpy"),
+            "setup.py": "from setuptools import setup\nsetup(name='lamp', packages=['lamp', 'lamp.parts'], "
+            "entry_points={'console_scripts': ['lamp = lamp.main:main']})\n",
+            "lamp/__init__.py": "",
+            "lamp/parts/__init__.py": "",
+            "lamp/light.py": light,
+            "lamp/parts/light.py": light,
+            "lamp/main.py": f"{imports}\nimport other\ndef main():\n    for one in other.all({{'Light': 1}}):\n        getattr(one, 'x')(Light)\n",
+        },
+    )
+    monkeypatch.chdir(tmp_path)
+    assert {each.path: each.state for each in sites(capsys) if each.path in states} == states
+
+
+TOOL = (
+    "#!/usr/bin/env python3\nimport rclpy\nclass Tool:\n    def __init__(self, host):\n        host.create_publisher(1, 'a', 1)\n"
+    "if __name__ == '__main__':\n    Tool(1)\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("more", "state"),
+    [
+        ({}, "unreached"),
+        ({"lamp/tool.py": TOOL.partition("if __name__")[0]}, "unreached"),
+        ({"launch/a.launch.py": "cmd = ['python3', 'lamp/tool.py']\n"}, "open"),
+        ({"run.sh": "#!/bin/sh\npython3 lamp/tool.py\n"}, "open"),
+        ({"lamp/main.py": "from lamp.tool import Tool\nimport other\ndef main():\n    other.go(Tool)\n"}, "open"),
+    ],
+)
+def test_a_script_that_ros2_run_does_not_find_is_run_by_whoever_names_it(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    more: dict[str, str],
+    state: str,
+) -> None:
+    manifest = MANIFEST.format(name="lamp").replace("ament_cmake", "ament_python").replace("rclcpp", "rclpy")
+    files = {
+        "package.xml": manifest,
+        "setup.py": "from setuptools import setup\nsetup(name='lamp', packages=['lamp'], "
+        "entry_points={'console_scripts': ['lamp = lamp.main:main']})\n",
+        "lamp/__init__.py": "",
+        "lamp/main.py": "def main():\n    pass\n",
+        "lamp/tool.py": TOOL,
+    }
+    write(tmp_path, files | more)
+    monkeypatch.chdir(tmp_path)
+    assert [each.state for each in sites(capsys) if each.path == "lamp/tool.py"] == [state]

@@ -6,7 +6,9 @@ from __future__ import annotations
 import pytest
 
 from haros_ci.analysis.unmodelled import unmodelled
-from haros_ci.model.architecture import Architecture, Configuration, Node
+from haros_ci.extract.cpp.read import read_cpp
+from haros_ci.index.index import Source
+from haros_ci.model.architecture import Architecture, Configuration, Endpoint, Node
 from haros_ci.model.build import Build, PluginClass
 from haros_ci.model.location import Location
 
@@ -64,3 +66,41 @@ def test_of_many_packages_five_are_named() -> None:
 )
 def test_nothing_is_said_where_nothing_is_missing(builds: dict[str, Build], nodes: tuple[Node, ...]) -> None:
     assert unmodelled(architecture(*nodes), builds) == ()
+
+
+HERE_CPP = "arm/stiff.cpp"
+
+
+def source(code: str) -> Source:
+    return Source(HERE_CPP, "arm", read_cpp(code))
+
+
+MAKING = 'namespace arm { class Stiff : public Base { void init() { nh_.advertise<Lamp>("lamp", 1); } }; }'
+BELOW = (
+    'namespace arm { struct Base { void init() { nh_.advertise<Lamp>("lamp", 1); } }; struct Stiff : public Base {}; }'
+)
+
+
+@pytest.mark.parametrize(
+    ("code", "line", "expected"),
+    [
+        (MAKING, None, 1),
+        (MAKING, 2, 1),  # an endpoint elsewhere
+        (MAKING, 1, 0),
+        (BELOW, None, 1),
+        (BELOW, 1, 0),
+        (MAKING.replace("advertise", "print"), None, 0),  # it makes nothing
+        ("namespace arm { class Soft {}; }", None, 1),  # its code is not here
+    ],
+)
+def test_what_the_model_has_of_a_plugin_is_not_missing(code: str, line: int | None, expected: int) -> None:
+    place = Location(HERE_CPP, line, 1)
+    end = Endpoint(kind="publishers", name="/lamp", original_name="/lamp", type="a/Lamp", location=place)
+    nodes = (Node(name="/host", kind="node", package="host", type="host", endpoints=(end,) if line else ()),)
+    assert len(unmodelled(architecture(*nodes), build("arm", "tools::Tool"), (source(code),))) == expected
+
+
+def test_an_instance_of_a_template_is_known_by_the_class_that_it_is_for() -> None:
+    builds = build("arm", "tools::Factory", type_="tools::Maker<arm::Stiff>")
+    assert len(unmodelled(architecture(), builds, (source(MAKING),))) == 1
+    assert unmodelled(architecture(), builds, (source(MAKING.replace("advertise", "print")),)) == ()

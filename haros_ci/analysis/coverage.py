@@ -7,7 +7,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from haros_ci.analysis.architecture import api_rows, plugin_rows
-from haros_ci.analysis.coverage_files import Plugins, area_of, built, imported, loaded, plugins_of
+from haros_ci.analysis.coverage_files import Plugins, area_of, built, copies, imported, loaded, plugins_of, shadowed
+from haros_ci.analysis.coverage_nodes import Users
 from haros_ci.code.codebase import Codebase, codebase
 from haros_ci.config.settings import Settings
 from haros_ci.coverage import judge
@@ -80,6 +81,10 @@ class _Judge:
     #: The files of the product's targets and of those for tests, made when they are asked for.
     files: list[tuple[frozenset[str], frozenset[str]]] = field(default_factory=list)
     sought: list[Found] | None = None
+    #: Files of libraries that are copied into a package, each with the directory of its library.
+    copies: Mapping[str, str] = field(default_factory=dict)
+    #: Modules that only share the last part of their names with one that is imported.
+    shadowed: frozenset[str] = frozenset()
 
     def found(self) -> list[Found]:
         """All call sites, file by file; they are looked for once."""
@@ -112,7 +117,9 @@ class _Judge:
         places = judge.places_of(_locations(self.made.architecture))
         area = self.areas()
         areas = {each.source.path: area(each.source) for each in found}
+        self.copies = copies(self.workspace)
         pending = [each for each in found if not places.has(each)]
+        users = Users(self.made.architecture, self.code.sources)
         verdicts = dict(self.judged(found, places, area)) if pending else {}
         for each in found:
             path = each.source.path
@@ -132,6 +139,7 @@ class _Judge:
                 state=state,
                 reason=reason,
                 detail=detail,
+                node_types=users.of(path, each.line) if state == OPEN else (),
             )
 
     def areas(self) -> Callable[[Source], str]:
@@ -178,7 +186,9 @@ class _Judge:
 
     def _reach(self, pieces: dict[str, list[Piece]], plugins: Plugins, known: Iterable[Piece]) -> Reach:
         """What runs: programs, what the workspace loads, and the *known* pieces, in which the model has an endpoint."""
-        reach = reach_of(self.code, pieces, imported(self.code, self.made.builds, self.workspace))
+        modules = imported(self.code, self.made.builds, self.workspace)
+        self.shadowed = shadowed(self.code, modules)
+        reach = reach_of(self.code, pieces, modules)
         loading = loaded(self.workspace, plugins, self.texts, reach.classes)
         roots = {*_roots(self.made.architecture), *loading}
         reach.start(known, sorted(roots))
@@ -194,8 +204,12 @@ class _Judge:
         none = judge.other(self.code, where, found, seen)
         if none is not None:
             return OTHER, *none
+        if found.source.path in self.copies:
+            return OTHER, "a copy of another project", self.copies[found.source.path]
         if piece is None:
             return UNREACHED, "the file is in no target", ""
+        if found.source.path in self.shadowed:
+            return UNREACHED, "nothing imports the module", ""
         if piece not in reach.running:
             return UNREACHED, *_idle(found, piece, reach, plugins)
         return OPEN, "", ""

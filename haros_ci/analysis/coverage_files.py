@@ -8,9 +8,11 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
+from haros_ci.code.classes import absolute
 from haros_ci.code.codebase import Codebase
 from haros_ci.coverage.pieces import Piece, last_name
-from haros_ci.index.index import HEADERS, is_test
+from haros_ci.coverage.reach import stem
+from haros_ci.index.index import HEADERS, Source, is_test
 from haros_ci.model.build import Build
 from haros_ci.model.coverage import EXAMPLE, PRODUCTION, TEST
 from haros_ci.model.package import Package
@@ -23,6 +25,7 @@ _TEST_FILE = re.compile(r"(?:test_\w+|\w+_tests?|conftest|\w+[._]gtest)\.\w+")
 _TEST_PACKAGE = re.compile(r"(?:\w+_)?(?:tests?|testing)|test_\w+")
 _LOADER = re.compile(r"\bClassLoader\s*<\s*([\w:]+)")
 _PROGRAM = re.compile(r"^if[ \t(]+__name__\b|^#!", re.MULTILINE)
+_SCRIPT = re.compile(r"\w{1,100}\.py\b")
 #: What registers a class with Gazebo.
 _SIMULATED = re.compile(r"(?:GZ|IGN|IGNITION|GAZEBO)_(?:REGISTER_\w*PLUGIN|ADD_PLUGIN)")
 #: Kinds of files that name plug-ins and classes which are to be loaded, and ends of names of others.
@@ -134,15 +137,32 @@ def built(
 
 
 def imported(code: Codebase, builds: Mapping[str, Build], workspace: Workspace) -> frozenset[str]:
-    """The Python files that run only if something imports them."""
-    programs = {path for build in builds.values() for path in build.scripts}
-    programs |= {entry.path for build in builds.values() for entry in build.entry_points}
+    """The Python files that run only if something imports them.
+
+    One that could be run as a program is among them where ``ros2 run`` finds none of its name and no launch file or script names it.
+    """
+    scripts = {path for build in builds.values() for path in build.scripts}
+    programs = {entry.path for build in builds.values() for entry in build.entry_points}
     programs |= {each.path for build in builds.values() for each in build.installed if each.kind == "program"}
-    return frozenset(
-        source.path
-        for source in code.sources
-        if source.separator == "." and source.path not in programs and not _PROGRAM.search(workspace.text(source.path))
-    )
+    left = [source for source in code.sources if source.separator == "." and source.path not in programs]
+    started = {each.path for each in left if each.path in scripts or _PROGRAM.search(workspace.text(each.path))}
+    by_hand = {
+        path for path in started if code.by_path[path].package in builds and code.ros_of(code.by_path[path]) == 2
+    }
+    if by_hand:
+        by_hand -= _named(workspace, by_hand)
+    return frozenset(source.path for source in left if source.path not in started or source.path in by_hand)
+
+
+def _named(workspace: Workspace, paths: Iterable[str]) -> set[str]:
+    """Those of *paths* whose last part stands in a launch file or shell script."""
+    waiting = {path: posixpath.basename(path) for path in paths}
+    found: set[str] = set()
+    for file in workspace.files:
+        if file.language in ("launch", "shell") or file.path.endswith((".launch.py", "_launch.py")):
+            words = set(_SCRIPT.findall(workspace.text(file.path)))
+            found |= {path for path, name in waiting.items() if name in words and path != file.path}
+    return found
 
 
 def area_of(path: str, package: Package | None, is_of_test: bool) -> str:
@@ -155,3 +175,36 @@ def area_of(path: str, package: Package | None, is_of_test: bool) -> str:
         return TEST
     inside = path if package.path == "." else path[len(package.path) + 1 :]
     return EXAMPLE if _EXAMPLES.intersection(inside.split("/")[:-1]) else PRODUCTION
+
+
+def copies(workspace: Workspace) -> dict[str, str]:
+    """The files of other projects' libraries inside of packages, each with the directory that holds the copy."""
+    homes = {package.name: package.path for package in workspace.packages}
+    return {
+        file.path: file.third_party
+        for file in workspace.files
+        if file.third_party
+        and (home := homes.get(file.package or "", ".")) != file.third_party
+        and not home.startswith(f"{file.third_party}/")
+    }
+
+
+def shadowed(code: Codebase, modules: frozenset[str]) -> frozenset[str]:
+    """The files among *modules* that no file imports under their own dotted name, where others share its last part.
+
+    By names alone, an import of one would count for the other, too.
+    """
+    by_last: dict[str, list[Source]] = {}
+    targets: set[str] = set()
+    for source in code.sources:
+        if source.separator == ".":
+            by_last.setdefault(stem(source.path), []).append(source)
+            targets |= {absolute(source, alias.type.name).removesuffix(".*") for alias in source.program.aliases}
+    every = targets | {target.rpartition(".")[0] for target in targets}
+    return frozenset(
+        source.path
+        for alike in by_last.values()
+        if len(alike) > 1
+        for source in alike
+        if source.module and source.path in modules and source.module not in every
+    )

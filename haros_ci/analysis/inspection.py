@@ -110,7 +110,10 @@ def inspected(
                 for p in (*found.problems, *project.problems)
                 if (p.path, p.line) not in as_findings
             ),
-            *(Notification(Level.NOTE, sentence, ARCHITECTURE) for sentence in unmodelled(found, made.builds)),
+            *(
+                Notification(Level.NOTE, sentence, ARCHITECTURE)
+                for sentence in unmodelled(found, made.builds, made.sources)
+            ),
             *(
                 Notification(Level.NOTE, sentence, ARCHITECTURE)
                 for sentence in (_uncovered(made, workspace, settings, project) if base is None else ())

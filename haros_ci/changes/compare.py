@@ -143,6 +143,8 @@ class _Ends:
             self._found = {}
             for node in self._nodes:
                 for end in node.endpoints:
+                    if end.is_ruled_out:
+                        continue
                     self._found.setdefault((end.kind, end.name), set()).add(node.name)
         return self._found.get((kind, name), set())
 

@@ -49,5 +49,5 @@ def _around(configuration: Configuration, touched: dict[tuple[str, str], None]) 
     for node in configuration.nodes:
         for end in node.endpoints:
             kind, is_giver = kinds.get(end.kind, ("", False))
-            if kind and (kind, end.name) in touched and is_known(node.name):
+            if kind and (kind, end.name) in touched and is_known(node.name) and not end.is_ruled_out:
                 yield node.name, end.name, kind, is_giver

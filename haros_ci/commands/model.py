@@ -29,6 +29,8 @@ from haros_ci.writing import put as put_bytes
 SHOWN = 20
 #: Options that say what of the architecture is made, and how it is written.
 OPTIONS = ("launch", "arg", "env", "no_known_nodes", "as_running", "configuration", "format", "compact")
+#: Options that choose of what is printed, and change nothing of which calls the model has.
+UNCOVERED = ("configuration", "as_running", "expect", "check_readme")
 #: What --format json --compact is called here.
 COMPACT = "compact json"
 FORMATS = ("text", "json", "dot", "mermaid", "sqlite", "nodl", "readme")
@@ -39,10 +41,7 @@ def model(flags: Mapping[str, Any]) -> int:
     """Extract, link, print; exit code 1 if what is expected or documented differs, 2 for wrong usage, else 0."""
     import gc
 
-    if flags["compact"] and flags["format"] != "json":
-        raise UserError(f"--compact is for json, not {flags['format']}", help="write --format json --compact")
-    if flags["coverage"] and (flags["compact"] or flags["format"] not in ("text", "json")):
-        raise UserError("--coverage is text or json", help="write --coverage --format json")
+    refuse(flags)
     format = COMPACT if flags["compact"] else flags["format"]
     gc.disable()
     settings = settings_from({**flags, "no_baseline": True})
@@ -74,7 +73,7 @@ def model(flags: Mapping[str, Any]) -> int:
         found = as_running(found) if flags["as_running"] else found
         problems = (*workspace.problems, *workspace.faults, *found.problems)
         found = replace(found, problems=tuple(dict.fromkeys(problems)))
-        unknown = notes(unmodelled(made.architecture, made.builds))
+        unknown = notes(unmodelled(made.architecture, made.builds, made.sources))
         return found, (*notes(settings.notes), *warnings(found.problems), *unknown)
 
     def output() -> Output:
@@ -111,6 +110,21 @@ def model(flags: Mapping[str, Any]) -> int:
         code = max(code, documented(workspace, found)) if flags["check_readme"] else code
     remark(f"cache: {store.stats}")
     return code
+
+
+def refuse(flags: Mapping[str, Any]) -> None:
+    """UserError for options that do not go together."""
+    if flags["compact"] and flags["format"] != "json":
+        raise UserError(f"--compact is for json, not {flags['format']}", help="write --format json --compact")
+    if flags["coverage"] and (flags["compact"] or flags["format"] not in ("text", "json")):
+        raise UserError("--coverage is text or json", help="write --coverage --format json")
+    others = [name for name in UNCOVERED if flags[name]] if flags["coverage"] else []
+    if others:
+        option = f"--{others[0].replace('_', '-')}"
+        raise UserError(
+            f"--coverage is about the code of the whole workspace, so {option} has no say in it",
+            help=f"leave {option} out; --launch is the option that looks at some launch files only",
+        )
 
 
 def is_kept(flags: Mapping[str, Any], settings: Settings) -> bool:

@@ -169,11 +169,19 @@ def other(code: Codebase, where: Syntax, found: Found, seen: Seen) -> tuple[str,
         return None
     routine, call = placed
     targets = calls.function_meant(code, routine, call.callee)
+    if call.receiver is None and not routine.is_python and (not targets or code.ros_of(found.source) == 1):
+        said = _is_of_no_node(code, routine, call.callee)
+        if said:
+            return said, ""
     if targets:
         if any(seen.lacks(code, found, target) for target in targets):
             return None
         return "a function of the workspace", f"{targets[0].title} at {targets[0].location}"
-    receiver = call.receiver
+    return _of_library(code, routine, call.receiver)
+
+
+def _of_library(code: Codebase, routine: Routine, receiver: syntax.Expression | None) -> tuple[str, str] | None:
+    """Why a method of *receiver* is none of a ROS API: its class is of a library without ROS, or makes nothing here."""
     if isinstance(receiver, (syntax.This, type(None))):
         return None
     name = _receiver(code, routine, receiver)
@@ -183,6 +191,27 @@ def other(code: Codebase, where: Syntax, found: Found, seen: Seen) -> tuple[str,
     if name in _QUIET:
         return "a library call that makes nothing here", f"{name}: {_QUIET[name]}"
     return None
+
+
+def _is_of_no_node(code: Codebase, routine: Routine, callee: syntax.Expression) -> str:
+    """Why a C++ function that is called by its name alone is no method of a node or node handle; "" where it may be one.
+
+    Such a method is called by its name in a class that has it from a library; what has a namespace in front is a function.
+    """
+    if not isinstance(callee, syntax.Name) or last_name(callee.name) in FREE:
+        return ""
+    space = callee.name.removeprefix("::").rpartition("::")[0]
+    if space:
+        known = space.split("::")[0].startswith(ROS) or space in code.cpp.classes or space.startswith("this")
+        return "" if known else "a function of a library that is not here"
+    while routine.outer is not None:
+        routine = routine.outer
+    owner = routine.function.owner
+    classes_here = code.cpp.classes.get(owner, ()) if owner else ()
+    names = {name for each in classes_here for name in classes.base_names(code, each)}
+    if any(name.removeprefix("::") not in code.cpp.classes for name in names):
+        return ""
+    return "a function that is called without a node"
 
 
 def _class_here(code: Codebase, found: Found) -> str:
@@ -233,6 +262,12 @@ def wrapped(code: Codebase, where: Syntax, places: Places) -> Mapping[Routine, s
     return found
 
 
+#: How names of namespaces begin whose functions make endpoints, and functions that are no methods.
+ROS = tuple(
+    "ros rcl tf action message_filters image_transport point_cloud_transport nodelet dynamic_reconfigure nav2 autoware "
+    "tier4 realtime_tools controller moveit rviz diagnostic".split()
+)
+FREE = frozenset(("create_server", "create_client", "create_timer", "create_subscription", "create_publisher"))
 #: Names of functions that wrap an API.
 WRAPPERS = frozenset(
     "create_publisher create_lifecycle_publisher create_subscription create_service create_client create_server "

@@ -22,7 +22,8 @@ _HEAD = re.compile(r"\b(?:class|struct)\s+(?:[A-Z_]+\s+)?(\w+)(?=\s*(?:final\b|[
 _DEFINED = re.compile(r"\b(?:def|class)[ \t]+(\w+)")
 #: What registers plug-ins and components; it loads none.
 _REGISTERING = re.compile(
-    r"\b(?:PLUGINLIB_\w+|RCLCPP_COMPONENTS_REGISTER_NODE|CLASS_LOADER_REGISTER_CLASS)\s*\([^()]{0,400}\)"
+    r"\b(?:PLUGINLIB_\w+|RCLCPP_COMPONENTS_REGISTER_NODE|CLASS_LOADER_REGISTER_CLASS"
+    r"|(?:GZ|IGN|IGNITION|GAZEBO)_(?:REGISTER|ADD)_\w+)\s*\([^()]{0,400}\)"
 )
 #: How often the characters of a file are read for its functions and classes, which stand in one another: what is left then stays outside.
 _MOST_READ = 50

@@ -131,7 +131,9 @@ def _nodes(
     yield from _all("node", "", nodes, declared, (), packages)
     for expected, node in _pairs(nodes, declared, packages)[0]:
         for kind, ends in expected.ends.items():
-            found = [end for end in node.endpoints if end.kind == kind]
+            declared_names = {end.name for end in ends}
+            every = [end for end in node.endpoints if end.kind == kind]
+            found = [end for end in every if not end.is_ruled_out or end.name in declared_names]
             opaque = [why for why in node.unknowns if why.field in (kind, "endpoints", "package", "type")]
             if not node.endpoints:
                 opaque.append(_UNSEEN)

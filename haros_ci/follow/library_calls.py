@@ -13,7 +13,7 @@ from haros_ci.follow.run import Run
 from haros_ci.index.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
-from haros_ci.values.abstract import NONE, Library, Object, Opaque, Value
+from haros_ci.values.abstract import NONE, Cell, Library, Object, Opaque, Value
 
 
 def inherited_call(
@@ -100,7 +100,43 @@ def library_call(
         resolved = run.type_in(syntax.Type(callee.name, targs), frame)
         if resolved.name != name or is_smart_pointer(resolved) or resolved.name in STRINGS:
             return construct.create(run, frame, resolved, args, location)
-    return library.unknown_call(run, frame, name, args)
+    made = _made(run, frame, name, kinds, args, location) or _one(run, frame, name, args, location)
+    return made if made is not None else library.unknown_call(run, frame, name, args)
+
+
+def _made(
+    run: Run,
+    frame: Frame,
+    name: str,
+    kinds: tuple[syntax.Argument, ...],
+    args: tuple[call_arguments.Argument, ...],
+    location: Location,
+) -> Value | None:
+    """``make_it<T>(args)`` of a library that is not known, as ``std::make_unique``, for a class T of the workspace: an object of it."""
+    if not name.rpartition("::")[2].startswith("make_") or not kinds or not isinstance(kinds[0], syntax.Type):
+        return None
+    if run.class_of(kinds[0].name, frame.source) is None:
+        return None
+    return construct.create(run, frame, kinds[0].bare(), args, location)
+
+
+def _one(
+    run: Run, frame: Frame, name: str, args: tuple[call_arguments.Argument, ...], location: Location
+) -> Value | None:
+    """``T::instance()`` that a class T of the workspace has from a base class ``Singleton<T>`` which is not here: the one object of it."""
+    head, _, last = name.rpartition("::")
+    owner = run.class_of(run.type_in(syntax.Type(head), frame).name, frame.source) if head and not args else None
+    if owner is None or not last.lower().endswith("instance"):
+        return None
+    own = owner[1].name.rpartition("::")[2]
+    named = (each.name for base in owner[1].bases for each in base.arguments if isinstance(each, syntax.Type))
+    if own not in {each.rpartition("::")[2] for each in named}:
+        return None
+    key = ("the one", id(owner[1]))
+    if key not in run.found:
+        run.found[key] = Cell(construct.instance(run, frame, owner, (), (), location))
+    found: Value = run.found[key].value
+    return found
 
 
 def ends_the_program(run: Run, frame: Frame, expression: Expression) -> bool:

@@ -278,35 +278,35 @@ def _of_action(run: Run, package: str, name: str) -> bool:
 
 def imported(run: Run, frame: Frame, target: str) -> Value:
     """What a dotted Python name means: a module, class, function or variable of the workspace, or a library's name."""
-    if target.startswith("."):
-        dots = len(target) - len(target.lstrip("."))
-        base = frame.source.module.split(".")
-        if not frame.source.path.endswith("__init__.py"):
-            base = base[:-1]
-        base = base[: len(base) - dots + 1]
-        target = ".".join((*base, target.lstrip("."))) if target.lstrip(".") else ".".join(base)
-    head = target
-    rest: list[str] = []
+    placed = python_modules.placed(run, frame.source, target)
+    if placed is not None:
+        return _inside(run, frame, *placed)
+    target = python_modules.absolute(frame.source, target)
+    head, rest = target, list[str]()
     while head:
         modules = run.index.modules.get(head)
         if modules:
             source = min(modules, key=lambda s: (s.package != frame.source.package, s.path))
             if rest and is_generated(run, source, rest[-1]):
                 return Library(target)
-            value: Value = Module(source)
-            if not rest:
-                return python_modules.bound(run, head) or value
-            for part in reversed(rest):
-                value = members.attribute(run, value, part, frame)
-            if rest and value is not run.found.get(("first", source.path, rest[-1]), value):
-                return run.opaque("it is imported by value, and a function of its module assigns to it", frame)
-            return value
+            bound = python_modules.bound(run, head) if not rest else None
+            return bound or _inside(run, frame, source, rest[::-1])
         head, dot, last = head.rpartition(".")
         if not dot:
             break
         rest.append(last)
     beside = python_modules.beside(run, frame.source, target)
     return imported(run, frame, beside) if beside is not None else Library(python_modules.passed_on(target))
+
+
+def _inside(run: Run, frame: Frame, source: Source, rest: list[str]) -> Value:
+    """A module, or what the names *rest* mean in it, one inside of the other."""
+    value: Value = Module(source)
+    for part in rest:
+        value = members.attribute(run, value, part, frame)
+    if rest and value is not run.found.get(("first", source.path, rest[0]), value):
+        return run.opaque("it is imported by value, and a function of its module assigns to it", frame)
+    return value
 
 
 def is_generated(run: Run, source: Source, name: str) -> bool:

@@ -104,6 +104,9 @@ def attribute(run: Run, value: Value, name: str, frame: Frame) -> Value:
         deeper = run.index.modules.get(f"{value.source.module}.{name}")
         if deeper:
             return python_modules.bound(run, f"{value.source.module}.{name}") or Module(deeper[0])
+        placed = python_modules.placed(run, value.source, f".{name}") if not value.source.module else None
+        if placed is not None and not placed[1] and value.source.path.endswith("__init__.py"):
+            return Module(placed[0])
         if lookup.is_generated(run, value.source, name):
             return Library(f"{value.source.module}.{name}")
         return lookup.python_name(run, inner, name)

@@ -11,6 +11,7 @@ from haros_ci.follow import expressions, lookup, members, overloads
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.run import Run
 from haros_ci.index.index import Source
+from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Field, Function, Type
 from haros_ci.values.abstract import Callable, ClassValue, Object, Value
 
@@ -91,6 +92,15 @@ def python_class(run: Run, base: Type, source: Source) -> tuple[Source, Class] |
     return (value.source, value.definition) if isinstance(value, ClassValue) else None
 
 
+def _as_node(run: Run, name: str, source: Source, definition: Class) -> str:
+    """The node of rclpy for a class ``Node`` of a library that is not known: it derives from it, and what else it makes is not known."""
+    if not name.endswith(".Node") or name in run.rows or run.context.process is None:
+        return name
+    said = f"the base class {name} is not in the workspace: what it makes and calls is not known"
+    run.gaps.setdefault(said, Location(source.path, definition.line))
+    return "rclpy.node.Node"
+
+
 def library_bases(run: Run, source: Source, definition: Class, depth: int = 0) -> list[str]:
     """The names of all base classes that are not of the workspace."""
     key = ("bases", id(definition))
@@ -108,6 +118,7 @@ def library_bases(run: Run, source: Source, definition: Class, depth: int = 0) -
                 if owner is None:
                     value = expressions.evaluate(run, Frame(source, ""), syntax.Name(name.split(".")[0]))
                     name = ".".join((getattr(value, "name", name.split(".")[0]), *name.split(".")[1:]))
+                    name = _as_node(run, name, source, definition)
             else:
                 owner, name = run.class_of(base.name, source), base.name
             if owner is None:

@@ -22,6 +22,8 @@ def build_index(sources: Iterable[Source]) -> Index:
             index.sources[source.path] = source
             index.file_names[posixpath.basename(source.path)].append(source.path)
             index.local[source.path] = _local(program)
+        else:
+            index.by_place[source.path.removesuffix(".py").removesuffix("/__init__")] = source
         for definition in program.classes:
             fields = _without_doubles(definition.fields) if is_cpp else definition.fields
             whole = definition if fields is definition.fields else syntax.replace(definition, fields=fields)

@@ -53,6 +53,8 @@ class Index:
     aliases: dict[str, list[tuple[Source, Alias]]] = field(default_factory=lambda: defaultdict(list))
     macros: dict[str, list[tuple[Source, str]]] = field(default_factory=lambda: defaultdict(list))
     modules: dict[str, list[Source]] = field(default_factory=lambda: defaultdict(list))
+    #: Python files by path without ``.py``, packages by their directory.
+    by_place: dict[str, Source] = field(default_factory=dict)
     #: Methods by the last two parts of their name, for those defined under a using-directive.
     by_tail: dict[str, list[tuple[Source, Function]]] = field(default_factory=lambda: defaultdict(list))
     #: The workspace's message, service and action types (``pkg/T``), and its packages.

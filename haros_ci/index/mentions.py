@@ -75,6 +75,10 @@ def called_in(item: Part, found: set[str], mentioned: set[str], source: Source) 
             elif isinstance(callee, syntax.Subscript) and isinstance(callee.object, (syntax.Name, syntax.Member)):
                 found.add(last(callee.object.name))
             found.update(last(name) for kind in node.templates for name in type_names(kind))  # make_shared<T>()
+            if source.separator == ".":  # a class that is given may be made by whoever gets it
+                found.update(
+                    each.name for each in node.arguments if isinstance(each, syntax.Name) and each.name[:1].isupper()
+                )
         elif isinstance(node, syntax.Assignment) and isinstance(node.target, syntax.Subscript):
             found.add(ELEMENT)
         elif isinstance(node, (syntax.New, syntax.Variable)):

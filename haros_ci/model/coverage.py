@@ -19,7 +19,8 @@ class Site:
     """A call that looks like one of a ROS API: *line* and *column* are those of the called *name*, *call* its text.
 
     *package* is "" outside any package. *state* is one of ``STATES``; *reason* says why, in a few words that are the same for all
-    sites of that kind, *detail* what is special about this one.
+    sites of that kind, *detail* what is special about this one. *node_types* are those (``package/type``) that a call which is missing may
+    belong to: they are incomplete.
     """
 
     path: str
@@ -32,6 +33,7 @@ class Site:
     state: str
     reason: str = ""
     detail: str = ""
+    node_types: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,6 +65,12 @@ class Coverage:
     def packages(self) -> tuple[str, ...]:
         """The names of the packages that have a site, sorted; "" for what is outside any."""
         return tuple(sorted({site.package for site in self.sites}))
+
+    def incomplete(self, area: str = PRODUCTION) -> dict[str, int]:
+        """How many calls are missing that each node type may have, by node type, in the order of their names."""
+        missing = [site for site in self.sites if site.area == area and site.state == OPEN]
+        names = sorted({name for site in missing for name in site.node_types})
+        return {name: sum(name in site.node_types for site in missing) for name in names}
 
     def counts(self, area: str = PRODUCTION, package: str | None = None) -> Counts:
         """The numbers of an area: of one package, or of all."""

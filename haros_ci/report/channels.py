@@ -48,12 +48,15 @@ class Channel:
 
 
 def channels(configuration: Configuration) -> tuple[Channel, ...]:
-    """What the endpoints of *configuration* connect, topics first, by name; two unknown names are never one channel."""
+    """What the endpoints of *configuration* connect, topics first, by name; two unknown names are never one channel.
+
+    What is ruled out as things are connects nothing.
+    """
     found = []
     every: dict[str, list[tuple[Node, Endpoint]]] = {what: [] for what in CHANNELS}
     for node in nodes_of(configuration):
         for end in endpoints_of(node):
-            if end.kind in _WHAT:
+            if end.kind in _WHAT and not end.is_ruled_out:
                 every[_WHAT[end.kind]].append((node, end))
     for what, ends in every.items():
         ends.sort(key=lambda pair: pair[1].name)

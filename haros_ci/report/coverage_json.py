@@ -21,6 +21,7 @@ def render(found: Coverage) -> str:
             {"name": name or None, **{area: _counts(found.counts(area, name)) for area in AREAS}}
             for name in found.packages()
         ],
+        "incomplete": found.incomplete(),
         "sites": [
             {
                 **asdict(site),

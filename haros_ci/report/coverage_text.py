@@ -45,6 +45,16 @@ def _lines(found: Coverage) -> Iterator[str]:
     for area in AREAS:
         yield from _reasons(found, area)
     yield from _listed(found)
+    yield from _incomplete(found)
+
+
+def _incomplete(found: Coverage) -> Iterator[str]:
+    counts = sorted(found.incomplete().items(), key=lambda each: (-each[1], each[0]))
+    if counts:
+        yield ""
+        yield "node types that are incomplete, and how many of these calls each may have:"
+    for name, count in counts[:LISTED]:
+        yield f"  {count:5d}  {name}"
 
 
 def _row(name: str, counts: Counted) -> tuple[str, ...]:

@@ -19,7 +19,7 @@ from haros_ci.scratch import scratch_directory
 #: The tables. A *value* or *effective* is JSON text, null if there is none or it is unknown; booleans are 0 and 1. A
 #: policy of *qos* is null where it is the default, and ``?`` where it is unknown. A condition or an unknown belongs to
 #: one node, endpoint or parameter: the other two columns are null. Positions count from 0, conditions outermost first.
-#: What ``CHANNELS`` connects is found by grouping endpoints by configuration and name.
+#: What ``CHANNELS`` connects is found by grouping endpoints that are not *ruled_out* by configuration and name.
 TABLES = """
 CREATE TABLE packages (id INTEGER PRIMARY KEY, name TEXT NOT NULL, path TEXT NOT NULL, version TEXT NOT NULL,
   format INTEGER NOT NULL, build_type TEXT NOT NULL, ros INTEGER, is_metapackage INTEGER NOT NULL);
@@ -38,7 +38,7 @@ CREATE TABLE remaps (node INTEGER NOT NULL REFERENCES nodes, position INTEGER NO
 CREATE TABLE endpoints (id INTEGER PRIMARY KEY, node INTEGER NOT NULL REFERENCES nodes, kind TEXT NOT NULL,
   name TEXT NOT NULL, original_name TEXT NOT NULL, type TEXT, queue_size INTEGER, latched INTEGER, value TEXT,
   implicit INTEGER NOT NULL, location INTEGER REFERENCES locations, source TEXT NOT NULL, effective TEXT,
-  read_only INTEGER, minimum REAL, maximum REAL, step REAL);
+  read_only INTEGER, minimum REAL, maximum REAL, step REAL, ruled_out INTEGER NOT NULL);
 CREATE TABLE qos (endpoint INTEGER PRIMARY KEY REFERENCES endpoints, history TEXT, depth, reliability TEXT,
   durability TEXT, deadline, lifespan, liveliness TEXT, lease);
 CREATE TABLE parameters (id INTEGER PRIMARY KEY, configuration INTEGER NOT NULL REFERENCES configurations,
@@ -115,7 +115,7 @@ def _node(table: _Tables, configuration: int, node: Node) -> None:
     table.about((key, None, None), node.conditions, node.unknowns)
     for end in endpoints_of(node):
         about = (end.kind, end.name, end.original_name, end.type, end.queue_size, end.latched, _value(end.value))
-        declared = (_value(end.effective), end.read_only, *(end.range or (None, None, None)))
+        declared = (_value(end.effective), end.read_only, *(end.range or (None, None, None)), end.is_ruled_out)
         added = table.add(
             "endpoints", None, key, *about, end.implicit, table.place(end.location), end.source, *declared
         )

@@ -59,8 +59,8 @@ def render(architecture: Architecture) -> str:
 
 
 def gaps(configuration: Configuration) -> Gaps:
-    """What is unknown among the endpoints of *configuration*; a name or QoS is if any part of it is."""
-    found_ends = [(node, end) for node in nodes_of(configuration) for end in endpoints_of(node) if not end.implicit]
+    """What is unknown among the endpoints of *configuration* but those ruled out; a name or QoS is if any part of it is."""
+    found_ends = [(node, end) for node in nodes_of(configuration) for end in endpoints_of(node) if _counts(end)]
     ends = [end for _, end in found_ends]
     topic_ends = [end for node, end in found_ends if node.ros == 2 and end.kind in ("publishers", "subscribers")]
     causes: dict[tuple[str, str], list[Location | None]] = {}
@@ -79,6 +79,10 @@ def gaps(configuration: Configuration) -> Gaps:
         topic_ends=len(topic_ends),
         qos=sum(_qos_is_unknown(end) for end in topic_ends),
     )
+
+
+def _counts(end: Endpoint) -> bool:
+    return not (end.implicit or end.is_ruled_out)
 
 
 def _type_is_unknown(end: Endpoint) -> bool:
@@ -122,7 +126,7 @@ def _block(configuration: Configuration) -> Iterator[str]:
 
 
 def _node(node: Node) -> str:
-    ends = Counter(end.kind for end in node.endpoints if not end.implicit)
+    ends = Counter(end.kind for end in node.endpoints if _counts(end))
     has = [plural(ends[kind], NOUNS[kind]) for kind in KINDS if ends[kind]]
     kind = "" if node.kind == "node" else f" ({terminal(node.kind)})"
     condition = " [conditional]" if node.conditions else ""

@@ -22,7 +22,7 @@ from haros_ci.launch.ros2.evaluate import launch_system
 from haros_ci.launch.ros2.parameter_files import parameter_file
 from haros_ci.launch.ros2.places import Places
 from haros_ci.model.api import Row
-from haros_ci.model.architecture import LIBRARY, Architecture, Configuration, Node, Parameter
+from haros_ci.model.architecture import Architecture, Configuration, Node, Parameter
 from haros_ci.model.build import Build
 from haros_ci.model.environment import NOTHING, Environment
 from haros_ci.model.launch import LaunchFile
@@ -32,6 +32,7 @@ from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.systems import (
     controllers,
     keeping,
+    loaded_elsewhere,
     present,
     ros2_library,
     ros2_library_classes,
@@ -44,7 +45,7 @@ from haros_ci.systems.following import KnownNodes, Types
 from haros_ci.systems.keeping import Keeper
 from haros_ci.systems.launch_facts import Completion
 from haros_ci.systems.node_types import path_name, types_of
-from haros_ci.systems.ros2_library import Library, Seen
+from haros_ci.systems.ros2_library import Seen
 from haros_ci.systems.simulation import ros1 as ros1_simulation
 from haros_ci.systems.simulation import ros2 as ros2_simulation
 from haros_ci.systems.simulation.simulators import Completes
@@ -259,7 +260,7 @@ def linked(
     done = dict(zip(order, share(work, [every[number].group for number in order]), strict=True))
     _count(types, done.values())
     made = ros2_library.seen_in(node for number in range(len(jobs)) for node in done[number][0][0])
-    more = [ros2_library.job(types, each) for each in _libraries(types, made)] if wanted is None else []
+    more = list(_more(types, made)) if wanted is None else []
     brought = share([partial(_worked, types, job) for job in more], [job.group for job in more])
     _count(types, brought)
     if keeper is not None:
@@ -276,10 +277,10 @@ def linked(
         )
     alone = zip(results, jobs[sum(len(each.jobs) for _, each in opened) :], strict=True)
     configurations += unstarted.configurations(alone, problems, {each.name for each in configurations})
-    for (nodes, _), *_ in brought:
+    for ((nodes, _), *_), job in zip(brought, more, strict=True):
         if nodes[0].kind != system.PROGRAM and ros2_library.tells(nodes, made):
-            name = f"{nodes[0].package}/{nodes[0].type} ({LIBRARY})"
-            configurations.append(Configuration(name=name, nodes=nodes))
+            own = f"{nodes[0].package}/{nodes[0].type.removeprefix(f'{nodes[0].package}/')}"
+            configurations.append(Configuration(name=f"{own} ({job.label})", nodes=nodes))
     for build in builds.values():
         problems.update(dict.fromkeys(build.problems))
     items = {item.name: item for item, _ in opened}
@@ -345,6 +346,8 @@ def _count(types: Types, done: Iterable[Worked]) -> None:
             types.counted.setdefault(entry, {}).update(steps)
 
 
-def _libraries(types: Types, made: Seen) -> Iterator[Library]:
-    yield from ros2_library_classes.libraries(types, made)
-    yield from ros2_library_modules.libraries(types, made)
+def _more(types: Types, made: Seen) -> Iterator[Job]:
+    """Classes for the nodes of others, and plug-ins that others load, which make what none of the workspace's nodes has *made*."""
+    for each in (*ros2_library_classes.libraries(types, made), *ros2_library_modules.libraries(types, made)):
+        yield ros2_library.job(types, each)
+    yield from loaded_elsewhere.jobs(types, made)

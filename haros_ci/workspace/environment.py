@@ -11,6 +11,7 @@ from itertools import islice
 
 from haros_ci.model.build import Build, CMakeCommand
 from haros_ci.model.environment import Environment
+from haros_ci.model.launch_actions import SHARE
 from haros_ci.model.workspace import Workspace
 from haros_ci.workspace.dotenv import read_dotenv
 from haros_ci.workspace.shell_values import names_set
@@ -31,6 +32,10 @@ _IN = re.compile(r"@([A-Za-z_]\w*)@")
 _WORD = re.compile(r"[A-Za-z_]\w*")
 #: Names that are directories of every install prefix: what a .dsv file sets to one of them is a path.
 _DIRECTORIES = frozenset(("", "bin", "etc", "include", "lib", "share", "src", "opt"))
+#: The install prefix that ament's setup files set for hooks (ament_package, environment_hook), and what stands for it here.
+PREFIX, _BELOW = "AMENT_CURRENT_PREFIX", "/@AMENT_CURRENT_PREFIX@"
+#: A path of a package below it.
+_SHARED = re.compile(r"share/([A-Za-z]\w*)((?:/(?!\.)[^/$@\s;:]+)+)/?")
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,7 +160,12 @@ class _Script:
 
     def read(self, inherited: Mapping[str, str | None]) -> Variables:
         """What it sets, where *inherited* is set before it."""
-        return read_dsv(self.text, inherited) if self.is_dsv else read_script(self.text, inherited, self.stuck)
+        if self.is_dsv:
+            return read_dsv(self.text, inherited)
+        found = read_script(self.text, {**inherited, PREFIX: _BELOW}, self.stuck)
+        placed = {name: _placed(value) for name, value in found.values.items() if name != PREFIX}
+        values = {name: value for name, value in placed.items() if value is not None}
+        return Variables(values, (found.lost | (placed.keys() - values.keys())) - {PREFIX})
 
 
 def _script(workspace: Workspace, hook: Hook) -> _Script:
@@ -193,14 +203,26 @@ def _expanded(text: str) -> tuple[str, frozenset[str]]:
     return _EM.sub(hole, text), frozenset(stuck)
 
 
+def _placed(value: str) -> str | None:
+    """A *value* in which the install prefix is written so that launch files find what it means; None where that is not known."""
+    if _BELOW not in value:
+        return value
+    found = _SHARED.fullmatch(value.removeprefix(f"{_BELOW}/"))
+    return None if found is None else f"{SHARE.format(found[1])}{found[2]}"
+
+
 def _dsv_value(value: str) -> str | None:
-    """The *value* of a line of a .dsv file; None for a path below the install prefix, and for what a template puts in."""
-    is_path = HOLE in value or value in _DIRECTORIES or ("/" in value and not value.startswith("/"))
-    return None if is_path else value
+    """The *value* of a line of a .dsv file; None for a path below the install prefix that is in no package's share, and for what a template puts in."""
+    if HOLE in value:
+        return None
+    shared = _SHARED.fullmatch(value)
+    if shared is not None:
+        return f"{SHARE.format(shared[1])}{shared[2]}"
+    return None if value in _DIRECTORIES or ("/" in value and not value.startswith("/")) else value
 
 
 def read_dsv(text: str, inherited: Mapping[str, str | None]) -> Variables:
-    """What a .dsv file sets (``type;name;value``, as colcon and ament read it); paths below the install prefix are lost."""
+    """What a .dsv file sets (``type;name;value``, as colcon and ament read it); of paths below the install prefix those in a package's share are known."""
     values: dict[str, str | None] = {}
     for line in text.splitlines()[:2_000]:
         kind, _, rest = line.strip().partition(";")

@@ -239,3 +239,52 @@ def test_environments_with_another_outcome_have_another_key() -> None:
     ]
     assert len({each.key for each in (given, *others)}) == 5
     assert given.key == key_of({"A": "1"})
+
+
+ENV_INCLUDE = '<launch><include file="$(env ARM_FILE)"/></launch>'
+ENV_PYTHON = PYTHON.replace(
+    "LaunchDescription([Node(package='joy', executable='joy_node', name=os.environ['ARM_NAME'])])",
+    ("LaunchDescription([IncludeLaunchDescription(AnyLaunchDescriptionSource(os.environ['ARM_FILE']))])"),
+).replace(
+    "from launch import LaunchDescription",
+    (
+        "from launch import LaunchDescription\nfrom launch.actions import IncludeLaunchDescription\n"
+        "from launch.launch_description_sources import AnyLaunchDescriptionSource"
+    ),
+)
+
+
+@pytest.mark.parametrize(
+    ("hook", "name"),
+    [
+        ("set;ARM_FILE;share/arm/launch/b.launch.xml\n", "arm.dsv"),
+        ("set;ARM_FILE;share/@PROJECT_NAME@/launch/b.launch.xml\n", "arm.dsv.in"),
+        ("export ARM_FILE=$AMENT_CURRENT_PREFIX/share/arm/launch/b.launch.xml\n", "arm.sh"),
+        ('ARM_FILE="${AMENT_CURRENT_PREFIX}/share/@PROJECT_NAME@/launch/b.launch.xml"\nexport ARM_FILE\n', "arm.sh.in"),
+    ],
+)
+@pytest.mark.parametrize(("launch", "path"), [(ENV_INCLUDE, "launch/a.launch.xml"), (ENV_PYTHON, "launch/a.launch.py")])
+def test_paths_of_packages_below_the_install_prefix(
+    tmp_path: Path, hook: str, name: str, launch: str, path: str
+) -> None:
+    files = ament(hook, name, launch, path)
+    files["CMakeLists.txt"] = files["CMakeLists.txt"].replace(
+        "ament_package", "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\nament_package"
+    )
+    files["launch/b.launch.xml"] = '<launch><node name="grip" pkg="joy" exec="joy_node"/></launch>'
+    assert model(tmp_path, files) == (["/grip"], [])
+
+
+@pytest.mark.parametrize(
+    ("hook", "name"),
+    [
+        ("set;ARM_NAME;share/arm/../x\n", "arm.dsv"),
+        ("set;ARM_NAME;lib/arm/x\n", "arm.dsv"),
+        ("export ARM_NAME=$AMENT_CURRENT_PREFIX/lib/arm\n", "arm.sh"),
+        ("export ARM_NAME=$AMENT_CURRENT_PREFIX/share/arm/a:$AMENT_CURRENT_PREFIX/share/arm/b\n", "arm.sh"),
+        ("export ARM_NAME=x:$AMENT_CURRENT_PREFIX/share/arm\n", "arm.sh"),
+        ("export ARM_NAME=$AMENT_CURRENT_PREFIX\n", "arm.sh"),
+    ],
+)
+def test_other_paths_below_the_install_prefix_are_not_known(tmp_path: Path, hook: str, name: str) -> None:
+    assert model(tmp_path, ament(hook, name))[0] in ([], ["/?"])

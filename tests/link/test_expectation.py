@@ -486,3 +486,11 @@ def test_a_file_that_is_no_yaml_is_refused_with_its_name(text: str, tmp_path: Pa
     with pytest.raises(UserError, match=r"expected.yaml(:\d+)? cannot be read: .") as caught:
         expected(Architecture(), str(file))
     assert caught.value.help
+
+
+def test_what_is_ruled_out_may_be_declared_and_need_not_be() -> None:
+    node = replace(BASE, endpoints=(ODOM, end("publishers", "/never", "a/T", is_ruled_out=True)))
+    assert of(node, {"publishers": [{"topic": "/odom"}]}) == ()
+    assert of(node, {"publishers": [{"topic": "/odom"}, {"topic": "/never"}]}) == ()
+    made = replace(node, endpoints=tuple(replace(each, is_ruled_out=False) for each in node.endpoints))
+    assert [each.kind for each in of(made, {"publishers": [{"topic": "/odom"}]})] == ["unexpected"]

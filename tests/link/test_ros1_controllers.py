@@ -149,7 +149,6 @@ def test_a_base_class_of_the_workspace_and_one_of_others() -> None:
     ("code", "base", "kind"),
     [
         pytest.param(controller(""), CONTROLLER, "arm::Lift", id="it makes nothing"),
-        pytest.param(controller(PUB.format("nh", "a")), "hoists::Base", "arm::Lift", id="a base that nobody knows"),
         pytest.param(controller(PUB.format("nh", "a")), CONTROLLER, "arm::Gone", id="a class that is not there"),
         pytest.param(
             controller(PUB.format("nh", "a"), "int nh_number, Handle nh"), CONTROLLER, "arm::Lift", id="no handle"
@@ -164,3 +163,10 @@ def test_a_base_class_of_the_workspace_and_one_of_others() -> None:
 )
 def test_no_configuration(code: str, base: str, kind: str) -> None:
     assert followed(code, base, kind).configurations == ()
+
+
+def test_a_base_that_nobody_knows_is_loaded_by_somebody_else() -> None:
+    (found,) = followed(controller(PUB.format("nh", "a")), "hoists::Base").configurations
+    (node,) = found.nodes
+    assert (found.name, node.name) == ("arm/arm::Lift (plug-ins)", "/?")
+    assert any("whoever loads the plug-in" in why.reason for why in node.unknowns)

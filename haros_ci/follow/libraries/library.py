@@ -9,7 +9,7 @@ from haros_ci import syntax
 from haros_ci.follow import callbacks, havoc, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import cpp as library_cpp
-from haros_ci.follow.libraries import harmless
+from haros_ci.follow.libraries import given_away, harmless
 from haros_ci.follow.libraries import python as library_python
 from haros_ci.follow.ros import ros2_nodes
 from haros_ci.follow.run import Run
@@ -96,6 +96,7 @@ def unknown_call(
     havoc.given(run, frame, name, args)
     if not harmless.is_harmless(name, frame.source.program.language == "python"):
         ros2_nodes.handed(run, name, (argument.value for argument in args))
+        given_away.taken(run, frame, name, args)
     if isinstance(receiver, Opaque):
         return Opaque(receiver.reason, receiver.location)
     return run.opaque(f"what {name} returns is not known", frame)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import sys
 from collections.abc import Iterable
 
@@ -11,6 +12,9 @@ from haros_ci.follow.run import Run
 from haros_ci.index.common_messages import COMMON
 from haros_ci.index.index import Source
 from haros_ci.values.abstract import Library, Module, Value
+
+#: Modules of a ROS package that are generated: a script of the package's own name is not meant by what is imported of them.
+_GENERATED = frozenset(("msg", "srv", "action", "cfg"))
 
 
 def bound(run: Run, module: str) -> Value | None:
@@ -61,6 +65,41 @@ def passed_on(target: str) -> str:
     return f"{package}.msg.{last}" if package is not None and last in COMMON.get(package, ()) else target
 
 
+def absolute(source: Source, target: str) -> str:
+    """What *source* imports as *target* by its whole name: relative names begin with that of its package."""
+    dots = len(target) - len(target.lstrip("."))
+    if not dots:
+        return target
+    base = source.module.split(".")[: None if source.path.endswith("__init__.py") else -1]
+    return ".".join((*base[: len(base) - dots + 1], *filter(None, (target[dots:],))))
+
+
+def placed(run: Run, source: Source, target: str) -> tuple[Source, list[str]] | None:
+    """The module that *target* means by where it lies, and the names in it that are left.
+
+    That is beside the script that is run, as its directory comes first in ``sys.path`` (docs.python.org/3/library/sys_path_init.html), and, of relative
+    names in what no import root leads to, beside the file itself.
+    """
+    dots = len(target) - len(target.lstrip("."))
+    names = target[dots:].split(".") if target[dots:] else []
+    if not dots:
+        script = next(iter(run.modules.values())).source if run.modules else source
+        if script.module or names[0] in _libraries(run) or (len(names) > 1 and names[1] in _GENERATED):
+            return None
+        directory = posixpath.dirname(script.path)
+    elif source.module:
+        return None
+    else:
+        directory = source.path
+        for _ in range(dots):
+            directory = posixpath.dirname(directory)
+    for count in range(len(names), 0 if not dots else -1, -1):
+        found = run.index.by_place.get("/".join(filter(None, (directory, *names[:count]))))
+        if found is not None and found is not source:
+            return found, names[count:]
+    return None
+
+
 def beside(run: Run, source: Source, target: str) -> str | None:
     """The module or content of a module beside *source* in its package that ``import`` without dots means in Python 2.
 
@@ -70,7 +109,12 @@ def beside(run: Run, source: Source, target: str) -> str | None:
     head = target.partition(".")[0]
     if not package or head == package.partition(".")[0] or f"{package}.{head}" not in run.index.modules:
         return None
+    return None if head in _libraries(run) else f"{package}.{target}"
+
+
+def _libraries(run: Run) -> frozenset[str]:
+    """The modules of Python itself and of libraries that the API rows have."""
     known = run.found.get(("heads",))
     if known is None:
         known = run.found["heads",] = frozenset(name.partition(".")[0] for name in run.rows) | sys.stdlib_module_names
-    return None if head in known else f"{package}.{target}"
+    return known

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which nodes of the model a call may belong to that the model does not have: those are incomplete."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from haros_ci.index.index import Source
+from haros_ci.model.architecture import Architecture
+from haros_ci.syntax import Function
+
+
+@dataclass(frozen=True, slots=True)
+class _File:
+    """The functions of a file in their order, and the node types that have an endpoint in each; "" is what is outside of any."""
+
+    lines: tuple[int, ...]
+    functions: tuple[Function, ...]
+    users: Mapping[int, frozenset[str]]
+
+    def around(self, line: int) -> int:
+        """The number of the function that begins last before a line; -1 if none does."""
+        return bisect_right(self.lines, line) - 1
+
+
+class Users:
+    """The node types, ``package/type``, by the code that they run."""
+
+    def __init__(self, found: Architecture, sources: Iterable[Source]) -> None:
+        ends: dict[str, list[tuple[int, str]]] = {}
+        for configuration in found.configurations:
+            for node in (*configuration.nodes, *configuration.alternatives):
+                name = f"{node.package}/{node.type.removeprefix(f'{node.package}/')}"
+                for end in node.endpoints:
+                    if end.location is not None and end.location.line is not None and not end.implicit:
+                        ends.setdefault(end.location.path, []).append((end.location.line, name))
+        self._ends = ends
+        self._sources = {source.path: source for source in sources if source.path in ends}
+        self._files: dict[str, _File] = {}
+
+    def of(self, path: str, line: int) -> tuple[str, ...]:
+        """The node types that a call in this line may belong to, sorted.
+
+        They are those with an endpoint in the same function; without any, those with one in another method of its class in that
+        file; without any, those with one anywhere in the file.
+        """
+        if path not in self._sources:
+            return ()
+        file = self._file(path)
+        number = file.around(line)
+        owner = file.functions[number].owner if number >= 0 else ""
+        same = [n for n, each in enumerate(file.functions) if owner and each.owner == owner]
+        for numbers in ([number], same, file.users):
+            found = frozenset[str]().union(*(file.users.get(each, frozenset()) for each in numbers))
+            if found:
+                return tuple(sorted(found))
+        return ()
+
+    def _file(self, path: str) -> _File:
+        if path not in self._files:
+            functions = sorted(
+                (each for each in self._sources[path].program.functions if each.kind not in ("lambda", "module")),
+                key=lambda each: each.line,
+            )
+            lines = tuple(each.line for each in functions)
+            users: dict[int, set[str]] = {}
+            for line, name in self._ends[path]:
+                users.setdefault(bisect_right(lines, line) - 1, set()).add(name)
+            frozen = {number: frozenset(names) for number, names in users.items()}
+            self._files[path] = _File(lines, tuple(functions), frozen)
+        return self._files[path]

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a library that is not here does with a class or an object of the workspace that it is given: it may make the one, and call the other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from haros_ci import syntax
+from haros_ci.follow import callbacks, construct, methods
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.ros import ros2_nodes
+from haros_ci.follow.run import Run
+from haros_ci.index.index import Source
+from haros_ci.model.location import Location
+from haros_ci.values.abstract import ClassValue, Object, Pointer
+
+if TYPE_CHECKING:
+    from haros_ci.follow.call_arguments import Argument
+
+#: What frameworks commonly call first; other methods are known to be called from outside by ``virtual`` or ``override`` alone.
+BEGINNING = frozenset("init initialize onInit onInitialize setup configure load start".split())
+#: Base classes whose libraries call nothing that is overridden, or what the API rows tell.
+KNOWN = (
+    "std::",
+    "boost::",
+    "rclcpp",
+    "ros::",
+    "nodelet::",
+    "Q",
+    "rviz",
+    "rqt_",
+    "rclpy",
+    "rospy",
+    "object",
+    "Exception",
+)
+
+
+def taken(run: Run, frame: Frame, name: str, args: Iterable[Argument]) -> None:
+    """Follow what the function or method *name* may do with the classes of nodes, and with the objects, among *args*."""
+    for argument in args:
+        value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
+        if isinstance(value, ClassValue):
+            _made(run, frame, name, value)
+        elif isinstance(value, Object) and value.definition is not None:
+            _called(run, name, value)
+
+
+def _made(run: Run, frame: Frame, name: str, value: ClassValue) -> None:
+    """A node's class is for nothing else than to be made (``process.spin(Driver)``); how often, and whether, is not known."""
+    owner = (value.source, value.definition)
+    key = ("made elsewhere", id(value.definition))
+    if run.quiet or key in run.found or ros2_nodes.NODE["."] not in methods.library_bases(run, *owner):
+        return
+    run.found[key] = True
+    with run.doubted(f"{name} is not known, which is given the class and may make a node of it"):
+        construct.instance(run, frame, owner, (), (), Location(value.source.path, value.definition.line))
+
+
+def _called(run: Run, name: str, this: Object) -> None:
+    """An object whose base class is not in the workspace is called by the library that has that class."""
+    assert this.definition is not None
+    source, definition = this.definition
+    if source.separator != "::" or not definition.bases:
+        return
+    key = ("called elsewhere", id(definition))
+    if key not in run.found:
+        run.found[key] = _callable(run, source, definition)
+    for last in run.found[key]:
+        found = methods.method_of(run, this, last)
+        if found is not None and run.relevance.makes(found.function, found.source):
+            base = methods.library_bases(run, source, definition)[0]
+            doubt = f"{name} is not known, which is given the object and may call it by its base class {base}"
+            callbacks.register(run, found, doubt=doubt)
+
+
+def _callable(run: Run, source: Source, definition: syntax.Class) -> list[str]:
+    """The last parts of the names of the methods that a library may call of a class's objects, in their order."""
+    bases = methods.library_bases(run, source, definition)
+    if not bases or any(base in run.rows or base.startswith(KNOWN) for base in bases):
+        return []
+    names: dict[str, None] = {}
+    for where, each in run.index.classes.get(definition.name, ()):
+        for function in where.program.functions:
+            last = function.name.rpartition("::")[2]
+            if function.owner == each.name and (function.is_virtual or last in BEGINNING) and not last.startswith("~"):
+                names[last] = None
+    return list(names)

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Objects and classes of the workspace that are given to libraries which are not here."""
+
+from __future__ import annotations
+
+import pytest
+from follow_kit import cpp_files, ends, follow, main, names, node
+
+MODULE = """#include <frame/module.h>
+struct Arm : public frame::Module {
+  %s
+  void helper(std::string name) { ros::NodeHandle nh; ADV(name, 1); }
+};
+"""
+BODY = '{ ros::NodeHandle nh; ADV("a", 1); }'
+
+
+def ros1(method: str, call: str) -> list[tuple[str, bool]]:
+    """The names that are published, and whether it is not known that they are."""
+    found = node(follow(cpp_files(main(call, MODULE % method))))
+    return sorted((end.name, any(each.field == "conditions" for each in end.unknowns)) for end in ends(found))
+
+
+@pytest.mark.parametrize(
+    ("method", "call"),
+    [
+        (f"void initialize() {BODY}", "Arm arm; frame::Host host; host.add(&arm);"),
+        (f"void initialize(int rate) {BODY}", "auto arm = new Arm; frame::Host host; host.add((frame::Module*)arm);"),
+        (f"void process() override {BODY}", "Arm arm; frame::run(arm);"),
+        (f"virtual void process() {BODY}", "auto arm = std::make_shared<Arm>(); frame::run(arm);"),
+    ],
+)
+def test_a_library_may_call_an_object_by_a_base_class_that_is_not_here(method: str, call: str) -> None:
+    assert ros1(method, call) == [("/a", True)]
+
+
+@pytest.mark.parametrize(
+    ("method", "call"),
+    [
+        (f"void initialize() {BODY}", "Arm arm;"),  # given to nobody
+        (f"void own() {BODY}", "Arm arm; frame::run(arm);"),  # no method of the base class, as far as is known
+        (f"void process() override {BODY}", 'Arm arm; puts("");'),
+        (f"void process() override {BODY}", "Arm arm; std::vector<Arm> all; all.push_back(arm);"),
+        ("void process() override {}", "Arm arm; frame::run(arm);"),
+    ],
+)
+def test_nothing_is_called_of_an_object_otherwise(method: str, call: str) -> None:
+    assert ros1(method, call) == []
+
+
+def test_an_object_without_a_base_class_is_called_by_nobody() -> None:
+    text = 'struct Arm { virtual void process() { ros::NodeHandle nh; ADV("a", 1); } };'
+    found = follow(cpp_files(main("Arm arm; frame::run(arm);", text)))
+    assert names(node(found)) == []
+
+
+@pytest.mark.parametrize(
+    ("make", "expected"),
+    [
+        ("utils::make_impl<Arm>(nh)", ["/a"]),
+        ("utils::make_unique_impl<Arm>(nh)", ["/a"]),
+        ("utils::find<Arm>(nh)", []),
+        ("utils::make_impl<Leg>(nh)", []),
+    ],
+)
+def test_a_maker_of_a_library_makes_an_object_of_the_class_that_it_names(make: str, expected: list[str]) -> None:
+    text = 'struct Arm { Arm(ros::NodeHandle& nh) { ADV("a", 1); } };'
+    assert names(node(follow(cpp_files(main(f"auto arm = {make};", text))))) == expected
+
+
+SETUP = "from setuptools import setup\nsetup(name='p', packages=['p'], entry_points={'console_scripts': ['n = p.n:main']})\n"
+DRIVER = """import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+import host
+class Driver(Node):
+    def __init__(self, **others):
+        super().__init__('driver', **others)
+        self.create_publisher(String, 'a', 1)
+class Plain:
+    def __init__(self):
+        rclpy.create_node('plain').create_publisher(String, 'b', 1)
+"""
+
+
+@pytest.mark.parametrize(
+    ("code", "expected"),
+    [
+        ("def main():\n    host.process.spin(Driver)\n", [("/driver", "/a", True)]),
+        ("@host.main(prebaked=False)\ndef main(args=None):\n    host.spin(Driver)\n", [("/driver", "/a", True)]),
+        ("def main():\n    host.spin(Driver)\n    host.spin(Driver)\n", [("/driver", "/a", True)]),
+        ("def main():\n    host.spin(Plain)\n", []),
+        ("def main():\n    print(Driver)\n", []),
+        ("def main():\n    isinstance(1, Driver)\n", []),
+        ("def main():\n    host.spin()\n", []),
+    ],
+)
+def test_a_library_that_is_given_a_node_s_class_may_make_it(code: str, expected: list[tuple[str, str, bool]]) -> None:
+    found = follow({"p/setup.py": SETUP, "p/p/__init__.py": "", "p/p/n.py": DRIVER + code}, 2)
+    assert [
+        (each.name, end.name, any(why.field == "conditions" for why in end.unknowns))
+        for configuration in found.configurations
+        if configuration.name == "p/n"
+        for each in configuration.nodes
+        for end in ends(each)
+        if not end.implicit
+    ] == expected
+
+
+@pytest.mark.parametrize(
+    ("base", "expected"),
+    [
+        ("import tools.node as t\nclass Driver(t.Node):", ["/a"]),
+        ("from tools.node import Node\nclass Driver(Node):", ["/a"]),
+        ("from tools.node import Window\nclass Driver(Window):", []),
+        ("class Node:\n    pass\nclass Driver(Node):", []),
+    ],
+)
+def test_a_node_of_a_library_that_is_not_known_is_one_of_rclpy(base: str, expected: list[str]) -> None:
+    text = f"import rclpy\nfrom std_msgs.msg import String\n{base}\n    def __init__(self):\n        super().__init__('driver')\n"
+    text += "        self.create_publisher(String, 'a', 1)\ndef main():\n    rclpy.spin(Driver())\n"
+    found = follow({"p/setup.py": SETUP, "p/p/__init__.py": "", "p/p/n.py": text}, 2)
+    nodes = [each for configuration in found.configurations for each in configuration.nodes]
+    assert [end.name for each in nodes for end in ends(each) if not end.implicit] == expected
+    assert all(any("is not in the workspace" in why.reason for why in each.unknowns) for each in nodes if expected)
