@@ -17,8 +17,10 @@ from haros_ci.commands.flags import (
     costs_option,
     file_option,
     format_option,
+    page_options,
     plugin_option,
     report_options,
+    system_options,
     what_options,
     workspace_options,
 )
@@ -181,13 +183,7 @@ def show(**flags: Any) -> int:
 @click.option(
     "--output", type=click.Path(), help="File to write, of nodl and readme also a directory; default: stdout."
 )
-@click.option("--launch", metavar="FILE", multiple=True, help="These launch files as one configuration.")
-@click.option("--arg", metavar="NAME:=VALUE", multiple=True, help="An argument of the launch files.")
-@click.option("--env", metavar="NAME=VALUE", multiple=True, help="What $(env NAME) is in launch files.")
-@click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations.")
-@click.option("--as-running", is_flag=True, help="What ROS 1 nodelets make stands under their manager's name.")
-@click.option("--no-known-nodes", is_flag=True, help="Leave out what is known of nodes outside the workspace.")
-@click.option("--exact", is_flag=True, help="Let libclang fill what is unknown, where ROS headers are installed.")
+@system_options
 @click.option(
     "--expect", type=click.Path(dir_okay=False), help="Compare with the architecture that this file declares."
 )
@@ -242,6 +238,16 @@ def metrics(**flags: Any) -> int:
     from haros_ci.commands import metrics as metrics_command
 
     return metrics_command.metrics(flags)
+
+
+@haros_ci.command("report")
+@what_options
+@page_options
+def report_(**flags: Any) -> int:
+    """Write one HTML file to look at: findings, running systems, launch files, packages, metrics, changes."""
+    from haros_ci.commands import report as report_command
+
+    return report_command.report(flags)
 
 
 @haros_ci.command()
@@ -328,9 +334,9 @@ def new_check_(name: str) -> int:
 @click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies.")
 def cache(action: str, cache_dir: str | None) -> int:
     """Show or clear the cache; deleting it is always safe."""
-    from haros_ci.commands import common as commands
+    from haros_ci.commands import cache as cache_command
 
-    return commands.cache(action, cache_dir)
+    return cache_command.cache(action, cache_dir)
 
 
 @haros_ci.command()
