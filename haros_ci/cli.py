@@ -176,7 +176,7 @@ def show(**flags: Any) -> int:
 @haros_ci.command()
 @click.argument("paths", nargs=-1, type=click.Path())
 @format_option(
-    *("text", "json", "dot", "mermaid", "sqlite", "nodl", "readme"),
+    *("text", "json", "dot", "mermaid", "svg", "sqlite", "nodl", "readme"),
     help="As a table, data, a picture, a database, or files for each node type or package.",
 )
 @click.option("--compact", is_flag=True, help="With json: on one line, and what several configurations have once.")

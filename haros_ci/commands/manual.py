@@ -80,6 +80,10 @@ EXAMPLES: Mapping[str, tuple[tuple[str, str], ...]] = {
             "one launch file with an argument, as a picture",
             "haros-ci model --launch robot/launch/robot.launch.xml --arg sim:=true --format dot | dot -Tsvg",
         ),
+        (
+            "a picture for a README",
+            "haros-ci model --launch robot/launch/robot.launch.xml --format svg --output robot.svg",
+        ),
         ("for other tools", "haros-ci model --format json --output model.json"),
         ("which calls of ROS APIs are not in the model", "haros-ci model --coverage"),
     ),
