@@ -244,7 +244,7 @@ def metrics(**flags: Any) -> int:
 @what_options
 @page_options
 def report_(**flags: Any) -> int:
-    """Write one HTML file to look at: findings, running systems, launch files, packages, metrics, changes."""
+    """Write one HTML file of findings and running systems."""
     from haros_ci.commands import report as report_command
 
     return report_command.report(flags)

@@ -9,8 +9,8 @@ from typing import Any
 
 from haros_ci.html_page.elements import Drawn, Elements
 
-#: Sizes in px: a character, a bold one, a line of what only one node has, a node's head, a channel, and how wide elements are.
-CHARACTER, BOLD, LINE, HEAD, CHANNEL = 6.6, 7.6, 15, 38, 24
+#: Sizes in px: a character, a bold and a small one, a line of what only one node has, a node's head, a channel, and how wide elements are.
+CHARACTER, BOLD, SMALL, LINE, HEAD, CHANNEL = 6.6, 7.6, 6.0, 15, 38, 24
 NARROWEST, WIDEST = 96, 250
 #: Lines of what only one node has; of more it is said how many.
 MOST_LINES = 7
@@ -133,9 +133,9 @@ def node_size(made: Elements, number: int) -> tuple[int, int]:
     own = made.own[number]
     lines = min(len(own), MOST_LINES) + (len(own) > MOST_LINES)
     node = made.nodes[number]
-    words = [node.type, *(f"→ {each.name}" for each in own[:MOST_LINES])]
-    name = len(node.name.rpartition("/")[2]) * BOLD / CHARACTER
-    return text_width(max(name, *map(len, words))), HEAD + lines * LINE + (4 if lines else 0)
+    name = len(node.name.rpartition("/")[2]) * BOLD
+    small = [f"{node.package}/{node.type}", *(f"→ {each.name}" for each in own[:MOST_LINES])]
+    return text_width(max(name, max(map(len, small)) * SMALL) / CHARACTER), HEAD + lines * LINE + (4 if lines else 0)
 
 
 def channel_width(drawn: Drawn) -> int:
