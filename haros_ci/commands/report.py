@@ -17,6 +17,7 @@ from haros_ci.commands.common import (
     run,
     settings_from,
     under_cache,
+    view_of,
     warn_of_missing_base,
 )
 from haros_ci.commands.limits import LIMITS
@@ -46,7 +47,7 @@ def report(flags: Flags) -> int:
     path = Path(flags["output"])
     text, failed = made(found, workspace, settings, flags, tuple(flags["configuration"]))
     write(text, path)
-    click.echo(summary_line(found), err=True)
+    click.echo(summary_line(view_of(workspace, flags, to_file=True).joined(found)), err=True)
     click.echo(f"{terminal(str(path))}: {len(text.encode()) / 1e6:.1f} MB; open it in a browser", err=True)
     return EXIT_TOOL_TROUBLE if {*found.failed_tools(), *failed} - settings.allow_tool_failure else 0
 
@@ -69,9 +70,11 @@ def made(
 ) -> tuple[str, tuple[str, ...]]:
     """The page, with these configurations only where *names* are given; and the tools that failed to measure, which is said."""
 
+    shown = view_of(workspace, flags, to_file=True).joined(found)
+
     def work(store: Store, progress: Progress) -> tuple[str, tuple[str, ...]]:
         progress("report")
-        return gathered(found, workspace, Architectures(settings, store), LIMITS, names)
+        return gathered(shown, workspace, Architectures(settings, store), LIMITS, names)
 
     text, failed = under_cache(work, settings, flags)
     for tool in sorted(set(failed) - set(found.failed_tools())):

@@ -121,10 +121,19 @@ function systemView(parameters) {
     picture.show(isPart ? part(id) : whole(), isPart ? [] : state.folded);
     foldButtons.hidden = isPart || picture.boxes === 0;
     picture.fit();
-    if (id !== null && picture.has(id)) { picture.choose(id, true); if (!isPart && made.nodes.length > 12) picture.centre(id); }
+    choosePicture(id, !isPart && made.nodes.length > 12);
     if (state.element && id === null) status.textContent = `There is no ${state.element} in this configuration.`;
     if (parameters.configuration && parameters.configuration !== made.name) status.textContent = `There is no configuration ${parameters.configuration}.`;
     describe(id);
+  }
+
+  // Mark an element; of what stands as a line in a node, that node.
+  function choosePicture(id, isCentred) {
+    const item = byId(id);
+    const at = item && !picture.has(id) && item.ends && item.what ? nodeId(item.ends[0].node) : id;
+    if (at === null || !picture.has(at)) return;
+    picture.choose(at, true);
+    if (isCentred) picture.centre(at);
   }
 
   const elementList = () => h("div", { class: "scroll list" }, h("ul", { class: "plain-list" }, made.nodes.map((one) => h("li", null, link("system", { configuration: made.name, element: one.name, hops: 1 }, one.name)))));
@@ -173,7 +182,7 @@ function systemView(parameters) {
     if (!wanted) return;
     const found = [...made.nodes.map((one) => [one.name, "node"]), ...[...made.channels.values()].map((one) => [one.name, one.what.slice(0, -1)])].filter(([name]) => name.toLowerCase().includes(wanted));
     found.sort((a, b) => a[0].toLowerCase().indexOf(wanted) - b[0].toLowerCase().indexOf(wanted) || a[0].length - b[0].length || compare(a[0], b[0]));
-    const go = (name) => { clear(results); state.element = name; remember({ element: name }); const id = idOf(name); if (picture.has(id)) { picture.choose(id, true); picture.centre(id); describe(id); } else if (state.hops || state.way) draw(); else describe(id); };
+    const go = (name) => { clear(results); state.element = name; remember({ element: name }); const id = idOf(name); if ((state.hops || state.way) && !picture.has(id)) draw(); else { choosePicture(id, true); describe(id); } };
     clear(results, found.slice(0, 30).map(([name, kind]) => h("button", { class: "result", role: "option", onclick: () => go(name) }, h("bdi", null, name), " ", h("span", { class: "quiet" }, kind))), found.length ? null : h("p", { class: "quiet" }, "nothing of this name"));
   }
 
