@@ -33,10 +33,11 @@ function findingsView(parameters) {
     select: (one) => { remember({ id: one.id }); clear(detail, findingDetail(one, () => { clear(detail); detail.classList.remove("open"); remember({ id: "" }); })); detail.classList.add("open"); detail.scrollTop = 0; },
   });
 
+  const ordered = table.order(FINDINGS);
   function refresh() {
     words = wanted.q.toLowerCase().split(/\s+/).filter(Boolean);
-    const list = FINDINGS.filter(matches);
-    table.set(list);
+    const list = ordered.filter(matches);
+    table.set(list, true);
     total.textContent = `${list.length.toLocaleString("en")} of ${count(FINDINGS.length, "finding")}`;
     return list;
   }

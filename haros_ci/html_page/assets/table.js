@@ -63,8 +63,8 @@ function virtualTable({ columns, rows, select, label, sort, sorted }) {
     const at = step === -Infinity ? 0 : step === Infinity ? state.rows.length - 1 : state.chosen + step;
     choose(at, true);
   });
-  const set = (list) => {
-    state.rows = order(list);
+  const set = (list, isOrdered) => {
+    state.rows = isOrdered ? list : order(list);
     state.chosen = -1;
     outer.setAttribute("aria-rowcount", state.rows.length + 1);
     outer.scrollTop = 0;
@@ -73,7 +73,7 @@ function virtualTable({ columns, rows, select, label, sort, sorted }) {
   set(rows);
   requestAnimationFrame(() => draw(true));
   if (window.ResizeObserver) new ResizeObserver(() => draw(true)).observe(outer);
-  return { element: outer, set, chooseRow: (row, tell) => choose(state.rows.indexOf(row), tell), has: (row) => state.rows.includes(row) };
+  return { element: outer, set, order, chooseRow: (row, tell) => choose(state.rows.indexOf(row), tell), has: (row) => state.rows.includes(row) };
 }
 
 // A plain table of few rows.
