@@ -123,7 +123,7 @@ def _placed(made: Elements, found: Any, ends: list[tuple[int, int, bool]], place
     return layout
 
 
-def _parent(graph: Any, box: int) -> dict[str, int]:
+def _parent(graph: Any, box: int) -> dict[str, Any]:
     """The index of a box in *graph*; boxes come first, and those around others before them."""
     return {} if box == -1 else {"parent": box}
 
