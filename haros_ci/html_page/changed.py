@@ -57,21 +57,7 @@ def _picture(pool: Pool, found: Changes) -> dict[str, Any] | None:
     if not found.edges:
         return None
     names = sorted({edge.node for edge in found.edges})
-    index = {name: number for number, name in enumerate(names)}
-    made = Elements(tuple(Node(name=name, kind="node", package="", type="") for name in names))
-    made.box_of = [-1] * len(names)
-    made.own = [[] for _ in names]
-    channels: dict[tuple[str, str], list[tuple[int, bool, str]]] = {}
-    for edge in found.edges:
-        is_out = edge.is_giver if edge.kind == "topic" else not edge.is_giver
-        channels.setdefault((edge.kind, edge.channel), []).append((index[edge.node], is_out, edge.state))
-    states: dict[tuple[int, int, bool], str] = {}
-    for number, ((kind, name), ends) in enumerate(sorted(channels.items())):
-        pairs = dict.fromkeys((node, is_out) for node, is_out, _ in ends)
-        end = Endpoint(kind=ENDS[kind, True], name=name, original_name=name, type=None, location=None)
-        channel = Channel(f"{kind}s", name, tuple((made.nodes[node], end) for node, _ in pairs))
-        made.channels.append(Drawn(channel, tuple(pairs), ""))
-        states.update({(node, number, is_out): state for node, is_out, state in ends})
+    made, states = _elements(found, names)
     layout = laid_out(made)
     if layout is None:
         return None
@@ -88,6 +74,26 @@ def _picture(pool: Pool, found: Changes) -> dict[str, Any] | None:
             for node, channel, gives, points in layout.edges
         ],
     }
+
+
+def _elements(found: Changes, names: list[str]) -> tuple[Elements, dict[tuple[int, int, bool], str]]:
+    """The nodes *names* with the channels of the edges, and the state of each edge: by node, channel and direction."""
+    index = {name: number for number, name in enumerate(names)}
+    made = Elements(tuple(Node(name=name, kind="node", package="", type="") for name in names))
+    made.box_of = [-1] * len(names)
+    made.own = [[] for _ in names]
+    channels: dict[tuple[str, str], list[tuple[int, bool, str]]] = {}
+    for edge in found.edges:
+        is_out = edge.is_giver if edge.kind == "topic" else not edge.is_giver
+        channels.setdefault((edge.kind, edge.channel), []).append((index[edge.node], is_out, edge.state))
+    states: dict[tuple[int, int, bool], str] = {}
+    for number, ((kind, name), ends) in enumerate(sorted(channels.items())):
+        pairs = dict.fromkeys((node, is_out) for node, is_out, _ in ends)
+        end = Endpoint(kind=ENDS[kind, True], name=name, original_name=name, type=None, location=None)
+        channel = Channel(f"{kind}s", name, tuple((made.nodes[node], end) for node, _ in pairs))
+        made.channels.append(Drawn(channel, tuple(pairs), ""))
+        states.update({(node, number, is_out): state for node, is_out, state in ends})
+    return made, states
 
 
 def _states(found: Changes, names: list[str]) -> dict[str, str]:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -99,16 +99,10 @@ def _placed(made: Elements, found: Any, ends: list[tuple[int, int, bool]], place
     layout.boxes = [rectangle(("box", number)) for number in range(len(made.boxes))]
     most = found.bounds["max"]
     right, bottom = round(most["x"] - left) + GAP, round(most["y"] - top) + GAP
-    x, y = GAP, bottom + GAP
-    for number, drawn in enumerate(made.channels):
-        if not drawn.switch:
-            layout.channels.append(rectangle(("channel", number)))
-            continue
-        width = channel_width(drawn)
-        if x > GAP and x + width > max(right, 900):
-            x, y = GAP, y + CHANNEL + GAP
-        layout.channels.append((x, y, width, CHANNEL))
-        x += width + GAP
+    below = _rows([each for each in made.channels if each.switch], right, bottom + GAP)
+    layout.channels = [
+        next(below) if each.switch else rectangle(("channel", number)) for number, each in enumerate(made.channels)
+    ]
     for (number, node, gives), edge in zip(ends, found.edges, strict=True):
         points = [round(value) for point in edge["points"] for value in (point["x"] - left, point["y"] - top)]
         layout.edges.append((node, number, gives, tuple(points)))
@@ -118,9 +112,25 @@ def _placed(made: Elements, found: Any, ends: list[tuple[int, int, bool]], place
         if each.switch
         for node, gives in each.ends
     ]
-    corners = [(one[0] + one[2], one[1] + one[3]) for one in (*layout.channels, *layout.nodes, *layout.boxes)]
-    layout.size = (max([right, *(x for x, _ in corners)]) + GAP, max([bottom, *(y for _, y in corners)]) + GAP)
+    layout.size = _size(layout, right, bottom)
     return layout
+
+
+def _size(layout: Layout, right: int, bottom: int) -> tuple[int, int]:
+    """Width and height of all that there is, at least so far to the right and the bottom."""
+    corners = [(one[0] + one[2], one[1] + one[3]) for one in (*layout.channels, *layout.nodes, *layout.boxes)]
+    return max([right, *(x for x, _ in corners)]) + GAP, max([bottom, *(y for _, y in corners)]) + GAP
+
+
+def _rows(channels: Iterable[Drawn], right: int, top: int) -> Iterator[Rectangle]:
+    """Places for *channels* side by side, in as many rows as it takes."""
+    x, y = GAP, top
+    for drawn in channels:
+        width = channel_width(drawn)
+        if x > GAP and x + width > max(right, 900):
+            x, y = GAP, y + CHANNEL + GAP
+        yield x, y, width, CHANNEL
+        x += width + GAP
 
 
 def _parent(graph: Any, box: int) -> dict[str, Any]:
