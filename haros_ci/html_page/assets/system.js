@@ -165,7 +165,7 @@ function systemView(parameters) {
     const problems = new Set([...made.findings.values()].flat());
     return [
       h("h2", null, made.name),
-      h("dl", null, row("launch files", made.launch.length ? made.launch.join(", ") : "none: a program by itself"), row("arguments", made.arguments.length ? h("ul", { class: "plain-list" }, made.arguments.map(([name, value]) => h("li", null, h("code", null, `${name}:=${value}`)))) : ""),
+      h("dl", null, row("launch files", made.launch.length ? made.launch.join(", ") : "none: a program by itself"), row("arguments", made.arguments.length ? h("details", { open: made.arguments.length < 7 }, h("summary", null, count(made.arguments.length, "argument")), h("ul", { class: "plain-list" }, made.arguments.map(([name, value]) => h("li", null, h("code", null, `${name}:=${value}`))))) : ""),
         row("nodes", String(made.nodes.length)), ...["topics", "services", "actions"].map((what) => row(what, String(every.filter((one) => one.what === what).length))),
         row("parameters", made.parameters.length ? link("parameters", { configuration: made.name }, String(made.parameters.length)) : "0"),
         row("conditional", String(made.nodes.filter((one) => one.conditions.length || one.presence).length), " nodes")),
