@@ -13,7 +13,7 @@ from haros_ci.html_page.elements import WELL_KNOWN
 from haros_ci.html_page.findings import chosen, findings, rules
 from haros_ci.html_page.frames import Frames
 from haros_ci.html_page.measured import metrics
-from haros_ci.html_page.packages import LANGUAGES, interfaces, packages
+from haros_ci.html_page.packages import LANGUAGES, interfaces, packages, picture
 from haros_ci.html_page.pool import NONE, Pool
 from haros_ci.html_page.systems import configurations
 from haros_ci.model.architecture import KINDS, PROVENANCES, Configuration
@@ -65,6 +65,7 @@ def data_of(given: Input) -> dict[str, Any]:
         "rules": rules(pool, report, shown),
         "configurations": configurations(pool, given.configurations),
         "packages": packages(pool, workspace),
+        "package_picture": picture(workspace),
         "interfaces": interfaces(pool, given.builds),
         "metrics": metrics(pool, given.measurements, given.limits),
         "changes": changed(pool, report.changes) if report.changes is not None else None,

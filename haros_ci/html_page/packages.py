@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+from haros_ci.html_page.package_picture import package_picture
 from haros_ci.html_page.pool import Pool
 from haros_ci.model.build import Build
 from haros_ci.model.package import Package
@@ -61,6 +62,15 @@ def packages(pool: Pool, workspace: Workspace) -> list[dict[str, Any]]:
         }
         for one in ordered
     ]
+
+
+def picture(workspace: Workspace) -> dict[str, Any] | None:
+    """The picture of the packages, in the order of their names; None if two have the same name, or there are too many."""
+    names = {one.name for one in workspace.packages}
+    if len(names) != len(workspace.packages):
+        return None
+    needs = {one.name: _needed(one, names) - {one.name} for one in workspace.packages}
+    return package_picture(needs, in_circles(needs))
 
 
 def _needed(package: Package, names: set[str]) -> set[str]:

@@ -173,7 +173,7 @@ def given(word: str = "", *, results: int = 3, configurations: tuple[Configurati
             ros=2,
             dependencies=(Dependency("tools", "depend"), Dependency("rclcpp", "depend")),
         ),
-        Package(f"tools{word}", "tools", ros=2, dependencies=(Dependency("base", "depend"),)),
+        Package(f"tools{word}x", "tools", ros=2, dependencies=(Dependency("base", "depend"),)),
         Package("tools", "tools2", ros=2, dependencies=(Dependency("base", "build_depend"),)),
     )
     listed = (SourceFile(CODE, "cpp", 900, "d1", "base", 39), SourceFile(LAUNCH, "python", 30, "d2", "base", 3))

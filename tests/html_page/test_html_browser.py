@@ -275,6 +275,10 @@ def test_packages_stand_in_circles(page: Page) -> None:
     page.go("packages?package=base")
     assert "These need each other to be built" in page.text(".detail")
     assert "circle 1" in page.text(".rows")
+    page.click("button", "Picture")
+    assert shown(page) == {"p0", "p1", "p2"} and len(page.all(".stage .edge")) == 3
+    page.click(".element", "toolsx")
+    assert "toolsx" in page.text(".detail")
 
 
 def test_metrics_and_interfaces_and_changes(page: Page) -> None:

@@ -13,6 +13,7 @@ from haros_ci.html_page.findings import chosen, standing
 from haros_ci.html_page.frames import Frames
 from haros_ci.html_page.launches import launch_tree
 from haros_ci.html_page.measured import bars
+from haros_ci.html_page.package_picture import direct
 from haros_ci.html_page.packages import in_circles
 from haros_ci.html_page.pool import Pool, presence_text
 from haros_ci.model.location import Location
@@ -117,6 +118,29 @@ def test_presence_in_words(presence: tuple[Choice, ...], text: str) -> None:
 )
 def test_circles_of_packages(needs: dict[str, list[str]], circles: dict[str, int]) -> None:
     assert in_circles(needs) == circles
+
+
+@pytest.mark.parametrize(
+    ("needs", "name", "kept"),
+    [
+        ({"a": ["b"], "b": []}, "a", ["b"]),
+        ({"a": ["b", "c"], "b": ["c"], "c": []}, "a", ["b"]),
+        ({"a": ["b", "c"], "b": [], "c": []}, "a", ["b", "c"]),
+        ({"a": ["b", "d"], "b": ["c"], "c": ["d"], "d": []}, "a", ["b"]),
+        ({"a": ["b"], "b": ["a"]}, "a", ["b"]),
+        ({"a": ["b", "c"], "b": ["c"], "c": ["b"]}, "a", ["b", "c"]),
+        ({"a": ["b", "c"], "b": ["a", "c"], "c": []}, "a", ["b"]),
+    ],
+)
+def test_needs_that_follow_from_others_are_not_drawn(needs: dict[str, list[str]], name: str, kept: list[str]) -> None:
+    assert direct(name, needs, in_circles(needs)) == kept
+
+
+def test_packages_of_one_name_have_no_picture() -> None:
+    made = given()
+    assert checked(made)["package_picture"]["places"]
+    twice = replace(made.workspace, packages=(*made.workspace.packages, made.workspace.packages[0]))
+    assert checked(replace(made, workspace=twice))["package_picture"] is None
 
 
 def test_circles_of_a_long_chain_need_no_deep_stack() -> None:

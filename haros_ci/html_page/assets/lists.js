@@ -70,10 +70,25 @@ function packagesView(parameters) {
       h("dl", null, row("directory", h("code", null, one.path)), row("version", one.version), row("build type", one.build), row("findings", one.findings ? link("findings", { package: one.name }, String(one.findings)) : "0"), row("lines", D.languages.map((name, index) => (one.lines[index] ? `${LANGUAGE_NAMES[name]} ${one.lines[index].toLocaleString("en")}` : "")).filter(Boolean).join(", ")),
         row("needs, of this workspace", names(one.inner)), row("needed by", names(one.users)), row("needs besides", [...new Set(one.needs.filter((each) => !each.here).map((each) => each.name))].join(", "))));
   }
-  const apply = (words) => table.set(list.filter((one) => !words || one.name.toLowerCase().includes(words.toLowerCase())));
+  const asPicture = parameters.as === "picture" && D.package_picture;
+  const drawn = asPicture ? packagePicture(list, most, (one) => { if (one) { remember({ package: one.name }); describe(one); } else close(); }) : null;
+  const find = (words) => list.filter((one) => !words || one.name.toLowerCase().includes(words.toLowerCase()));
+  const apply = (words) => { if (!drawn) table.set(find(words)); else if (words && find(words).length) drawn.show(find(words).sort((a, b) => a.name.length - b.name.length)[0]); };
   const start = list.find((one) => one.name === parameters.package);
-  if (start) requestAnimationFrame(() => { table.chooseRow(start, false); describe(start); });
-  return { wide: true, escape: close, content: [h("div", { class: "bar-of-filters" }, searchField("Search packages", "", apply), h("span", { class: "quiet" }, count(list.length, "package"))), h("div", { class: "split" }, table.element, detail)] };
+  if (start) requestAnimationFrame(() => { if (drawn) drawn.show(start); else { table.chooseRow(start, false); describe(start); } });
+  const other = D.package_picture ? h("button", { onclick: () => { remember({ as: asPicture ? "" : "picture" }); show(); } }, asPicture ? "Table" : "Picture") : null;
+  return { wide: true, escape: close, content: [h("div", { class: "bar-of-filters" }, searchField("Search packages", "", apply), other, h("span", { class: "quiet" }, count(list.length, "package"), drawn ? ": from what is built first to what is built last; what follows from other needs is left out" : "")), h("div", { class: "split" }, drawn ? h("div", { class: "stage" }, drawn.element) : table.element, detail)] };
+}
+
+// What packages need of each other, the warmer the more findings a package has for its lines.
+function packagePicture(list, most, select) {
+  const { size, places, edges } = D.package_picture;
+  const heat = (one) => (one.findings ? Math.min(3, 1 + Math.floor((3 * one.ratio) / (most + 0.001))) : 0);
+  const elements = list.map((one, index) => ({ id: `p${index}`, isNode: true, what: "node", box: -1, rectangle: places[index], title: one.name, lines: [], sub: one.findings ? `${one.findings} of ${one.all.toLocaleString("en")} lines` : `${one.all.toLocaleString("en")} lines`, classes: [`heat-${heat(one)}`, one.circle >= 0 ? "red" : ""].filter(Boolean), tip: [one.name, count(one.findings, "finding"), one.circle >= 0 ? `in circle ${one.circle + 1}` : ""].filter(Boolean).join("\n") }));
+  const made = makePicture({ label: "what packages need of each other", select: (id) => select(id ? list[Number(id.slice(1))] : null) });
+  made.show({ size, boxes: [], elements, edges: edges.map(([from, to, points]) => ({ from: `p${from}`, to: `p${to}`, channel: `p${to}`, points, classes: [], tip: `${list[to].name} needs ${list[from].name}` })) });
+  requestAnimationFrame(made.fit);
+  return { element: made.element, show: (one) => { const id = `p${list.indexOf(one)}`; made.choose(id); made.centre(id); } };
 }
 
 function interfacesView(parameters) {
