@@ -6,10 +6,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from haros_ci.html_page.layout import BOLD, CHARACTER, GAP, OPTIONS, text_width
+from haros_ci.html_page.layout import BOLD, CHARACTER, GAP, OPTIONS, SMALL, text_width
 
-#: The most packages that are drawn, and the height of one in px.
-MOST, HEIGHT = 300, 38
+#: The most packages that are drawn, the height of one in px, and the characters of "123 findings, 12,345 lines".
+MOST, HEIGHT, WORDS = 300, 38, 26
 
 
 def package_picture(needs: Mapping[str, Iterable[str]], circles: Mapping[str, int]) -> dict[str, Any] | None:
@@ -25,7 +25,7 @@ def package_picture(needs: Mapping[str, Iterable[str]], circles: Mapping[str, in
     index = {name: number for number, name in enumerate(names)}
     graph = graphlay.Graph()
     for name in names:
-        graph.node(name, width=text_width(len(name) * BOLD / CHARACTER), height=HEIGHT, label="")
+        graph.node(name, width=text_width(max(len(name) * BOLD, WORDS * SMALL) / CHARACTER), height=HEIGHT, label="")
     edges = [(other, name) for name in names for other in direct(name, needs, circles)]
     for needed, name in edges:
         graph.edge(needed, name)

@@ -84,7 +84,7 @@ function packagesView(parameters) {
 function packagePicture(list, most, select) {
   const { size, places, edges } = D.package_picture;
   const heat = (one) => (one.findings ? Math.min(3, 1 + Math.floor((3 * one.ratio) / (most + 0.001))) : 0);
-  const elements = list.map((one, index) => ({ id: `p${index}`, isNode: true, what: "node", box: -1, rectangle: places[index], title: one.name, lines: [], sub: one.findings ? `${one.findings} of ${one.all.toLocaleString("en")} lines` : `${one.all.toLocaleString("en")} lines`, classes: [`heat-${heat(one)}`, one.circle >= 0 ? "red" : ""].filter(Boolean), tip: [one.name, count(one.findings, "finding"), one.circle >= 0 ? `in circle ${one.circle + 1}` : ""].filter(Boolean).join("\n") }));
+  const elements = list.map((one, index) => ({ id: `p${index}`, isNode: true, what: "node", box: -1, rectangle: places[index], title: one.name, lines: [], sub: one.findings ? `${count(one.findings, "finding")}, ${count(one.all, "line")}` : count(one.all, "line"), classes: [`heat-${heat(one)}`, one.circle >= 0 ? "red" : ""].filter(Boolean), tip: [one.name, count(one.findings, "finding"), one.circle >= 0 ? `in circle ${one.circle + 1}` : ""].filter(Boolean).join("\n") }));
   const made = makePicture({ label: "what packages need of each other", select: (id) => select(id ? list[Number(id.slice(1))] : null) });
   made.show({ size, boxes: [], elements, edges: edges.map(([from, to, points]) => ({ from: `p${from}`, to: `p${to}`, channel: `p${to}`, points, classes: [], tip: `${list[to].name} needs ${list[from].name}` })) });
   requestAnimationFrame(made.fit);
