@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 from browser_kit import Page, browser
-from page_kit import HOSTILE, NAME, given, written
+from page_kit import HOSTILE, NAME, given, samples, written
 
 VIEWS = ("overview", "findings", "system", "launch", "parameters", "packages", "interfaces", "metrics", "changes")
 
@@ -48,7 +48,9 @@ def test_each_view_opens(page: Page, view: str) -> None:
     assert len(page.text()) > 50
 
 
-@pytest.mark.parametrize("word", [" ".join(each for each in HOSTILE if len(each) < 100), "__proto__", HOSTILE[-1]])
+@pytest.mark.parametrize(
+    "word", [" ".join(each for each in (*HOSTILE, *samples().HOSTILE) if len(each) < 100), "__proto__", HOSTILE[-1]]
+)
 def test_no_text_of_a_workspace_is_more_than_text(driver: Any, tmp_path: Path, word: str) -> None:
     path = tmp_path / "page.html"
     path.write_text(written(given(word)), encoding="utf-8", errors="backslashreplace")

@@ -8,13 +8,15 @@ import re
 import subprocess
 import sys
 from base64 import b64encode
+from dataclasses import replace
 from hashlib import sha256
 
 import pytest
-from page_kit import HOSTILE, Parts, checked, given, written
+from page_kit import HOSTILE, Parts, checked, given, samples, written
 
 from haros_ci.html_page.document import SCRIPTS, STYLE, asset, code, escaped
 
+REPORTS = samples()
 TAGS = [
     "html",
     "head",
@@ -55,6 +57,13 @@ def test_a_parser_sees_our_tags_alone(word: str) -> None:
 @pytest.mark.parametrize("word", HOSTILE)
 def test_the_data_holds_to_its_schema(word: str) -> None:
     checked(given(word))
+
+
+@pytest.mark.parametrize("text", (*REPORTS.HOSTILE, *HOSTILE))
+def test_a_report_that_is_hostile_all_over(text: str) -> None:
+    made = replace(given(text), report=REPORTS.hostile(text))
+    checked(made)
+    assert [tag for tag, _ in Parts(written(made)).tags] == TAGS
 
 
 def test_the_policy_names_what_is_there() -> None:
