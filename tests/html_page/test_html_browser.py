@@ -325,6 +325,9 @@ def test_a_narrow_window_needs_no_sideways_scrolling(page: Page) -> None:
         for view in VIEWS:
             page.go(view)
             assert page.run("return document.documentElement.scrollWidth <= window.innerWidth"), view
+            assert page.run(
+                "const main = document.querySelector('main'); return main.scrollWidth <= main.clientWidth"
+            ), view
     finally:
         page.driver.set_window_size(1400, 900)
 
