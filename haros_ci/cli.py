@@ -18,9 +18,11 @@ from haros_ci.commands.flags import (
     file_option,
     format_option,
     hpl_options,
+    page_options,
     plugin_option,
     query_options,
     report_options,
+    system_options,
     what_options,
     workspace_options,
 )
@@ -176,20 +178,14 @@ def show(**flags: Any) -> int:
 @haros_ci.command()
 @click.argument("paths", nargs=-1, type=click.Path())
 @format_option(
-    *("text", "json", "dot", "mermaid", "sqlite", "nodl", "readme"),
+    *("text", "json", "dot", "mermaid", "svg", "sqlite", "nodl", "readme"),
     help="As a table, data, a picture, a database, or files for each node type or package.",
 )
 @click.option("--compact", is_flag=True, help="With json: on one line, and what several configurations have once.")
 @click.option(
     "--output", type=click.Path(), help="File to write, of nodl and readme also a directory; default: stdout."
 )
-@click.option("--launch", metavar="FILE", multiple=True, help="These launch files as one configuration.")
-@click.option("--arg", metavar="NAME:=VALUE", multiple=True, help="An argument of the launch files.")
-@click.option("--env", metavar="NAME=VALUE", multiple=True, help="What $(env NAME) is in launch files.")
-@click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations.")
-@click.option("--as-running", is_flag=True, help="What ROS 1 nodelets make stands under their manager's name.")
-@click.option("--no-known-nodes", is_flag=True, help="Leave out what is known of nodes outside the workspace.")
-@click.option("--exact", is_flag=True, help="Let libclang fill what is unknown, where ROS headers are installed.")
+@system_options
 @click.option(
     "--expect", type=click.Path(dir_okay=False), help="Compare with the architecture that this file declares."
 )
@@ -233,6 +229,16 @@ def metrics(**flags: Any) -> int:
     from haros_ci.commands import metrics as metrics_command
 
     return metrics_command.metrics(flags)
+
+
+@haros_ci.command("report")
+@what_options
+@page_options
+def report_(**flags: Any) -> int:
+    """Write one HTML file of findings and running systems."""
+    from haros_ci.commands import report as report_command
+
+    return report_command.report(flags)
 
 
 @haros_ci.command()
@@ -329,9 +335,9 @@ def new_check_(name: str) -> int:
 @click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies.")
 def cache(action: str, cache_dir: str | None) -> int:
     """Show or clear the cache; deleting it is always safe."""
-    from haros_ci.commands import common as commands
+    from haros_ci.commands import cache as cache_command
 
-    return commands.cache(action, cache_dir)
+    return cache_command.cache(action, cache_dir)
 
 
 @haros_ci.command()

@@ -16,7 +16,7 @@ from commandline import haros
 from haros_ci.cli import haros_ci
 from haros_ci.commands.completion import words
 from haros_ci.commands.manual import ABOUT, EXAMPLES, SECTIONS, SHORT
-from haros_ci.commands.output import FOLDERS, FORMATS
+from haros_ci.commands.output import FOLDERS, FORMATS, PAGES
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -143,6 +143,6 @@ def test_what_bash_is_told_of_words_that_it_has_split(
 
 
 def test_words_by_kind() -> None:
-    assert words("formats", "") == sorted((*FORMATS, *FOLDERS))
+    assert words("formats", "") == sorted((*FORMATS, *FOLDERS, *PAGES))
     assert words("metrics", "nest") == ["nested-control"]
     assert "pylint" in words("tools", "py") and words("profiles", "strict,bugs") == ["strict,bugs-only"]

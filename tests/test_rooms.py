@@ -143,6 +143,17 @@ DOORS: dict[str, set[str]] = {
         "results",
         "workspace",
     },
+    # one HTML file of all that a run knows
+    "html_page": {
+        "analysis",
+        "errors",
+        "measuring",
+        "model",
+        "report",
+        "results",
+        "timing",
+        "workspace",
+    },
     "brought": {"config", "model", "results", "workspace"},
     "hosting": {"analysis", "config", "haros_plugins", "measuring", "model", "query", "results", "timing"},
     "pipeline": {
@@ -185,6 +196,7 @@ DOORS: dict[str, set[str]] = {
         "declared",
         "errors",
         "haros_json",
+        "html_page",
         "interruption",
         "linters",
         "measuring",

@@ -14,7 +14,17 @@ from typing import Any, TypeVar
 import click
 
 from haros_ci.baselines import COMPACT_NAME
-from haros_ci.commands.output import FOLDERS, SILENT, Extras, Outputs, RendererError, Renderers, parse_outputs, rendered
+from haros_ci.commands.output import (
+    FOLDERS,
+    PAGES,
+    SILENT,
+    Extras,
+    Outputs,
+    RendererError,
+    Renderers,
+    parse_outputs,
+    rendered,
+)
 from haros_ci.commands.timings import with_timings
 from haros_ci.config.settings import Settings
 from haros_ci.errors import EXIT_TOOL_TROUBLE, RunFailure, UserError
@@ -97,8 +107,13 @@ def written(
         from haros_ci.commands.folders import fill
 
         is_whole = fill(folders, report, workspace, settings, flags)
+    pages = [path for format, path in outputs if format in PAGES]
+    if pages:
+        from haros_ci.commands.report import fill as fill_pages
+
+        is_whole = fill_pages(pages, report, workspace, settings, flags) and is_whole
     for format, path in outputs:
-        if format in FOLDERS:
+        if format in (*FOLDERS, *PAGES):
             continue
         view = view_of(workspace, flags, to_file=path is not None)
         try:
@@ -329,20 +344,3 @@ def cache_dir(flags: Flags, root: Path) -> Path | None:
         return None
     named = Path(flags["cache_dir"]).absolute() if flags.get("cache_dir") else None
     return cache_directory(named, os.environ, root, explicit=named is not None)
-
-
-# -- cache -------------------------------------------------------------------------------------------------------------
-
-
-def cache(action: str, directory: str | None) -> int:
-    """``haros-ci cache dir|stats|clear``."""
-    place = cache_dir({"cache_dir": directory}, Path.cwd())
-    assert place is not None
-    match action:
-        case "dir":
-            click.echo(place)
-        case "stats":
-            click.echo(f"{place}: {DiskCache(place).size() / 1e6:.1f} MB")
-        case _:
-            DiskCache(place).clear()
-    return 0

@@ -63,9 +63,9 @@ def _all(what: str) -> Iterable[str]:
 
         return PROFILES
     if what == "formats":
-        from haros_ci.commands.output import FOLDERS, FORMATS
+        from haros_ci.commands.output import FOLDERS, FORMATS, PAGES
 
-        return (*FORMATS, *FOLDERS)
+        return (*FORMATS, *FOLDERS, *PAGES)
     if what == "metrics":
         from haros_ci.measuring.totals import METRICS
 

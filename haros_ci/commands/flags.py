@@ -95,7 +95,7 @@ report_options = options(
         metavar="FORMAT[=PATH]",
         multiple=True,
         shell_complete=completion_of("formats"),
-        help="text, sarif, github, json, junit, gitlab, rdjson, checkstyle, csv, markdown or haros-json; repeatable.",
+        help="text, sarif, github, json, junit, gitlab, rdjson, checkstyle, csv, markdown, html or haros-json; repeatable.",
     ),
     click.option(
         "--sarif-for",
@@ -201,4 +201,36 @@ hpl_options = options(
         help="Who reads the SARIF.",
     ),
     click.option("--fail-on", type=LEVELS, help="Lowest level of a finding that fails the run; default: warning."),
+)
+
+#: What ``report`` has beside what is analysed.
+page_options = options(
+    click.option(
+        "--output",
+        type=click.Path(dir_okay=False),
+        default="haros-ci-report.html",
+        show_default=True,
+        help="File to write.",
+    ),
+    click.option("--base", metavar="REV", help="Show what has changed since the merge-base with this git revision."),
+    click.option("--baseline", type=click.Path(), help="Known findings: a SARIF log or a .haros-ci-baseline.jsonl."),
+    click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations."),
+    click.option(
+        "--allow-tool-failure",
+        metavar="TOOL",
+        multiple=True,
+        shell_complete=completion_of("tools"),
+        help="This tool's trouble does not make the exit code 3.",
+    ),
+)
+
+#: Which systems ``model`` makes.
+system_options = options(
+    click.option("--launch", metavar="FILE", multiple=True, help="These launch files as one configuration."),
+    click.option("--arg", metavar="NAME:=VALUE", multiple=True, help="An argument of the launch files."),
+    click.option("--env", metavar="NAME=VALUE", multiple=True, help="What $(env NAME) is in launch files."),
+    click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations."),
+    click.option("--as-running", is_flag=True, help="What ROS 1 nodelets make stands under their manager's name."),
+    click.option("--no-known-nodes", is_flag=True, help="Leave out what is known of nodes outside the workspace."),
+    click.option("--exact", is_flag=True, help="Let libclang fill what is unknown, where ROS headers are installed."),
 )

@@ -39,7 +39,7 @@ Every command has a --help of its own. The pages: https://github.com/haros-ci/ha
 SECTIONS: Mapping[str, tuple[str, ...]] = {
     "What is looked at": ("--project", "--isolated", "--exclude", "--compile-database", "--configuration", "--launch", "--arg", "--env", "--path", "--no-known-nodes", "--as-running", "--exact"),
     "What is reported": ("--profile", "--select", "--ignore", "--import", "--metric", "--level", "--scope", "--expect", "--check-readme", "--coverage"),
-    "What is known already": ("--baseline", "--baseline-rev", "--no-baseline", "--require-baseline", "--file", "--accept-new", "--force"),
+    "What is known already": ("--baseline", "--baseline-rev", "--base", "--no-baseline", "--require-baseline", "--file", "--accept-new", "--force"),
     "What comes out": (
         "--output", "--format", "--sarif-for", "--why", "--statistics", "--show-settings", "--fail-on", "--allow-tool-failure",
         "--exit-code", "--fail-on-match", "--fix", "--diff", "--watch", "--json", "--checks", "--standards",
@@ -80,6 +80,10 @@ EXAMPLES: Mapping[str, tuple[tuple[str, str], ...]] = {
             "one launch file with an argument, as a picture",
             "haros-ci model --launch robot/launch/robot.launch.xml --arg sim:=true --format dot | dot -Tsvg",
         ),
+        (
+            "a picture for a README",
+            "haros-ci model --launch robot/launch/robot.launch.xml --format svg --output robot.svg",
+        ),
         ("for other tools", "haros-ci model --format json --output model.json"),
         ("which calls of ROS APIs are not in the model", "haros-ci model --coverage"),
     ),
@@ -89,6 +93,11 @@ EXAMPLES: Mapping[str, tuple[tuple[str, str], ...]] = {
             "fail if a node subscribes to a global name",
             'haros-ci query --fail-on-match "nodes/subscribers[self.rosname.is_global]"',
         ),
+    ),
+    "report": (
+        ("everything in one file, to open in a browser", "haros-ci report"),
+        ("what a branch changes", "haros-ci report --base origin/main --output change.html"),
+        ("the nodes and topics alone, without linters", "haros-ci report --profile architecture"),
     ),
     "diff": (
         ("what this branch does to the system", "haros-ci diff origin/main --merge-base"),

@@ -33,7 +33,7 @@ OPTIONS = ("launch", "arg", "env", "no_known_nodes", "as_running", "configuratio
 UNCOVERED = ("configuration", "as_running", "expect", "check_readme")
 #: What --format json --compact is called here.
 COMPACT = "compact json"
-FORMATS = ("text", "json", "dot", "mermaid", "sqlite", "nodl", "readme")
+FORMATS = ("text", "json", "dot", "mermaid", "svg", "sqlite", "nodl", "readme")
 
 
 @with_timings
@@ -202,6 +202,8 @@ def rendered(found: Architecture, format: str) -> str | bytes:
         from haros_ci.report.model_dot import render
     elif format == "mermaid":
         from haros_ci.report.model_mermaid import render
+    elif format == "svg":
+        return drawn(found)
     elif format == "sqlite":
         from haros_ci.report.model_sqlite import render as render_bytes
 
@@ -209,6 +211,23 @@ def rendered(found: Architecture, format: str) -> str | bytes:
     else:
         from haros_ci.report.model_text import render
     return render(found)
+
+
+def drawn(found: Architecture) -> str:
+    """The picture of the one configuration of *found*; UserError if there are others, or it is too large."""
+    from haros_ci.html_page.svg import render
+
+    if len(found.configurations) != 1:
+        known = ", ".join(sorted(one.name for one in found.configurations)[:20]) or "none"
+        raise UserError(
+            "svg is a picture of one configuration", help=f"name it: --configuration NAME; there are {known}"
+        )
+    text = render(found.configurations[0])
+    if text is None:
+        raise UserError(
+            "it is too large for a picture", help="haros-ci report shows it as lists, --format dot draws it"
+        )
+    return text
 
 
 def selected(found: Architecture, names: tuple[str, ...]) -> Architecture:

@@ -138,6 +138,8 @@ FORMATS: dict[str, Callable[[Report, Extras], str]] = {
 }
 #: Formats of more than one file, each written into a directory (commands/folders.py).
 FOLDERS = ("haros-json",)
+#: Formats of one file that are made of more than the report (commands/report.py).
+PAGES = ("html",)
 #: Bytes of a file of an earlier run that a new one adds to.
 LARGEST_READ = 50_000_000
 #: Columns of text where COLUMNS says nothing sensible, and the most that it can say.
@@ -152,8 +154,9 @@ IN_JSON = frozenset({"sarif", "json", "gitlab", "rdjson"})
 
 def parse_outputs(outputs_given: tuple[str, ...], renderers: Renderers = MappingProxyType({})) -> Outputs:
     """``FORMAT[=PATH]`` as pairs, formats of plug-ins (*renderers*) included; at most one may go to stdout beside none other."""
-    known = (*FORMATS, *FOLDERS, *renderers)
-    clash = next((format for format in renderers if format in FORMATS or format in FOLDERS), None)
+    own = (*FORMATS, *PAGES, *FOLDERS)
+    known = (*own, *renderers)
+    clash = next((format for format in renderers if format in own), None)
     if clash is not None:
         raise UserError(f"the format '{clash}' of a plug-in is one of haros-ci's own", help="give it another name")
     outputs = []

@@ -176,11 +176,9 @@ def open_(
         arguments += found.arguments
         problems += found.problems
         facts += found.facts
+    made = tuple(jobs), parameters, tuple(arguments), tuple(problems)
     return Opened(
-        tuple(jobs),
-        parameters,
-        tuple(arguments),
-        tuple(problems),
+        *made,
         others=tuple(others),
         other_parameters=other_parameters,
         facts=tuple(facts),

@@ -40,6 +40,18 @@ QUICK = ("--isolated", "--profile", "architecture")
 #: Each command that writes a file, and where: ``OUT`` stands for its name.
 WRITERS = {
     **{f"check {name}": ("check", ".", *QUICK, "--output", f"{name}=OUT") for name in FORMATS},
+    "check html": ("check", ".", *QUICK, "--output", "html=OUT"),
+    "report": (
+        "report",
+        ".",
+        *QUICK,
+        "--allow-tool-failure",
+        "lizard",
+        "--allow-tool-failure",
+        "radon",
+        "--output",
+        "OUT",
+    ),
     "check shard": ("check", ".", *QUICK, "--shard", "1/1", "--output", "shard=OUT"),
     "merge": ("merge", "../1.shard", *QUICK, "--output", "sarif=OUT"),
     "merge costs": ("merge", "../1.shard", *QUICK, "--write-costs", "OUT"),

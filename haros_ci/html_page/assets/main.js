@@ -1,0 +1,54 @@
+// The frame around the views: the address decides which is shown.
+const VIEWS = {
+  overview: ["Overview", () => ({ content: overview() })],
+  findings: ["Findings", findingsView],
+  system: ["System", systemView],
+  launch: ["Launch", launchView],
+  parameters: ["Parameters", parametersView],
+  packages: ["Packages", packagesView],
+  interfaces: ["Interfaces", interfacesView],
+  metrics: ["Metrics", metricsView],
+  changes: ["Changes", changesView],
+};
+const offered = Object.keys(VIEWS).filter((name) => (name !== "changes" || D.changes) && (name !== "metrics" || D.metrics.length) && (name !== "launch" || CONFIGURATIONS.some((one) => one.launch.length)));
+
+const main = h("main", { id: "main", tabindex: "-1" });
+const navigation = h("nav", { "aria-label": "views" }, offered.map((name) => h("a", { href: name, "data-view": name }, VIEWS[name][0])));
+let escape = null;
+
+function show() {
+  const { view, parameters } = current();
+  const name = offered.includes(view) ? view : "overview";
+  for (const one of navigation.children) {
+    if (one.dataset.view === name) one.setAttribute("aria-current", "page");
+    else one.removeAttribute("aria-current");
+  }
+  const made = VIEWS[name][1](parameters);
+  escape = made.escape || null;
+  main.className = made.wide ? "wide" : "";
+  clear(main, made.content);
+  main.scrollTop = 0;
+}
+
+function keys(event) {
+  const isTyping = event.target.matches && event.target.matches("input, select, textarea");
+  if (event.key === "/" && !isTyping && !event.ctrlKey && !event.metaKey) {
+    const field = main.querySelector("input.search");
+    if (!field) return;
+    event.preventDefault();
+    field.focus();
+    field.select();
+  } else if (event.key === "Escape") {
+    if (isTyping) event.target.blur();
+    if (escape) escape();
+  }
+}
+
+document.getElementById("page").replaceChildren(
+  h("a", { class: "skip", href: "main", onclick: (event) => { event.preventDefault(); main.focus(); } }, "Skip to the content"),
+  h("header", null, h("span", { class: "brand" }, "haros-ci"), navigation, h("span", { class: "quiet version" }, `${text(D.name)} · ${D.tool}`)),
+  main,
+);
+window.addEventListener("hashchange", show);
+document.addEventListener("keydown", keys);
+show();

@@ -1,0 +1,255 @@
+// A picture of elements at given places: it can be moved and enlarged, and boxes fold into one element with bundled edges.
+const FOLDED = [190, 46];
+const LINE = 15;
+const HEAD = 38;
+
+function outline(what, [x, y, width, height]) {
+  if (what === "services") return `M${x + 9} ${y}H${x + width}L${x + width - 9} ${y + height}H${x}Z`;
+  const middle = y + height / 2;
+  return `M${x + 10} ${y}H${x + width - 10}L${x + width} ${middle}L${x + width - 10} ${y + height}H${x + 10}L${x} ${middle}Z`;
+}
+
+function shape(what, rectangle) {
+  const [x, y, width, height] = rectangle;
+  if (what === "services" || what === "actions") return s("path", { class: "shape", d: outline(what, rectangle) });
+  return s("rect", { class: "shape", x, y, width, height, rx: what === "topics" ? height / 2 : 4 });
+}
+
+const fitted = (words, width, character) => cut(words, Math.max(4, Math.floor((width - 14) / (character || 6.5))));
+
+function curve(from, to, bend) {
+  const start = [from[0] + from[2], from[1] + from[3] / 2];
+  const goal = [to[0], to[1] + to[3] / 2];
+  if (goal[0] > start[0]) {
+    const reach = Math.max(24, (goal[0] - start[0]) / 2);
+    return `M${start[0]} ${start[1]}C${start[0] + reach} ${start[1]} ${goal[0] - reach} ${goal[1]} ${goal[0]} ${goal[1]}`;
+  }
+  const below = Math.max(from[1] + from[3], to[1] + to[3]) + 18 + (bend || 0);
+  return `M${start[0]} ${start[1]}C${start[0] + 60} ${start[1]} ${start[0] + 60} ${below} ${(start[0] + goal[0]) / 2} ${below}S${goal[0] - 60} ${goal[1]} ${goal[0]} ${goal[1]}`;
+}
+
+function polyline(points) {
+  let made = `M${points[0]} ${points[1]}`;
+  for (let at = 2; at < points.length; at += 2) made += `L${points[at]} ${points[at + 1]}`;
+  return made;
+}
+
+function makePicture({ label, select, folded }) {
+  const view = { x: 0, y: 0, scale: 1 };
+  const layer = s("g", {});
+  const arrow = (id, kind) => s("marker", { id, class: kind, viewBox: "0 0 8 8", refX: 7, refY: 4, markerWidth: 9, markerHeight: 9, markerUnits: "userSpaceOnUse", orient: "auto" }, s("path", { d: "M0 0.5L7.5 4L0 7.5Z" }));
+  const svg = s("svg", { class: "picture", role: "application", tabindex: "0", "aria-label": label }, s("defs", {}, arrow("arrow", "tip"), arrow("arrow-strong", "tip strong")), layer);
+  let scene = { size: [1, 1], boxes: [], elements: [], edges: [] };
+  let closed = new Set();
+  const drawn = new Map();
+  let paths = [];
+  let chosen = null;
+
+  const place = () => layer.setAttribute("transform", `translate(${view.x} ${view.y}) scale(${view.scale})`);
+  const around = (box) => (box < 0 ? [] : [box, ...around(scene.boxes[box].parent)]);
+  const outermost = (box) => around(box).filter((one) => closed.has(one)).pop();
+
+  function rectangleOf(id) {
+    const box = representative(id);
+    return box === undefined ? elementOf(id).rectangle : foldedRectangle(scene.boxes[box]);
+  }
+
+  let byId = new Map();
+  const elementOf = (id) => byId.get(id);
+  const representative = (id) => outermost(elementOf(id).box);
+
+  function draw() {
+    drawn.clear();
+    paths = [];
+    const boxes = [];
+    scene.boxes.forEach((box, index) => {
+      const outer = outermost(box.parent);
+      if (outer !== undefined) return;
+      const isClosed = closed.has(index);
+      const [x, y, width, height] = isClosed ? foldedRectangle(box) : box.rectangle;
+      const scale = isClosed ? foldedScale(box) : 1;
+      const inside = isClosed ? scene.elements.filter((one) => around(one.box).includes(index) && one.isNode).length : 0;
+      const title = isClosed ? `${box.label} (${count(inside, "node")})` : box.label;
+      const flip = () => fold(index, !isClosed);
+      boxes.push(s("g", { class: `box ${box.kind}${isClosed ? " closed" : ""}` },
+        s("rect", { class: "shape", x, y, width, height, rx: 6 }),
+        s("g", { class: "handle", tabindex: "0", role: "button", "aria-expanded": String(!isClosed), "aria-label": `${isClosed ? "Unfold" : "Fold"} ${box.kind} ${box.label}`, onclick: (event) => { event.stopPropagation(); flip(); }, onkeydown: (event) => { if (event.key === "Enter" || event.key === " ") { event.preventDefault(); event.stopPropagation(); flip(); } } },
+          s("rect", { class: "grip", x, y, width, height: isClosed ? height : 20, rx: 6 }),
+          s("text", { x: x + 8 * scale, y: isClosed ? y + height / 2 + 4 * scale : y + 14, "font-size": 11.5 * scale }, `${isClosed ? "▸" : "▾"} ${fitted(`${box.kind === "container" ? "container " : ""}${title}`, width / scale - 10)}`),
+          s("title", {}, `${box.kind} ${box.label}: ${isClosed ? "unfold" : "fold"}`))));
+    });
+    const elements = [];
+    for (const one of scene.elements) {
+      if (representative(one.id) !== undefined) continue;
+      const [x, y, width] = one.rectangle;
+      const group = s("g", { class: `element ${one.what} ${one.classes.join(" ")}`, "data-id": one.id });
+      group.append(shape(one.what, one.rectangle), s("title", {}, one.tip));
+      if (one.isNode) {
+        group.append(s("text", { class: "name", x: x + width / 2, y: y + 16 }, fitted(one.title, width, 7.4)), s("text", { class: "sub", x: x + width / 2, y: y + 30 }, fitted(one.sub, width * 1.12)));
+        one.lines.forEach((each, number) => group.append(s("text", { class: `own ${each.classes || ""}`, x: x + 8, y: y + HEAD + 8 + number * LINE, "data-id": each.id }, fitted(each.text, width * 1.1))));
+      } else group.append(s("text", { class: "name", x: x + width / 2, y: y + 16 }, fitted(one.title, width - 14)));
+      drawn.set(one.id, group);
+      elements.push(group);
+    }
+    clear(layer, boxes.filter((one) => !one.classList.contains("closed")), edges(), boxes.filter((one) => one.classList.contains("closed")), elements);
+    mark();
+    place();
+  }
+
+  // In the middle of where the box was, the larger the larger the box: it must be read where the whole is small.
+  function foldedRectangle(box) {
+    const [x, y, width, height] = box.rectangle;
+    const scale = foldedScale(box);
+    const [w, tall] = [Math.min(FOLDED[0] * scale, width), Math.min(FOLDED[1] * scale, height)];
+    return [x + (width - w) / 2, y + (height - tall) / 2, w, tall];
+  }
+
+  const foldedScale = ({ rectangle: [, , width, height] }) => Math.min(5, Math.max(1, 0.45 * Math.min(width / FOLDED[0], height / FOLDED[1])));
+
+  function edges() {
+    const bundles = new Map();
+    for (const one of scene.edges) {
+      const [from, to] = [representative(one.from), representative(one.to)];
+      if (from !== undefined && from === to) continue;
+      const key = from === undefined && to === undefined ? `${one.from} ${one.to}` : `${from ?? one.from} > ${to ?? one.to}`;
+      if (!bundles.has(key)) bundles.set(key, { ...one, from, to, ends: [one.from, one.to], members: [] });
+      bundles.get(key).members.push(one);
+    }
+    const made = [];
+    for (const bundle of bundles.values()) {
+      const isBundle = bundle.from !== undefined || bundle.to !== undefined;
+      const [from, to] = bundle.ends.map(rectangleOf);
+      const path = !isBundle && bundle.points.length > 3 ? polyline(bundle.points) : curve(from, to, bundle.members.length);
+      const conditional = bundle.members.every((one) => one.classes.includes("conditional"));
+      const classes = isBundle ? ["bundle", conditional ? "conditional" : "", ...new Set(bundle.members.flatMap((one) => one.classes.filter((name) => name === "red")))] : bundle.classes;
+      const many = bundle.members.length;
+      const element = s("g", { class: `edge ${classes.join(" ")}` },
+        s("path", { class: "hit", d: path }), s("path", { class: "line", d: path, "marker-end": "url(#arrow)", "stroke-width": isBundle && many > 1 ? Math.min(6, 1 + Math.log2(many)) : null }),
+        s("title", {}, bundle.members.slice(0, 12).map((one) => one.tip).join("\n") + (many > 12 ? `\nand ${many - 12} more` : "")));
+      if (isBundle && many > 1) element.append(s("text", { class: "many", "font-size": 11 * Math.max(1, ...[bundle.from, bundle.to].filter((one) => one !== undefined).map((one) => foldedScale(scene.boxes[one]))), x: (from[0] + from[2] + to[0]) / 2, y: (from[1] + to[1] + from[3]) / 2 - 4 }, `×${many}`));
+      paths.push({ element, members: bundle.members });
+      element.addEventListener("click", (event) => { event.stopPropagation(); choose(bundle.members[0].channel); });
+      made.push(element);
+    }
+    return made;
+  }
+
+  function mark() {
+    const near = new Set([chosen]);
+    for (const { element, members } of paths) {
+      const touches = chosen !== null && members.some((one) => one.from === chosen || one.to === chosen);
+      element.classList.toggle("chosen", touches);
+      element.querySelector(".line").setAttribute("marker-end", touches ? "url(#arrow-strong)" : "url(#arrow)");
+      if (touches) for (const one of members) near.add(one.from).add(one.to);
+    }
+    const isOne = chosen !== null && drawn.has(chosen);
+    layer.classList.toggle("has-choice", isOne && !scene.isPart);
+    for (const [id, element] of drawn) {
+      element.classList.toggle("chosen", id === chosen);
+      element.classList.toggle("near", near.has(id));
+    }
+  }
+
+  function choose(id, quiet) {
+    chosen = id;
+    mark();
+    if (!quiet) select(id);
+  }
+
+  function fold(index, isClosed) {
+    if (isClosed) closed.add(index);
+    else closed.delete(index);
+    draw();
+    if (folded) folded([...closed].map((one) => scene.boxes[one].label));
+  }
+
+  function fit() {
+    const [width, height] = scene.size;
+    const [w, tall] = [svg.clientWidth || 900, svg.clientHeight || 600];
+    view.scale = Math.min(1.3, Math.max(0.05, Math.min(w / width, tall / height)));
+    view.x = Math.max(0, (w - width * view.scale) / 2);
+    view.y = Math.max(0, (tall - height * view.scale) / 2);
+    place();
+  }
+
+  function centre(id, scale) {
+    if (!byId.has(id)) return;
+    const [x, y, width, height] = rectangleOf(id);
+    view.scale = Math.max(view.scale, scale || 0.8);
+    view.x = svg.clientWidth / 2 - (x + width / 2) * view.scale;
+    view.y = svg.clientHeight / 2 - (y + height / 2) * view.scale;
+    place();
+  }
+
+  function zoom(factor, at) {
+    const [x, y] = at || [svg.clientWidth / 2, svg.clientHeight / 2];
+    const scale = Math.min(4, Math.max(0.04, view.scale * factor));
+    view.x = x - ((x - view.x) * scale) / view.scale;
+    view.y = y - ((y - view.y) * scale) / view.scale;
+    view.scale = scale;
+    place();
+  }
+
+  svg.addEventListener("wheel", (event) => {
+    event.preventDefault();
+    const corner = svg.getBoundingClientRect();
+    zoom(Math.exp(-event.deltaY * (event.deltaMode ? 0.05 : 0.0015)), [event.clientX - corner.left, event.clientY - corner.top]);
+  }, { passive: false });
+  let drag = null;
+  let wasDragged = false;
+  svg.addEventListener("pointerdown", (event) => {
+    wasDragged = false;
+    if (event.button === 0) drag = { x: event.clientX, y: event.clientY, moved: false };
+  });
+  svg.addEventListener("pointermove", (event) => {
+    if (!drag) return;
+    const [dx, dy] = [event.clientX - drag.x, event.clientY - drag.y];
+    if (!drag.moved && Math.abs(dx) + Math.abs(dy) < 4) return;
+    if (!drag.moved) svg.setPointerCapture(event.pointerId);
+    drag = { x: event.clientX, y: event.clientY, moved: true };
+    view.x += dx;
+    view.y += dy;
+    place();
+  });
+  const release = (event) => {
+    wasDragged = Boolean(drag && drag.moved);
+    drag = null;
+    if (event.type === "pointerup" && svg.hasPointerCapture(event.pointerId)) svg.releasePointerCapture(event.pointerId);
+  };
+  svg.addEventListener("pointerup", release);
+  svg.addEventListener("pointercancel", release);
+  svg.addEventListener("click", (event) => {
+    const hit = event.target.closest ? event.target.closest("[data-id]") : null;
+    if (!wasDragged) choose(hit ? hit.dataset.id : null);
+  });
+  svg.addEventListener("keydown", (event) => {
+    const moves = { ArrowLeft: [60, 0], ArrowRight: [-60, 0], ArrowUp: [0, 60], ArrowDown: [0, -60] };
+    if (moves[event.key]) {
+      view.x += moves[event.key][0];
+      view.y += moves[event.key][1];
+      place();
+    } else if (event.key === "+" || event.key === "=") zoom(1.25);
+    else if (event.key === "-") zoom(0.8);
+    else if (event.key === "0") fit();
+    else return;
+    event.preventDefault();
+  });
+
+  return {
+    element: svg, fit, zoom, centre, choose, fold,
+    show(next, closedLabels) {
+      scene = next;
+      byId = new Map(scene.elements.map((one) => [one.id, one]));
+      closed = new Set(scene.boxes.map((one, index) => index).filter((index) => closedLabels && closedLabels.includes(scene.boxes[index].label)));
+      chosen = null;
+      draw();
+    },
+    foldAll(isClosed) {
+      closed = new Set(isClosed ? scene.boxes.keys() : []);
+      draw();
+      if (folded) folded([...closed].map((one) => scene.boxes[one].label));
+    },
+    has: (id) => byId.has(id),
+    get boxes() { return scene.boxes.length; },
+  };
+}

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a change does to the system, as the page has it: the table of ``haros-ci diff`` and the part of the graph that it touches."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from haros_ci.html_page.elements import Drawn, Elements
+from haros_ci.html_page.layout import laid_out
+from haros_ci.html_page.pool import NONE, Pool
+from haros_ci.model.architecture import Endpoint, Node
+from haros_ci.model.changes import ADDED, REMOVED, Changes
+from haros_ci.report.channels import Channel
+from haros_ci.report.diff_text import headline, title
+
+#: What an edge of the picture is at an end, by what it leads to and whether the node gives.
+ENDS = {
+    ("topic", True): "publishers",
+    ("topic", False): "subscribers",
+    ("service", True): "servers",
+    ("service", False): "clients",
+    ("action", True): "action_servers",
+    ("action", False): "action_clients",
+}
+
+
+def changed(pool: Pool, found: Changes) -> dict[str, Any]:
+    """The changes as rows, and the picture of the edges that came, went or stand beside them."""
+    rows = [
+        (
+            each.what,
+            each.action,
+            pool.text(title(each)),
+            pool.texts(each.names),
+            pool.texts(each.old_names),
+            pool.text(each.before),
+            pool.text(each.after),
+            pool.texts(each.nodes),
+            pool.texts(each.programs),
+            pool.texts(each.configurations),
+            pool.texts(each.users),
+            pool.texts(each.details),
+            pool.place(each.location),
+        )
+        for each in found.changes
+    ]
+    return {
+        "headline": pool.text(headline(found)) if found.changes else NONE,
+        "rows": rows,
+        "not_known": found.not_known,
+        "picture": _picture(pool, found),
+    }
+
+
+def _picture(pool: Pool, found: Changes) -> dict[str, Any] | None:
+    """The nodes and channels of the edges with their states; None where there are none, or too many."""
+    if not found.edges:
+        return None
+    names = sorted({edge.node for edge in found.edges})
+    made, states = _elements(found, names)
+    layout = laid_out(made)
+    if layout is None:
+        return None
+    node_state = _states(found, names)
+    return {
+        "size": layout.size,
+        "nodes": [(pool.text(name), node_state[name], *place) for name, place in zip(names, layout.nodes, strict=True)],
+        "channels": [
+            (each.channel.what, pool.text(each.channel.name), *place)
+            for each, place in zip(made.channels, layout.channels, strict=True)
+        ],
+        "edges": [
+            (node, channel, int(gives), states.get((node, channel, gives), ""), points)
+            for node, channel, gives, points in layout.edges
+        ],
+    }
+
+
+def _elements(found: Changes, names: list[str]) -> tuple[Elements, dict[tuple[int, int, bool], str]]:
+    """The nodes *names* with the channels of the edges, and the state of each edge: by node, channel and direction."""
+    index = {name: number for number, name in enumerate(names)}
+    made = Elements(tuple(Node(name=name, kind="node", package="", type="") for name in names))
+    made.box_of = [-1] * len(names)
+    made.own = [[] for _ in names]
+    channels: dict[tuple[str, str], list[tuple[int, bool, str]]] = {}
+    for edge in found.edges:
+        is_out = edge.is_giver if edge.kind == "topic" else not edge.is_giver
+        channels.setdefault((edge.kind, edge.channel), []).append((index[edge.node], is_out, edge.state))
+    states: dict[tuple[int, int, bool], str] = {}
+    for number, ((kind, name), ends) in enumerate(sorted(channels.items())):
+        pairs = dict.fromkeys((node, is_out) for node, is_out, _ in ends)
+        end = Endpoint(kind=ENDS[kind, True], name=name, original_name=name, type=None, location=None)
+        channel = Channel(f"{kind}s", name, tuple((made.nodes[node], end) for node, _ in pairs))
+        made.channels.append(Drawn(channel, tuple(pairs), ""))
+        states.update({(node, number, is_out): state for node, is_out, state in ends})
+    return made, states
+
+
+def _states(found: Changes, names: list[str]) -> dict[str, str]:
+    """The state of each node: added or removed as a whole, changed, or "" for one that is only beside what has changed."""
+    states = dict.fromkeys(names, "")
+    for each in found.changes:
+        whole = each.what == "node" and each.action in (ADDED, REMOVED)
+        for name in each.names if whole else each.nodes:
+            if name in states and states[name] not in (ADDED, REMOVED):
+                states[name] = each.action if whole else "changed"
+    return states

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Figures of pages of ``haros-ci report`` in a browser without a window: size, paint, search, fold, trace, overlapping nodes.
+
+    python tests/bench/page_figures.py PAGE.html...
+
+Milliseconds are from the event to the changed page, laid out: the middle of five. Searches have the 60 ms in them that the page waits for the next key. Other work
+on the machine adds to all of them.
+"""
+
+from __future__ import annotations
+
+import statistics
+import sys
+from pathlib import Path
+from typing import Any
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "html_page"))
+
+from browser_kit import Page, browser
+
+#: The time from an event to the change of the page that it makes, laid out.
+TIMED = """
+const done = arguments[0];
+const start = performance.now();
+const observer = new MutationObserver(() => { observer.disconnect(); document.body.getBoundingClientRect(); done(performance.now() - start); });
+observer.observe(document.querySelector('main'), { subtree: true, childList: true });
+WORK;
+"""
+OVERLAPS = """
+const places = [...document.querySelectorAll('.stage .element > .shape')].map((one) => one.getBBox());
+let found = 0;
+places.forEach((a, n) => places.slice(0, n).forEach((b) => { if (a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height) found += 1; }));
+return [places.length, found];
+"""
+SEARCH = "const field = document.querySelector('.search-box input'); field.value = 'cmd'; field.dispatchEvent(new Event('input'))"
+FOLD = "[...document.querySelectorAll('button')].find((one) => one.textContent === 'Fold all').click()"
+UNFOLD = "[...document.querySelectorAll('button')].find((one) => one.textContent === 'Unfold all').click()"
+TRACE = "[...document.querySelectorAll('.detail button')].find((one) => one.textContent.startsWith('reaches')).click()"
+WHOLE = "[...document.querySelectorAll('button')].find((one) => one.textContent === 'Whole system').click()"
+BUSIEST = """
+let best = ['', 0];
+const count = new Map();
+document.querySelectorAll('.stage .edge title').forEach((one) => one.textContent.split('\\n').forEach((line) => { const name = (/publishes (\\S+?);?$/.exec(line.split(';')[0]) || [])[1]; if (name) { count.set(name, (count.get(name) || 0) + 1); if (count.get(name) > best[1]) best = [name, count.get(name)]; } }));
+return best[0];
+"""
+
+
+def middle(page: Page, work: str, undo: str = "") -> float:
+    times = []
+    for _ in range(5):
+        times.append(page.driver.execute_async_script(TIMED.replace("WORK", work)))
+        page.settled(90)
+        if undo:
+            page.run(undo)
+            page.settled()
+    return float(statistics.median(times))
+
+
+def figures(driver: Any, path: Path) -> str:
+    page = Page(driver, path)
+    page.settled(300)
+    paint = page.run("return performance.getEntriesByName('first-contentful-paint')[0].startTime")
+    page.go("system")
+    page.settled(200)
+    elements, overlaps = page.run(OVERLAPS)
+    edges = page.run("return document.querySelectorAll('.stage .edge').length")
+    search = middle(page, SEARCH)
+    fold = middle(page, FOLD, UNFOLD) if page.run("return document.querySelectorAll('.handle').length") else None
+    name = page.run(BUSIEST)
+    trace = None
+    if name:
+        page.go(f"system?element={name.replace('/', '%2F')}")
+        page.settled(200)
+        trace = middle(page, TRACE, WHOLE)
+    page.go("findings")
+    table = middle(page, SEARCH.replace(".search-box input", "input.search"))
+    said = [
+        f"{path.stat().st_size / 1e6:.1f} MB",
+        f"{paint:.0f}",
+        f"{elements}, {edges}",
+        f"{overlaps}",
+        *(f"{each:.0f}" if each is not None else "–" for each in (search, table, fold, trace)),
+        str(len(page.complaints())),
+    ]
+    return f"| {path.stem} | {' | '.join(said)} |"
+
+
+def main() -> None:
+    print(
+        "| page | size | first paint, ms | elements, edges | overlaps | search, ms | search in findings, ms | fold all, ms | trace, ms | complaints |"
+    )
+    print("|---|---|---|---|---|---|---|---|---|---|")
+    driver = next(made := browser())
+    for name in sys.argv[1:]:
+        print(figures(driver, Path(name).resolve()), flush=True)
+    made.close()
+
+
+if __name__ == "__main__":
+    main()

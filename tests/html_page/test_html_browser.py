@@ -1,0 +1,344 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Every view in a real browser: opened, searched, filtered, folded, traced, by mouse and keyboard; no script of a workspace runs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from browser_kit import Page, browser
+from page_kit import HOSTILE, NAME, given, samples, written
+
+VIEWS = ("overview", "findings", "system", "launch", "parameters", "packages", "interfaces", "metrics", "changes")
+
+
+@pytest.fixture(scope="module")
+def driver() -> Iterator[Any]:
+    yield from browser()
+
+
+@pytest.fixture(scope="module")
+def plain(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("plain") / "page.html"
+    path.write_text(written(given()), encoding="utf-8")
+    return path
+
+
+@pytest.fixture
+def page(driver: Any, plain: Path) -> Iterator[Page]:
+    made = Page(driver, plain)
+    made.settled()
+    yield made
+    assert made.complaints() == []
+
+
+def shown(page: Page) -> set[str]:
+    """The ids of the elements in the picture."""
+    return set(
+        page.run("return [...document.querySelectorAll('.picture .element')].map((one) => one.dataset.id || '')")
+    ) - {""}
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_each_view_opens(page: Page, view: str) -> None:
+    page.go(view)
+    assert page.run("return document.querySelector('nav [aria-current]').dataset.view") == view
+    assert len(page.text()) > 50
+
+
+@pytest.mark.parametrize(
+    "word", [" ".join(each for each in (*HOSTILE, *samples().HOSTILE) if len(each) < 100), "__proto__", HOSTILE[-1]]
+)
+def test_no_text_of_a_workspace_is_more_than_text(driver: Any, tmp_path: Path, word: str) -> None:
+    path = tmp_path / "page.html"
+    path.write_text(written(given(word)), encoding="utf-8", errors="backslashreplace")
+    page = Page(driver, path)
+    for view in (
+        *VIEWS,
+        "system?element=%2Fodd",
+        "system?element=%2Fbox%2Ffilter&hops=2",
+        "system?element=%2Fbox%2Ffound&way=behind",
+    ):
+        page.go(view)
+    page.go("findings")
+    page.click(".rows .row", "")
+    assert page.complaints() == []
+    assert page.run("return window.hacked") is None
+    assert page.run("return document.querySelectorAll('script').length") == 2
+    assert page.all("main script, main img, main iframe, main object, main [src], main [onerror], main [onload]") == []
+    addresses = page.run("return [...document.querySelectorAll('a')].map((one) => one.getAttribute('href'))")
+    assert addresses and all(each.startswith("#") for each in addresses)
+
+
+def test_an_unknown_address_shows_the_overview(driver: Any, plain: Path) -> None:
+    page = Page(driver, plain, "nowhere?%E0%A4%A=1&x")
+    assert "fleet" in page.text("h1") and page.complaints() == []
+
+
+def test_figures_lead_to_what_they_count(page: Page) -> None:
+    page.click("a.figure", "error")
+    assert "1 of 6 findings" in page.text(".bar-of-filters")
+    page.go("overview")
+    page.click("a.figure", "gone")
+    assert "A gone one" in page.text(".rows")
+
+
+def test_findings_are_searched_filtered_and_sorted(page: Page) -> None:
+    page.go("findings")
+    assert "4 of 6 findings" in page.text("[role=status]")
+    page.type("input.search", "member 2")
+    assert "1 of 6 findings" in page.text("[role=status]") and "Member 2" in page.text(".rows")
+    page.go("findings?tool=haros-ci")
+    assert "1 of 6" in page.text("[role=status]")
+    page.go("findings?state=known")
+    assert "An old one" in page.text(".rows")
+    page.go("findings?path=base%2Flaunch")
+    assert "0 of 6" in page.text("[role=status]")
+    page.go("findings")
+    page.click(".head button", "place")
+    page.click(".head button", "place")
+    assert "base.cpp:7" in page.run("return document.querySelector('.rows .row').textContent")
+
+
+def test_a_finding_has_its_code_ways_rule_and_address(page: Page) -> None:
+    page.go("findings?rule=cppcheck%3Auninit")
+    page.click(".rows .row", "Member 1 ")
+    text = page.text(".detail")
+    assert "int line_2 = 2" in text and "declared" in text and "haros: ignore[cppcheck:uninit]" in text
+    assert page.text(".detail mark") == "line"
+    assert page.text(".page-of-rule strong") == "member" and len(page.all(".page-of-rule li")) == 2
+    assert len(page.all(".page-of-rule table td")) >= 1
+    place = page.run("return location.hash")
+    page.go("overview")
+    page.go(place[1:])
+    assert "int line_2 = 2" in page.text(".detail")
+
+
+def test_keys(page: Page) -> None:
+    from selenium.webdriver.common.keys import Keys
+
+    page.go("findings")
+    page.key("/")
+    assert page.run("return document.activeElement.classList.contains('search')")
+    page.key("member")
+    assert "3 of 6" in page.text("[role=status]")
+    page.key(Keys.ESCAPE)
+    page.run("document.querySelector('.table').focus()")
+    page.key(Keys.ARROW_DOWN)
+    assert "Member 0" in page.text(".detail")
+    page.key(Keys.ARROW_DOWN)
+    assert "Member 1" in page.text(".detail")
+    page.key(Keys.ESCAPE)
+    assert page.text(".detail") == ""
+
+
+def test_ten_thousand_findings_are_few_rows(driver: Any, tmp_path: Path) -> None:
+    path = tmp_path / "page.html"
+    path.write_text(written(given(results=10_000, configurations=())), encoding="utf-8")
+    page = Page(driver, path, "findings")
+    page.settled()
+    assert "10,001 of 10,003" in page.text("[role=status]")
+    for top in (0, 90_000, 299_000):
+        page.run("document.querySelector('.table').scrollTop = arguments[0]", top)
+        page.settled()
+        assert 10 < len(page.all(".rows .row")) < 90
+    page.type("input.search", "member 9999 is")
+    assert "1 of 10,003" in page.text("[role=status]")
+    assert page.complaints() == []
+
+
+def test_the_picture_has_what_connects_nodes_and_switches_for_the_rest(page: Page) -> None:
+    page.go("system")
+    every = shown(page)
+    assert {"n0", "c topics /image", "c services /arm/stop", "c actions /go"} <= every
+    assert "c topics /rosout" not in every
+    page.click(".switches input", "")
+    assert "c topics /rosout" in shown(page)
+    page.click(".switches input", "")
+    assert "c topics /rosout" not in shown(page)
+
+
+def test_boxes_fold_and_their_edges_are_bundled(page: Page) -> None:
+    page.go("system")
+    before = page.run("return document.querySelector('[data-id=\"c topics /image\"]').getBoundingClientRect().x")
+    page.click(".handle", "/arm")
+    every = shown(page)
+    assert "c topics /arm/state" not in every and "c topics /image" in every
+    assert (
+        page.run("return document.querySelector('[data-id=\"c topics /image\"]').getBoundingClientRect().x") == before
+    )
+    assert "/arm (2 nodes)" in page.text(".box.closed")
+    assert page.all(".edge.bundle")
+    assert "folded=%2Farm" in page.run("return location.hash")
+    page.go("overview")
+    page.go(f"system?configuration={NAME.replace('/', '%2F')}&folded=%2Farm")
+    assert "c topics /arm/state" not in shown(page)
+    page.click("button", "Unfold all")
+    assert "c topics /arm/state" in shown(page)
+    page.click("button", "Fold all")
+    assert len(page.all(".box.closed")) == 2
+
+
+def test_the_neighbourhood_grows_with_the_hops(page: Page) -> None:
+    page.go("system?element=%2Fbox%2Ffilter&hops=1")
+    one = shown(page)
+    assert "c topics /image" in one and "c topics /arm/state" not in one
+    page.click(".detail button", "2 hops")
+    two = shown(page)
+    assert one < two
+    page.click("button", "Whole system")
+    assert two < shown(page)
+
+
+@pytest.mark.parametrize(
+    ("element", "way", "inside", "outside"),
+    [
+        ("/image", "behind", {"c topics /box/found", "c topics /arm/state"}, {"n4"}),
+        ("/arm/state", "before", {"c topics /image", "n4"}, {"c actions /go"}),
+    ],
+)
+def test_traces(page: Page, element: str, way: str, inside: set[str], outside: set[str]) -> None:
+    page.go(f"system?element={element.replace('/', '%2F')}&way={way}")
+    assert inside <= shown(page)
+    assert not outside & shown(page)
+
+
+def test_details_of_a_node_and_of_a_topic(page: Page) -> None:
+    page.go("system?element=%2Fbox%2Ffilter")
+    text = page.text(".detail")
+    assert "base::Filter" in text and "/box/container" in text and "rate" in text and "base/config/p.yaml:4" in text
+    assert "differ" in text  # the finding about it
+    page.go("system?element=%2Fimage")
+    text = page.text(".detail")
+    assert "offers best_effort" in text and "depth 5" in text
+    page.go("system?element=%2Fgo")
+    assert "int32 goal" in page.text(".detail")
+    page.go("system?element=%2Fodd")
+    assert "what strip returns is not known" in page.text(".detail")
+
+
+def test_an_unknown_name_has_candidates(page: Page) -> None:
+    page.go("system?element=%2Fbox%2F%3F")
+    assert "It may be" in page.text(".detail") and "/box/found" in page.text(".candidates")
+    assert "/arm/state" not in page.text(".candidates")
+
+
+def test_findings_are_red_and_more_than_red(page: Page) -> None:
+    page.go("system")
+    assert page.run(
+        "return [...document.querySelectorAll('.stage .element.red')].map((one) => one.dataset.id).sort()"
+    ) == [
+        "c topics /box/found",
+        "c topics /image",
+        "n3",
+    ]
+    assert page.run("return getComputedStyle(document.querySelector('.element.red > .shape')).strokeWidth") == "3px"
+
+
+def test_search_finds_and_shows_an_element(page: Page) -> None:
+    page.go("system")
+    page.type(".search-box input", "arm/st")
+    assert page.text(".result").split("\n")[0].startswith("/arm/st")
+    page.click(".result", "/arm/state")
+    assert page.run("return document.querySelector('.element.chosen').dataset.id") == "c topics /arm/state"
+    assert "/arm/driver" in page.text(".detail")
+
+
+def test_another_configuration_and_one_that_is_not_there(page: Page) -> None:
+    page.go("system?configuration=tool%2Falone")
+    assert "tool/alone" in page.text(".detail h2")
+    page.go("system?configuration=away")
+    assert "There is no configuration away." in page.text("[role=status]")
+
+
+def test_launch_files_as_a_tree(page: Page) -> None:
+    page.go("launch")
+    assert "base/launch/inner.launch.py" in page.text(".tree")
+    assert "away" in page.text(".tree .tree")
+    assert "/camera" in page.text(".card") and "sim:=true" in page.text()
+
+
+def test_parameters(page: Page) -> None:
+    page.go("parameters")
+    rate, unread = (
+        page.run(
+            "return [...document.querySelectorAll('.rows .row')].find((one) => one.textContent.includes(arguments[0])).textContent",
+            name,
+        )
+        for name in ("/box/filter/rate", "/camera/unread")
+    )
+    assert "base/config/p.yaml:4" in rate and "no reader" not in rate
+    assert "no reader seen" in unread
+
+
+def test_packages_stand_in_circles(page: Page) -> None:
+    page.go("packages?package=base")
+    assert "These need each other to be built" in page.text(".detail")
+    assert "circle 1" in page.text(".rows")
+    page.click("button", "Picture")
+    assert shown(page) == {"p0", "p1", "p2"} and len(page.all(".stage .edge")) == 3
+    page.click(".element", "toolsx")
+    assert "toolsx" in page.text(".detail")
+
+
+def test_metrics_and_interfaces_and_changes(page: Page) -> None:
+    page.go("metrics")
+    assert len(page.all(".histogram .column")) == 17 and "beyond" in page.text()
+    page.go("interfaces")
+    page.click(".rows .row", "base/Go")
+    assert "/odd" in page.text(".detail") and "int32 goal" in page.text(".detail")
+    page.go("changes")
+    assert "publisher added" in page.text() and page.all(".picture .edge.added") and page.all(".picture .edge.removed")
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_texts_stand_out_from_their_ground(page: Page, scheme: str) -> None:
+    page.driver.execute_cdp_cmd(
+        "Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": scheme}]}
+    )
+    try:
+        names = ("--ink", "--quiet", "--link", "--error", "--warning", "--note", "--added", "--removed", "--changed")
+        for view in ("overview", "findings"):
+            page.go(view)
+            for ground in ("--ground", "--raised"):
+                ratios = page.run(CONTRAST, list(names), ground)
+                assert min(ratios) >= 4.5, dict(zip(names, ratios, strict=True))
+    finally:
+        page.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+
+
+#: WCAG 2.2, relative luminance and contrast ratio, of variables of the style against a ground.
+CONTRAST = """
+const value = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+const part = (number) => { const share = number / 255; return share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4; };
+const light = (text) => { const [r, g, b] = [1, 3, 5].map((at) => part(parseInt(text.slice(at, at + 2), 16))); return 0.2126 * r + 0.7152 * g + 0.0722 * b; };
+const [names, ground] = arguments;
+return names.map((name) => { const [a, b] = [light(value(name)), light(value(ground))].sort((x, y) => y - x); return (a + 0.05) / (b + 0.05); });
+"""
+
+
+def test_a_narrow_window_needs_no_sideways_scrolling(page: Page) -> None:
+    page.driver.set_window_size(500, 900)
+    try:
+        for view in VIEWS:
+            page.go(view)
+            assert page.run("return document.documentElement.scrollWidth <= window.innerWidth"), view
+            assert page.run(
+                "const main = document.querySelector('main'); return main.scrollWidth <= main.clientWidth"
+            ), view
+    finally:
+        page.driver.set_window_size(1400, 900)
+
+
+def test_everything_that_can_be_clicked_can_be_reached_by_keyboard(page: Page) -> None:
+    for view in VIEWS:
+        page.go(view)
+        loose = page.run(
+            "return [...document.querySelectorAll('main a, main button, main summary, main select, main input, main .handle')].filter((one) => one.tabIndex < 0).length"
+        )
+        unnamed = page.run(
+            "return [...document.querySelectorAll('main input, main select')].filter((one) => !one.ariaLabel && !one.closest('label')).length"
+        )
+        assert (loose, unnamed) == (0, 0), view

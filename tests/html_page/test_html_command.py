@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: Apache-2.0
+"""``haros-ci report`` and ``check --output html=FILE``, as processes of their own."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+from commandline import commit, haros, write
+from page_kit import SCHEMA, Parts
+
+from haros_ci.commands.output import parse_outputs
+
+TALKER = """import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+def main():
+    rclpy.init()
+    node = Node("talker")
+    node.create_publisher(String, "chatter", 10)
+    rclpy.spin(node)
+"""
+FILES = {
+    "robot/package.xml": '<package format="3"><name>robot</name><version>1.0.0</version><description>d</description>'
+    '<maintainer email="a@example.org">A</maintainer><license>MIT</license><exec_depend>rclpy</exec_depend>'
+    "<export><build_type>ament_python</build_type></export></package>\n",
+    "robot/setup.py": "from setuptools import setup\nsetup(name='robot', packages=['robot'],\n"
+    "    entry_points={'console_scripts': ['talker = robot.talker:main']})\n",
+    "robot/robot/__init__.py": "",
+    "robot/robot/talker.py": TALKER,
+    "robot/launch/a.launch.py": "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\n"
+    "def generate_launch_description():\n    return LaunchDescription([Node(package='robot', executable='talker', node_name='t')])\n",
+}
+QUICK = ("--profile", "architecture", "--allow-tool-failure", "lizard", "--allow-tool-failure", "radon")
+
+
+@pytest.fixture(scope="module")
+def workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    root = write(tmp_path_factory.mktemp("ws"), FILES)
+    commit(root)
+    return root
+
+
+def data_in(path: Path) -> dict[str, Any]:
+    data: dict[str, Any] = json.loads(Parts(path.read_text(encoding="utf-8")).texts["script"][0])
+    jsonschema.validate(data, SCHEMA)
+    return data
+
+
+def texts(data: dict[str, Any], key: str) -> list[str]:
+    return [data["tables"]["texts"][one["name"]] for one in data[key]]
+
+
+def test_the_page_is_written_where_it_is_asked_for(workspace: Path, tmp_path: Path) -> None:
+    out = tmp_path / "page.html"
+    done = haros("report", ".", *QUICK, "--output", str(out), cwd=workspace)
+    assert done.returncode == 0 and "open it in a browser" in done.stderr, done.stderr
+    data = data_in(out)
+    assert texts(data, "configurations") == ["robot/launch/a.launch.py"]
+    assert texts(data, "packages") == ["robot"]
+    assert data["findings"] and data["changes"] is None and data["launch_files"] == 1
+
+
+def test_a_check_writes_the_same_page(workspace: Path, tmp_path: Path) -> None:
+    one, other = tmp_path / "one.html", tmp_path / "other.html"
+    haros("report", ".", *QUICK, "--output", str(one), cwd=workspace)
+    done = haros("check", ".", *QUICK, "--output", f"html={other}", "--output", "text", cwd=workspace)
+    assert done.returncode == 1 and "node_name" in done.stdout
+    assert one.read_bytes() == other.read_bytes()
+
+
+def test_what_a_branch_changes(tmp_path: Path) -> None:
+    root = write(tmp_path / "ws", FILES)
+    base = commit(root)
+    write(root, {"robot/robot/talker.py": TALKER.replace('"chatter"', '"shouting"')})
+    done = haros("report", ".", *QUICK, "--base", base, "--output", "page.html", cwd=root)
+    assert done.returncode == 0, done.stderr
+    data = data_in(root / "page.html")
+    assert [row[:2] for row in data["changes"]["rows"]] == [["publisher", "renamed"]]
+    assert {row[3] for row in data["findings"]} <= {"known", "counted"}
+
+
+def test_one_configuration(workspace: Path, tmp_path: Path) -> None:
+    out = tmp_path / "page.html"
+    chosen = haros(
+        "report", ".", *QUICK, "--configuration", "robot/launch/a.launch.py", "--output", str(out), cwd=workspace
+    )
+    assert chosen.returncode == 0 and len(data_in(out)["configurations"]) == 1
+    done = haros("report", ".", *QUICK, "--configuration", "away", "--output", str(tmp_path / "no.html"), cwd=workspace)
+    assert done.returncode == 2 and "no configuration away" in done.stderr and "robot/launch/a.launch.py" in done.stderr
+    assert not (tmp_path / "no.html").exists()
+
+
+def test_a_base_that_cannot_be_had_is_no_page(workspace: Path, tmp_path: Path) -> None:
+    done = haros("report", ".", *QUICK, "--base", "nowhere", "--output", str(tmp_path / "no.html"), cwd=workspace)
+    assert done.returncode == 2 and not (tmp_path / "no.html").exists()
+
+
+def test_nothing_to_look_at_is_a_page(tmp_path: Path) -> None:
+    (tmp_path / "ws").mkdir()
+    done = haros("report", ".", *QUICK, "--output", "page.html", cwd=tmp_path / "ws")
+    assert done.returncode == 0, done.stderr
+    assert data_in(tmp_path / "ws/page.html")["findings"] == []
+
+
+def test_the_format_goes_to_stdout_alone() -> None:
+    assert parse_outputs(("html",)) == (("html", None),)
+    with pytest.raises(Exception, match="cannot share stdout"):
+        parse_outputs(("html", "text"))
