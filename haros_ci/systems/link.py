@@ -143,7 +143,7 @@ def open_(
     older = tuple(path for path in wanted.launch if path not in newer)
     jobs: list[Job] = []
     parameters: tuple[Parameter, ...] = ()
-    other_parameters = parameters
+    other_parameters: tuple[Parameter, ...] = ()
     arguments: list[tuple[str, Any]] = []
     problems: list[Problem] = []
     others: list[Job] = []
@@ -176,14 +176,8 @@ def open_(
         arguments += found.arguments
         problems += found.problems
         facts += found.facts
-    made = tuple(jobs), parameters, tuple(arguments), tuple(problems)
-    return Opened(
-        *made,
-        others=tuple(others),
-        other_parameters=other_parameters,
-        facts=tuple(facts),
-        completes=tuple(completes),
-    )
+    started = tuple(jobs), parameters, tuple(arguments), tuple(problems)
+    return Opened(*started, tuple(others), other_parameters, tuple(facts), tuple(completes))
 
 
 def linked(
