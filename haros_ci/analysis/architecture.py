@@ -172,11 +172,11 @@ def programs(
     new = [file for file in files if kept[file.path] is None]
     ones: dict[tuple[str | None, str], SourceFile] = {}
     for file in new:
-        ones.setdefault((file.language, file.digest), file)  # copies are read once
+        ones.setdefault((file.language, file.digest or file.path), file)  # copies are read once
     jobs = [partial(_read, workspace, file.path, file.language) for file in ones.values()]
     texts = dict(zip(ones, shared(jobs, [file.path for file in ones.values()], processes), strict=True))
     for file in new:
-        text = texts[file.language, file.digest]
+        text = texts[file.language, file.digest or file.path]
         if text:
             store.put_text(*_place(file), text)
         kept[file.path] = decoded(text)
