@@ -132,10 +132,13 @@ def _one(
     named = (each.name for base in owner[1].bases for each in base.arguments if isinstance(each, syntax.Type))
     if own not in {each.rpartition("::")[2] for each in named}:
         return None
-    key = ("the one", id(owner[1]))
-    if key not in run.found:
-        run.found[key] = Cell(construct.instance(run, frame, owner, (), (), location))
-    found: Value = run.found[key].value
+    key = (f"the one of {owner[0].path}", owner[1].name)
+    cell = run.statics.get(key)
+    if cell is None:
+        cell = Cell(construct.instance(run, frame, owner, (), (), location))
+        if not run.quiet:  # what is made in a rehearsal is made again
+            run.statics[key] = cell
+    found: Value = cell.value
     return found
 
 

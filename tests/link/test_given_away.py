@@ -123,3 +123,26 @@ def test_a_node_of_a_library_that_is_not_known_is_one_of_rclpy(base: str, expect
     nodes = [each for configuration in found.configurations for each in configuration.nodes]
     assert [end.name for each in nodes for end in ends(each) if not end.implicit] == expected
     assert all(any("is not in the workspace" in why.reason for why in each.unknowns) for each in nodes if expected)
+
+
+TWICE = '<launch><node pkg="p" type="n" name="one"/><node pkg="p" type="n" name="two"/></launch>'
+
+
+def test_the_one_object_of_a_class_is_made_by_every_node() -> None:
+    """Not by the first that is followed alone: two nodes of one program are two processes."""
+    text = 'struct Arm : public tools::Singleton<Arm> { Arm() { ros::NodeHandle nh; ADV("a", 1); } void go() {} };'
+    files = cpp_files(main("Arm::instance().go(); Arm::instance().go();", text)) | {"p/launch/a.launch": TWICE}
+    (configuration,) = follow(files).configurations
+    assert [(each.name, names(each)) for each in configuration.nodes] == [("/one", ["/a"]), ("/two", ["/a"])]
+
+
+def test_a_class_that_a_library_may_make_is_made_for_every_node() -> None:
+    launch = (
+        "from launch import LaunchDescription\nfrom launch_ros.actions import Node\ndef generate_launch_description():\n"
+        "    return LaunchDescription([Node(package='p', executable='n', arguments=[word]) for word in ('-a', '-b')])\n"
+    )
+    text = DRIVER + "def main():\n    host.process.spin(Driver)\n"
+    files = {"p/setup.py": SETUP, "p/p/__init__.py": "", "p/p/n.py": text, "p/launch/a.launch.py": launch}
+    found = follow(files, 2).configurations
+    made = [end.name for each in found for node in each.nodes for end in ends(node) if not end.implicit]
+    assert made == ["/a", "/a"]

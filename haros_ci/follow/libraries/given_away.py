@@ -51,9 +51,9 @@ def _made(run: Run, frame: Frame, name: str, value: ClassValue) -> None:
     """A node's class is for nothing else than to be made (``process.spin(Driver)``); how often, and whether, is not known."""
     owner = (value.source, value.definition)
     key = ("made elsewhere", id(value.definition))
-    if run.quiet or key in run.found or ros2_nodes.NODE["."] not in methods.library_bases(run, *owner):
+    if run.quiet or key in run.offered or ros2_nodes.NODE["."] not in methods.library_bases(run, *owner):
         return
-    run.found[key] = True
+    run.offered.add(key)
     with run.doubted(f"{name} is not known, which is given the class and may make a node of it"):
         construct.instance(run, frame, owner, (), (), Location(value.source.path, value.definition.line))
 
