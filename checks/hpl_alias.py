@@ -19,9 +19,9 @@ def check(properties: Properties) -> Iterator[Finding]:
         if stated.parsed is None:
             continue
         wrong = mistakes(stated.parsed)
-        for each in wrong:
-            if each.slip in (Slip.UNBOUND, Slip.TWICE, Slip.VARIABLE):
-                yield found(stated, each.at, f"HAROS refuses this property: {each.message}", each.message)
+        for slip in wrong:
+            if slip.slip in (Slip.UNBOUND, Slip.TWICE, Slip.VARIABLE):
+                yield found(stated, slip.at, f"HAROS refuses this property: {slip.message}", slip.message)
         if wrong:
             continue
         for event in unused_aliases(stated.parsed):

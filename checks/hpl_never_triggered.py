@@ -35,7 +35,7 @@ def _is_silent(system: System, topic: str) -> bool:
     from haros_ci.api.hpl import is_certainly_absent
 
     name = topic if topic.startswith("/") else f"/{topic}"
-    channel = next((each for each in system.topics if each.name == name), None)
+    channel = next((channel for channel in system.topics if channel.name == name), None)
     return channel is not None and not channel.publishers and is_certainly_absent(system, channel, "givers")
 
 

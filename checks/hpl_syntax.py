@@ -19,9 +19,9 @@ def check(properties: Properties) -> Iterator[Finding]:
         if stated.fault is not None:
             yield found(stated, stated.fault.at, f"This property cannot be read: {stated.fault.whole}")
         elif stated.parsed is not None:
-            for each in mistakes(stated.parsed):
-                if each.slip is Slip.EVENTS:
-                    yield found(stated, each.at, f"HAROS refuses this property: {each.message}")
+            for mistake in mistakes(stated.parsed):
+                if mistake.slip is Slip.EVENTS:
+                    yield found(stated, mistake.at, f"HAROS refuses this property: {mistake.message}")
 
 
 CHECK = Check(

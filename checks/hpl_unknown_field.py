@@ -18,12 +18,12 @@ def check(properties: Properties) -> Iterator[Finding]:
 
     for stated, _ in properties.sound:
         for event, scene in properties.scenes(stated):
-            for each in parts(event.predicate):
-                lacking = scene.typed(each) if isinstance(each, Field) else None
-                if isinstance(lacking, Missing) and lacking.field is each:
-                    name, message = each.name, lacking.message
-                    said = f"{message.name} has no field or constant {name}: HAROS drops this property{_meant(name, message.names)}"
-                    yield found(stated, each.name_at, said, event.topic, message.name, name)
+            for part in parts(event.predicate):
+                lacking = scene.typed(part) if isinstance(part, Field) else None
+                if isinstance(lacking, Missing) and lacking.field is part:
+                    name, message = part.name, lacking.message
+                    text = f"{message.name} has no field or constant {name}: HAROS drops this property{_meant(name, message.names)}"
+                    yield found(stated, part.name_at, text, event.topic, message.name, name)
 
 
 def _meant(name: str, names: tuple[str, ...]) -> str:

@@ -31,7 +31,7 @@ def check(properties: Properties) -> Iterator[Finding]:
 
 def _meant(name: str, known: Iterable[str]) -> str:
     known = sorted(known)
-    moved = [each for each in known if is_moved(each, name)]
+    moved = [other for other in known if is_moved(other, name)]
     near = moved or get_close_matches(name, known, 1, 0.75)
     return f"; did you mean {near[0]}?" if near else "; correct the topic"
 

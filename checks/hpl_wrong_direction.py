@@ -26,12 +26,14 @@ def check(properties: Properties) -> Iterator[Finding]:
         ):
             continue
         ends = [properties.ends(owner, event.topic) for event in property.pattern.behaviour]
-        if not all(ends) or any(end.kind == "publishers" for each in ends for end in each):
+        if not all(ends) or any(end.kind == "publishers" for publishers in ends for end in publishers):
             continue
-        for event, each in zip(property.pattern.behaviour, ends):
+        for event, publishers in zip(property.pattern.behaviour, ends):
             message = f"The node {owner.name} subscribes to {event.topic} and does not publish it, so it cannot keep this promise; "
             message += "swap the events, or list the property under 'assumptions'"
-            yield found(stated, event.topic_at, message, event.topic, related=((each[0].location, str(each[0])),))
+            yield found(
+                stated, event.topic_at, message, event.topic, related=((publishers[0].location, str(publishers[0])),)
+            )
 
 
 CHECK = Check(

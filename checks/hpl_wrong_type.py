@@ -20,9 +20,9 @@ def check(properties: Properties) -> Iterator[Finding]:
         if stated.parsed is None:
             continue
         wrong = mistakes(stated.parsed)
-        for each in wrong:
-            if each.slip is Slip.KIND:
-                yield found(stated, each.at, f"HAROS refuses this predicate: {each.message}", each.message)
+        for slip in wrong:
+            if slip.slip is Slip.KIND:
+                yield found(stated, slip.at, f"HAROS refuses this predicate: {slip.message}", slip.message)
         if not wrong:
             yield from _of_fields(properties, stated)
 
@@ -32,14 +32,14 @@ def _of_fields(properties: Properties, stated: Stated) -> Iterator[Finding]:
     from haros_ci.api.hpl import found, mistyped
 
     for event, scene in properties.scenes(stated):
-        for each in mistyped(event, partial(_kind, scene)):
+        for slip in mistyped(event, partial(_kind, scene)):
             of = f" ({event.topic} has {scene.own.name})" if scene.own is not None else ""
             yield found(
                 stated,
-                each.at,
-                f"The predicate does not fit the message: {each.message}{of}",
+                slip.at,
+                f"The predicate does not fit the message: {slip.message}{of}",
                 event.topic,
-                each.message,
+                slip.message,
             )
 
 

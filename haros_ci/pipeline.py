@@ -157,7 +157,7 @@ def found(settings: Settings, selection: Selection) -> Workspace:
 def narrowed(workspace: Workspace, settings: Settings, selection: Selection) -> Workspace:
     """The workspace with HAROS's ``packages`` and ``analysis.ignore.files`` as targets; unchanged without them.
 
-    The project file is of no package, and what is wrong in it is always wanted.
+    The project file is of no package, and what is wrong in it is always reported.
     """
     if not settings.packages and not settings.ignore_files:
         return workspace

@@ -43,13 +43,13 @@ class Properties:
     def sound(self) -> tuple[tuple[Stated, Property], ...]:
         """Those that can be read, and that the language allows."""
         return tuple(
-            (each, each.parsed) for each in self.stated if each.parsed is not None and not mistakes(each.parsed)
+            (item, item.parsed) for item in self.stated if item.parsed is not None and not mistakes(item.parsed)
         )
 
     @cached_property
     def matched(self) -> tuple[tuple[Stated, Property], ...]:
         """Those of the sound ones of which messages can match every predicate: from what never is anything follows."""
-        return tuple(each for each in self.sound if not any(map(is_never, self._predicates(each[0]))))
+        return tuple(item for item in self.sound if not any(map(is_never, self._predicates(item[0]))))
 
     def _predicates(self, stated: Stated) -> Iterator[Predicate]:
         read = self.compared(stated).read
@@ -82,7 +82,7 @@ class Properties:
         if name in OF_ALL or name.endswith(_BESIDE) or self.ends(owner, topic):
             return True
         ends = (end for node in self.nodes(owner) for end in node.of(*TOPIC, *ACTION))
-        return any(name.startswith(f"{each}/") for end in ends for each in node_names(end))
+        return any(name.startswith(f"{item}/") for end in ends for item in node_names(end))
 
     def is_complete(self, owner: Owner) -> bool:
         """Whether all topics of the nodes are known, so that what is not there does not exist."""
@@ -109,7 +109,7 @@ class Properties:
     def messages(self, ros: int) -> Messages:
         """The definitions that code of this ROS version sees."""
         if ros not in self._messages:
-            found = (each for each, of in defined_in(self.project) if of in (ros, None))
+            found = (item for item, of in defined_in(self.project) if of in (ros, None))
             self._messages[ros] = Messages(Definitions(found, ros))
         return self._messages[ros]
 
@@ -134,7 +134,7 @@ class Properties:
             made: dict[int, Scene] = {}
             for event, known in bindings(stated.parsed):
                 own = self.message(stated.owner, event.topic)
-                aliases = {name: self.message(stated.owner, each.topic) for name, each in known.items()}
+                aliases = {name: self.message(stated.owner, item.topic) for name, item in known.items()}
                 if event.alias is not None:
                     aliases[event.alias] = own
                 made[id(event)] = Scene(self._any(stated.owner), own, aliases)

@@ -42,7 +42,9 @@ def hpl(flags: Mapping[str, Any]) -> int:
         successful=not read.said.notifications,
     )
     report = Report(
-        runs=tuple(described(each, selection) for each in finished((run,), workspace, selection, settings)),
+        runs=tuple(
+            described(finished_run, selection) for finished_run in finished((run,), workspace, selection, settings)
+        ),
         coverage=coverage(workspace),
         artifacts=tuple(Artifact(f.path, f.digest, f.size, f.language) for f in workspace.files if f.path in files),
         fail_on=settings.fail_on,

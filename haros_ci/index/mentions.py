@@ -77,7 +77,9 @@ def called_in(item: Part, found: set[str], mentioned: set[str], source: Source) 
             found.update(last(name) for kind in node.templates for name in type_names(kind))  # make_shared<T>()
             if source.separator == ".":  # a class that is given may be made by whoever gets it
                 found.update(
-                    each.name for each in node.arguments if isinstance(each, syntax.Name) and each.name[:1].isupper()
+                    argument.name
+                    for argument in node.arguments
+                    if isinstance(argument, syntax.Name) and argument.name[:1].isupper()
                 )
         elif isinstance(node, syntax.Assignment) and isinstance(node.target, syntax.Subscript):
             found.add(ELEMENT)

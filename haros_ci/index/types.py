@@ -195,9 +195,9 @@ def _by_include(index: Index, name: str, source: Source, scope: str) -> str:
         if found and found.partition("::")[0] in spaces:
             return found + (suffix if name.endswith(suffix) else "")
     bare = name.removesuffix("ConstPtr") if name.endswith("ConstPtr") else name.removesuffix("Ptr")
-    told = _of_interfaces(index, bare, source, spaces)
-    if told is not None:
-        return told + name[len(bare) :]
+    interface = _of_interfaces(index, bare, source, spaces)
+    if interface is not None:
+        return interface + name[len(bare) :]
     homes = [space for space in sorted(spaces) if bare in COMMON.get(space, ())]
     if len(homes) == 1:
         return f"{homes[0]}::{name}"
@@ -205,7 +205,7 @@ def _by_include(index: Index, name: str, source: Source, scope: str) -> str:
 
 
 def _of_interfaces(index: Index, name: str, source: Source, spaces: set[str]) -> str | None:
-    """An unqualified message, service or action of ROS 2 by its header, or as one that is widely known; None if that is not told."""
+    """An unqualified message, service or action of ROS 2 by its header, or as one that is widely known; None if it is neither."""
     kinds = {space: space.partition("::")[2] for space in spaces}
     if not any(kind in INTERFACES for kind in kinds.values()) or not name[:1].isupper():
         return None
@@ -218,13 +218,13 @@ def _of_interfaces(index: Index, name: str, source: Source, spaces: set[str]) ->
 
 
 def _inside_interfaces(index: Index, name: str, source: Source, spaces: set[str]) -> str:
-    """``msg::Type`` with the open namespace of its package, as far as that is told."""
+    """``msg::Type`` with the open namespace of its package, as far as that is known."""
     head, _, tail = name.partition("::")
     if head not in INTERFACES:
         return name
     inside = tail.partition("::")[0]
-    told = _of_interfaces(index, inside, source, {f"{space}::{head}" for space in spaces})
-    return told + tail[len(inside) :] if told is not None else name
+    interface = _of_interfaces(index, inside, source, {f"{space}::{head}" for space in spaces})
+    return interface + tail[len(inside) :] if interface is not None else name
 
 
 def _of_library(index: Index, name: str, spaces: set[str], scope: str) -> str:

@@ -266,7 +266,7 @@ def _made(data: Any, nodes: tuple[RosNode, ...]) -> Made:
 
 
 def _answers_of(value: Any) -> tuple[Answer, ...]:
-    if not isinstance(value, tuple) or not all(each.__class__ is Answer for each in value):
+    if not isinstance(value, tuple) or not all(item.__class__ is Answer for item in value):
         raise Unfit
     return value
 

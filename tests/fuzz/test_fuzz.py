@@ -42,6 +42,7 @@ NOT_FUZZED = {
     "haros_plugins.run": "copies what plug-ins export, which the user trusts to run",
     "commands.init": "looks for names in files of continuous integration, and parses none",
     "interfaces.collect": "is run by developers on distributions of ROS",
+    "html_page.document": "reads files of the program",
     "interfaces.common": "reads a file of the program",
     "knowledge.facts": "reads a file of the program",
     "systems.known.load": "reads files of the program",

@@ -80,10 +80,14 @@ def test_a_property_has_its_default() -> None:
     assert [(end.name, end.type) for end in explicit(node, "subscribers")] == [("/state", "std_msgs/msg/String")]
 
 
-def test_what_makes_nothing_and_what_others_load_is_no_configuration() -> None:
+def test_what_makes_nothing_and_what_nothing_describes_is_no_configuration() -> None:
     assert plugins(VIEW, ("View", "rviz_common::ViewController")) == []
-    assert plugins(OTHER, ("Other", "elsewhere::Base")) == []
     assert plugins(PANEL) == []
+
+
+def test_what_others_load_is_not_on_the_node_of_rviz() -> None:
+    (found,) = plugins(OTHER, ("Other", "elsewhere::Base"))
+    assert (found.name, [node.name for node in found.nodes]) == ("p/Other (plug-ins)", ["/?"])
 
 
 CLIENT = """
