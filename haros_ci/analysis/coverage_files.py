@@ -141,9 +141,7 @@ def imported(code: Codebase, builds: Mapping[str, Build], workspace: Workspace) 
 
     One that could be run as a program is among them where ``ros2 run`` finds none of its name and no launch file or script names it.
     """
-    scripts = {path for build in builds.values() for path in build.scripts}
-    programs = {entry.path for build in builds.values() for entry in build.entry_points}
-    programs |= {each.path for build in builds.values() for each in build.installed if each.kind == "program"}
+    scripts, programs = _programs(builds)
     left = [source for source in code.sources if source.separator == "." and source.path not in programs]
     started = {each.path for each in left if each.path in scripts or _PROGRAM.search(workspace.text(each.path))}
     by_hand = {
@@ -152,6 +150,14 @@ def imported(code: Codebase, builds: Mapping[str, Build], workspace: Workspace) 
     if by_hand:
         by_hand -= _named(workspace, by_hand)
     return frozenset(source.path for source in left if source.path not in started or source.path in by_hand)
+
+
+def _programs(builds: Mapping[str, Build]) -> tuple[set[str], set[str]]:
+    """The Python files that build files name as scripts, and those that are entry points or installed as programs."""
+    scripts = {path for build in builds.values() for path in build.scripts}
+    programs = {entry.path for build in builds.values() for entry in build.entry_points}
+    programs |= {item.path for build in builds.values() for item in build.installed if item.kind == "program"}
+    return scripts, programs
 
 
 def _named(workspace: Workspace, paths: Iterable[str]) -> set[str]:

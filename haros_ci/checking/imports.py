@@ -94,18 +94,19 @@ def _imports(package: ProjectPackage, sources: Sources, tests: bool) -> Iterator
                 continue
             if module in _APART:
                 yield Need(_APART[module], location, f"import {module}", False)
-            if module in sys.stdlib_module_names or module in _APART:
+            if module in sys.stdlib_module_names or module in _APART or (is_launch and module in _LAUNCHING):
                 continue
-            if is_launch and module in _LAUNCHING:
-                continue
-            names = frozenset(sources.modules.get(module, ())) | (
-                project.knowledge.provider_of_module(module) or frozenset()
-            )
-            if project.package(module) is not None:
-                names |= {module}
+            names = _providers(module, package, sources)
             if exists(names, package):
                 names |= sources.built_modules.get(module, frozenset())
                 yield Need(names, location, f"import {module}", False)
+
+
+def _providers(module: str, package: ProjectPackage, sources: Sources) -> frozenset[str]:
+    """The packages that have the Python *module*: of the workspace, known ones, and one of its name."""
+    project = package.project
+    names = frozenset(sources.modules.get(module, ())) | (project.knowledge.provider_of_module(module) or frozenset())
+    return names | {module} if project.package(module) is not None else names
 
 
 def is_called_after(package: str, module: str) -> bool:

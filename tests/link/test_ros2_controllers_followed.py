@@ -348,7 +348,6 @@ def test_a_hardware_component_on_the_node_of_the_framework() -> None:
         pytest.param(
             COMPONENT % ("", "", ""), "hardware_interface::SystemInterface", None, id="hardware makes nothing"
         ),
-        pytest.param(controller(on_init=PUB.format("a")), "hoists::Base", None, id="a base that nobody knows"),
         pytest.param(controller(on_init=PUB.format("a")), CONTROLLER, "", id="no description names it"),
         pytest.param(
             controller(on_init=PUB.format("a")),

@@ -48,20 +48,27 @@ def _of_list(run: Run, data: list[Any], cell: Cell, name: str, args: tuple[Argum
     return None
 
 
+def _asked_alone(text: Known, name: str) -> Value | None:
+    """The same of a method without arguments."""
+    if name in ("size", "length"):
+        return Known(text.ask("size"))
+    if name == "empty":
+        return Known(not text.ask("truth"))
+    return texts.number(letter(text, 0 if name == "front" else -1)) if name in ("front", "back") else None
+
+
 def _asked(text: Known, name: str, args: tuple[Argument, ...]) -> Value | None:
     """What a method of a text that is given from outside says of it, where it need not be looked at any further for that."""
-    operand = args[0].value.value if len(args) == 1 and args[0].value.__class__ is Known else None
-    if not args and name in ("size", "length"):
-        return Known(text.ask("size"))
-    if not args and name == "empty":
-        return Known(not text.ask("truth"))
-    if not args and name in ("front", "back"):
-        return texts.number(letter(text, 0 if name == "front" else -1))
-    if name == "substr" and len(args) == 2 and args[0].value == Known(0) and args[1].value.__class__ is Known:
-        count = args[1].value.value
-        return beginning(text, count) if count.__class__ is int else None
-    operand = chr(operand) if isinstance(operand, Character) else operand
-    if name in ASKED and operand.__class__ is str:
+    if not args:
+        return _asked_alone(text, name)
+    operands = [argument.value.value for argument in args if argument.value.__class__ is Known]
+    if len(operands) != len(args):
+        return None
+    if name == "substr" and len(operands) == 2:
+        start, count = operands
+        return beginning(text, count) if start == 0 and count.__class__ is int else None
+    operand = chr(operands[0]) if isinstance(operands[0], Character) else operands[0]
+    if name in ASKED and len(operands) == 1 and operand.__class__ is str:
         found = text.ask(ASKED[name], operand)
         return Known(NPOS if found.__class__ is int and found < 0 else found)
     return None

@@ -103,13 +103,9 @@ def method(
 
 
 def _of_element(sdf: Sdf, name: str, args: tuple[Argument, ...], targs: tuple[syntax.Argument, ...]) -> Value | None:
-    key = args[0].value.value if args and isinstance(args[0].value, Known) else None
-    if name == "GetName" and not args:
-        return Known(sdf.tag)
-    if name == "GetValue" and not args:
-        return Object(PARAM, fields={SELF: Cell(_text(sdf))})
-    if name == "Get" and not args:
-        return _as(_text(sdf), targs)
+    if not args:
+        return _of_itself(sdf, name, targs)
+    key = args[0].value.value if isinstance(args[0].value, Known) else None
     if not isinstance(key, str):
         return None
     child = sdf.child(key)
@@ -122,6 +118,15 @@ def _of_element(sdf: Sdf, name: str, args: tuple[Argument, ...], targs: tuple[sy
     if name == "GetAttribute" and key in sdf.attributes:
         return Object(PARAM, fields={SELF: Cell(_known(sdf.attributes[key]))})
     return _value(sdf, child, key, args, targs) if name == "Get" else None
+
+
+def _of_itself(sdf: Sdf, name: str, targs: tuple[syntax.Argument, ...]) -> Value | None:
+    """What a method without arguments gives."""
+    if name == "GetName":
+        return Known(sdf.tag)
+    if name == "GetValue":
+        return Object(PARAM, fields={SELF: Cell(_text(sdf))})
+    return _as(_text(sdf), targs) if name == "Get" else None
 
 
 def _value(

@@ -11,7 +11,6 @@ from haros_ci.graph.parameters import ParameterServer
 from haros_ci.graph.words import Words, split
 from haros_ci.model.architecture import Node, Parameter
 from haros_ci.model.launch import Launched, Started
-from haros_ci.model.location import Location
 from haros_ci.systems.following import Types
 from haros_ci.systems.gazebo_plugins import PLUGIN, GazeboPlugin, started
 from haros_ci.systems.outside import as_data
@@ -76,30 +75,34 @@ class Simulation:
         """*nodes*, where each simulator has what its plug-ins make."""
         if not self.servers:
             return tuple(nodes)
-        by_place: dict[tuple[str, Location | None], Found] = {
-            (each.name, each.location): into for each, into in self.servers
-        }
+        by_place: dict[tuple[str, Location | None], Found] = {(s.name, s.location): into for s, into in self.servers}
         reasons = tuple(unpredictable(nodes, SPAWNERS))
         plugins = [node for node in nodes if node.kind == PLUGIN]
         done = []
         for node in nodes:
             into = by_place.get((node.name, node.location)) if node.source == "launch" and node.ros == 1 else None
-            if node.kind == PLUGIN or into is None:
-                done += [node] if node.kind != PLUGIN else []
+            if node.kind == PLUGIN:
+                continue
+            if into is None:
+                done.append(node)
                 continue
             for reason in reasons:
                 into.lose(reason, node.location)
-            made = [
-                end
-                for use, known, spawned in into.uses
-                for end in ros1_endpoints(use, known, node, spawned, lambda name: as_data(self.parameters.get(name)))
-            ]
-            own = [each for each in plugins if (each.name, each.location) == (node.name, node.location)]
-            made += [end for each in own for end in moved(each, node)]
-            made += controllers(node, made, asked(self.launched.nodes), self.parameters, self.types.known, into)
-            more = tuple(each for plugin in own for each in plugin.unknowns if each.field == "endpoints")
-            done.append(completed(replace(node, unknowns=(*node.unknowns, *more)), made, into.lost))
+            done.append(self._completed(node, into, plugins))
         return tuple(done)
+
+    def _completed(self, node: Node, into: Found, plugins: Sequence[Node]) -> Node:
+        """The simulator *node* with what is loaded *into* it, *plugins* that the workspace builds included."""
+        made = [
+            end
+            for use, known, spawned in into.uses
+            for end in ros1_endpoints(use, known, node, spawned, lambda name: as_data(self.parameters.get(name)))
+        ]
+        own = [plugin for plugin in plugins if (plugin.name, plugin.location) == (node.name, node.location)]
+        made += [end for plugin in own for end in moved(plugin, node)]
+        made += controllers(node, made, asked(self.launched.nodes), self.parameters, self.types.known, into)
+        more = tuple(why for plugin in own for why in plugin.unknowns if why.field == "endpoints")
+        return completed(replace(node, unknowns=(*node.unknowns, *more)), made, into.lost)
 
 
 @dataclass(frozen=True, slots=True)
