@@ -11,6 +11,7 @@ from haros_ci.graph.parameters import ParameterServer
 from haros_ci.graph.words import Words, split
 from haros_ci.model.architecture import Node, Parameter
 from haros_ci.model.launch import Launched, Started
+from haros_ci.model.location import Location
 from haros_ci.systems.following import Types
 from haros_ci.systems.gazebo_plugins import PLUGIN, GazeboPlugin, started
 from haros_ci.systems.outside import as_data
