@@ -108,9 +108,9 @@ def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Va
             return whole
     if isinstance(left, Known) and isinstance(right, Known):
         if (left.__class__ is not Known or right.__class__ is not Known) and symbol in MIRRORED:
-            told = _compared(symbol, left, right)
-            if told is not None:
-                return told
+            answer = _compared(symbol, left, right)
+            if answer is not None:
+                return answer
         return _computed(run, frame, symbol, left.value, right.value)
     if isinstance(left, Object) and symbol in ("+", "-") and isinstance(right, Known) and type(right.value) is int:
         further = iterators.moved(left, right.value if symbol == "+" else -right.value)

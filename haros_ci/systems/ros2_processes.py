@@ -105,7 +105,7 @@ def _shared(
         if PARAMETER in name and not name.partition(":")[2].startswith("qos_overrides."):
             name = marks.looked_at(name)
         if name not in asked:
-            value = parameter(marks.real(name) if PARAMETER in name else name)
+            value = parameter(marks.real(name))
             asked[name] = value
             given[name] = value if is_exact else marks.given(name, f"p{len(asked) - 1}", value)
         return given[name]

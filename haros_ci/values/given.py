@@ -74,6 +74,10 @@ class Given(Known):
     def kind(self) -> type:
         return type(self.held)
 
+    def made(self) -> Any:
+        """What stands for the value in what is made of it."""
+        return self.mark if self.mark is not None else AsGiven(self.cells[0])
+
     def __eq__(self, other: object) -> bool:
         if self is other:
             return True
@@ -134,6 +138,9 @@ class Letter(Given):
     __eq__ = Given.__eq__
     __hash__ = Given.__hash__
 
+    def made(self) -> Any:
+        return self.value
+
     def _answer(self, question: str, operand: Any, answer: Any) -> Answer:
         return Answer(self.text, True, question, operand, answer, self.place)
 
@@ -150,7 +157,7 @@ def beginning(value: Known, count: int) -> Known | None:
     if not isinstance(value, Given) or value.mark is None or not 0 < count <= len(value.held):
         return None
     rest = value.held[count:]
-    if END in rest or not value.mark.endswith(rest):
+    if not value.mark.endswith(rest):
         return None
     value.ask("size")
     mark = value.mark.removesuffix(rest)

@@ -12,8 +12,6 @@ from haros_ci.values.marks import BEGIN, filled
 
 #: How many questions about what one program is given are kept; after that the values count.
 MOST = 400
-
-
 #: What a question asks of data and its operand. It raises TypeError for data of another kind.
 QUESTIONS: dict[str, Callable[[Any, Any], Any]] = {
     "==": operator.eq,
@@ -26,7 +24,6 @@ QUESTIONS: dict[str, Callable[[Any, Any], Any]] = {
     "longer than": lambda data, place: len(data) > place,
     "starts with": str.startswith,
     "ends with": str.endswith,
-    "has": lambda data, part: part in data,
     "first place of": str.find,
     "last place of": str.rfind,
 }

@@ -183,6 +183,20 @@ def test_followed_for_each(body: str, nodes: tuple[str, ...], monkeypatch: pytes
     assert follows(files, monkeypatch) >= 2 or "namespace='/'" in nodes
 
 
+@pytest.mark.parametrize(
+    "body",
+    [
+        'declare_parameter("letter", text[0]);',
+        'const char letter = text.back(); declare_parameter("letter", letter);',
+        'const int letter = text.front(); declare_parameter<int>("letter", letter);',
+        'declare_parameter("rest", text.substr(0, 1));',
+    ],
+)
+def test_a_part_of_a_text_is_not_the_text(body: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    nodes = (GIVEN.format("one", "ab", 3), GIVEN.format("two", "cd", 3))
+    assert follows(ros2_files(program(READ + body), started(*nodes)), monkeypatch)
+
+
 def test_a_text_that_is_looked_at_and_passed_on(monkeypatch: pytest.MonkeyPatch) -> None:
     body = READ + 'if (text == "a") { create_publisher<String>(text, 1); }'
     files = ros2_files(program(body), started("parameters=[{'text': 'a'}]"))

@@ -91,9 +91,9 @@ def of_known(
         run.state.write(cell, concatenate((receiver, texts.constructed(args))))
         return cell.value
     if receiver.__class__ is not Known and receiver.kind is str:
-        told = _asked(receiver, name, args)
-        if told is not None:
-            return told
+        answer = _asked(receiver, name, args)
+        if answer is not None:
+            return answer
     data = receiver.value
     if isinstance(data, str):
         if name in ("size", "length"):

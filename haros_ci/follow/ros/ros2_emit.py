@@ -29,7 +29,7 @@ from haros_ci.values.abstract import (
     data_of,
     opaque_of,
 )
-from haros_ci.values.given import AsGiven, Given, marked
+from haros_ci.values.given import Given, marked
 
 if TYPE_CHECKING:
     from haros_ci.follow.ros.selectors import Applied
@@ -274,7 +274,7 @@ def _effective(
         assert isinstance(value, Sequence)  # of what is an element of a list itself, a list may have any
         value = Sequence(Cell(Opaque(MORE, applied.location)), value.type)
     if isinstance(value, Given):
-        return value, AsGiven(value.cells[0]) if value.mark is None else value.mark
+        return value, value.made()
     known, data = data_of(value)
     if known and isinstance(value, Sequence):
         value = Known(data)  # of each reading it is a copy
