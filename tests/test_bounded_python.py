@@ -15,7 +15,7 @@ from haros_ci.robot.expressions import Invalid, Undefined
 from haros_ci.robot.expressions import evaluate as of_xacro
 from haros_ci.robot.functions import Module
 from haros_ci.robot.scopes import XacroGlobals, XacroScope
-from haros_ci.robot.unknown import Unknown
+from haros_ci.robot.unknown import UnknownValue
 from haros_ci.substitutions.expression import ExpressionScopes, Undecided, Wrong
 from haros_ci.substitutions.expression import evaluate as of_roslaunch
 from haros_ci.substitutions.names import literal, unknown
@@ -38,7 +38,7 @@ def xacro(text: str) -> str | None:
         found = of_xacro(text, XacroScope(XacroGlobals(lambda text, _: text, Module())), Steps())
     except (Invalid, Undefined):
         return None
-    return None if isinstance(found, Unknown) else str(found)
+    return None if isinstance(found, UnknownValue) else str(found)
 
 
 def roslaunch(text: str) -> str | None:

@@ -8,12 +8,12 @@ from typing import Any
 
 import pytest
 
-from haros_ci.bounded_yaml import TAG, Composer, Limits, TooMuch, YamlFault, check, data, nodes, scalar_value
+from haros_ci.bounded_yaml import TAG, Composer, YamlFault, YamlLimits, YamlTooLarge, check, data, nodes, scalar_value
 from haros_ci.extract.parameter_library_yaml import parse_yaml
 from haros_ci.robot.unknown import UNKNOWN
 from haros_ci.robot.yaml_values import yaml_value
 
-SMALL = Limits(characters=2_000, depth=5, values=100, aliases=10)
+SMALL = YamlLimits(characters=2_000, depth=5, values=100, aliases=10)
 
 
 @pytest.mark.parametrize(
@@ -49,7 +49,7 @@ def test_what_is_no_plain_data_is_refused_with_its_line(text: str, line: int, sa
     with pytest.raises(YamlFault) as raised:
         data(text, SMALL)
     assert (raised.value.line, said in str(raised.value)) == (line, True), str(raised.value)
-    assert not isinstance(raised.value, TooMuch)
+    assert not isinstance(raised.value, YamlTooLarge)
 
 
 @pytest.mark.parametrize(
@@ -62,7 +62,7 @@ def test_what_is_no_plain_data_is_refused_with_its_line(text: str, line: int, sa
     ],
 )
 def test_what_is_over_a_limit_is_refused_with_its_line(text: str, line: int, said: str) -> None:
-    with pytest.raises(TooMuch) as raised:
+    with pytest.raises(YamlTooLarge) as raised:
         check(text, SMALL)
     assert (raised.value.line, said in str(raised.value)) == (line, True), (raised.value.line, str(raised.value))
 

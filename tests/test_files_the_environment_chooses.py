@@ -6,12 +6,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from test_missing_files_off_by_default import ROS1
 
 from haros_ci.config.settings import Settings
 from haros_ci.pipeline import analyse
 from haros_ci.results.rule import Level
 from haros_ci.workspace.cache import MemoryCache
-from test_missing_files_off_by_default import ROS1
 
 PARTS = {"launch/parts_north.launch": "<launch/>\n"}
 

@@ -9,7 +9,6 @@ from itertools import count
 from pathlib import Path
 
 import pytest
-
 from commandline import haros
 from test_missing_files_off_by_default import ros2
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from haros_ci.analysis.kept_nodes import keeper
 from haros_ci.analysis.kept_runs import launch_state
-from haros_ci.analysis.wanted import configurations, named_environment
+from haros_ci.analysis.requested import configurations, named_environment
 from haros_ci.config.settings import Settings
 from haros_ci.declared import hints
 from haros_ci.extract.apis.tables import rows
@@ -33,7 +33,7 @@ from haros_ci.syntax import Program
 from haros_ci.syntax.codec import decoded, encoded
 from haros_ci.systems.following import KnownNodes
 from haros_ci.systems.known.entry import KnownNode
-from haros_ci.systems.link import Linked, Ros2Launch, Wanted, linked
+from haros_ci.systems.link import Linked, Requested, Ros2Launch, linked
 from haros_ci.timing import stage, timed
 from haros_ci.workspace.build import builds
 from haros_ci.workspace.environment import environment_of
@@ -58,7 +58,7 @@ def architecture(
     settings: Settings,
     store: Store,
     *,
-    wanted: tuple[Wanted, ...] | None = None,
+    requested: tuple[Requested, ...] | None = None,
     environment: Mapping[str, str] | None = None,
     known_nodes: bool = True,
     exact: bool = False,
@@ -75,7 +75,7 @@ def architecture(
         "exact": exact,
         "processes": processes,
     }
-    return varied(workspace, settings, store, wanted=wanted, alternatives=False, **options).architecture
+    return varied(workspace, settings, store, requested=requested, alternatives=False, **options).architecture
 
 
 @timed("link")
@@ -84,7 +84,7 @@ def varied(
     settings: Settings,
     store: Store,
     *,
-    wanted: tuple[Wanted, ...] | None = None,
+    requested: tuple[Requested, ...] | None = None,
     environment: Mapping[str, str] | None = None,
     known_nodes: bool = True,
     exact: bool = False,
@@ -103,7 +103,7 @@ def varied(
     problems: list[Problem] = []
     where = settings.project_file or "the project file"
     project = settings.project
-    chosen_ones = configurations(workspace, project, problems, where) if wanted is None else wanted
+    chosen_ones = configurations(workspace, project, problems, where) if requested is None else requested
     own = frozenset(package.name for package in workspace.packages)
     known = known_types(project.get("known_nodes"), where, problems, own) if known_nodes else None
     link_all = partial(
@@ -113,7 +113,7 @@ def varied(
         launch_reader(workspace),
         built,
         api_rows(project.get("apis"), where, problems, plugin_rows(settings)),
-        wanted=chosen_ones,
+        requested=chosen_ones,
         environment=environment,
         defaults=environment_of(workspace, built).over(named_environment(workspace, project, problems, where)),
         known=known,
@@ -125,10 +125,10 @@ def varied(
     if exact:
         from haros_ci.analysis.exactness import ask, doubtful
 
-        told, said = ask(workspace, settings, doubtful(made.architecture))
-        problems += said
-        if told:
-            made = link_all(exact=partial(filled, told))
+        result, notes = ask(workspace, settings, doubtful(made.architecture))
+        problems += notes
+        if result:
+            made = link_all(exact=partial(filled, result))
     found = made.architecture
     hinted: list[Configuration] = []
     for configuration in found.configurations:
@@ -151,10 +151,10 @@ def varied(
 
 
 def filled(
-    told: Mapping[Place, tuple[ExactCall, ...]], path: str, line: int, column: int, name: str, count: int
+    result: Mapping[Place, tuple[ExactCall, ...]], path: str, line: int, column: int, name: str, count: int
 ) -> tuple[tuple[tuple[str | None, Any], ...], tuple[str | None, ...]] | None:
     """What the exact tier has *told* of a call's arguments (type, value) and template arguments; None if nothing."""
-    call = pick(told.get((path, line, column), ()), name, count)
+    call = pick(result.get((path, line, column), ()), name, count)
     if call is None:
         return None
     return tuple((argument.written or argument.type, argument.value) for argument in call.arguments), call.templates
@@ -299,8 +299,8 @@ def known_types(declared: object, where: str, problems: list[Problem], here: fro
 
     own: Mapping[str, Mapping[str, KnownNode]] = {}
     if isinstance(declared, Mapping):
-        own, said = load_user(declared, where)
-        problems += said
+        own, notes = load_user(declared, where)
+        problems += notes
 
     def known(package: str, name: str, ros: int) -> KnownNode | None:
         for nodes, is_ours in ((own.get(package), False), (load_known(package, ros), package in here)):

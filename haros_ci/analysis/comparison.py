@@ -10,7 +10,7 @@ from haros_ci.changes.calls import Rows, by_name
 from haros_ci.changes.change import shown
 from haros_ci.changes.endpoints import WORDS
 from haros_ci.changes.revision import Revision
-from haros_ci.changes.settings import Value
+from haros_ci.changes.settings import ParameterValue
 from haros_ci.extract.apis.tables import rows
 from haros_ci.launch.ros2.parameter_files import SECTION, values_in
 from haros_ci.model.workspace import Workspace
@@ -20,7 +20,9 @@ from haros_ci.systems.link import Linked
 def revision_of(workspace: Workspace, made: Linked) -> Revision:
     """*workspace* at one revision, with the architecture that was *made* of it."""
     versions = {package.name: package.ros for package in workspace.packages}
-    interfaces = tuple((each, versions.get(name)) for name, build in made.builds.items() for each in build.interfaces)
+    interfaces = tuple(
+        (interface, versions.get(name)) for name, build in made.builds.items() for interface in build.interfaces
+    )
     programs = {source.path: source.program for source in made.sources}
     return Revision(workspace, made.architecture, interfaces, read_values, programs, call_rows())
 
@@ -36,11 +38,11 @@ def call_rows() -> Mapping[tuple[str, int], Rows]:
     }
 
 
-def read_values(path: str, text: str) -> tuple[Value, ...]:
+def read_values(path: str, text: str) -> tuple[ParameterValue, ...]:
     """What a parameter file of ROS 2 gives, () if it is none."""
     if SECTION not in text:
         return ()
     return tuple(
-        Value(rule.node, rule.name, None if rule.unknowns else shown(rule.value), rule.origin or rule.location)
+        ParameterValue(rule.node, rule.name, None if rule.unknowns else shown(rule.value), rule.origin or rule.location)
         for rule in values_in(text, path)
     )

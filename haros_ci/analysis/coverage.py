@@ -13,7 +13,7 @@ from haros_ci.code.codebase import Codebase, codebase
 from haros_ci.config.settings import Settings
 from haros_ci.coverage import judge
 from haros_ci.coverage.blanked import blanked
-from haros_ci.coverage.judge import Found, Places, Seen, Syntax
+from haros_ci.coverage.judge import Places, Seen, Syntax, TextSite
 from haros_ci.coverage.names import Names, joined, names_of
 from haros_ci.coverage.pieces import Piece, around, last_name, pieces_of
 from haros_ci.coverage.reach import Reach, reach_of
@@ -35,7 +35,7 @@ def coverage_of(made: Linked, workspace: Workspace, settings: Settings) -> Cover
     rows = api_rows(settings.project.get("apis"), "", [], plugin_rows(settings))
     ros = {package.name: package.ros for package in workspace.packages if package.ros is not None}
     code = codebase(made.sources, workspace.text, ros)
-    return Coverage(sites=tuple(sorted(_Judge(made, workspace, rows, code).sites(), key=_order)))
+    return Coverage(sites=tuple(sorted(_CoverageJudge(made, workspace, rows, code).sites(), key=_order)))
 
 
 @timed("coverage")
@@ -45,11 +45,11 @@ def uncovered(made: Linked, workspace: Workspace, settings: Settings, code: Code
     Where enough of them are endpoints, nothing is asked of the others.
     """
     rows = api_rows(settings.project.get("apis"), "", [], plugin_rows(settings))
-    judging = _Judge(made, workspace, rows, code)
+    judging = _CoverageJudge(made, workspace, rows, code)
     found = judging.found()
     places = judge.places_of(_locations(made.architecture))
     area = judging.areas()
-    here = [places.has(each) for each in found if area(each.source) == PRODUCTION]
+    here = [places.has(match) for match in found if area(match.source) == PRODUCTION]
     if sum(here) >= ENOUGH * len(here):
         return ()
     return too_little(Coverage(sites=tuple(judging.sites())))
@@ -72,7 +72,7 @@ def _order(site: Site) -> tuple[str, int, int]:
 
 
 @dataclass(slots=True)
-class _Judge:
+class _CoverageJudge:
     made: Linked
     workspace: Workspace
     rows: Rows
@@ -80,19 +80,19 @@ class _Judge:
     texts: dict[str, str] = field(default_factory=dict)
     #: The files of the product's targets and of those for tests, made when they are asked for.
     files: list[tuple[frozenset[str], frozenset[str]]] = field(default_factory=list)
-    sought: list[Found] | None = None
+    sought: list[TextSite] | None = None
     #: Files of libraries that are copied into a package, each with the directory of its library.
     copies: Mapping[str, str] = field(default_factory=dict)
     #: Modules that only share the last part of their names with one that is imported.
     shadowed: frozenset[str] = frozenset()
 
-    def found(self) -> list[Found]:
+    def found(self) -> list[TextSite]:
         """All call sites, file by file; they are looked for once."""
         if self.sought is None:
             self.sought = list(self._found())
         return self.sought
 
-    def _found(self) -> Iterator[Found]:
+    def _found(self) -> Iterator[TextSite]:
         table: dict[tuple[str, int | None], Names] = {}
         for language in ("cpp", "python"):
             one, two = (names_of(self.rows.get((language, ros), ())) for ros in (1, 2))
@@ -116,30 +116,30 @@ class _Judge:
         found = self.found()
         places = judge.places_of(_locations(self.made.architecture))
         area = self.areas()
-        areas = {each.source.path: area(each.source) for each in found}
+        areas = {match.source.path: area(match.source) for match in found}
         self.copies = copies(self.workspace)
-        pending = [each for each in found if not places.has(each)]
+        pending = [match for match in found if not places.has(match)]
         users = Users(self.made.architecture, self.code.sources)
         verdicts = dict(self.judged(found, places, area)) if pending else {}
-        for each in found:
-            path = each.source.path
-            state, reason, detail = verdicts.get(id(each), (ENDPOINT, "", ""))
+        for match in found:
+            path = match.source.path
+            state, reason, detail = verdicts.get(id(match), (ENDPOINT, "", ""))
             if not state:
                 continue
             if areas[path] == TEST and state in (OPEN, UNREACHED):
                 state, reason, detail = UNREACHED, "code of a test", ""
             yield Site(
                 path=path,
-                line=each.line,
-                column=each.column,
-                name=each.call.name,
-                call=shown(self.workspace.text(path), each.call),
-                package=each.source.package or "",
+                line=match.line,
+                column=match.column,
+                name=match.call.name,
+                call=shown(self.workspace.text(path), match.call),
+                package=match.source.package or "",
                 area=areas[path],
                 state=state,
                 reason=reason,
                 detail=detail,
-                node_types=users.of(path, each.line) if state == OPEN else (),
+                node_types=users.of(path, match.line) if state == OPEN else (),
             )
 
     def areas(self) -> Callable[[Source], str]:
@@ -152,29 +152,29 @@ class _Judge:
         return lambda source: area_of(source.path, packages.get(source.package or ""), source.path in of_tests)
 
     def judged(
-        self, found: list[Found], places: Places, area: Callable[[Source], str]
+        self, found: list[TextSite], places: Places, area: Callable[[Source], str]
     ) -> Iterator[tuple[int, tuple[str, str, str]]]:
         """State, reason and detail of the sites that stand at no endpoint, by identity; no state for what is none."""
         pieces = self._pieces(area)
         where = Syntax(self.code)
         plugins = plugins_of(self.code, self.made.builds)
         found_here = list(_with_pieces(found, pieces))
-        known = [piece for each, piece in found_here if piece is not None and places.has(each)]
+        known = [piece for match, piece in found_here if piece is not None and places.has(match)]
         reach = self._reach(pieces, plugins, known)
         known_ids = {id(piece) for piece in known}
         below = _below(plugins, reach)
         gaps = dict(_gaps(self.made.architecture))
         seen = Seen(places, judge.wrapped(self.code, where, places), judge.by_routine(self.code, found_here))
-        for each, piece in found_here:
-            if each.call.made and piece is not None and piece.owner == each.call.name:
-                yield id(each), ("", "", "")  # a constructor of that class itself
-            elif not places.has(each):
-                state, reason, detail = self._verdict(each, piece, seen, where, reach, plugins)
-                if state == OPEN and each.source.path in gaps:
-                    reason, detail = "a node is not known as a whole", gaps[each.source.path]
+        for match, piece in found_here:
+            if match.call.made and piece is not None and piece.owner == match.call.name:
+                yield id(match), ("", "", "")  # a constructor of that class itself
+            elif not places.has(match):
+                state, reason, detail = self._verdict(match, piece, seen, where, reach, plugins)
+                if state == OPEN and match.source.path in gaps:
+                    reason, detail = "a node is not known as a whole", gaps[match.source.path]
                 elif state == OPEN:
-                    reason, detail = _about(each, piece, plugins, known_ids, below)
-                yield id(each), (state, reason, detail)
+                    reason, detail = _about(match, piece, plugins, known_ids, below)
+                yield id(match), (state, reason, detail)
 
     def _pieces(self, area: Callable[[Source], str]) -> dict[str, list[Piece]]:
         """The pieces of the code that is built or started, by file, without that of tests."""
@@ -195,7 +195,7 @@ class _Judge:
         return reach
 
     def _verdict(
-        self, found: Found, piece: Piece | None, seen: Seen, where: Syntax, reach: Reach, plugins: Plugins
+        self, found: TextSite, piece: Piece | None, seen: Seen, where: Syntax, reach: Reach, plugins: Plugins
     ) -> tuple[str, str, str]:
         """The state of a site, why, and what is special about it."""
         routine = judge.routine_of(self.code, found, piece)
@@ -215,17 +215,19 @@ class _Judge:
         return OPEN, "", ""
 
 
-def _with_pieces(found: Iterable[Found], pieces: Mapping[str, list[Piece]]) -> Iterator[tuple[Found, Piece | None]]:
+def _with_pieces(
+    found: Iterable[TextSite], pieces: Mapping[str, list[Piece]]
+) -> Iterator[tuple[TextSite, Piece | None]]:
     """The sites of *found*, each with the piece that it stands in; None for a file without pieces."""
     offsets: dict[str, list[int]] = {}
-    for each in found:
-        offsets.setdefault(each.source.path, []).append(each.call.offset)
+    for match in found:
+        offsets.setdefault(match.source.path, []).append(match.call.offset)
     inside = {path: around(pieces.get(path, ()), here) for path, here in offsets.items()}
-    return ((each, inside[each.source.path].get(each.call.offset)) for each in found)
+    return ((match, inside[match.source.path].get(match.call.offset)) for match in found)
 
 
 def _about(
-    found: Found, piece: Piece | None, plugins: Plugins, known: set[int], below: Mapping[str, list[str]]
+    found: TextSite, piece: Piece | None, plugins: Plugins, known: set[int], below: Mapping[str, list[str]]
 ) -> tuple[str, str]:
     """Where a site stands that the model does not have; in the *known* pieces, by identity, it has others."""
     if piece is None:
@@ -261,7 +263,7 @@ def _above(reach: Reach, name: str) -> frozenset[str]:
     return frozenset(found)
 
 
-def _idle(found: Found, piece: Piece, reach: Reach, plugins: Plugins) -> tuple[str, str]:
+def _idle(found: TextSite, piece: Piece, reach: Reach, plugins: Plugins) -> tuple[str, str]:
     """Why a piece of code is never run."""
     if piece.function is None and piece.definition is None:
         return "nothing imports the module", ""
@@ -277,7 +279,7 @@ def _idle(found: Found, piece: Piece, reach: Reach, plugins: Plugins) -> tuple[s
 def _title(piece: Piece) -> str:
     """The name of a function with its class's."""
     separator = "::" if piece.function is not None and "::" in piece.function.name else "."
-    return separator.join(each for each in (piece.owner, piece.name) if each)
+    return separator.join(item for item in (piece.owner, piece.name) if item)
 
 
 def _gaps(found: Architecture) -> Iterator[tuple[str, str]]:
@@ -300,6 +302,8 @@ def _locations(found: Architecture) -> Iterator[tuple[str, int, int]]:
 
 def _roots(found: Architecture) -> Iterator[str]:
     """The last parts of the names of classes that nodes are made of."""
-    nodes: Iterable[Node] = (node for each in found.configurations for node in (*each.nodes, *each.alternatives))
+    nodes: Iterable[Node] = (
+        node for configuration in found.configurations for node in (*configuration.nodes, *configuration.alternatives)
+    )
     for node in nodes:
         yield last_name((node.class_name or node.type).replace("/", "::"))

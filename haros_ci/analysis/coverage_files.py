@@ -61,21 +61,21 @@ class Plugins:
         if not found or function is None:
             return None
         ways = (
-            lambda each: each.type == function.owner,
-            lambda each: each.package == package,
-            lambda each: name != piece.owner or len(found) == 1,
+            lambda item: item.type == function.owner,
+            lambda item: item.package == package,
+            lambda item: name != piece.owner or len(found) == 1,
         )
-        return next((each for fits in ways for each in found if fits(each)), None)
+        return next((plugin for fits in ways for plugin in found if fits(plugin)), None)
 
 
 def plugins_of(code: Codebase, builds: Mapping[str, Build]) -> Plugins:
     """The classes that plug-in descriptions name, and those that macros of Gazebo register."""
     found: dict[str, list[Plugin]] = {}
     for package, build in sorted(builds.items()):
-        for each in build.plugins:
-            kind, base = each.type.strip().partition("<")[0], each.base.replace(" ", "")
+        for other_plugin in build.plugins:
+            kind, base = other_plugin.type.strip().partition("<")[0], other_plugin.base.replace(" ", "")
             if base not in _NODES:
-                words = frozenset((each.name.strip(), each.type.strip()))
+                words = frozenset((other_plugin.name.strip(), other_plugin.type.strip()))
                 found.setdefault(last_name(kind), []).append(Plugin(kind, base, package, words))
     libraries = {path: target for build in builds.values() for target in build.targets for path in target.sources}
     for source in code.sources:
@@ -86,7 +86,7 @@ def plugins_of(code: Codebase, builds: Mapping[str, Build]) -> Plugins:
                 kind = arguments[0].strip()
                 plugin = Plugin(kind, "the simulator", source.package or "", words)
                 found.setdefault(last_name(kind), []).append(plugin)
-    return Plugins({name: tuple(each) for name, each in found.items()})
+    return Plugins({name: tuple(item) for name, item in found.items()})
 
 
 def loaded(workspace: Workspace, plugins: Plugins, texts: Mapping[str, str], classes: frozenset[str]) -> Iterator[str]:
@@ -94,10 +94,10 @@ def loaded(workspace: Workspace, plugins: Plugins, texts: Mapping[str, str], cla
     bases = {last_name(base) for text in texts.values() if "ClassLoader" in text for base in _LOADER.findall(text)}
     waiting: list[tuple[str, str]] = []
     for name, found in plugins.every.items():
-        if any(last_name(each.base) in bases for each in found):
+        if any(last_name(plugin.base) in bases for plugin in found):
             yield name
         else:
-            waiting += [(word, name) for each in found for word in each.words if word]
+            waiting += [(word, name) for plugin in found for word in plugin.words if word]
     for path in sorted(path for path, text in texts.items() if "dlsym" in text):
         yield from _LOOKED_UP.findall(workspace.text(path))
     yield from _configured(workspace, waiting, classes)
@@ -119,7 +119,7 @@ def built(
     code: Codebase, builds: Mapping[str, Build], packages: Iterable[Package]
 ) -> tuple[frozenset[str], frozenset[str]]:
     """The files that targets are made of, of others and of tests; Python is in both. All where a build is not known as a whole."""
-    known = {each.name for each in packages if each.name in builds and is_whole(builds[each.name], each)}
+    known = {package.name for package in packages if package.name in builds and is_whole(builds[package.name], package)}
     sides: list[set[str]] = [set(), set()]
     for build in builds.values():
         for target in build.targets:
@@ -143,7 +143,7 @@ def imported(code: Codebase, builds: Mapping[str, Build], workspace: Workspace) 
     """
     scripts, programs = _programs(builds)
     left = [source for source in code.sources if source.separator == "." and source.path not in programs]
-    started = {each.path for each in left if each.path in scripts or _PROGRAM.search(workspace.text(each.path))}
+    started = {source.path for source in left if source.path in scripts or _PROGRAM.search(workspace.text(source.path))}
     by_hand = {
         path for path in started if code.by_path[path].package in builds and code.ros_of(code.by_path[path]) == 2
     }

@@ -51,9 +51,9 @@ class Users:
         file = self._file(path)
         number = file.around(line)
         owner = file.functions[number].owner if number >= 0 else ""
-        same = [n for n, each in enumerate(file.functions) if owner and each.owner == owner]
+        same = [n for n, function in enumerate(file.functions) if owner and function.owner == owner]
         for numbers in ([number], same, file.users):
-            found = frozenset[str]().union(*(file.users.get(each, frozenset()) for each in numbers))
+            found = frozenset[str]().union(*(file.users.get(number, frozenset()) for number in numbers))
             if found:
                 return tuple(sorted(found))
         return ()
@@ -61,10 +61,14 @@ class Users:
     def _file(self, path: str) -> _File:
         if path not in self._files:
             functions = sorted(
-                (each for each in self._sources[path].program.functions if each.kind not in ("lambda", "module")),
-                key=lambda each: each.line,
+                (
+                    function
+                    for function in self._sources[path].program.functions
+                    if function.kind not in ("lambda", "module")
+                ),
+                key=lambda function: function.line,
             )
-            lines = tuple(each.line for each in functions)
+            lines = tuple(function.line for function in functions)
             users: dict[int, set[str]] = {}
             for line, name in self._ends[path]:
                 users.setdefault(bisect_right(lines, line) - 1, set()).add(name)

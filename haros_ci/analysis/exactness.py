@@ -43,7 +43,7 @@ def ask(
 ) -> tuple[Mapping[Place, tuple[ExactCall, ...]], tuple[Problem, ...]]:
     """What libclang tells of the calls at *places*, and which files it could not look at."""
     options = LintOptions(compile_database=settings.compile_database, root=settings.root)
-    told: dict[Place, tuple[ExactCall, ...]] = {}
+    reported: dict[Place, tuple[ExactCall, ...]] = {}
     problems: list[Problem] = []
     processes = Processes()
     with scratch_directory("haros-ci-") as scratch:
@@ -54,7 +54,7 @@ def ask(
             for path, calls in sorted(places.items())
         ]
         headers = default_headers()
-        asked = requests(str(view.root), files, headers)
+        requested = requests(str(view.root), files, headers)
         program = (sys.executable, "-I", "-X", "utf8", "-m", "haros_ci.extract.cpp.exact_worker")
         named = dict.fromkeys(place for file in files for place in directories(file.flags))
         reads = (str(view.root), *footing.of_program(program), *footing.HEADERS, *headers, *named)
@@ -73,17 +73,17 @@ def ask(
 
         try:
             with ThreadPoolExecutor(max(settings.jobs, 1)) as pool:
-                for file, (answer, code) in zip(files, pool.map(one, enumerate(asked)), strict=False):
+                for file, (answer, code) in zip(files, pool.map(one, enumerate(requested)), strict=False):
                     if code == MISSING:
-                        said = "libclang is not installed, so nothing was asked of it: pip install 'haros-ci[exact]'"
-                        return {}, (Problem(".", said),)
+                        message = "libclang is not installed, so nothing was asked of it: pip install 'haros-ci[exact]'"
+                        return {}, (Problem(".", message),)
                     if code:
                         problems.append(Problem(file.path, "libclang did not get through the file; its blanks stay"))
-                    told.update(parse(answer))
+                    reported.update(parse(answer))
                     problems += failures(answer)
         finally:
             processes.stop()
-    return told, tuple(dict.fromkeys(problems))
+    return reported, tuple(dict.fromkeys(problems))
 
 
 def _flags(workspace: Workspace, path: str) -> tuple[str, ...]:

@@ -92,16 +92,16 @@ def inspected(
     if progress is not None:
         progress(f"{len(chosen)} checks")
     all_systems = tuple(systems(found, workspace))
-    said = run_checks(chosen, all_systems, own.TOOL, under)
+    message = run_checks(chosen, all_systems, own.TOOL, under)
     past, renames = _past(base, architectures), base.renames if base else None
     project = project_of(made, workspace, all_systems, past, renames, project_file=settings.project_file or "")
     said_once = run_on_project(chosen, project, own.TOOL)
-    failures = (*said.notifications, *said_once.notifications)
+    failures = (*message.notifications, *said_once.notifications)
     faults = tuple(refused(workspace))
     as_findings = {(fault.path, fault.line) for fault in faults}
     run = replace(
         run,
-        results=(*run.results, *own.launch_results(faults), *said.results, *said_once.results),
+        results=(*run.results, *own.launch_results(faults), *message.results, *said_once.results),
         notifications=(
             *run.notifications,
             *failures,
@@ -119,7 +119,7 @@ def inspected(
                 for sentence in (_uncovered(made, workspace, settings, project) if base is None else ())
             ),
         ),
-        graphs=said.graphs,
+        graphs=message.graphs,
         architecture=not failures,
         successful=run.successful and not failures,
         changes=project.changes if base is not None else None,
@@ -237,14 +237,14 @@ def queried(run: Run, found: Architecture, workspace: Workspace, settings: Setti
     from haros_ci.query import queries
 
     where = settings.project_file or "the project file"
-    asked = queries.run(
-        found, settings.project, where, workspace.files, wanted=lambda rule: is_on(rule, workspace, selection)
+    requested = queries.run(
+        found, settings.project, where, workspace.files, is_selected=lambda rule: is_on(rule, workspace, selection)
     )
     return replace(
         run,
-        results=(*run.results, *asked.results),
-        notifications=(*run.notifications, *asked.notifications),
-        architecture=run.architecture and not asked.failed,
+        results=(*run.results, *requested.results),
+        notifications=(*run.notifications, *requested.notifications),
+        architecture=run.architecture and not requested.failed,
     )
 
 

@@ -24,7 +24,7 @@ def _is_state(row: Any) -> bool:
         and len(row) == 2
         and isinstance(row[0], str)
         and isinstance(row[1], dict)
-        and all(isinstance(each, str) for each in row[1].values())
+        and all(isinstance(item, str) for item in row[1].values())
     )
 
 
@@ -67,7 +67,7 @@ def keeper(workspace: Workspace, store: Store, records: dict[str, Earlier | None
         states = recent(key) if own is None else []
         if not states:
             return own
-        return record(min(reversed(states), key=lambda each: len(each[1].items() ^ short.items()))[0], key)
+        return record(min(reversed(states), key=lambda state: len(state[1].items() ^ short.items()))[0], key)
 
     def put(key: str, data: Any) -> None:
         store.put("linked", f"nodes {state}", f"{code} {key}", data)

@@ -79,12 +79,12 @@ def kept_output(
 def _unpacked(kept: Any) -> Output | None:
     """The output that is *kept*, unless it is none."""
     try:
-        said, text = read(tuple[tuple[str, ...], str], kept)
+        report, text = read(tuple[tuple[str, ...], str], kept)
         unpacker = zlib.decompressobj()
         content = unpacker.decompress(b64decode(text, validate=True), MAX_OUTPUT)
     except (NotThat, Error, ValueError, zlib.error):
         return None
-    return Output(content, said) if unpacker.eof else None
+    return Output(content, report) if unpacker.eof else None
 
 
 def _is_plain(content: bytes) -> bool:
@@ -175,4 +175,4 @@ class Noting:
 
     def heads(self) -> list[list[str]]:
         """What was read, sorted."""
-        return [list(each) for each in sorted(self._read.items())]
+        return [list(pair) for pair in sorted(self._read.items())]

@@ -20,7 +20,7 @@ _PYTHON = (".launch.py", "_launch.py", "-launch.py")
 _EXPOSED = re.compile(r"\bexpose_action\(\s*[\"']([\w-]+)[\"']")
 #: How sentences on limits of ours begin.
 _LIMITS = ("more than ", "nested deeper ")
-#: Packages that CMake is told to find.
+#: Packages of find_package() commands.
 _FOUND = re.compile(r"(?m)^[ \t]*find_package[ \t]*\([ \t\n]*([\w.-]+)", re.I)
 #: How packages end that depend on launch to test themselves, or hold launch files alone.
 _NO_EXTENSION = ("_msgs", "_interfaces", "launch_testing_ament_cmake", "_bringup", "_description")
@@ -131,15 +131,15 @@ def _may_be_extended(workspace: Workspace, name: str) -> bool:
     names: set[str] = set()
     for package in workspace.packages:
         if package.name == name:
-            names.update(each.name for each in package.dependencies)
+            names.update(dependency.name for dependency in package.dependencies)
             listed = f"{package.path}/CMakeLists.txt" if package.path not in ("", ".") else "CMakeLists.txt"
             found = {match[1] for match in _FOUND.finditer(workspace.text(listed))}
-            names.update(each for each in found if known.is_package(each))
-    for each in sorted(names - here - _OF_LAUNCH):
-        needs = known.depends(each, 2)
-        if needs is None and not known.is_key(each) and "-" not in each:
+            names.update(item for item in found if known.is_package(item))
+    for item in sorted(names - here - _OF_LAUNCH):
+        needs = known.depends(item, 2)
+        if needs is None and not known.is_key(item) and "-" not in item:
             return True
-        if needs is not None and not _OF_LAUNCH.isdisjoint(needs) and not each.endswith(_NO_EXTENSION):
+        if needs is not None and not _OF_LAUNCH.isdisjoint(needs) and not item.endswith(_NO_EXTENSION):
             return True
     return False
 

@@ -49,12 +49,12 @@ def checked(
     _demand(nodes, {node.type for system in every for node in system.nodes}, "node")
     project = project_of(made, workspace, every)
     owners = (*(Owner("configuration", name) for name in configurations), *(Owner("node", name) for name in nodes))
-    stated = [each for path in files for each in _stated(project, path, owners or (WORKSPACE,))]
+    stated = [stated for path in files for stated in _stated(project, path, owners or (WORKSPACE,))]
     project = project_of(made, workspace, every, stated=stated)
     checks = [check for check in architectures.registry.checks if check.id.startswith(PREFIX)]
-    said = run_on_project(checks, project, own.TOOL)
-    count = sum(each.parsed is not None for each in stated)
-    return Read(said, frozenset(each.source.path for each in stated), count)
+    message = run_on_project(checks, project, own.TOOL)
+    count = sum(stated.parsed is not None for stated in stated)
+    return Read(message, frozenset(stated.source.path for stated in stated), count)
 
 
 def _stated(project: Project, path: str, owners: Iterable[Owner]) -> Iterator[Stated]:

@@ -75,7 +75,7 @@ class _Code:
     def may_lack(self, type: str) -> bool:
         """Whether the model has nothing of what the class of a plug-in may make; true where the class is not here."""
         names = self._with_bases(last_name(word) for word in re.findall(r"[\w:.]+", type))
-        methods = [each for name in names for each in self._methods.get(name, ())]
+        methods = [method for name in names for method in self._methods.get(name, ())]
         calls = [(source.path, call.line) for source, function in methods for call in self._calls(source, function)]
         return not methods or bool(calls) and self._lines.isdisjoint(calls)
 
@@ -86,7 +86,7 @@ class _Code:
             name = waiting.pop()
             if name in self._classes and name not in found:
                 found.add(name)
-                waiting += (last_name(base.name) for each in self._classes[name] for base in each.bases)
+                waiting += (last_name(base.name) for class_ in self._classes[name] for base in class_.bases)
         return found
 
     def _calls(self, source: Source, function: Function) -> Iterator[syntax.Call]:

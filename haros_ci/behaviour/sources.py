@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from haros_ci.behaviour.tree import Place
-from haros_ci.bounded_yaml import MERGE, TAG, Composer, Limits, Scalar, YamlFault
+from haros_ci.bounded_yaml import MERGE, TAG, Composer, YamlLimits, Scalar, YamlFault
 from haros_ci.model.location import Location
 
-LIMITS = Limits(1_000_000, 50, 100_000, 1_000)
+LIMITS = YamlLimits(1_000_000, 50, 100_000, 1_000)
 _NUMBERS = {TAG + name for name in ("int", "float", "bool", "null")}
 #: Anchors and tags in front of a value.
 _BEFORE = re.compile(r"(?:[&!]\S*\s+)+")

@@ -45,7 +45,7 @@ class NotFollowed(Exception):
     def __init__(self, node: ast.AST | None = None, message: str = "") -> None:
         super().__init__(message)
         self.node = node
-        self.said = message
+        self.description = message
 
 
 class Module(dict[str, Any]):

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Limits:
+class YamlLimits:
     """How much a text may hold: characters, collections within each other, values, and aliases."""
 
     characters: int = 1_000_000
@@ -57,14 +57,14 @@ class YamlFault(Exception):
         self.is_placed = line is not None
 
 
-class TooMuch(YamlFault):
+class YamlTooLarge(YamlFault):
     """It may be YAML, but is over a limit."""
 
 
-def check(text: str, limits: Limits) -> None:
+def check(text: str, limits: YamlLimits) -> None:
     """YamlFault if *text* is no YAML, or over a limit."""
     if len(text) > limits.characters:
-        raise TooMuch(f"more than {limits.characters} characters; split it")
+        raise YamlTooLarge(f"more than {limits.characters} characters; split it")
     import yaml
 
     depth = values = aliases = 0
@@ -78,14 +78,14 @@ def check(text: str, limits: Limits) -> None:
                 depth += isinstance(event, yaml.CollectionStartEvent)
                 line = event.start_mark.line + 1 if event.start_mark else 1
                 if depth > limits.depth:
-                    raise TooMuch(f"nested deeper than {limits.depth} levels; flatten it", line)
+                    raise YamlTooLarge(f"nested deeper than {limits.depth} levels; flatten it", line)
                 if values > limits.values:
-                    raise TooMuch(f"more than {limits.values} values; split it", line)
+                    raise YamlTooLarge(f"more than {limits.values} values; split it", line)
                 if aliases > limits.aliases:
-                    raise TooMuch(f"more than {limits.aliases} aliases; write them out", line)
+                    raise YamlTooLarge(f"more than {limits.aliases} aliases; write them out", line)
 
 
-def nodes(text: str, limits: Limits) -> Iterator[yaml.Node]:
+def nodes(text: str, limits: YamlLimits) -> Iterator[yaml.Node]:
     """The documents of *text* as nodes, those that are empty left out; YamlFault as ``check``, when one is asked for."""
     check(text, limits)
     import yaml
@@ -96,7 +96,7 @@ def nodes(text: str, limits: Limits) -> Iterator[yaml.Node]:
                 yield node
 
 
-def data(text: str, limits: Limits) -> object:
+def data(text: str, limits: YamlLimits) -> object:
     """What ``yaml.safe_load`` makes of *text*; YamlFault as ``check``, and for a value that is not of the type of its tag."""
     check(text, limits)
     import yaml
@@ -172,7 +172,7 @@ class Composer(ABC, Generic[Made]):
     #: Whether a list or map may have YAML's own tags alone, and ``<<`` may stand before maps alone.
     is_strict: ClassVar[bool] = True
 
-    def __init__(self, text: str, limits: Limits) -> None:
+    def __init__(self, text: str, limits: YamlLimits) -> None:
         self.limits = limits
         self.source = text
         self.anchors: dict[str, Made | None] = {}
@@ -205,7 +205,7 @@ class Composer(ABC, Generic[Made]):
     def document(self) -> Made | None:
         """The value of the document, None if there is none; YamlFault for what is malformed, refused or over a limit."""
         if len(self.source) > self.limits.characters:
-            raise TooMuch(f"more than {self.limits.characters} characters; split it")
+            raise YamlTooLarge(f"more than {self.limits.characters} characters; split it")
         import yaml
 
         self.yaml = yaml

@@ -16,7 +16,7 @@ from haros_ci.changes.evidence import RevisionCode, TextEvidence
 from haros_ci.changes.instances import Calls, by_instance
 from haros_ci.changes.nodes import pair
 from haros_ci.changes.picture import edges
-from haros_ci.changes.settings import Value, compare_arguments, compare_files, compare_remaps, compare_values
+from haros_ci.changes.settings import ParameterValue, compare_arguments, compare_files, compare_remaps, compare_values
 from haros_ci.model.architecture import Architecture, Configuration
 from haros_ci.model.changes import ADDED, REMOVED, Change, Changes
 from haros_ci.model.location import Location
@@ -39,7 +39,7 @@ class ComparedRevision:
 
     architecture: Architecture
     files: frozenset[str] = frozenset()
-    values: Mapping[str, tuple[Value, ...]] = field(default_factory=dict)
+    values: Mapping[str, tuple[ParameterValue, ...]] = field(default_factory=dict)
     calls: Mapping[str, tuple[ChangedCall, ...]] = field(default_factory=dict)
     source: RevisionCode | None = None
 

@@ -11,7 +11,7 @@ from haros_ci.changes.compare import ComparedRevision, compare
 from haros_ci.changes.definitions import interface_changes_shown
 from haros_ci.changes.evidence import RevisionCode, functions_of
 from haros_ci.changes.interfaces import Defined, containing, interface_changes
-from haros_ci.changes.settings import Value
+from haros_ci.changes.settings import ParameterValue
 from haros_ci.changes.wrappers import Wrappers
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.changes import Changes
@@ -28,7 +28,7 @@ class Revision:
     workspace: Workspace
     architecture: Architecture
     interfaces: tuple[Defined, ...]
-    read_values: Callable[[str, str], tuple[Value, ...]]
+    read_values: Callable[[str, str], tuple[ParameterValue, ...]]
     programs: Mapping[str, Program]
     rows: Mapping[tuple[str, int], Rows]
 

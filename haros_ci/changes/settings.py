@@ -19,7 +19,7 @@ MANY = 5
 
 
 @dataclass(frozen=True, slots=True)
-class Value:
+class ParameterValue:
     """What a parameter file gives to the nodes that *pattern* matches. *text* is None where it is not known."""
 
     pattern: str
@@ -190,7 +190,10 @@ def _place(parameter: Parameter | None) -> Location | None:
 
 
 def compare_files(
-    base: Mapping[str, Iterable[Value]], head: Mapping[str, Iterable[Value]], moved: Moved, users: Mapping[str, int]
+    base: Mapping[str, Iterable[ParameterValue]],
+    head: Mapping[str, Iterable[ParameterValue]],
+    moved: Moved,
+    users: Mapping[str, int],
 ) -> Iterator[Difference]:
     """Parameter files on both sides; and new ones and removed ones, as one difference each. *users* are their configurations."""
     left = {moved(path): values for path, values in base.items()}
@@ -228,7 +231,7 @@ def _read_in(number: int) -> str:
     return f"given to nodes in {number} configuration{'' if number == 1 else 's'}"
 
 
-def _file(action: str, path: str, values: list[Value]) -> Difference:
+def _file(action: str, path: str, values: list[ParameterValue]) -> Difference:
     text = f"{len(values)} value{'' if len(values) == 1 else 's'}"
     nodes = sorted({value.pattern for value in values})
     return Difference(

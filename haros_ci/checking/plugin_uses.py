@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from haros_ci.bounded_yaml import Limits, YamlFault, nodes
+from haros_ci.bounded_yaml import YamlLimits, YamlFault, nodes
 from haros_ci.checking.system import System
 from haros_ci.model.architecture import Parameter
 from haros_ci.model.location import Location
@@ -33,7 +33,7 @@ _PERHAPS = re.compile(r"type|class|class_name|\w*_class")
 #: Keys whose values are the names of sections, each with a plug-in, and names as they may be.
 _IDS = re.compile(r"(?:\w*_)?plugins?|\w+_plugin_(?:ids?|names?|types?)")
 _ID = re.compile(r"[A-Za-z_][\w.-]*")
-_LIMITS = Limits(characters=500_000, depth=50, values=50_000, aliases=100)
+_LIMITS = YamlLimits(characters=500_000, depth=50, values=50_000, aliases=100)
 
 
 @dataclass(frozen=True, slots=True)

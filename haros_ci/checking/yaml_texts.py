@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import re
 
-from haros_ci.bounded_yaml import Limits, TooMuch, YamlFault, check
+from haros_ci.bounded_yaml import YamlLimits, YamlTooLarge, YamlFault, check
 
 #: Text that a program fills in before it is YAML.
 _TEMPLATE = re.compile(r"\{\{|\{%|<%|@\(|\$\(|\bxmlns:")
-_LIMITS = Limits(characters=1_000_000, depth=200)
+_LIMITS = YamlLimits(characters=1_000_000, depth=200)
 
 
 def yaml_fault(text: str) -> tuple[int, str] | None:
@@ -18,7 +18,7 @@ def yaml_fault(text: str) -> tuple[int, str] | None:
         return None
     try:
         check(text, _LIMITS)
-    except TooMuch:
+    except YamlTooLarge:
         return None
     except YamlFault as err:
         return err.line, err.problem

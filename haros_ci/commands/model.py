@@ -60,7 +60,7 @@ def model(flags: Mapping[str, Any]) -> int:
         "processes": cores(),
     }
     if flags["launch"]:
-        from haros_ci.analysis.wanted import chosen
+        from haros_ci.analysis.requested import chosen
 
         options["wanted"] = chosen(workspace, flags["launch"], arguments, "command line")
 
@@ -251,11 +251,13 @@ def assignment(text: str, option: str, sign: str) -> tuple[str, str]:
 def expected(found: Architecture, path: str) -> int:
     """Compare with the architecture that the file declares, and say on stdout where they differ."""
     from haros_ci.baselines import read_input
-    from haros_ci.bounded_yaml import Limits, YamlFault, data
+    from haros_ci.bounded_yaml import YamlFault, YamlLimits, data
     from haros_ci.declared.expectation import compare, problems
 
     try:
-        declared = data(read_input(Path(path), path).decode("utf-8-sig"), Limits(characters=10_000_000, aliases=1_000))
+        declared = data(
+            read_input(Path(path), path).decode("utf-8-sig"), YamlLimits(characters=10_000_000, aliases=1_000)
+        )
     except UnicodeDecodeError as err:
         raise UserError(f"{path} cannot be read: it is not UTF-8 text", help="save the file as UTF-8") from err
     except YamlFault as err:

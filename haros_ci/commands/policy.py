@@ -10,7 +10,7 @@ from typing import Any
 import click
 
 from haros_ci.analysis.architecture import architecture
-from haros_ci.analysis.wanted import chosen
+from haros_ci.analysis.requested import chosen
 from haros_ci.commands.common import cores, settings_from, store_for
 from haros_ci.commands.model import assignment, selected, tell
 from haros_ci.errors import UserError
@@ -29,7 +29,7 @@ def policy(flags: Mapping[str, Any]) -> int:
     launches = chosen(workspace, flags["launch"], arguments, "command line") if flags["launch"] else None
     if arguments and launches is None:
         raise UserError("--arg is for launch files", help="name them: haros-ci policy package/launch/x.launch.py")
-    found = architecture(workspace, settings, store, wanted=launches, processes=cores())
+    found = architecture(workspace, settings, store, requested=launches, processes=cores())
     if problem := store.flush():
         click.echo(f"warning: {problem}", err=True)
     found = selected(found, flags["configuration"])

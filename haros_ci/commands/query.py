@@ -11,7 +11,7 @@ from typing import Any
 import click
 
 from haros_ci.analysis.architecture import architecture
-from haros_ci.analysis.wanted import chosen
+from haros_ci.analysis.requested import chosen
 from haros_ci.baselines import read_input
 from haros_ci.commands.common import cores, settings_from, store_for
 from haros_ci.commands.model import assignment, selected, tell
@@ -40,7 +40,7 @@ def query(flags: Mapping[str, Any]) -> int:
     launches = chosen(workspace, flags["launch"], arguments, "command line") if flags["launch"] else None
     if arguments and launches is None:
         raise UserError("--arg is for the launch files of --launch", help="name them: --launch package/launch/x.launch")
-    found = architecture(workspace, settings, store, wanted=launches, processes=cores())
+    found = architecture(workspace, settings, store, requested=launches, processes=cores())
     if problem := store.flush():
         click.echo(f"warning: {problem}", err=True)
     found = selected(found, flags["configuration"])

@@ -12,7 +12,7 @@ from haros_ci.model.architecture import Architecture
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Workspace
 from haros_ci.report.node_interface import interfaces
-from haros_ci.report.readme_compare import Difference, Known, compare, known
+from haros_ci.report.readme_compare import Disagreement, KnownPackage, compare, known
 from haros_ci.report.readme_tables import rows
 
 #: A line of a parameter file with a key and a value.
@@ -20,7 +20,7 @@ _SETTING = re.compile(r"""^[ \t]*["']?([\w./]+)["']?:[ \t]+("[^"\n]*"|'[^'\n]*'|
 NAMES = ("README.md", "Readme.md", "readme.md", "README.MD")
 
 
-def differences(workspace: Workspace, architecture: Architecture) -> tuple[Difference, ...]:
+def differences(workspace: Workspace, architecture: Architecture) -> tuple[Disagreement, ...]:
     """What the README of each package in *workspace* says otherwise than *architecture*, by file and line.
 
     A package of which no node is in the model and that has no endpoint in its files is passed over: nothing is known
@@ -36,7 +36,7 @@ def differences(workspace: Workspace, architecture: Architecture) -> tuple[Diffe
     return tuple(sorted(found, key=lambda item: (item.path, item.line, item.rule, item.message)))
 
 
-def _of(package: Package, facts: Known, workspace: Workspace) -> Iterator[Difference]:
+def _of(package: Package, facts: KnownPackage, workspace: Workspace) -> Iterator[Disagreement]:
     for name in NAMES:
         path = name if package.path == "." else f"{package.path}/{name}"
         if workspace.reports_on(path):

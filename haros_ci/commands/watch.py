@@ -158,7 +158,7 @@ class Watch:
         click.echo(text.findings(new, **style), nl=False)
         for result in removed:
             click.echo(f"gone: {text.one_line(result)}")
-        click.echo(text.closing(report, told=known, color=color), nl=False)
+        click.echo(text.closing(report, known=known, color=color), nl=False)
         click.echo(f"since the last run: {len(new):,} new, {len(removed):,} gone")
 
     def _compared(self, report: Report) -> tuple[tuple[Result, ...], tuple[Result, ...]]:

@@ -10,7 +10,7 @@ import re
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
-from haros_ci.bounded_yaml import MERGE, TAG, Composer, Limits, Scalar, YamlFault
+from haros_ci.bounded_yaml import MERGE, TAG, Composer, YamlLimits, Scalar, YamlFault
 from haros_ci.config.suggestion import quoted
 from haros_ci.errors import UserError
 
@@ -18,7 +18,7 @@ MAX_BYTES = 1_000_000
 MAX_DEPTH = 50
 MAX_ALIASES = 1_000
 MAX_VALUES = 100_000
-LIMITS = Limits(MAX_BYTES, MAX_DEPTH, MAX_VALUES, MAX_ALIASES)
+LIMITS = YamlLimits(MAX_BYTES, MAX_DEPTH, MAX_VALUES, MAX_ALIASES)
 
 _NO_TEXT = re.compile("[\0\ud800-\udfff]")
 _NUMBERS = {TAG + name for name in ("int", "float", "bool", "null")}

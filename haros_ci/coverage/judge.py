@@ -14,7 +14,7 @@ from haros_ci.code.body import Call as Called
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.coverage.names import Names
 from haros_ci.coverage.pieces import Piece, last_name
-from haros_ci.coverage.search import Call, calls_in
+from haros_ci.coverage.search import TextCall, calls_in
 from haros_ci.index.index import Source
 from haros_ci.syntax import Type
 
@@ -36,38 +36,40 @@ _QUIET = {
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class TextSite:
     """A call of a file as text, at its place; *made* is the full name of the class that it constructs."""
 
     source: Source
-    call: Call
+    call: TextCall
     line: int
     column: int
     start_line: int
     start_column: int
 
 
-def found_in(code: Codebase, source: Source, text: str, names: Names) -> Iterator[Found]:
+def found_in(code: Codebase, source: Source, text: str, names: Names) -> Iterator[TextSite]:
     """The call sites of a file whose blanked text is *text*."""
-    lines = [0, *(each.end() for each in re.finditer(r"\n", text))]
+    lines = [0, *(match.end() for match in re.finditer(r"\n", text))]
     for call in calls_in(text, names, source.program.language):
         if call.made and not _is_api_class(code, source, call, names):
             continue
         line, first = bisect_right(lines, call.offset), bisect_right(lines, call.start)
         column, start = call.offset - lines[line - 1] + 1, call.start - lines[first - 1] + 1
-        yield Found(source, call, line, column, first, start)
+        yield TextSite(source, call, line, column, first, start)
 
 
 def _scopes(code: Codebase, source: Source) -> list[str]:
     """The classes and namespaces that functions of a C++ file stand in: those in which a name is looked up."""
     key = ("scopes", source.path)
     if key not in code.kept:
-        code.kept[key] = sorted({each.name.rpartition("::")[0] for each in source.program.functions})[:_MOST_SCOPES]
+        code.kept[key] = sorted({function.name.rpartition("::")[0] for function in source.program.functions})[
+            :_MOST_SCOPES
+        ]
     found: list[str] = code.kept[key]  # type: ignore[assignment]
     return found
 
 
-def _is_api_class(code: Codebase, source: Source, call: Call, names: Names) -> bool:
+def _is_api_class(code: Codebase, source: Source, call: TextCall, names: Names) -> bool:
     known = names.classes[call.name]
     if source.separator == ".":
         return classes.dotted_name(source, call.made).replace(".", "::") in known
@@ -84,10 +86,10 @@ class Syntax:
     code: Codebase
     _files: dict[str, dict[tuple[int, int], list[tuple[Routine, Called]]]] = field(default_factory=dict)
 
-    def of(self, found: Found) -> tuple[Routine, Called] | None:
+    def of(self, found: TextSite) -> tuple[Routine, Called] | None:
         """The call that a site is in the program; None where no front end has it."""
         here = self.at(found.source.path, found.start_line, found.start_column)
-        return next((each for each in here if last_name(each[1].name) == found.call.name), None)
+        return next((item for item in here if last_name(item[1].name) == found.call.name), None)
 
     def at(self, path: str, line: int, column: int) -> list[tuple[Routine, Called]]:
         """The calls whose expressions begin at a place, the outer ones first."""
@@ -107,7 +109,7 @@ class Places:
     exact: frozenset[tuple[str, int, int]]
     lines: frozenset[tuple[str, int]]
 
-    def has(self, found: Found) -> bool:
+    def has(self, found: TextSite) -> bool:
         """Whether one stands at the call: where its expression or its name begins."""
         path = found.source.path
         if (path, found.start_line, found.start_column) in self.exact:
@@ -127,37 +129,39 @@ class Seen:
 
     places: Places
     wrappers: Mapping[Routine, str]
-    sites: Mapping[Routine, tuple[Found, ...]]
+    sites: Mapping[Routine, tuple[TextSite, ...]]
 
-    def lacks(self, code: Codebase, found: Found, target: Routine) -> bool:
+    def lacks(self, code: Codebase, found: TextSite, target: Routine) -> bool:
         """Whether a call runs a function of the workspace that makes what the model does not have."""
         inner = [
-            (each, routine)
+            (site, routine)
             for routine, _ in calls.reached(code, target, depth=2)
-            for each in self.sites.get(routine, ())
-            if each is not found
+            for site in self.sites.get(routine, ())
+            if site is not found
         ]
         if inner and found.call.name in WRAPPERS and code.ros_of(found.source) == 2:
             return True  # the model would have at this place what the function makes
-        return any(not self.places.has(each) and routine not in self.wrappers for each, routine in inner)
+        return any(not self.places.has(match) and routine not in self.wrappers for match, routine in inner)
 
 
-def by_routine(code: Codebase, sites: Iterable[tuple[Found, Piece | None]]) -> Mapping[Routine, tuple[Found, ...]]:
+def by_routine(
+    code: Codebase, sites: Iterable[tuple[TextSite, Piece | None]]
+) -> Mapping[Routine, tuple[TextSite, ...]]:
     """The sites that stand in each function."""
-    found: dict[Routine, list[Found]] = {}
+    found: dict[Routine, list[TextSite]] = {}
     for site, piece in sites:
         routine = routine_of(code, site, piece)
         if routine is not None:
             found.setdefault(routine, []).append(site)
-    return {routine: tuple(each) for routine, each in found.items()}
+    return {routine: tuple(item) for routine, item in found.items()}
 
 
-def routine_of(code: Codebase, site: Found, piece: Piece | None) -> Routine | None:
+def routine_of(code: Codebase, site: TextSite, piece: Piece | None) -> Routine | None:
     """The function that a site stands in."""
     return code.routine(site.source, piece.function) if piece is not None and piece.function is not None else None
 
 
-def other(code: Codebase, where: Syntax, found: Found, seen: Seen) -> tuple[str, str] | None:
+def other(code: Codebase, where: Syntax, found: TextSite, seen: Seen) -> tuple[str, str] | None:
     """Why a call is none of a ROS API, and of what it is one; None where that is not known."""
     if found.source.path in code.firmware:
         return "code of a microcontroller", ""
@@ -170,9 +174,9 @@ def other(code: Codebase, where: Syntax, found: Found, seen: Seen) -> tuple[str,
     routine, call = placed
     targets = calls.function_meant(code, routine, call.callee)
     if call.receiver is None and not routine.is_python and (not targets or code.ros_of(found.source) == 1):
-        said = _is_of_no_node(code, routine, call.callee)
-        if said:
-            return said, ""
+        message = _is_of_no_node(code, routine, call.callee)
+        if message:
+            return message, ""
     if targets:
         if any(seen.lacks(code, found, target) for target in targets):
             return None
@@ -208,13 +212,13 @@ def _is_of_no_node(code: Codebase, routine: Routine, callee: syntax.Expression) 
         routine = routine.outer
     owner = routine.function.owner
     classes_here = code.cpp.classes.get(owner, ()) if owner else ()
-    names = {name for each in classes_here for name in classes.base_names(code, each)}
+    names = {name for class_ in classes_here for name in classes.base_names(code, class_)}
     if any(name.removeprefix("::") not in code.cpp.classes for name in names):
         return ""
     return "a function that is called without a node"
 
 
-def _class_here(code: Codebase, found: Found) -> str:
+def _class_here(code: Codebase, found: TextSite) -> str:
     """The class of the workspace that is constructed, where it has the name of a library's; "" if it is the library's."""
     source, made = found.source, found.call.made
     every = _python_classes(code, source, made) if source.separator == "." else _cpp_classes(code, source, made)
@@ -229,14 +233,16 @@ def _python_classes(code: Codebase, source: Source, written: str) -> list[classe
     every = [owner] if owner is not None else []
     every += [(s, c) for s in code.sources if s.separator == "." for c in s.program.classes if c.name == last]
     root = name.partition(".")[0]
-    return [each for each in every if each[0].module.partition(".")[0] == root or each[0] is source]
+    return [
+        definition for definition in every if definition[0].module.partition(".")[0] == root or definition[0] is source
+    ]
 
 
 def _cpp_classes(code: Codebase, source: Source, written: str) -> list[classes.Owner]:
     """The classes of the workspace that a name *written* in a C++ file can mean."""
     name = written.removeprefix("::")
     names = {classes.resolved(code, Type(name), scope, source).name for scope in _scopes(code, source)} | {name}
-    return [each for one in sorted(names) for each in code.cpp.classes.get(one, ())]
+    return [class_ for one in sorted(names) for class_ in code.cpp.classes.get(one, ())]
 
 
 def _receiver(code: Codebase, routine: Routine, receiver: syntax.Expression) -> str:

@@ -53,7 +53,7 @@ def last_name(name: str) -> str:
 
 def around(pieces: Iterable[Piece], offsets: Iterable[int]) -> dict[int, Piece]:
     """The innermost of a file's *pieces* around each of the *offsets* that stands in any."""
-    every = sorted(pieces, key=lambda each: each.begin, reverse=True)
+    every = sorted(pieces, key=lambda piece: piece.begin, reverse=True)
     found: dict[int, Piece] = {}
     active: list[tuple[int, int, int, Piece]] = []
     for offset in sorted(offsets):
@@ -72,7 +72,9 @@ def pieces_of(source: Source, text: str) -> Iterator[Piece]:
     lines = [0, *(found.end() for found in re.finditer(r"\n", text))]
     is_python = source.separator == "."
     functions = [
-        each for each in source.program.functions if each.kind not in ("lambda", "module") and each.body is not None
+        function
+        for function in source.program.functions
+        if function.kind not in ("lambda", "module") and function.body is not None
     ]
     spans = list(_spans(functions, is_python, text, lines))
     outside = list(text)
@@ -87,7 +89,7 @@ def pieces_of(source: Source, text: str) -> Iterator[Piece]:
         code = "".join(outside)
         closing = closings(code)
         left = _MOST_READ * len(text)
-        inner = sorted(source.program.classes, key=lambda each: (-each.line, -each.column))
+        inner = sorted(source.program.classes, key=lambda class_: (-class_.line, -class_.column))
         for definition in inner:  # those within others come after them: they are taken out first
             area = _class_span(definition, code, lines, closing)
             if area is None or left <= 0:

@@ -74,7 +74,7 @@ class Reach:
             self.made.add(name)
             names += self.bases.get(name, ())
             waiting += [
-                each for each in self.by_class.get(name, ()) if each.name in self.mentioned or self._is_alone(each)
+                piece for piece in self.by_class.get(name, ()) if piece.name in self.mentioned or self._is_alone(piece)
             ]
 
     def _is_alone(self, piece: Piece) -> bool:

@@ -36,7 +36,7 @@ _WORD = re.compile(r"[A-Za-z_]\w*\Z")
 
 
 @dataclass(frozen=True, slots=True)
-class Call:
+class TextCall:
     """A call in a file's text: *offset* is that of its *name*, *start* that of the expression, receiver included."""
 
     name: str
@@ -47,7 +47,7 @@ class Call:
     made: str = ""
 
 
-def calls_in(text: str, names: Names, language: str) -> Iterator[Call]:
+def calls_in(text: str, names: Names, language: str) -> Iterator[TextCall]:
     """The calls in *text*, whose comments and texts are blank, of the functions and classes that *names* has."""
     is_python = language == "python"
     starts: dict[int, int] = {}
@@ -63,7 +63,7 @@ def calls_in(text: str, names: Names, language: str) -> Iterator[Call]:
         else:
             call = _function(text, names, found, before, is_python, starts)
         if call is not None and _has_argument(text, call.end, is_python):
-            yield Call(call.name, call.offset, call.start, closed(text, call.end, _READ), call.made)
+            yield TextCall(call.name, call.offset, call.start, closed(text, call.end, _READ), call.made)
 
 
 @lru_cache(maxsize=8)
@@ -77,13 +77,13 @@ def may_have(text: str, names: Names) -> bool:
 
 
 def _pattern(names: Names) -> re.Pattern[str]:
-    words = {*names.methods, *names.classes, *(each.rpartition("::")[2] for each in names.qualified)}
+    words = {*names.methods, *names.classes, *(item.rpartition("::")[2] for item in names.qualified)}
     return _compiled(tuple(sorted(words)))
 
 
 def _function(
     text: str, names: Names, found: re.Match[str], before: str, is_python: bool, starts: dict[int, int]
-) -> Call | None:
+) -> TextCall | None:
     name, offset = found[0], found.start()
     opening = _opening(text, found.end(), is_python)
     if opening is None or text[opening] != "(":
@@ -91,17 +91,17 @@ def _function(
     if name not in names.methods:
         qualifier = _QUALIFIER.search(before)
         whole = _SPACES.sub("", qualifier[0] if qualifier is not None else "") + name
-        if not any(whole == each or whole.endswith(f"::{each}") for each in names.qualified):
+        if not any(whole == item or whole.endswith(f"::{item}") for item in names.qualified):
             return None
     if not is_python:
         declared = _DECLARED.search(before)
         if declared is not None and declared[1] not in _NO_TYPES and "&&" not in declared[0]:
             return None
     starts[offset] = _start(text, offset, starts)
-    return Call(name, offset, starts[offset], opening)
+    return TextCall(name, offset, starts[offset], opening)
 
 
-def _object(text: str, name: str, offset: int, end: int, is_python: bool) -> Call | None:
+def _object(text: str, name: str, offset: int, end: int, is_python: bool) -> TextCall | None:
     """An object that is made: ``Name(...)``, ``new Name<T>(...)``, ``Name<T> it(...)``, ``make_shared<Name<T>>(...)``."""
     written = (_DOTTED if is_python else _QUALIFIER).search(text, max(0, offset - 200), offset)
     path = _SPACES.sub("", written[0]) if written is not None else ""
@@ -111,7 +111,7 @@ def _object(text: str, name: str, offset: int, end: int, is_python: bool) -> Cal
         place = (start, opening) if opening is not None else None
     else:
         place = _constructed(text, start, end, is_qualified=bool(path))
-    return Call(name, offset, *place, path + name) if place is not None else None
+    return TextCall(name, offset, *place, path + name) if place is not None else None
 
 
 def _constructed(text: str, start: int, end: int, is_qualified: bool) -> tuple[int, int] | None:
@@ -231,7 +231,7 @@ def _skip(text: str, at: int, least: int) -> int:
     return at
 
 
-def shown(text: str, call: Call) -> str:
+def shown(text: str, call: TextCall) -> str:
     """The text of a call on one line, cut where it is long; *text* is the file's own."""
     whole = _SPACES.sub(" ", text[call.start : min(call.end + 1, call.start + _READ)])
     return whole if len(whole) <= SHOWN else f"{whole[: SHOWN - 3]}..."

@@ -184,8 +184,8 @@ def _range(parameter: Declared) -> Block:
         if parameter.base == "double"
         else ("IntegerRange", "integer_range")
     )
-    given: tuple[Expression, ...] = (
+    provided: tuple[Expression, ...] = (
         syntax.Keyword("from_value", least if lower is None else syntax.Number(lower)),
         syntax.Keyword("to_value", greatest if upper is None else syntax.Number(upper)),
     )
-    return (assign(field(name("descriptor"), member), syntax.ListLiteral((call(name(what), given, parameter),))),)
+    return (assign(field(name("descriptor"), member), syntax.ListLiteral((call(name(what), provided, parameter),))),)

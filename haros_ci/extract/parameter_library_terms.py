@@ -25,8 +25,8 @@ def text(value: str) -> Expression:
 
 def field(owner: Expression, *names: str) -> Expression:
     """``owner.a.b``."""
-    for each in names:
-        owner = syntax.Member(owner, each)
+    for item in names:
+        owner = syntax.Member(owner, item)
     return owner
 
 

@@ -91,11 +91,11 @@ def read_library(text: str) -> Library:
         return library
     library.name = name
     library.root = Struct((), value.line, value.column)
-    _Reader(library).struct(library.root, value.data)
+    _TreeReader(library).struct(library.root, value.data)
     return library
 
 
-class _Reader:
+class _TreeReader:
     def __init__(self, library: Library) -> None:
         self.library = library
         self.declared: set[tuple[str, ...]] = set()
@@ -123,8 +123,8 @@ class _Reader:
                 self.parameter(struct, key, value, value.data)
 
     def is_struct(self, entries: dict[Scalar, Value]) -> bool:
-        given = entries.get("type")
-        if given is not None and isinstance(given.data, str) and _TYPE.match(given.data):
+        provided = entries.get("type")
+        if provided is not None and isinstance(provided.data, str) and _TYPE.match(provided.data):
             return False
         return isinstance(next(iter(entries.values())).data, dict)
 
@@ -152,12 +152,12 @@ class _Reader:
             return
         base, is_array = match[1], match[2] is not None
         default, is_sure = None, True
-        given = entries.get("default_value")
-        if given is not None and given.data is not None:
-            default = _default(base, is_array, given)
+        provided = entries.get("default_value")
+        if provided is not None and provided.data is not None:
+            default = _default(base, is_array, provided)
             if default is None:
                 is_sure = False
-                self.problem(given.line, f"the default of {shown} is not of the type {kind}; correct it")
+                self.problem(provided.line, f"the default of {shown} is not of the type {kind}; correct it")
         made = Declared(
             path=path,
             base=base,
@@ -203,7 +203,7 @@ def _text(value: Value | None) -> str:
 
 
 def _element(base: str, data: object) -> Element | None:
-    """*data* as a value of the type, None if it is none; whole numbers are doubles, too."""
+    """*data* as a value of the type, None otherwise; integers are doubles, too."""
     if base == "double" and isinstance(data, int) and not isinstance(data, bool):
         return float(data) if abs(data) < 10**300 else None
     if base == "int" and isinstance(data, bool):
@@ -211,12 +211,12 @@ def _element(base: str, data: object) -> Element | None:
     return data if isinstance(data, _BASES[base]) and isinstance(data, bool | int | float | str) else None
 
 
-def _default(base: str, is_array: bool, given: Value) -> Element | tuple[Element, ...] | None:
+def _default(base: str, is_array: bool, provided: Value) -> Element | tuple[Element, ...] | None:
     if not is_array:
-        return _element(base, given.data)
-    if not isinstance(given.data, tuple):
+        return _element(base, provided.data)
+    if not isinstance(provided.data, tuple):
         return None
-    items = [_element(base, item.data) for item in given.data]
+    items = [_element(base, item.data) for item in provided.data]
     kept = tuple(item for item in items if item is not None)
     return kept if len(kept) == len(items) else None
 
@@ -226,8 +226,8 @@ def _checks(value: Value | None) -> tuple[tuple[str, tuple[Scalar, ...]], ...]:
     if value is None or not isinstance(value.data, dict):
         return ()
     found = []
-    for name, given in value.data.items():
-        arguments = given.data if isinstance(given.data, tuple) else (given,)
+    for name, provided in value.data.items():
+        arguments = provided.data if isinstance(provided.data, tuple) else (provided,)
         scalars = tuple(item.data for item in arguments if not isinstance(item.data, tuple | dict))
         if isinstance(name, str) and len(scalars) == len(arguments):
             found.append((name.removesuffix("<>"), scalars))

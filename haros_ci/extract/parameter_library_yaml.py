@@ -6,9 +6,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from haros_ci.bounded_yaml import TAG, Composer, Limits, Scalar
+from haros_ci.bounded_yaml import TAG, Composer, Scalar, YamlLimits
 
-LIMITS = Limits(characters=1_000_000, depth=50, aliases=1_000, values=20_000)
+LIMITS = YamlLimits(characters=1_000_000, depth=50, aliases=1_000, values=20_000)
 _NUMBERS = frozenset(TAG + name for name in ("int", "float", "bool", "null"))
 
 
@@ -24,10 +24,10 @@ class Value:
 
 def parse_yaml(text: str) -> Value | None:
     """The first document of *text*, None if it is empty; YamlFault for what is malformed or over a limit."""
-    return _Composer(text, LIMITS).document()
+    return _ParameterComposer(text, LIMITS).document()
 
 
-class _Composer(Composer[Value]):
+class _ParameterComposer(Composer[Value]):
     """Tags of collections are let pass, and so is what follows the first document."""
 
     SAYS: ClassVar = {

@@ -20,7 +20,7 @@ from haros_ci.follow import (
 )
 from haros_ci.follow.frames import NEXT, RAISED, Frame
 from haros_ci.follow.libraries import library
-from haros_ci.follow.run import DEPTH, Run
+from haros_ci.follow.run import DEPTH, Walk
 from haros_ci.index.index import EITHER, Source
 from haros_ci.index.types import STRINGS, is_smart_pointer
 from haros_ci.model.architecture import Condition
@@ -44,7 +44,7 @@ MANY = 20_000
 TOO_DEEP = "the code is nested too deeply to be followed"
 
 
-def choose(run: Run, frame: Frame, function: Callable, args: tuple[call_arguments.Argument, ...]) -> Callable:
+def choose(run: Walk, frame: Frame, function: Callable, args: tuple[call_arguments.PassedArgument, ...]) -> Callable:
     """The overload of a free function or method that takes these arguments."""
     definition = function.function
     if not definition.name or definition.kind == "lambda" or overloads.is_any(run, definition):
@@ -57,16 +57,16 @@ def choose(run: Run, frame: Frame, function: Callable, args: tuple[call_argument
     candidates = run.index.near(run.index.functions, definition.name, function.source, run.files)
     if len(candidates) < 2:
         return function
-    given = (*(call_arguments.Argument(value or Opaque("an argument")) for value in function.bound), *args)
-    source, chosen = methods.overload(run, candidates, given)
+    arguments = (*(call_arguments.PassedArgument(value or Opaque("an argument")) for value in function.bound), *args)
+    source, chosen = methods.overload(run, candidates, arguments)
     return replace(function, source=source, function=chosen)
 
 
 def invoke(
-    run: Run,
+    run: Walk,
     frame: Frame,
     function: Callable,
-    args: tuple[call_arguments.Argument, ...],
+    args: tuple[call_arguments.PassedArgument, ...],
     targs: tuple[syntax.Argument, ...] = (),
 ) -> Value:
     """Follow a function of the workspace with these arguments."""
@@ -105,20 +105,25 @@ def invoke(
         library.unknown_call(run, frame, definition.name, args)
         inert.skipped(run, inner, function, definition, returns, _with_bound(function.bound, args))
         return run.opaque("calls are nested too deeply to be followed", frame, None, returns)
-    given = _with_bound(function.bound, args)
-    makes_nothing = not inert.may_make(run, function, given, inner.templates)
+    arguments = _with_bound(function.bound, args)
+    makes_nothing = not inert.may_make(run, function, arguments, inner.templates)
     spent, times = run.spent.get(id(definition), (0, 0))
     is_long = spent > SPENT and (spent > SHORT * times or spent > SPENT_SHORT)
-    if is_long and run.listed and spent <= SPENT_ASKED and any(_is_plugin(run, argument.value) for argument in given):
+    if (
+        is_long
+        and run.listed
+        and spent <= SPENT_ASKED
+        and any(_is_plugin(run, argument.value) for argument in arguments)
+    ):
         is_long = False
     idle = run.idle.get(id(definition), 0) if run.is_called_back and not makes_nothing else 0
     if idle > IDLE:
-        return inert.skipped(run, inner, function, definition, returns, given)
-    if (makes_nothing and (is_long or inert.is_inert(run, function, definition, returns, given))) or (
+        return inert.skipped(run, inner, function, definition, returns, arguments)
+    if (makes_nothing and (is_long or inert.is_inert(run, function, definition, returns, arguments))) or (
         run.quiet and spent > (REHEARSED if run.quiet_steps < MANY else SPENT)
     ):
-        return inert.skipped(run, inner, function, definition, returns, given)
-    bind(run, frame, inner, definition, given)
+        return inert.skipped(run, inner, function, definition, returns, arguments)
+    bind(run, frame, inner, definition, arguments)
     before, there = run.steps, run.extent()
     run.beyond += frame.is_dead
     try:
@@ -135,27 +140,29 @@ def invoke(
     return value
 
 
-def _is_plugin(run: Run, value: Value) -> bool:
+def _is_plugin(run: Walk, value: Value) -> bool:
     """Whether a value is the look-up name of a plug-in of which the program goes through all names."""
     return isinstance(value, Known) and any(value.value in run.context.declared.get(base, ()) for base in run.listed)
 
 
 def _with_bound(
-    bound: tuple[Value | None, ...], args: tuple[call_arguments.Argument, ...]
-) -> tuple[call_arguments.Argument, ...]:
+    bound: tuple[Value | None, ...], args: tuple[call_arguments.PassedArgument, ...]
+) -> tuple[call_arguments.PassedArgument, ...]:
     """The arguments of a bound function: a placeholder (None) takes the next one that is given."""
     rest = list(args)
-    spread = [call_arguments.Argument(value) if value is not None else rest.pop(0) if rest else None for value in bound]
+    spread = [
+        call_arguments.PassedArgument(value) if value is not None else rest.pop(0) if rest else None for value in bound
+    ]
     return (
         *(
-            a if a is not None else call_arguments.Argument(Opaque("an argument that is given from outside"))
+            a if a is not None else call_arguments.PassedArgument(Opaque("an argument that is given from outside"))
             for a in spread
         ),
         *rest,
     )
 
 
-def _deduced(definition: Function, args: tuple[call_arguments.Argument, ...]) -> dict[str, syntax.Argument]:
+def _deduced(definition: Function, args: tuple[call_arguments.PassedArgument, ...]) -> dict[str, syntax.Argument]:
     found: dict[str, syntax.Argument] = {}
     for parameter, argument in zip(definition.parameters, args, strict=False):
         kind = argument.type
@@ -175,36 +182,38 @@ def _deduced(definition: Function, args: tuple[call_arguments.Argument, ...]) ->
 
 
 def defaulted(
-    run: Run,
+    run: Walk,
     source: Source,
     scope: str,
     definition: Function,
     templates: Mapping[str, syntax.Argument],
-    args: tuple[call_arguments.Argument, ...],
+    args: tuple[call_arguments.PassedArgument, ...],
 ) -> Mapping[str, syntax.Argument]:
     """*templates* with the default types of those that neither the call nor an argument can tell."""
     if not definition.template_defaults:
         return templates
     named = {argument.keyword for argument in args}
-    given = [
+    provided = [
         parameter.type
         for number, parameter in enumerate(definition.parameters)
         if number < len(args) or parameter.name in named
     ]
     found = dict(templates)
     for name, kind in definition.template_defaults:
-        if name not in found and not any(_mentions(each, name) for each in given):
+        if name not in found and not any(_mentions(type_, name) for type_ in provided):
             found[name] = run.resolved(kind, scope, source, found)
     return found
 
 
 def _mentions(kind: syntax.Type, name: str) -> bool:
     return kind.name.partition("::")[0] == name or any(
-        isinstance(each, syntax.Type) and _mentions(each, name) for each in kind.arguments
+        isinstance(argument, syntax.Type) and _mentions(argument, name) for argument in kind.arguments
     )
 
 
-def bind(run: Run, frame: Frame, inner: Frame, function: Function, args: tuple[call_arguments.Argument, ...]) -> None:
+def bind(
+    run: Walk, frame: Frame, inner: Frame, function: Function, args: tuple[call_arguments.PassedArgument, ...]
+) -> None:
     """Declare the parameters of *function* in *inner*: references are the caller's cells, the rest are copies."""
     positional = [argument for argument in args if not argument.keyword]
     named = {argument.keyword: argument for argument in args if argument.keyword}
@@ -246,12 +255,12 @@ def bind(run: Run, frame: Frame, inner: Frame, function: Function, args: tuple[c
 
 
 def _collected(
-    run: Run,
+    run: Walk,
     frame: Frame,
     function: Function,
     name: str,
-    positional: list[call_arguments.Argument],
-    named: Mapping[str, call_arguments.Argument],
+    positional: list[call_arguments.PassedArgument],
+    named: Mapping[str, call_arguments.PassedArgument],
 ) -> Value:
     """What ``*name`` or ``**name`` holds: the arguments that no other parameter takes, if all of them are known."""
     if not name.startswith("**"):
@@ -264,14 +273,16 @@ def _collected(
     return Mapped(Cell({key: Cell(argument.value) for key, argument in named.items() if key not in taken}))
 
 
-def _declared_default(run: Run, function: Function, number: int) -> Expression | None:
+def _declared_default(run: Walk, function: Function, number: int) -> Expression | None:
     """A default argument that stands at the function's declaration, and not at its definition."""
     found = None
     declarations = [*run.index.functions.get(function.name, ())]
     if function.owner and function.owner not in run.index.classes:  # defined under a using-directive
         tail = "::".join(function.name.split("::")[-2:])
         declarations += [
-            each for each in run.index.by_tail.get(tail, ()) if each[1].name.endswith(f"::{function.name}")
+            definition
+            for definition in run.index.by_tail.get(tail, ())
+            if definition[1].name.endswith(f"::{function.name}")
         ]
     for _, declared in declarations:
         if declared is not function and len(declared.parameters) == len(function.parameters):
@@ -283,7 +294,7 @@ def _declared_default(run: Run, function: Function, number: int) -> Expression |
     return found
 
 
-def follow_body(run: Run, inner: Frame, function: Function) -> Value:
+def follow_body(run: Walk, inner: Frame, function: Function) -> Value:
     """Execute a function's body in its frame and join what all its ways out return and leave behind."""
 
     trace = run.index.trace

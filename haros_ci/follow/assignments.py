@@ -26,7 +26,7 @@ from haros_ci.follow import (
 )
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import python_lists, texts, tuples
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.types import MAPS, SEQUENCES
 from haros_ci.syntax import Expression, Type
 from haros_ci.values.abstract import (
@@ -54,7 +54,7 @@ TIES = frozenset(map(syntax.Name, ("std::tie", "boost::tie", "tie")))
 ACCESSORS = frozenset(("at", "front", "back"))
 
 
-def assignment(run: Run, frame: Frame, expression: syntax.Assignment) -> Value:
+def assignment(run: Walk, frame: Frame, expression: syntax.Assignment) -> Value:
     """``=`` and its kin: the target holds the value from here on."""
     symbol, target, source = expression.operator, expression.target, expression.value
     python = frame.source.program.language == "python"
@@ -80,7 +80,7 @@ def assignment(run: Run, frame: Frame, expression: syntax.Assignment) -> Value:
         return value
     held = cell.value
     if not python and isinstance(held, Object) and held.definition is not None and _is_own(held, cell.type):
-        argument = call_arguments.Argument(value, None, conversions.value_type(value))
+        argument = call_arguments.PassedArgument(value, None, conversions.value_type(value))
         method = methods.method_of(run, held, f"operator{symbol}", (argument,))
         if method is not None and method.function.body is not None:
             return activation.invoke(run, frame, method, (argument,))
@@ -108,11 +108,11 @@ def _is_own(held: Object, kind: Type | None) -> bool:
     return kind is not None and copies.is_by_value(kind) and kind.name == held.name
 
 
-def _copied_type(run: Run, frame: Frame, kind: Type | None, source: Expression) -> Type | None:
+def _copied_type(run: Walk, frame: Frame, kind: Type | None, source: Expression) -> Type | None:
     return kind if kind is not None else copies.static_copy(run, frame, source)
 
 
-def _fill(run: Run, held: Object, value: Value) -> bool:
+def _fill(run: Walk, held: Object, value: Value) -> bool:
     """Assign to an object in its place, as pointers lead to it: member by member. False if it is none of the class."""
     if held is value or held.definition is None:
         return held is value
@@ -133,7 +133,7 @@ def _fill(run: Run, held: Object, value: Value) -> bool:
     return value.definition[1] is held.definition[1]
 
 
-def _unpack(run: Run, frame: Frame, targets: tuple[Expression, ...], value: Value) -> Value:
+def _unpack(run: Walk, frame: Frame, targets: tuple[Expression, ...], value: Value) -> Value:
     items: list[Value] | None = None
     if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
         items = [cell.value for cell in value.content.value]
@@ -159,7 +159,7 @@ def _unpack(run: Run, frame: Frame, targets: tuple[Expression, ...], value: Valu
     return value
 
 
-def _target(run: Run, frame: Frame, target: Expression) -> Cell | None:
+def _target(run: Walk, frame: Frame, target: Expression) -> Cell | None:
     """The cell to assign to; Python makes it where there is none."""
     python = frame.source.program.language == "python"
     if python and isinstance(target, syntax.Name):
@@ -192,7 +192,7 @@ def _target(run: Run, frame: Frame, target: Expression) -> Cell | None:
     return cell
 
 
-def _unset(run: Run, owner: Object) -> str:
+def _unset(run: Walk, owner: Object) -> str:
     """Why an attribute that is assigned to for the first time is not known on the paths that do not come there."""
     if owner.definition is None or owner.definition[0].separator != ".":
         return "it is not set before"
@@ -200,7 +200,7 @@ def _unset(run: Run, owner: Object) -> str:
     return UNSET_OR_INHERITED if inherits else UNSET
 
 
-def _entry(run: Run, frame: Frame, target: syntax.Subscript) -> Cell | None:
+def _entry(run: Walk, frame: Frame, target: syntax.Subscript) -> Cell | None:
     """The new entry of a dictionary that Python assigns to; None for all that is no dictionary, or is not known."""
     container, key, _ = _parts(run, frame, target)
     pairs: Any = container.content.value if isinstance(container, Mapped) else None
@@ -214,7 +214,7 @@ def _entry(run: Run, frame: Frame, target: syntax.Subscript) -> Cell | None:
     return cell
 
 
-def indexed(run: Run, frame: Frame, expression: syntax.Subscript) -> Value:
+def indexed(run: Walk, frame: Frame, expression: syntax.Subscript) -> Value:
     """``a[b]``."""
     container, key, kind = _parts(run, frame, expression)
     if isinstance(key, Object) and key.name == "slice":
@@ -252,16 +252,16 @@ def indexed(run: Run, frame: Frame, expression: syntax.Subscript) -> Value:
     return run.opaque("an element that is not known", frame, None, kind)
 
 
-def _of_object(run: Run, frame: Frame, container: Object, key: Value) -> Value | None:
+def _of_object(run: Walk, frame: Frame, container: Object, key: Value) -> Value | None:
     """What ``operator[]`` of an object's class gives, or a part of a pair or struct that is taken apart."""
     method = methods.method_of(run, container, "operator[]") if container.definition is not None else None
     if method is not None:
-        return activation.invoke(run, frame, method, (call_arguments.Argument(key),))
+        return activation.invoke(run, frame, method, (call_arguments.PassedArgument(key),))
     part = tuples.part(container, key.value) if isinstance(key, Known) else None
     return part.value if part is not None else None
 
 
-def _chosen(run: Run, frame: Frame, container: Mapped, key: Choice) -> Value:
+def _chosen(run: Walk, frame: Frame, container: Mapped, key: Choice) -> Value:
     """The entry of one of several keys; Python does not go on with one that is not there."""
     cells = [element(run, frame, container, option) for option in key.options]
     found = [cell.value for cell in cells if cell is not None]
@@ -280,7 +280,7 @@ def any_of(values: Iterable[Value]) -> Value:
     return result if result is not None else NONE
 
 
-def _parts(run: Run, frame: Frame, expression: syntax.Subscript) -> tuple[Value, Value, Type | None]:
+def _parts(run: Walk, frame: Frame, expression: syntax.Subscript) -> tuple[Value, Value, Type | None]:
     """The container, the key and the type of the entries of ``a[b]``; arrays of objects are made here."""
     inner = expression.object
     cell = expressions.cell_of(run, frame, inner) if isinstance(inner, call_arguments.LVALUES) else None
@@ -299,7 +299,7 @@ def _parts(run: Run, frame: Frame, expression: syntax.Subscript) -> tuple[Value,
     return value, key, kind.of(1) if kind is not None and kind.name in MAPS else None
 
 
-def accessed(run: Run, frame: Frame, expression: syntax.Subscript | syntax.Call) -> Cell | None:
+def accessed(run: Walk, frame: Frame, expression: syntax.Subscript | syntax.Call) -> Cell | None:
     """The cell of ``v[i]``, ``v.at(i)``, ``v.front()`` or ``v.back()``."""
     if isinstance(expression, syntax.Subscript):
         return element(run, frame, *_parts(run, frame, expression))
@@ -317,12 +317,12 @@ def accessed(run: Run, frame: Frame, expression: syntax.Subscript | syntax.Call)
         value = value.cell.value
     if not isinstance(value, (Sequence, Mapped)) or (callee.name == "at") != (len(expression.arguments) == 1):
         return None
-    given = expression.arguments
-    at = expressions.evaluate(run, frame, given[0]) if given else Known(0 if callee.name == "front" else -1)
+    provided = expression.arguments
+    at = expressions.evaluate(run, frame, provided[0]) if provided else Known(0 if callee.name == "front" else -1)
     return element(run, frame, value, at)
 
 
-def element(run: Run, frame: Frame, container: Value, key: Value, kind: Type | None = None) -> Cell | None:
+def element(run: Walk, frame: Frame, container: Value, key: Value, kind: Type | None = None) -> Cell | None:
     """The cell of one element of a sequence or map; a map of C++ makes what is not there, as *kind* says."""
     if isinstance(container, Pointer):
         container = container.cell.value

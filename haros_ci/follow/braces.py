@@ -8,7 +8,7 @@ from typing import Any
 from haros_ci import syntax
 from haros_ci.follow import call_arguments, construct, conversions, copies
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.types import INTEGERS, MAPS, SEQUENCES, STRINGS, is_smart_pointer
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
@@ -20,7 +20,7 @@ GROWN = 64
 OPEN = "[]"
 
 
-def from_list(run: Run, frame: Frame, kind: Type, value: Value) -> Value:
+def from_list(run: Walk, frame: Frame, kind: Type, value: Value) -> Value:
     """Braces as a variable of the resolved type *kind* holds them: an array, vector, map or object."""
     if not isinstance(value, Sequence) or value.type is not None or not isinstance(value.content.value, tuple):
         return value
@@ -33,11 +33,13 @@ def from_list(run: Run, frame: Frame, kind: Type, value: Value) -> Value:
         return _pairs(run, frame, kind, [cell.value for cell in cells])
     if kind.name in ("", "auto") or is_smart_pointer(kind):
         return value
-    arguments = tuple(call_arguments.Argument(cell.value, None, conversions.value_type(cell.value)) for cell in cells)
+    arguments = tuple(
+        call_arguments.PassedArgument(cell.value, None, conversions.value_type(cell.value)) for cell in cells
+    )
     return construct.create(run, frame, kind.bare(), arguments, Location(frame.source.path))
 
 
-def braced(run: Run, frame: Frame, kind: Type, values: list[Value]) -> Value:
+def braced(run: Walk, frame: Frame, kind: Type, values: list[Value]) -> Value:
     """A vector of the elements in braces."""
     inner = kind.of(0)
     first = values[0] if values else None
@@ -52,7 +54,7 @@ def braced(run: Run, frame: Frame, kind: Type, values: list[Value]) -> Value:
     return Sequence(Cell(tuple(Cell(fitted(run, frame, inner, value), inner) for value in values)), kind)
 
 
-def is_text(argument: call_arguments.Argument) -> bool:
+def is_text(argument: call_arguments.PassedArgument) -> bool:
     """Whether an argument is a text, known or not."""
     kind = argument.type or conversions.value_type(argument.value)
     if isinstance(argument.value, (Text, Known)):
@@ -62,7 +64,7 @@ def is_text(argument: call_arguments.Argument) -> bool:
     )
 
 
-def _pairs(run: Run, frame: Frame, kind: Type, values: list[Value]) -> Value:
+def _pairs(run: Walk, frame: Frame, kind: Type, values: list[Value]) -> Value:
     inner = kind.of(1)
     made: dict[Any, Cell] = {}
     for value in values:
@@ -76,7 +78,7 @@ def _pairs(run: Run, frame: Frame, kind: Type, values: list[Value]) -> Value:
     return Mapped(Cell(made))
 
 
-def fitted(run: Run, frame: Frame, kind: Type | None, value: Value) -> Value:
+def fitted(run: Walk, frame: Frame, kind: Type | None, value: Value) -> Value:
     """*value* as an element or member of the resolved type *kind* is initialised with it."""
     if kind is None:
         return value
@@ -89,12 +91,12 @@ def fitted(run: Run, frame: Frame, kind: Type | None, value: Value) -> Value:
         and kind.name not in STRINGS
     ):
         if run.class_of(kind.name, frame.source) is not None:
-            argument = call_arguments.Argument(value, None, conversions.value_type(value))
+            argument = call_arguments.PassedArgument(value, None, conversions.value_type(value))
             return construct.create(run, frame, kind.bare(), (argument,), Location(frame.source.path))
     return conversions.converted(copies.copied(run, value, kind), kind)
 
 
-def array(run: Run, frame: Frame, values: list[Value], kind: Type) -> Value:
+def array(run: Walk, frame: Frame, values: list[Value], kind: Type) -> Value:
     """An array in braces; *kind* is that of a pointer to its elements."""
     inner = syntax.Type(kind.name, kind.arguments, kind.marks.replace("*", "", 1))
     if kind.name == "char" and "*" not in inner.marks:
@@ -110,14 +112,14 @@ def is_open(container: Value) -> bool:
     return isinstance(container, Sequence) and container.type is not None and container.type.marks == OPEN
 
 
-def is_array_of_objects(run: Run, frame: Frame, kind: Type | None) -> bool:
+def is_array_of_objects(run: Walk, frame: Frame, kind: Type | None) -> bool:
     """Whether an uninitialised variable of this type, with an index, is an array of the workspace's objects."""
     if kind is None or kind.marks.count("*") != 1:
         return False
     return run.class_of(kind.name, frame.source) is not None and not is_smart_pointer(kind)
 
 
-def grown(run: Run, frame: Frame, container: Sequence, index: int) -> Cell | None:
+def grown(run: Walk, frame: Frame, container: Sequence, index: int) -> Cell | None:
     """The element *index* of an array whose length is not known, constructed if need be."""
     cells: Any = container.content.value
     inner = container.type.of(0) if container.type is not None else None
@@ -131,6 +133,6 @@ def grown(run: Run, frame: Frame, container: Sequence, index: int) -> Cell | Non
     return found
 
 
-def made(run: Run, frame: Frame, kind: Type) -> Value:
+def made(run: Walk, frame: Frame, kind: Type) -> Value:
     """A default-constructed value."""
     return construct.create(run, frame, kind.bare(), (), Location(frame.source.path))

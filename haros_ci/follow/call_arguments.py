@@ -8,14 +8,14 @@ from dataclasses import dataclass
 from haros_ci import syntax
 from haros_ci.follow import conversions, expressions, static_types
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.types import INTEGERS, REALS
 from haros_ci.syntax import Expression, Type
 from haros_ci.values.abstract import Cell, Mapped, Value
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Argument:
+class PassedArgument:
     """An argument: its value, its cell where it is an lvalue, its static type, its keyword in Python."""
 
     value: Value
@@ -30,26 +30,26 @@ def is_scalar(kind: Type) -> bool:
     return name in INTEGERS or name in REALS or name in ("bool", "void", "") or set(name.split()) <= INTEGERS
 
 
-def arguments(run: Run, frame: Frame, written: tuple[Expression, ...]) -> tuple[Argument, ...]:
+def arguments(run: Walk, frame: Frame, written: tuple[Expression, ...]) -> tuple[PassedArgument, ...]:
     """The arguments of a call, evaluated from left to right; unpacked sequences are spread where known."""
-    result: list[Argument] = []
+    result: list[PassedArgument] = []
     is_open = False  # what stands behind an unpacked list that is not known has no place that is known
     for expression in written:
         if isinstance(expression, syntax.Star):
             items = static_types.elements(run, frame, expression.value)
             if items is None:
-                result.append(Argument(run.opaque(UNPACKED, frame), keyword="*"))
+                result.append(PassedArgument(run.opaque(UNPACKED, frame), keyword="*"))
                 is_open = True
             elif not is_open:
-                result += [Argument(item.value if isinstance(item, Cell) else item) for item in items]
+                result += [PassedArgument(item.value if isinstance(item, Cell) else item) for item in items]
             continue
         if isinstance(expression, syntax.DoubleStar):
-            given = expressions.evaluate(run, frame, expression.value)
-            cells = given.content.value if isinstance(given, Mapped) else None
+            argument_value = expressions.evaluate(run, frame, expression.value)
+            cells = argument_value.content.value if isinstance(argument_value, Mapped) else None
             if isinstance(cells, dict) and all(isinstance(key, str) for key in cells):
-                result += [Argument(cell.value, cell, None, key) for key, cell in cells.items()]
+                result += [PassedArgument(cell.value, cell, None, key) for key, cell in cells.items()]
             else:
-                result.append(Argument(run.opaque(UNPACKED, frame), keyword="**"))
+                result.append(PassedArgument(run.opaque(UNPACKED, frame), keyword="**"))
             continue
         keyword = ""
         if isinstance(expression, syntax.Keyword):
@@ -60,9 +60,9 @@ def arguments(run: Run, frame: Frame, written: tuple[Expression, ...]) -> tuple[
         if kind is None and isinstance(expression, TYPED):
             kind = static_types.static_type(run, frame, expression)
         if is_open and not keyword:
-            result.append(Argument(run.opaque(UNPACKED, frame), keyword="*"))
+            result.append(PassedArgument(run.opaque(UNPACKED, frame), keyword="*"))
             continue
-        result.append(Argument(value, cell, kind or conversions.value_type(value), keyword))
+        result.append(PassedArgument(value, cell, kind or conversions.value_type(value), keyword))
     return tuple(result)
 
 

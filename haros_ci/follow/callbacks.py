@@ -10,7 +10,7 @@ from haros_ci.follow import call_arguments, methods, partials
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.made import SEVERAL, Root, either
-from haros_ci.follow.run import CHAIN, ROOTS, Run
+from haros_ci.follow.run import CHAIN, ROOTS, Walk
 from haros_ci.model.architecture import Condition
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
@@ -28,9 +28,9 @@ TEARDOWN = frozenset(("on_deactivate", "on_cleanup", "on_shutdown", "on_error"))
 
 
 def register(
-    run: Run,
+    run: Walk,
     value: Value,
-    others: tuple[call_arguments.Argument, ...] = (),
+    others: tuple[call_arguments.PassedArgument, ...] = (),
     is_update: bool = False,
     is_setup: bool = False,
     doubt: str | None = None,
@@ -73,7 +73,7 @@ def register(
         run.roots.append(root)
 
 
-def _again(run: Run, number: int, other: Root) -> None:
+def _again(run: Walk, number: int, other: Root) -> None:
     """The root of that *number* is registered on an*other* way: what it makes stands under what both have in common.
 
     If it has been called back already, it is so once more, for what it makes then.
@@ -89,22 +89,22 @@ def _again(run: Run, number: int, other: Root) -> None:
     if number not in run.called:
         run.roots[number] = merged
     elif not run.quiet:
-        key = next(key for key, each in run.known_roots.items() if each == number)
+        key = next(key for key, known_root in run.known_roots.items() if known_root == number)
         run.known_roots[key] = len(run.roots)
         run.roots.append(merged)
 
 
-def _in_common(run: Run, known: Root, other: Root) -> tuple[tuple[Condition, ...], str | None]:
+def _in_common(run: Walk, known: Root, other: Root) -> tuple[tuple[Condition, ...], str | None]:
     """The conditions of what is registered on two ways, and its doubt; one that fewer branches rule out counts alone."""
     conditions, is_all = either(known.conditions, other.conditions, run.pairs)
     if not is_all and known.dead != other.dead:  # as of two ways to one endpoint
         counting = known if known.dead < other.dead else other
         return counting.conditions, counting.doubt
-    certain = any(each.doubt is None and each.conditions == conditions for each in (known, other))
+    certain = any(root.doubt is None and root.conditions == conditions for root in (known, other))
     return conditions, None if certain else known.doubt or other.doubt or (None if is_all else SEVERAL)
 
 
-def signature(run: Run, frame: Frame, macro: str, written: tuple[Expression, ...]) -> Value:
+def signature(run: Walk, frame: Frame, macro: str, written: tuple[Expression, ...]) -> Value:
     """``SLOT(method(types))`` and ``SIGNAL(...)`` call nothing: a slot of the object is called by a signal later (QObject)."""
     named: Expression = written[0] if len(written) == 1 else syntax.Null()
     if (
@@ -117,7 +117,7 @@ def signature(run: Run, frame: Frame, macro: str, written: tuple[Expression, ...
     return run.opaque(f"what {macro} is", frame)
 
 
-def _is_endless(run: Run, function: Callable) -> bool:
+def _is_endless(run: Walk, function: Callable) -> bool:
     """Whether callbacks go on registering *function*, each time for another object.
 
     In a rehearsal one stands for all of them: what it makes is seen where it is registered in earnest.
@@ -133,7 +133,7 @@ def _is_endless(run: Run, function: Callable) -> bool:
     return True
 
 
-def framework_entries(run: Run, this: Object) -> None:
+def framework_entries(run: Walk, this: Object) -> None:
     """Methods that a framework will call on *this*, as its library base classes say (``entry`` of a row)."""
     for owner in library_objects.owners(run, this):
         for row in run.rows.get(owner, ()):
@@ -144,7 +144,7 @@ def framework_entries(run: Run, this: Object) -> None:
     _entries_of_unknown_base(run, this)
 
 
-def _entries_of_unknown_base(run: Run, this: Object) -> None:
+def _entries_of_unknown_base(run: Walk, this: Object) -> None:
     """A nodelet whose base class is in a package outside: the manager initialises it, more is not known."""
     if this.definition is None or this.definition[0].separator != "::":
         return
@@ -154,6 +154,6 @@ def _entries_of_unknown_base(run: Run, this: Object) -> None:
     bases = [base for base in methods.library_bases(run, *this.definition) if base not in run.rows]
     if method is None or not bases:
         return
-    said = f"the base class {bases[0]} is not in the workspace: what it makes and calls is not known"
-    run.gaps.setdefault(said, Location(this.definition[0].path, this.definition[1].line))
+    message = f"the base class {bases[0]} is not in the workspace: what it makes and calls is not known"
+    run.gaps.setdefault(message, Location(this.definition[0].path, this.definition[1].line))
     register(run, method)

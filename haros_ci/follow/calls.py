@@ -27,7 +27,7 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import library
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.ros import api_rows, forwarding, ros2_parameters
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.types import is_smart_pointer, pointee
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
@@ -50,7 +50,7 @@ from haros_ci.values.abstract import (
 FOLD = syntax.Name("[fold]")
 
 
-def call(run: Run, frame: Frame, expression: syntax.Call) -> Value:
+def call(run: Walk, frame: Frame, expression: syntax.Call) -> Value:
     """The value of a call, with all that it makes, stores and registers on the way."""
     callee, written, targs = expression.callee, expression.arguments, expression.templates
     location = Location(frame.source.path, expression.line, expression.column)
@@ -78,7 +78,7 @@ def call(run: Run, frame: Frame, expression: syntax.Call) -> Value:
             of = iterators.pointed(receiver)
             receiver_cell, receiver = (of, of.value) if of is not None else (receiver_cell, receiver)
         if isinstance(receiver, Object) and receiver.name == ros2_parameters.PARAMETER:
-            kinds = tuple(run.type_in(each, frame) if isinstance(each, syntax.Type) else each for each in targs)
+            kinds = tuple(run.type_in(targ, frame) if isinstance(targ, syntax.Type) else targ for targ in targs)
             ros2_parameters.read_as(run, receiver, name, kinds)
         if isinstance(receiver, Choice) and frame.source.separator == "::":
             receiver = iterators.not_null(receiver)
@@ -103,12 +103,12 @@ def call(run: Run, frame: Frame, expression: syntax.Call) -> Value:
 
 
 def method_call(
-    run: Run,
+    run: Walk,
     frame: Frame,
     receiver: Value,
     cell: Cell | None,
     name: str,
-    args: tuple[call_arguments.Argument, ...],
+    args: tuple[call_arguments.PassedArgument, ...],
     targs: tuple[syntax.Argument, ...],
     location: Location,
 ) -> Value:
@@ -150,8 +150,8 @@ def method_call(
             kind = pointee(kind)
             loaded = alternatives.of_base(run, kind.name) if run.alternatives else ()
             if loaded:
-                each = [partial(method_call, run, frame, one, None, name, args, targs, location) for one in loaded]
-                return run.either_way(each, "it is called on one of several objects")
+                item = [partial(method_call, run, frame, one, None, name, args, targs, location) for one in loaded]
+                return run.either_way(item, "it is called on one of several objects")
             if run.alternatives and (held := alternatives.element(run, kind, name)) is not None:
                 return Opaque(receiver.reason, receiver.location, held)
             owner_class = run.class_of(kind.name, frame.source)
@@ -189,7 +189,7 @@ def method_call(
     return apply(run, frame, function, args, targs, location, syntax.Name(name))
 
 
-def _is_of_a_handle(frame: Frame, name: str, args: tuple[call_arguments.Argument, ...]) -> bool:
+def _is_of_a_handle(frame: Frame, name: str, args: tuple[call_arguments.PassedArgument, ...]) -> bool:
     """Whether a method of an object that is not declared in the workspace must be one of a node handle."""
     if frame.source.separator != "::":
         return False
@@ -198,11 +198,11 @@ def _is_of_a_handle(frame: Frame, name: str, args: tuple[call_arguments.Argument
 
 
 def _of_base(
-    run: Run,
+    run: Walk,
     frame: Frame,
     this: Object,
     name: str,
-    args: tuple[call_arguments.Argument, ...],
+    args: tuple[call_arguments.PassedArgument, ...],
     targs: tuple[syntax.Argument, ...],
     location: Location,
 ) -> Value:
@@ -218,7 +218,7 @@ def _of_base(
 
 
 def super_call(
-    run: Run, frame: Frame, name: str, args: tuple[call_arguments.Argument, ...], location: Location
+    run: Walk, frame: Frame, name: str, args: tuple[call_arguments.PassedArgument, ...], location: Location
 ) -> Value:
     """Python's ``super().name(...)``: the method of the next class up, of the workspace or of a library."""
     this = expressions.here(frame)
@@ -240,10 +240,10 @@ def super_call(
 
 
 def apply(
-    run: Run,
+    run: Walk,
     frame: Frame,
     function: Value,
-    args: tuple[call_arguments.Argument, ...],
+    args: tuple[call_arguments.PassedArgument, ...],
     targs: tuple[syntax.Argument, ...],
     location: Location,
     callee: Expression,
@@ -286,7 +286,7 @@ def apply(
     return library.unknown_call(run, frame, members.dotted(callee) or "a function", args)
 
 
-def _takes_self(function: Callable, args: tuple[call_arguments.Argument, ...]) -> bool:
+def _takes_self(function: Callable, args: tuple[call_arguments.PassedArgument, ...]) -> bool:
     """Whether this is ``Base.method(self, ...)`` of Python."""
     definition = function.function
     return (
@@ -299,7 +299,7 @@ def _takes_self(function: Callable, args: tuple[call_arguments.Argument, ...]) -
     )
 
 
-def new(run: Run, frame: Frame, expression: syntax.New) -> Value:
+def new(run: Walk, frame: Frame, expression: syntax.New) -> Value:
     """``new T(...)``: the object itself stands for its address."""
     resolved = run.type_in(expression.type, frame)
     return construct.create(

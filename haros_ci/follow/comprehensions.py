@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 from haros_ci import syntax
 from haros_ci.follow import activation, call_arguments, calls, conversions
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import LIST_LIMIT, NONE, Callable, Cell, Known, Mapped, Opaque, Sequence, Value
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 #: Longer lists are not gone through; inside loops and other comprehensions they are shorter.
 LONGEST = 256
@@ -34,7 +34,7 @@ def items(value: Value) -> list[Value] | None:
     return None
 
 
-def comprehension(run: Run, frame: Frame, is_flat: bool, args: tuple[Argument, ...]) -> Value:
+def comprehension(run: Walk, frame: Frame, is_flat: bool, args: tuple[PassedArgument, ...]) -> Value:
     """``[for](iterable, element, guard, the guard's text)``, see ``extract.python.comprehensions``.
 
     What a guard of which nothing is known lets through is made under it as a condition; the list is then not known.
@@ -66,7 +66,7 @@ def comprehension(run: Run, frame: Frame, is_flat: bool, args: tuple[Argument, .
 
 
 def _guarded(
-    run: Run, frame: Frame, element: Callable, guard: Value | None, args: tuple[Argument, ...], item: Value
+    run: Walk, frame: Frame, element: Callable, guard: Value | None, args: tuple[PassedArgument, ...], item: Value
 ) -> Value | None:
     """One element; None where the guard keeps it out."""
     if not isinstance(guard, Callable):
@@ -83,11 +83,11 @@ def _guarded(
     return MAYBE
 
 
-def _call(run: Run, frame: Frame, function: Callable, item: Value) -> Value:
-    return activation.invoke(run, frame, function, (call_arguments.Argument(item),))
+def _call(run: Walk, frame: Frame, function: Callable, item: Value) -> Value:
+    return activation.invoke(run, frame, function, (call_arguments.PassedArgument(item),))
 
 
-def applied(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> Value:
+def applied(run: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> Value:
     """``map(f, xs)`` and ``filter(f, xs)``."""
     unknown = Sequence(Cell(run.opaque(f"a list made by {name}", frame)))
     if len(args) != 2:
@@ -101,8 +101,8 @@ def applied(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> Va
         if function == NONE:
             value: Value = item
         else:
-            given = (call_arguments.Argument(item),)
-            value = calls.apply(run, frame, function, given, (), location, syntax.Name(name))
+            arguments = (call_arguments.PassedArgument(item),)
+            value = calls.apply(run, frame, function, arguments, (), location, syntax.Name(name))
         if name == "map":
             made.append(Cell(value))
             continue
@@ -114,7 +114,7 @@ def applied(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> Va
     return Sequence(Cell(tuple(made)))
 
 
-def dictionary(run: Run, frame: Frame, args: tuple[Argument, ...]) -> Value:
+def dictionary(run: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value:
     """``dict(mapping or pairs, name=value)``, a new one."""
     made: dict[Any, Cell] = {}
     unknown = Mapped(Cell(run.opaque("a dictionary made from what is not known", frame)))

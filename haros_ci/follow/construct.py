@@ -21,7 +21,7 @@ from haros_ci.follow import (
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.libraries import texts, tuples
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.index import Source
 from haros_ci.index.ros_types import parameter_type
 from haros_ci.index.types import MAPS, NO_TYPE, SEQUENCES, STRINGS, is_smart_pointer, pointee
@@ -33,7 +33,7 @@ from haros_ci.values.abstract import FALSE, LIST_LIMIT, NONE, Cell, Known, Mappe
 NODES = frozenset(("rclcpp::Node", "rclcpp_lifecycle::LifecycleNode"))
 
 
-def declare(run: Run, frame: Frame, variable: syntax.Variable) -> None:
+def declare(run: Walk, frame: Frame, variable: syntax.Variable) -> None:
     """A local variable."""
     name, init = variable.name, variable.init
     resolved = run.type_in(variable.type, frame)
@@ -57,12 +57,12 @@ def declare(run: Run, frame: Frame, variable: syntax.Variable) -> None:
     frame.declare(name, Cell(value, declared))
 
 
-def copied(run: Run, value: Value, kind: Type | None) -> Value:
+def copied(run: Walk, value: Value, kind: Type | None) -> Value:
     """*value* as another variable of static type *kind* holds it in C++ (see ``copies.copied``)."""
     return copies.copied(run, value, kind)
 
 
-def initial(run: Run, frame: Frame, kind: Type, init: syntax.Init | None, location: Location) -> Value:
+def initial(run: Walk, frame: Frame, kind: Type, init: syntax.Init | None, location: Location) -> Value:
     """The first value of a variable of the resolved type *kind*."""
     if isinstance(init, syntax.Equals):
         is_python = frame.source.program.language == "python"
@@ -81,7 +81,7 @@ def initial(run: Run, frame: Frame, kind: Type, init: syntax.Init | None, locati
             and issubclass(value.kind, str)
             and run.class_of(kind.name, frame.source) is not None
         ):
-            return create(run, frame, kind, (call_arguments.Argument(value),), location)
+            return create(run, frame, kind, (call_arguments.PassedArgument(value),), location)
         if isinstance(value, Sequence):
             return Sequence(value.content, kind if kind.name in SEQUENCES else value.type, value.end)
         return conversions.converted(value, kind)
@@ -103,7 +103,7 @@ def _is_list(kind: Type) -> bool:
 
 
 def create(
-    run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.Argument, ...], location: Location
+    run: Walk, frame: Frame, kind: Type, arguments: tuple[call_arguments.PassedArgument, ...], location: Location
 ) -> Value:
     """An instance of the resolved type *kind*, constructed from *arguments*."""
     if is_smart_pointer(kind):
@@ -114,10 +114,10 @@ def create(
     if name in SEQUENCES:
         return _vector(run, frame, kind, arguments)
     if name in MAPS:
-        given = arguments[0].value if arguments else Mapped(Cell({}))
-        if not isinstance(given, Mapped):
+        value = arguments[0].value if arguments else Mapped(Cell({}))
+        if not isinstance(value, Mapped):
             return Mapped(Cell(run.opaque("a map that is built in a way that is not followed", frame)))
-        return copies.copied(run, given, kind)
+        return copies.copied(run, value, kind)
     if name == tuples.TUPLE.name:
         return arguments[0].value if len(arguments) == 1 and len(kind.arguments) != 1 else tuples.made(arguments)
     if call_arguments.is_scalar(kind):
@@ -137,7 +137,7 @@ ZEROS = {"bool": FALSE, "int": Known(0), "double": Known(0.0)}
 
 
 def of_template(
-    run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.Argument, ...], location: Location
+    run: Walk, frame: Frame, kind: Type, arguments: tuple[call_arguments.PassedArgument, ...], location: Location
 ) -> Value:
     """``T{...}`` or ``T(...)`` of the type that a template parameter stands for, and elements that a list is made with."""
     if "*" in kind.marks:
@@ -147,9 +147,9 @@ def of_template(
     return create(run, frame, kind, arguments, location)
 
 
-def _vector(run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.Argument, ...]) -> Value:
+def _vector(run: Walk, frame: Frame, kind: Type, arguments: tuple[call_arguments.PassedArgument, ...]) -> Value:
     if not arguments and 0 < (number := tuples.number_of(kind, 1) or 0) <= OBJECTS:
-        arguments = (call_arguments.Argument(Known(number)),)
+        arguments = (call_arguments.PassedArgument(Known(number)),)
     if not arguments:
         return Sequence(Cell(()), kind)
     first = arguments[0].value
@@ -171,19 +171,19 @@ def _vector(run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.
     if isinstance(first, Known) and issubclass(first.kind, int) and 0 <= first.value <= most:
         cells = []
         for _ in range(first.value):
-            given = copies.copied(run, fill, inner) if fill is not None else None
-            start = given if given is not None else begin(run, frame, inner, (), Location(frame.source.path))
+            value = copies.copied(run, fill, inner) if fill is not None else None
+            start = value if value is not None else begin(run, frame, inner, (), Location(frame.source.path))
             cells.append(Cell(start, inner))
         return Sequence(Cell(tuple(cells)), kind)
     return Sequence(Cell(run.opaque("a list of unknown length", frame)), kind)
 
 
 def made_by_its_class(
-    run: Run,
+    run: Walk,
     frame: Frame,
     callee: Expression,
     kinds: tuple[syntax.Argument, ...],
-    args: tuple[call_arguments.Argument, ...],
+    args: tuple[call_arguments.PassedArgument, ...],
     location: Location,
 ) -> Value | None:
     """``C::make_shared(args)`` for a class of the workspace, as RCLCPP_SMART_PTR_DEFINITIONS defines it (rclcpp/macros.hpp).
@@ -200,11 +200,11 @@ def made_by_its_class(
 
 
 def instance(
-    run: Run,
+    run: Walk,
     frame: Frame,
     owner: tuple[Source, Class],
     targs: tuple[syntax.Argument, ...],
-    arguments: tuple[call_arguments.Argument, ...],
+    arguments: tuple[call_arguments.PassedArgument, ...],
     location: Location,
 ) -> Value:
     """A new object of a workspace's class: bases, then members in their order, then the constructor's body."""
@@ -224,12 +224,12 @@ def instance(
 
 
 def initialise(
-    run: Run,
+    run: Walk,
     frame: Frame,
     this: Object,
     owner: tuple[Source, Class],
     templates: Mapping[str, syntax.Argument],
-    arguments: tuple[call_arguments.Argument, ...],
+    arguments: tuple[call_arguments.PassedArgument, ...],
     location: Location,
     depth: int = 0,
     chosen: tuple[Source, Function] | None = None,
@@ -248,8 +248,8 @@ def initialise(
     body_at = location
     if function is not None:
         activation.bind(run, frame, inner, function, arguments)
-        for each in function.inits:
-            inits[each.name.rpartition("::")[2]] = each
+        for init in function.inits:
+            inits[init.name.rpartition("::")[2]] = init
         if function.body is not None:
             body_at = Location(where.path, function.body_line, function.body_column)
         if short in inits and not _is_of_base(
@@ -264,7 +264,7 @@ def initialise(
     if depth > methods.BASES:
         return
     bases = run.bases(source, definition, templates)
-    given = list(arguments) if function is None and not bases else []  # an aggregate
+    passed = list(arguments) if function is None and not bases else []  # an aggregate
     for base in bases:
         base_init = inits.get(base.name.rpartition("::")[2]) or _by_another_name(run, inner, definition, base.name)
         args = call_arguments.arguments(run, inner, base_init.arguments) if base_init else ()
@@ -282,8 +282,8 @@ def initialise(
             continue
         kind = run.type_in(member.type, declared)
         cell = this.fields[member.name] = Cell(NONE, kind)
-        if given:
-            cell.value = braces.fitted(run, declared, kind, given.pop(0).value)
+        if passed:
+            cell.value = braces.fitted(run, declared, kind, passed.pop(0).value)
         elif member.name in inits:
             own = inits[member.name]
             is_one = "&" in kind.marks and len(own.arguments) == 1
@@ -306,17 +306,17 @@ def initialise(
         activation.follow_body(run, inner, function)
 
 
-def _by_another_name(run: Run, inner: Frame, definition: Class, base: str) -> syntax.Initializer | None:
+def _by_another_name(run: Walk, inner: Frame, definition: Class, base: str) -> syntax.Initializer | None:
     """The initialiser of a *base* under an alias or macro: ``Base(name)`` where ``using Base = rclcpp::Node``."""
     members = {member.name for member in definition.fields}
-    for each in inner.function.inits if inner.function is not None else ():
-        written = each.type if each.type.name else syntax.Type(each.name)
-        if each.name not in members and run.type_in(written, inner).name == base:
-            return each
+    for init in inner.function.inits if inner.function is not None else ():
+        written = init.type if init.type.name else syntax.Type(init.name)
+        if init.name not in members and run.type_in(written, inner).name == base:
+            return init
     return None
 
 
-def _is_of_base(run: Run, inner: Frame, function: Function, name: str) -> bool:
+def _is_of_base(run: Walk, inner: Frame, function: Function, name: str) -> bool:
     """Whether what a constructor initialises under the last part of its own class's *name* is a base of that name."""
     last = name.rpartition("::")[2]
     written = next(init for init in function.inits if init.name.rpartition("::")[2] == last)
@@ -335,7 +335,7 @@ def _as_value(kind: Type, arguments: tuple[Expression, ...]) -> syntax.Init:
 
 
 def python_construct(
-    run: Run, frame: Frame, this: Object, arguments: tuple[call_arguments.Argument, ...], location: Location
+    run: Walk, frame: Frame, this: Object, arguments: tuple[call_arguments.PassedArgument, ...], location: Location
 ) -> None:
     """``__init__``, and the constructors of libraries' base classes."""
     source, definition = this.definition

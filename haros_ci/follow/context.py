@@ -8,17 +8,17 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from haros_ci.follow.made import Made
+from haros_ci.follow.made import MadeEntity
 from haros_ci.graph.ros2_process import Process
 from haros_ci.index.behavior_tree_files import TreeFiles
-from haros_ci.index.plugins import Plugin
-from haros_ci.index.xml_files import Reader
+from haros_ci.index.plugins import PluginDescription
+from haros_ci.index.xml_files import XmlFileReader
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import Value
 from haros_ci.values.given import Marks
 
 #: From a call's place, the last part of its function's name and the number of its arguments to the arguments' types and
-#: values and the template arguments' types, each None where it is not told.
+#: values and the template arguments' types, each None where it is not known.
 Exact = Function_[[str, int, int, str, int], tuple[tuple[tuple[str | None, Any], ...], tuple[str | None, ...]] | None]
 
 
@@ -30,15 +30,15 @@ class Context:
     namespace: str
     arguments: tuple[str, ...] | None
     #: The classes that pluginlib can load, by look-up name: where they are defined.
-    plugins: Mapping[str, Plugin]
+    plugins: Mapping[str, PluginDescription]
     #: Where a node is followed for all that its plug-ins could make: the workspace's plug-ins by base class.
-    of_base: Mapping[str, tuple[Plugin, ...]] | None = field(default=None, kw_only=True)
+    of_base: Mapping[str, tuple[PluginDescription, ...]] | None = field(default=None, kw_only=True)
     #: The look-up names of all plug-ins of a base class, where all of them are the workspace's.
     declared: Mapping[str, tuple[str, ...]] = field(default_factory=dict, kw_only=True)
     #: Behaviour trees in files of the workspace; None where nothing makes any.
     trees: TreeFiles | None = field(default=None, kw_only=True)
     #: The workspace's XML files and directories; None in ROS 1.
-    xml: Reader | None = field(default=None, kw_only=True)
+    xml: XmlFileReader | None = field(default=None, kw_only=True)
     #: Whether all of them are followed where it is not known which is created.
     any_tree: bool = field(default=False, kw_only=True)
     #: The value of a parameter that the configuration sets (a Choice if under a condition), None if it does not.
@@ -52,7 +52,7 @@ class Context:
     #: What the nodelet of a look-up name makes, under a full name and in the namespace above, as part of the node; and
     #: why that may not be all. None if the nodelet is not known. *loaded* are those asked for so far.
     nodelet: Function_[
-        [str, str, str, Function_[[str], Value | None]], tuple[tuple[Made, ...], Mapping[str, Location]] | None
+        [str, str, str, Function_[[str], Value | None]], tuple[tuple[MadeEntity, ...], Mapping[str, Location]] | None
     ] = lambda look_up, name, above, parameter: None
     loaded: list[str] = field(default_factory=list)
     #: The process that a nodelet is loaded into; the node itself otherwise.

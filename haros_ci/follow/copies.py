@@ -10,7 +10,7 @@ from haros_ci import syntax
 from haros_ci.follow import assignments, call_arguments, construct, expressions, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import qos_profiles, ros2_nodes
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.index import Source
 from haros_ci.index.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer, pointee
 from haros_ci.model.location import Location
@@ -33,7 +33,7 @@ def is_by_value(kind: Type | None) -> bool:
     return "*" not in kind.marks and "&" not in kind.marks and not is_smart_pointer(kind)
 
 
-def copied(run: Run, value: Value, kind: Type | None) -> Value:
+def copied(run: Walk, value: Value, kind: Type | None) -> Value:
     """*value* as another variable of static type *kind* holds it in C++: objects, vectors and maps are copied.
 
     Pointers, references, objects of libraries and what is of no known type stay the same.
@@ -44,7 +44,7 @@ def copied(run: Run, value: Value, kind: Type | None) -> Value:
     return value
 
 
-def _copy(run: Run, value: Value, kind: Type, depth: int, left: list[int]) -> Value:
+def _copy(run: Walk, value: Value, kind: Type, depth: int, left: list[int]) -> Value:
     if isinstance(value, Choice):
         return Choice(tuple(_copy(run, option, kind, depth, left) for option in value.options))
     if not isinstance(value, (Object, Sequence, Mapped)):
@@ -74,7 +74,7 @@ def _copy(run: Run, value: Value, kind: Type, depth: int, left: list[int]) -> Va
         return value
     constructor = _copy_constructor(run, owner)
     if constructor is not None and constructor not in run.active:
-        argument = call_arguments.Argument(value, Cell(value, syntax.Type(value.name, value.arguments, "")))
+        argument = call_arguments.PassedArgument(value, Cell(value, syntax.Type(value.name, value.arguments, "")))
         where = value.location or Location(owner[0].path)
         return construct.instance(run, Frame(owner[0], ""), owner, value.arguments, (argument,), where)
     twin = replace(value, fields={})
@@ -85,25 +85,25 @@ def _copy(run: Run, value: Value, kind: Type, depth: int, left: list[int]) -> Va
     return twin
 
 
-def _twin(run: Run, cell: Cell, kind: Type | None, depth: int, left: list[int]) -> Cell:
+def _twin(run: Walk, cell: Cell, kind: Type | None, depth: int, left: list[int]) -> Cell:
     left[0] -= 1
     if kind is not None and is_by_value(kind):
         return Cell(_copy(run, cell.value, kind, depth - 1, left), cell.type)
     return Cell(cell.value, cell.type)
 
 
-def derives(run: Run, one: tuple[Source, Class], base: Class, depth: int = 0) -> bool:
+def derives(run: Walk, one: tuple[Source, Class], base: Class, depth: int = 0) -> bool:
     """Whether class *one* is *base* or derived from it."""
     if one[1] is base or one[1].name == base.name:
         return True
     if depth >= methods.BASES:
         return False
-    owners = [run.class_of(each.name, one[0]) for each in run.bases(one[0], one[1], {})]
+    owners = [run.class_of(type_.name, one[0]) for type_ in run.bases(one[0], one[1], {})]
     others = [owner for owner in owners if owner is not None and owner[1] is not one[1]]
     return any(derives(run, owner, base, depth + 1) for owner in others)
 
 
-def is_reference(run: Run, value: Object, name: str) -> bool:
+def is_reference(run: Walk, value: Object, name: str) -> bool:
     """Whether a member is a reference."""
     source, definition = value.definition
     key = ("reference", source.path, definition.name, name)
@@ -113,7 +113,7 @@ def is_reference(run: Run, value: Object, name: str) -> bool:
     return bool(run.found[key])
 
 
-def _single(run: Run, owner: tuple[Source, Class]) -> list[tuple[Function, Type]]:
+def _single(run: Walk, owner: tuple[Source, Class]) -> list[tuple[Function, Type]]:
     """The constructors that take one argument, with its type."""
     source, definition = owner
     key = ("constructors of one", source.path, definition.name)
@@ -129,7 +129,7 @@ def _single(run: Run, owner: tuple[Source, Class]) -> list[tuple[Function, Type]
     return found
 
 
-def _copy_constructor(run: Run, owner: tuple[Source, Class]) -> Function | None:
+def _copy_constructor(run: Walk, owner: tuple[Source, Class]) -> Function | None:
     for function, kind in _single(run, owner):
         if (
             kind.name == owner[1].name
@@ -141,7 +141,7 @@ def _copy_constructor(run: Run, owner: tuple[Source, Class]) -> Function | None:
     return None
 
 
-def duplicate(run: Run, owner: tuple[Source, Class], argument: call_arguments.Argument) -> Value | None:
+def duplicate(run: Walk, owner: tuple[Source, Class], argument: call_arguments.PassedArgument) -> Value | None:
     """``C(c)`` as a copy; None where it is no copy, or where a constructor of the class says what happens."""
     value = argument.value
     if isinstance(value, Opaque):
@@ -159,7 +159,9 @@ def duplicate(run: Run, owner: tuple[Source, Class], argument: call_arguments.Ar
     return copied(run, value, syntax.Type(owner[1].name, value.arguments, ""))
 
 
-def _perhaps(run: Run, owner: tuple[Source, Class], argument: call_arguments.Argument, value: Opaque) -> Opaque | None:
+def _perhaps(
+    run: Walk, owner: tuple[Source, Class], argument: call_arguments.PassedArgument, value: Opaque
+) -> Opaque | None:
     """``C{x}`` for an aggregate and an *x* that is not known: a copy, unless its type says that it is a member."""
     source, definition = owner
     kind = value.type if value.type is not None and value.type.name not in ("", "auto") else argument.type
@@ -173,7 +175,7 @@ def _perhaps(run: Run, owner: tuple[Source, Class], argument: call_arguments.Arg
     return Opaque(value.reason, value.location, syntax.Type(definition.name))
 
 
-def static_copy(run: Run, frame: Frame, expression: Expression) -> Type | None:
+def static_copy(run: Walk, frame: Frame, expression: Expression) -> Type | None:
     """The type of value that *expression* has, so that ``auto`` copies it; None where that is not known."""
     kind: Type | None = None
     if isinstance(expression, syntax.Cast):
@@ -209,7 +211,7 @@ def static_copy(run: Run, frame: Frame, expression: Expression) -> Type | None:
     return kind.bare()
 
 
-def taken(run: Run, frame: Frame, kind: Type, expression: Expression, value: Value) -> Value:
+def taken(run: Walk, frame: Frame, kind: Type, expression: Expression, value: Value) -> Value:
     """The value of *expression* as a new variable of the resolved type *kind* takes it: copied if it is another's."""
     if frame.source.program.language == "python" or "*" in kind.marks or "&" in kind.marks:
         return value
@@ -224,7 +226,7 @@ def taken(run: Run, frame: Frame, kind: Type, expression: Expression, value: Val
     return copied(run, value, known)
 
 
-def returned(run: Run, inner: Frame, function: Function, returns: Type, value: Value) -> Value:
+def returned(run: Walk, inner: Frame, function: Function, returns: Type, value: Value) -> Value:
     """What a call gives: a copy, or the value of the cells that are referred to, which the run keeps."""
     run.references = None
     if inner.source.program.language == "python" or not isinstance(returns.marks, str):
@@ -245,7 +247,7 @@ def returned(run: Run, inner: Frame, function: Function, returns: Type, value: V
     return copied(run, value, returns)
 
 
-def _returning(run: Run, function: Function) -> tuple[list[Expression], set[str]]:
+def _returning(run: Walk, function: Function) -> tuple[list[Expression], set[str]]:
     key = ("written", id(function))
     if key not in run.found:
         run.found[key] = (_written(function), function)
@@ -265,7 +267,7 @@ def _written(function: Function) -> tuple[list[Expression], set[str]]:
     return found, local
 
 
-def _referred(run: Run, frame: Frame, expression: Expression, local: set[str]) -> Cell | None:
+def _referred(run: Walk, frame: Frame, expression: Expression, local: set[str]) -> Cell | None:
     """The cell of a returned reference, after the function's end; None if it may be that of a local variable."""
     inner = expression
     while isinstance(inner, (syntax.Member, syntax.Subscript, syntax.Dereference, syntax.Cast)):
@@ -281,7 +283,9 @@ def _referred(run: Run, frame: Frame, expression: Expression, local: set[str]) -
     return None
 
 
-def passed(run: Run, inner: Frame, value: Value, kind: Type, argument: call_arguments.Argument, is_open: bool) -> Value:
+def passed(
+    run: Walk, inner: Frame, value: Value, kind: Type, argument: call_arguments.PassedArgument, is_open: bool
+) -> Value:
     """An argument as a parameter of type *kind* takes it; if that is open, the argument's own type counts."""
     if inner.source.program.language == "python":
         return value
@@ -290,7 +294,7 @@ def passed(run: Run, inner: Frame, value: Value, kind: Type, argument: call_argu
     return copied(run, value, kind)
 
 
-def by_value(run: Run, frame: Frame, names: tuple[str, ...]) -> dict[str, Cell]:
+def by_value(run: Walk, frame: Frame, names: tuple[str, ...]) -> dict[str, Cell]:
     """What a lambda captures by value, as it is where it is made; of all (``=``) texts, numbers, lists and maps."""
     found = {name: cell for scope in frame.scopes for name, cell in scope.items()} if "=" in names else {}
     found.update((name, cell) for name in names if (cell := frame.find(name)) is not None)
@@ -300,11 +304,11 @@ def by_value(run: Run, frame: Frame, names: tuple[str, ...]) -> dict[str, Cell]:
         if f"&{name}" not in names
         and (isinstance(cell.value, CAPTURED) or (isinstance(cell.value, Object) and name in names))
         and cell not in run.lasting
-        and all(cell is not each for each in run.statics.values())
+        and all(cell is not static for static in run.statics.values())
     }
 
 
-def captures(run: Run, frame: Frame, index: int) -> tuple[Function, tuple[syntax.Variable, ...]]:
+def captures(run: Walk, frame: Frame, index: int) -> tuple[Function, tuple[syntax.Variable, ...]]:
     """A lambda without, and apart, the variables that its captures declare: they stand before its body's brace."""
     written = frame.source.program.functions[index]
     key = ("lambda", frame.source.path, index)
@@ -313,10 +317,10 @@ def captures(run: Run, frame: Frame, index: int) -> tuple[Function, tuple[syntax
         body = written.body or ()
         captured: list[syntax.Variable] = []
         brace = (written.body_line, written.body_column)
-        for each in body:
-            if not isinstance(each, syntax.Variable) or (each.line, each.column) >= brace:
+        for statement in body:
+            if not isinstance(statement, syntax.Variable) or (statement.line, statement.column) >= brace:
                 break
-            captured.append(each)
+            captured.append(statement)
         function = syntax.replace(written, body=body[len(captured) :]) if captured else written
         found = run.found[key] = (written, function, tuple(captured))
     return found[1], found[2]

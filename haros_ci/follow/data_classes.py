@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 from haros_ci import syntax
 from haros_ci.follow import activation, call_arguments, expressions, methods
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.index import Source
 from haros_ci.syntax import Class, Field
 from haros_ci.values.abstract import Cell, Object, Opaque, Value
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 #: Bases that leave the fields to the class (docs.python.org/3/library/typing.html).
 PLAIN = frozenset(("object", "typing.NamedTuple", "typing.Generic", "typing.Protocol", "abc.ABC"))
@@ -24,7 +24,7 @@ FIELD = ("field", "ib", "attrib")
 OTHER = "the constructor of its class is not known"
 
 
-def construct(run: Run, frame: Frame, this: Object, args: tuple[Argument, ...]) -> None:
+def construct(run: Walk, frame: Frame, this: Object, args: tuple[PassedArgument, ...]) -> None:
     """Set the fields of *this* to *args*, or as their ``field(…)`` says, and call ``__post_init__``."""
     source, definition = this.definition
     fields = _fields(run, source, definition, 0)
@@ -40,13 +40,13 @@ def construct(run: Run, frame: Frame, this: Object, args: tuple[Argument, ...]) 
         activation.invoke(run, frame, after, ())
 
 
-def _set(run: Run, this: Object, fields: dict[str, tuple[Source, Field]], args: tuple[Argument, ...]) -> None:
+def _set(run: Walk, this: Object, fields: dict[str, tuple[Source, Field]], args: tuple[PassedArgument, ...]) -> None:
     named = {argument.keyword: argument.value for argument in args if argument.keyword}
     rest = [argument.value for argument in args if not argument.keyword]
-    is_told = not rest or all(each.type.name for _, each in fields.values())
-    for name, (where, each) in fields.items():
+    is_told = not rest or all(field.type.name for _, field in fields.values())
+    for name, (where, field) in fields.items():
         # where it is not told, which of them are fields is not
-        value = _first_of(run, where, _options(where, each), named.get(name), rest) if is_told else Opaque(OTHER)
+        value = _first_of(run, where, _options(where, field), named.get(name), rest) if is_told else Opaque(OTHER)
         if is_told and not named.keys().isdisjoint(("*", "**")):
             value = named.get(name) or Opaque(call_arguments.UNPACKED)
         if value is not None:
@@ -54,7 +54,7 @@ def _set(run: Run, this: Object, fields: dict[str, tuple[Source, Field]], args: 
 
 
 def _first_of(
-    run: Run, where: Source, options: dict[str, syntax.Expression], named: Value | None, rest: list[Value]
+    run: Walk, where: Source, options: dict[str, syntax.Expression], named: Value | None, rest: list[Value]
 ) -> Value | None:
     """What a field begins with: one of the *rest* of the arguments, that of its name, or what its declaration says."""
     if options.get("init") == syntax.Boolean(False):
@@ -64,7 +64,7 @@ def _first_of(
     return named or _default(run, where, options)
 
 
-def _fields(run: Run, source: Source, definition: Class, depth: int) -> dict[str, tuple[Source, Field]]:
+def _fields(run: Walk, source: Source, definition: Class, depth: int) -> dict[str, tuple[Source, Field]]:
     """The annotated fields of a class, those of its bases first."""
     found: dict[str, tuple[Source, Field]] = {}
     if depth < methods.BASES:
@@ -72,9 +72,9 @@ def _fields(run: Run, source: Source, definition: Class, depth: int) -> dict[str
             owner = methods.python_class(run, base, source)
             if owner is not None and owner[1] is not definition:
                 found.update(_fields(run, *owner, depth + 1))
-    for each in definition.fields:
-        if not each.type.name.endswith("ClassVar"):
-            found[each.name] = (source, each)
+    for field in definition.fields:
+        if not field.type.name.endswith("ClassVar"):
+            found[field.name] = (source, field)
     return found
 
 
@@ -83,10 +83,10 @@ def _options(source: Source, field: Field) -> dict[str, syntax.Expression]:
     value = field.init.value if isinstance(field.init, syntax.Equals) else None
     if not isinstance(value, syntax.Call) or syntax.name_of(value.callee).rpartition(".")[2] not in FIELD:
         return {}
-    return {each.name: each.value for each in value.arguments if isinstance(each, syntax.Keyword)}
+    return {argument.name: argument.value for argument in value.arguments if isinstance(argument, syntax.Keyword)}
 
 
-def _default(run: Run, source: Source, options: dict[str, syntax.Expression]) -> Value | None:
+def _default(run: Walk, source: Source, options: dict[str, syntax.Expression]) -> Value | None:
     """What ``field(default=…)`` or ``field(default_factory=…)`` begins with; None for a field that is not declared so."""
     inner = Frame(source, "")
     if "default" in options:

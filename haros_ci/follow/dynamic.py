@@ -6,7 +6,7 @@ from __future__ import annotations
 from haros_ci import syntax
 from haros_ci.follow import call_arguments, copies, lookup, methods
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Function, Statement
@@ -21,7 +21,7 @@ IMPORTED = "it is imported by a name that is not known"
 INTERFACES = ("msg", "srv", "action")
 
 
-def virtual(run: Run, owner: tuple[Source, Class], name: str, location: Location) -> None:
+def virtual(run: Walk, owner: tuple[Source, Class], name: str, location: Location) -> None:
     """A method of some object of class *owner*: what a class derived from it would make, is not known to be made."""
     if owner[0].separator != "::":
         return
@@ -29,11 +29,11 @@ def virtual(run: Run, owner: tuple[Source, Class], name: str, location: Location
     if key not in run.found:
         run.found[key] = _overrider(run, owner, name)
     if run.found[key] is not None:
-        said = f"{owner[1].name}::{name} is called on an object whose class is not known; it may be {run.found[key]}"
-        run.gaps.setdefault(said, location)
+        message = f"{owner[1].name}::{name} is called on an object whose class is not known; it may be {run.found[key]}"
+        run.gaps.setdefault(message, location)
 
 
-def _overrider(run: Run, owner: tuple[Source, Class], name: str) -> str | None:
+def _overrider(run: Walk, owner: tuple[Source, Class], name: str) -> str | None:
     """The first class, by name, that defines virtual method *name* of *owner* anew so that it may make something."""
     declared = methods.class_method(run, *owner, name)
     if declared is None or not _is_virtual(run, declared[1].name):
@@ -48,11 +48,11 @@ def _overrider(run: Run, owner: tuple[Source, Class], name: str) -> str | None:
     return None
 
 
-def _adds(run: Run, source: Source, function: Function, name: str) -> bool:
+def _adds(run: Walk, source: Source, function: Function, name: str) -> bool:
     """Whether a method may make something but for what it has its base class do."""
     if not run.relevance.makes(function, source):
         return False
-    rest = tuple(each for each in function.body or () if not _is_of_base(each, name))
+    rest = tuple(statement for statement in function.body or () if not _is_of_base(statement, name))
     key = ("rest", id(function))
     if key not in run.found:
         run.found[key] = (function, rest)
@@ -70,11 +70,11 @@ def _is_of_base(statement: Statement, name: str) -> bool:
     return bool(statement.value.callee.name.endswith(f"::{name}"))
 
 
-def _is_virtual(run: Run, name: str) -> bool:
+def _is_virtual(run: Walk, name: str) -> bool:
     return any(function.is_virtual for _, function in run.index.functions.get(name, ()))
 
 
-def function(run: Run, called: Opaque, name: str, location: Location) -> None:
+def function(run: Walk, called: Opaque, name: str, location: Location) -> None:
     """A function object or pointer that is not known is called: what it makes is not known."""
     if called.reason == IMPORTED:
         run.gaps.setdefault(f"{name or 'a function'} is called: {IMPORTED}", location)
@@ -82,7 +82,7 @@ def function(run: Run, called: Opaque, name: str, location: Location) -> None:
         run.gaps.setdefault(f"{name or 'a function'} is called, which is not known: {called.reason}", location)
 
 
-def plugin(run: Run, called: str | None, reason: str, location: Location) -> None:
+def plugin(run: Walk, called: str | None, reason: str, location: Location) -> None:
     """A plug-in is loaded that is not known, or not in the workspace: what it makes is not known."""
     if called == "":
         return  # pluginlib throws
@@ -90,19 +90,19 @@ def plugin(run: Run, called: str | None, reason: str, location: Location) -> Non
     run.gaps.setdefault(f"{what} is loaded: {reason}", location)
 
 
-def module(run: Run, frame: Frame, name: str, args: tuple[call_arguments.Argument, ...]) -> Value | None:
+def module(run: Walk, frame: Frame, name: str, args: tuple[call_arguments.PassedArgument, ...]) -> Value | None:
     """The Python module that one of ``IMPORTS`` gives: ``__import__`` alone gives the package that it is in."""
-    wanted = args[0].value if args else None
-    if isinstance(wanted, Known) and issubclass(wanted.kind, str) and not wanted.value.startswith("."):
+    expected = args[0].value if args else None
+    if isinstance(expected, Known) and issubclass(expected.kind, str) and not expected.value.startswith("."):
         is_top = name == "__import__" and len(args) == 1
-        return lookup.imported(run, frame, wanted.value.partition(".")[0] if is_top else wanted.value)
-    tail = wanted.parts[-1] if isinstance(wanted, Text) else None
+        return lookup.imported(run, frame, expected.value.partition(".")[0] if is_top else expected.value)
+    tail = expected.parts[-1] if isinstance(expected, Text) else None
     if isinstance(tail, str) and tail.endswith(tuple(f".{kind}" for kind in INTERFACES)):
         return None
     return run.opaque(IMPORTED, frame) if args else None
 
 
-def of_module(run: Run, value: Opaque, name: Value, frame: Frame) -> Value:
+def of_module(run: Walk, value: Opaque, name: Value, frame: Frame) -> Value:
     """``getattr`` of a module that is not known."""
     if isinstance(name, Known) and name.value in INTERFACES:
         return run.opaque("the type of a message that is not known", frame)

@@ -24,7 +24,7 @@ from haros_ci.follow import (
 )
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import text_methods
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.types import is_smart_pointer, pointee
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
@@ -48,10 +48,10 @@ from haros_ci.values.abstract import (
 )
 
 _Kind = TypeVar("_Kind", bound=Expression)
-_Evaluate = Function_[[Run, Frame, Expression], Value]
+_Evaluate = Function_[[Walk, Frame, Expression], Value]
 
 
-def evaluate(run: Run, frame: Frame, expression: Expression) -> Value:
+def evaluate(run: Walk, frame: Frame, expression: Expression) -> Value:
     """The value of *expression*; never raises, whatever it is."""
     return EVALUATORS[type(expression)](run, frame, expression)
 
@@ -60,24 +60,24 @@ def evaluate(run: Run, frame: Frame, expression: Expression) -> Value:
 _POINTER = re.compile(r"(?:Ptr|PTR|Pointer|Ref|(?:^|[_:])(?:ptr|pointer|ref))\Z")
 
 
-def holds(run: Run, frame: Frame, expression: Expression, value: Value) -> bool | None:
+def holds(run: Walk, frame: Frame, expression: Expression, value: Value) -> bool | None:
     """Whether *expression*, which has come to *value*, is true; None if that is not known.
 
     A library's object that is no pointer has its own say: what its ``operator bool`` tells is not known. A pointer under a name of
     the library (``urdf::ModelInterfaceSharedPtr``) is true as one.
     """
-    told = conversions.truth(value)
-    if not told or not isinstance(value, Object) or value.definition is not None or frame.source.separator != "::":
-        return told
+    result = conversions.truth(value)
+    if not result or not isinstance(value, Object) or value.definition is not None or frame.source.separator != "::":
+        return result
     if not _POINTER.search(value.name):
         cell = cell_of(run, frame, expression) if isinstance(expression, (syntax.Name, syntax.Member)) else None
         kind = cell.type if cell is not None else None
         if kind is not None and kind.name == value.name and "*" not in kind.marks:
             return None
-    return told
+    return result
 
 
-def cell_of(run: Run, frame: Frame, expression: Expression) -> Cell | None:
+def cell_of(run: Walk, frame: Frame, expression: Expression) -> Cell | None:
     """The cell that *expression* names (an lvalue); None if it names none."""
     if isinstance(expression, syntax.Name):
         return lookup.named_cell(run, frame, expression.name)
@@ -99,7 +99,7 @@ def cell_of(run: Run, frame: Frame, expression: Expression) -> Cell | None:
     return None
 
 
-def _this(run: Run, frame: Frame, expression: syntax.This) -> Value:
+def _this(run: Walk, frame: Frame, expression: syntax.This) -> Value:
     around: Frame | None = frame
     while around is not None:
         if around.this is not None:
@@ -108,7 +108,7 @@ def _this(run: Run, frame: Frame, expression: syntax.This) -> Value:
     return run.opaque("the object is not known", frame)
 
 
-def _conditional(run: Run, frame: Frame, expression: syntax.Conditional) -> Value:
+def _conditional(run: Walk, frame: Frame, expression: syntax.Conditional) -> Value:
     decided = holds(run, frame, expression.test, evaluate(run, frame, expression.test))
     ways = [lambda side=side: evaluate(run, frame, side) for side in (expression.then, expression.other)]
     if decided is None:
@@ -120,20 +120,20 @@ def _conditional(run: Run, frame: Frame, expression: syntax.Conditional) -> Valu
     return ways[0 if decided else 1]()
 
 
-def _list(run: Run, frame: Frame, expression: syntax.ListLiteral) -> Value:
+def _list(run: Walk, frame: Frame, expression: syntax.ListLiteral) -> Value:
     items: list[Cell] = []
     for item in expression.items:
         if isinstance(item, syntax.Star):
             more = static_types.elements(run, frame, item.value)
             if more is None or len(items) + len(more) > LIST_LIMIT:
                 return Sequence(Cell(run.opaque("a list with unpacked elements", frame)))
-            items += [Cell(each.value) if isinstance(each, Cell) else Cell(each) for each in more]
+            items += [Cell(cell.value) if isinstance(cell, Cell) else Cell(cell) for cell in more]
             continue
         items.append(Cell(evaluate(run, frame, item)))
     return Sequence(Cell(tuple(items)))
 
 
-def _dict(run: Run, frame: Frame, expression: syntax.DictLiteral) -> Value:
+def _dict(run: Walk, frame: Frame, expression: syntax.DictLiteral) -> Value:
     pairs: dict[Any, Cell] = {}
     for key, item in expression.pairs:
         if key and isinstance(key, syntax.DoubleStar):
@@ -150,14 +150,14 @@ def _dict(run: Run, frame: Frame, expression: syntax.DictLiteral) -> Value:
     return Mapped(Cell(pairs))
 
 
-def _lambda(run: Run, frame: Frame, expression: syntax.Lambda) -> Value:
+def _lambda(run: Walk, frame: Frame, expression: syntax.Lambda) -> Value:
     function, captured = copies.captures(run, frame, expression.function)
     around = kept(frame)
-    for each in captured:
-        place = Location(frame.source.path, each.line, each.column)
-        held = construct.initial(run, frame, syntax.AUTO, each.init, place)
-        kind = copies.static_copy(run, frame, each.init.value) if isinstance(each.init, syntax.Equals) else None
-        around.scopes = [*around.scopes, {each.name: Cell(held, kind)}]
+    for variable in captured:
+        place = Location(frame.source.path, variable.line, variable.column)
+        held = construct.initial(run, frame, syntax.AUTO, variable.init, place)
+        kind = copies.static_copy(run, frame, variable.init.value) if isinstance(variable.init, syntax.Equals) else None
+        around.scopes = [*around.scopes, {variable.name: Cell(held, kind)}]
     if function.captures:
         around.scopes = [*around.scopes, copies.by_value(run, frame, function.captures)]
     return Callable(frame.source, function, here(frame), frame=around)
@@ -174,14 +174,14 @@ def here(frame: Frame) -> Object | None:
     return frame.this if frame.this is not None or frame.outer is None else here(frame.outer)
 
 
-def _address(run: Run, frame: Frame, expression: syntax.Address) -> Value:
+def _address(run: Walk, frame: Frame, expression: syntax.Address) -> Value:
     cell = cell_of(run, frame, expression.value)
     if cell is None or isinstance(cell.value, (Object, Callable)):
         return evaluate(run, frame, expression.value)
     return Pointer(cell)
 
 
-def _dereference(run: Run, frame: Frame, expression: syntax.Dereference) -> Value:
+def _dereference(run: Walk, frame: Frame, expression: syntax.Dereference) -> Value:
     value = evaluate(run, frame, expression.value)
     if isinstance(value, Pointer):
         return value.cell.value
@@ -199,7 +199,7 @@ def _dereference(run: Run, frame: Frame, expression: syntax.Dereference) -> Valu
     return value if end is None else end
 
 
-def _cast(run: Run, frame: Frame, expression: syntax.Cast) -> Value:
+def _cast(run: Walk, frame: Frame, expression: syntax.Cast) -> Value:
     value = evaluate(run, frame, expression.value)
     kind = run.type_in(expression.type, frame)
     if isinstance(value, Object) and value.definition is not None and "*" in kind.marks:
@@ -210,23 +210,23 @@ def _cast(run: Run, frame: Frame, expression: syntax.Cast) -> Value:
     return conversions.converted(value, kind)
 
 
-def _format(run: Run, frame: Frame, expression: syntax.Format) -> Value:
+def _format(run: Walk, frame: Frame, expression: syntax.Format) -> Value:
     show = printed if frame.source.program.language == "python" else None
     return concatenate(tuple(evaluate(run, frame, part) for part in expression.parts), show)
 
 
-def _unknown(run: Run, frame: Frame, expression: syntax.Unknown) -> Value:
+def _unknown(run: Walk, frame: Frame, expression: syntax.Unknown) -> Value:
     text = expression.text
     if text.startswith("del ") and frame.source.program.language == "python":
         uncertain.deleted(run, frame, text)
     return run.opaque(f"it is computed: {text}", frame)
 
 
-def _unpacked(run: Run, frame: Frame, expression: syntax.Star | syntax.DoubleStar) -> Value:
+def _unpacked(run: Walk, frame: Frame, expression: syntax.Star | syntax.DoubleStar) -> Value:
     return run.opaque(f"it is computed: {'star' if isinstance(expression, syntax.Star) else 'starstar'}", frame)
 
 
-def _on(kind: type[_Kind], value: Function_[[Run, Frame, _Kind], Value]) -> tuple[type[Expression], _Evaluate]:
+def _on(kind: type[_Kind], value: Function_[[Walk, Frame, _Kind], Value]) -> tuple[type[Expression], _Evaluate]:
     """*value* for expressions of *kind*, and for no others."""
     return cast("type[Expression]", kind), cast("_Evaluate", value)
 

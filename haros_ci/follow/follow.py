@@ -14,7 +14,7 @@ from haros_ci.follow import activation, alternatives, call_arguments, construct,
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.made import Root, forget_again, forget_unowned
 from haros_ci.follow.ros import ros2_nodes
-from haros_ci.follow.run import ROOTS, OutOfSteps, Run
+from haros_ci.follow.run import ROOTS, OutOfSteps, Walk
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Function
@@ -47,14 +47,14 @@ class Entry:
     """Where a node begins: a function (``main``), a class that a framework loads, or a Python module.
 
     *is_hosted* is a plug-in on the node of the program that loads it, which constructs it without options. *begin* is how
-    what is made by others is made in their place; *label* tells that apart.
+    what is made by others is made in their place; *label* distinguishes these.
     """
 
     source: Source
     function: Function | None = None
     definition: Class | None = None
     is_hosted: bool = False
-    begin: Function_[[Run, Frame], None] | None = None
+    begin: Function_[[Walk, Frame], None] | None = None
     label: str = ""
 
     @property
@@ -64,7 +64,7 @@ class Entry:
         return self.source.path, function, self.definition.name if self.definition is not None else ""
 
 
-def follow(run: Run, entry: Entry) -> bool:
+def follow(run: Walk, entry: Entry) -> bool:
     """Follow the node; what it makes is in ``run.made``. False if it is larger than the budget."""
     frame = Frame(entry.source, "")
     try:
@@ -77,12 +77,12 @@ def follow(run: Run, entry: Entry) -> bool:
     return True
 
 
-def _start(run: Run, frame: Frame, entry: Entry) -> None:
+def _start(run: Walk, frame: Frame, entry: Entry) -> None:
     if entry.begin is not None:
         entry.begin(run, frame)
     elif entry.definition is not None:
         owner = (entry.source, entry.definition)
-        args: tuple[call_arguments.Argument, ...] = _component_arguments(run, entry)
+        args: tuple[call_arguments.PassedArgument, ...] = _component_arguments(run, entry)
         construct.instance(run, frame, owner, (), args, Location(entry.source.path, entry.definition.line))
         first: list[Root] = []
         if run.context.process is None:  # what a nodelet's manager calls, before anything is called back
@@ -100,22 +100,22 @@ def _start(run: Run, frame: Frame, entry: Entry) -> None:
             program: Value = Opaque("the program's name", None, syntax.Type("char", (), "*"))
             cells = tuple(Cell(value) for value in (program, *(Known(word) for word in words or ())))
             args = (
-                call_arguments.Argument(argv or Known(len(cells))),
-                call_arguments.Argument(argv or Sequence(Cell(cells))),
+                call_arguments.PassedArgument(argv or Known(len(cells))),
+                call_arguments.PassedArgument(argv or Sequence(Cell(cells))),
             )
         activation.invoke(run, frame, Callable(entry.source, entry.function), args)
     else:
         lookup.module_frame(run, entry.source)
 
 
-def _component_arguments(run: Run, entry: Entry) -> tuple[call_arguments.Argument, ...]:
+def _component_arguments(run: Walk, entry: Entry) -> tuple[call_arguments.PassedArgument, ...]:
     """What a component is constructed with: the options of its node (rclcpp_components/node_factory.hpp)."""
     if run.context.process is None or entry.is_hosted or entry.source.separator == ".":
         return ()
-    return (call_arguments.Argument(ros2_nodes.options_for(run), type=syntax.Type("rclcpp::NodeOptions")),)
+    return (call_arguments.PassedArgument(ros2_nodes.options_for(run), type=syntax.Type("rclcpp::NodeOptions")),)
 
 
-def _call_back(run: Run, frame: Frame) -> None:
+def _call_back(run: Walk, frame: Frame) -> None:
     """Follow the callbacks: each from the state after initialisation, joined with what the others leave behind."""
     _set_up(run, frame)  # which is part of the beginning
     run.is_called_back = True
@@ -129,7 +129,7 @@ def _call_back(run: Run, frame: Frame) -> None:
             for number, root in enumerate(batch, start=done):
                 effects[number] = _counted(effects[number], _rehearsed(run, frame, root, run.effects, number))
         together = _disturbed(_together(effects))  # each of the batch begins with what holds now
-        for number, root in sorted(enumerate(batch, start=done), key=lambda each: _rank(run, each[1])):
+        for number, root in sorted(enumerate(batch, start=done), key=lambda item: _rank(run, item[1])):
             if root.is_setup or not inert.may_make(run, root.function, ()):
                 continue
             mark, known, made = run.state.mark(), len(run.roots), len(run.made)
@@ -167,19 +167,19 @@ def _goes_on(held: Any, first: Any, second: Any) -> bool:
 
 def _numbers(value: Any) -> frozenset[Any]:
     options = value.options if isinstance(value, Choice) else (value,)
-    return frozenset(each.value for each in options if isinstance(each, Known) and each.kind in (int, float))
+    return frozenset(option.value for option in options if isinstance(option, Known) and option.kind in (int, float))
 
 
 def _is_counted(value: Any) -> bool:
     return isinstance(value, Opaque) and value.reason == COUNTS
 
 
-def _rank(run: Run, root: Root) -> tuple[bool, bool]:
+def _rank(run: Walk, root: Root) -> tuple[bool, bool]:
     """Callbacks of plug-ins come first where a node is followed for these; those that change parameters come last."""
     return root.is_update, bool(run.alternatives) and not alternatives.have(run, root.function.this)
 
 
-def _set_up(run: Run, frame: Frame) -> None:
+def _set_up(run: Walk, frame: Frame) -> None:
     """Bring managed nodes up, and those that they make on the way: what that writes holds from then on."""
     done = 0
     while done < min(len(run.roots), ROOTS):
@@ -192,7 +192,7 @@ def _set_up(run: Run, frame: Frame) -> None:
         done += 1
 
 
-def _rehearse_all(run: Run, frame: Frame) -> None:
+def _rehearse_all(run: Walk, frame: Frame) -> None:
     """What each callback writes by itself, however often it runs, for those that have not been asked yet."""
     for number in range(len(run.effects), min(len(run.roots), ROOTS)):
         begun = tick()
@@ -202,7 +202,7 @@ def _rehearse_all(run: Run, frame: Frame) -> None:
         run.effects.append(writes)
 
 
-def _again(run: Run, frame: Frame, root: Root, writes: Writes) -> Writes:
+def _again(run: Walk, frame: Frame, root: Root, writes: Writes) -> Writes:
     """The numbers that a callback changes once more after its *writes*; it takes nothing of what others may spend."""
     rehearsed, spent = run.rehearsed, dict(run.spent)
     found = _counted(writes, _rehearsed(run, frame, root, [writes], 0))
@@ -210,7 +210,7 @@ def _again(run: Run, frame: Frame, root: Root, writes: Writes) -> Writes:
     return {cell: value for cell, value in found.items() if _is_counted(value)}
 
 
-def _rehearsed(run: Run, frame: Frame, root: Root, others: list[Writes], number: int) -> Writes:
+def _rehearsed(run: Walk, frame: Frame, root: Root, others: list[Writes], number: int) -> Writes:
     """What a callback writes, from a state that the *others* have disturbed."""
     if root.is_update or root.is_setup or root.is_tick:
         return {}
@@ -229,13 +229,13 @@ def _rehearsed(run: Run, frame: Frame, root: Root, others: list[Writes], number:
     return writes
 
 
-def _hand_on(run: Run, known: int, writes: Writes) -> None:
+def _hand_on(run: Walk, known: int, writes: Writes) -> None:
     """The callbacks that were registered after the first *known* ones begin with the *writes* of the one that did it."""
     for number in range(known, len(run.roots)):
         run.roots[number] = replace(run.roots[number], writes=writes)
 
 
-def interlude(run: Run, frame: Frame) -> None:
+def interlude(run: Walk, frame: Frame) -> None:
     """Callbacks are called here (``ros::spinOnce``): what they may write is joined with what holds."""
     if run.is_interlude:
         return
@@ -247,12 +247,12 @@ def interlude(run: Run, frame: Frame) -> None:
     _disturb(run, run.effects, -1)
 
 
-def _disturb(run: Run, effects: Sequence_[Writes], own: int) -> None:
+def _disturb(run: Walk, effects: Sequence_[Writes], own: int) -> None:
     """Join what the callbacks leave behind with what holds; of its *own* a callback sees plain values only."""
     _disturb_all(run, effects, own, _disturbed(_all_together(run) if effects is run.effects else _together(effects)))
 
 
-def _disturb_all(run: Run, effects: Sequence_[Writes], own: int, together: Mapping[Cell, Any]) -> None:
+def _disturb_all(run: Walk, effects: Sequence_[Writes], own: int, together: Mapping[Cell, Any]) -> None:
     """The same where *together* is what holds after one or another of them, of the cells that this changes."""
     mine = effects[own] if 0 <= own < len(effects) else {}
     for cell, value in together.items():
@@ -278,7 +278,7 @@ def _joined(held: Any, value: Any) -> Any:
     return joined(held, value)
 
 
-def _all_together(run: Run) -> Mapping[Cell, Any]:
+def _all_together(run: Walk) -> Mapping[Cell, Any]:
     """What each cell holds after one or another of the callbacks rehearsed so far; each is joined once."""
     _together(run.effects[run.joined :], run.together)
     run.joined = len(run.effects)
@@ -294,7 +294,7 @@ def _together(effects: Iterable[Writes], found: dict[Cell, Any] | None = None) -
     return found
 
 
-def _invoke(run: Run, frame: Frame, root: Root) -> None:
+def _invoke(run: Walk, frame: Frame, root: Root) -> None:
     before, dead = run.conditions[:], run.dead_root
     run.conditions[:], run.dead_root, run.is_raised = root.conditions, root.dead, False
     for cell, value in root.writes.items():
@@ -306,10 +306,10 @@ def _invoke(run: Run, frame: Frame, root: Root) -> None:
     run.conditions[:], run.dead_root = before, dead
 
 
-def _arguments(run: Run, root: Root, frame: Frame) -> tuple[call_arguments.Argument, ...]:
+def _arguments(run: Walk, root: Root, frame: Frame) -> tuple[call_arguments.PassedArgument, ...]:
     """What a framework passes: a dynamic_reconfigure callback gets the configuration, all else is not known."""
     function = root.function.function
-    found: list[call_arguments.Argument] = []
+    found: list[call_arguments.PassedArgument] = []
     scope = function.owner or function.name.rpartition("::")[0]
     inner = Frame(root.function.source, scope, function, root.function.this, templates=root.function.templates)
     for number, parameter in enumerate(function.parameters):
@@ -320,7 +320,9 @@ def _arguments(run: Run, root: Root, frame: Frame) -> tuple[call_arguments.Argum
         kind = run.type_in(parameter.type, inner)
         config: Object | None = run.config_objects.get(kind.name)
         if config is not None:
-            found.append(call_arguments.Argument(config))
+            found.append(call_arguments.PassedArgument(config))
         else:
-            found.append(call_arguments.Argument(run.opaque("what a callback is given", inner, function.line, kind)))
+            found.append(
+                call_arguments.PassedArgument(run.opaque("what a callback is given", inner, function.line, kind))
+            )
     return tuple(found)

@@ -6,12 +6,12 @@ from __future__ import annotations
 from haros_ci import syntax
 from haros_ci.follow import statements
 from haros_ci.follow.frames import NEXT, Frame
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.values.abstract import Cell
 from haros_ci.values.state import Writes, joined
 
 
-def preprocessor(run: Run, frame: Frame, statement: syntax.Preprocessor) -> str:
+def preprocessor(run: Walk, frame: Frame, statement: syntax.Preprocessor) -> str:
     """Follow each branch, and go on with their join; what they declare is there afterwards."""
     branches: list[tuple[str, Writes]] = []
     fresh: dict[str, Cell] = {}
@@ -38,9 +38,9 @@ def preprocessor(run: Run, frame: Frame, statement: syntax.Preprocessor) -> str:
     if not any(branch.text.startswith("#else") for branch in statement.branches):
         branches.append((NEXT, {}))
     for cell in fresh.values():  # who reads it was built with a branch that declares it
-        told = [writes[cell] for _, writes in branches if cell in writes]
-        value = told[0]
-        for other in told[1:]:
+        result = [writes[cell] for _, writes in branches if cell in writes]
+        value = result[0]
+        for other in result[1:]:
             value = joined(value, other)
         for _, writes in branches:
             writes.setdefault(cell, value)

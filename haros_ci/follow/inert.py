@@ -10,7 +10,7 @@ from typing import Any
 from haros_ci import syntax
 from haros_ci.follow import call_arguments, lookup, methods, partials
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.index import Source
 from haros_ci.syntax import Function, Type
 from haros_ci.syntax.walk import Part, everything
@@ -44,9 +44,9 @@ CALLABLE = CALLED | {Choice, Pointer, Sequence, Mapped}
 
 
 def may_make(
-    run: Run,
+    run: Walk,
     function: Callable,
-    args: tuple[call_arguments.Argument, ...],
+    args: tuple[call_arguments.PassedArgument, ...],
     templates: Mapping[str, syntax.Argument] | None = None,
 ) -> bool:
     """Whether a call may make something: the function by itself, or something that it is given and may call.
@@ -65,13 +65,13 @@ def may_make(
     )
 
 
-def _holds(run: Run, this: Object) -> bool:
+def _holds(run: Walk, this: Object) -> bool:
     """Whether a member of a Python object holds a function or class that makes something."""
     held = (cell.value for cell in this.fields.values())
     return any(value.__class__ in HELD and _makes(run, value) for value in held)
 
 
-def _makes(run: Run, value: Any) -> bool:
+def _makes(run: Walk, value: Any) -> bool:
     if isinstance(value, Callable):
         return may_make(run, value, ())
     if isinstance(value, ClassValue):
@@ -94,7 +94,7 @@ def _makes(run: Run, value: Any) -> bool:
 
 
 def is_inert(
-    run: Run, function: Callable, definition: Function, returns: Type, args: tuple[call_arguments.Argument, ...]
+    run: Walk, function: Callable, definition: Function, returns: Type, args: tuple[call_arguments.PassedArgument, ...]
 ) -> bool:
     """Whether a function that makes nothing need not be followed: it gives and changes numbers only."""
     if definition.kind == "constructor" or _is_short(definition):
@@ -124,7 +124,7 @@ def is_inert(
 Pointers = dict[str, tuple[tuple[Source, str, syntax.Init | None, Type], ...]]
 
 
-def _pointers(run: Run, names: frozenset[str]) -> Pointers:
+def _pointers(run: Walk, names: frozenset[str]) -> Pointers:
     """The namespace-scope variables and static members of those *names* (their last parts) that point to constants.
 
     They are no constants themselves: for each its file, qualified name, initialiser and type.
@@ -137,15 +137,15 @@ def _pointers(run: Run, names: frozenset[str]) -> Pointers:
     trace = run.index.trace
     if trace is not None:
         trace.names |= names
-        trace.paths.update(where.path for each in found.values() for where, _, _, _ in each)
+        trace.paths.update(where.path for item in found.values() for where, _, _, _ in item)
     return found
 
 
-def _all_pointers(run: Run) -> Pointers:
+def _all_pointers(run: Walk) -> Pointers:
     index = run.index
-    variables = [(where, v.name, v) for each in dict.values(index.variables) for where, v in each]
-    for each in dict.values(index.classes):
-        variables += [(where, f"{c.name}::{f.name}", f) for where, c in each for f in c.fields if f.is_static]
+    variables = [(where, v.name, v) for item in dict.values(index.variables) for where, v in item]
+    for item in dict.values(index.classes):
+        variables += [(where, f"{c.name}::{f.name}", f) for where, c in item for f in c.fields if f.is_static]
     found: Pointers = {}
     for where, name, variable in variables:
         if "*" in variable.type.marks and not variable.type.marks.endswith("c"):
@@ -197,12 +197,12 @@ def _returns_value(block: Part) -> bool:
 
 
 def skipped(
-    run: Run,
+    run: Walk,
     inner: Frame,
     function: Callable,
     definition: Function,
     returns: Type,
-    args: tuple[call_arguments.Argument, ...],
+    args: tuple[call_arguments.PassedArgument, ...],
 ) -> Value:
     """What is known after a function that was not followed: the numbers that it may change are not."""
     changed = run.relevance.changes(definition, function.source)
@@ -243,7 +243,7 @@ def skipped(
     )
 
 
-def _forget_members(run: Run, this: Object, changed: frozenset[str], unknown: Opaque, depth: int) -> None:
+def _forget_members(run: Walk, this: Object, changed: frozenset[str], unknown: Opaque, depth: int) -> None:
     for name, cell in this.fields.items():
         if name in changed:
             _forget(run, cell, replace(unknown, type=cell.type))
@@ -251,7 +251,7 @@ def _forget_members(run: Run, this: Object, changed: frozenset[str], unknown: Op
             _forget_members(run, cell.value, changed, unknown, depth + 1)
 
 
-def _forget(run: Run, cell: Cell, unknown: Opaque) -> None:
+def _forget(run: Walk, cell: Cell, unknown: Opaque) -> None:
     value = cell.value
     if isinstance(value, (Sequence, Mapped)):
         run.state.write(value.content, unknown)

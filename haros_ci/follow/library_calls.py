@@ -9,7 +9,7 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import harmless, library
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.ros import api_rows, ros2_nodes
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
@@ -17,11 +17,11 @@ from haros_ci.values.abstract import NONE, Cell, Library, Object, Opaque, Value
 
 
 def inherited_call(
-    run: Run,
+    run: Walk,
     frame: Frame,
     this: Object,
     name: str,
-    args: tuple[call_arguments.Argument, ...],
+    args: tuple[call_arguments.PassedArgument, ...],
     targs: tuple[syntax.Argument, ...],
     location: Location,
 ) -> Value | None:
@@ -50,10 +50,10 @@ SPINNING = frozenset(
 
 
 def library_call(
-    run: Run,
+    run: Walk,
     frame: Frame,
     function: Library,
-    args: tuple[call_arguments.Argument, ...],
+    args: tuple[call_arguments.PassedArgument, ...],
     targs: tuple[syntax.Argument, ...],
     location: Location,
     callee: Expression,
@@ -105,11 +105,11 @@ def library_call(
 
 
 def _made(
-    run: Run,
+    run: Walk,
     frame: Frame,
     name: str,
     kinds: tuple[syntax.Argument, ...],
-    args: tuple[call_arguments.Argument, ...],
+    args: tuple[call_arguments.PassedArgument, ...],
     location: Location,
 ) -> Value | None:
     """``make_it<T>(args)`` of a library that is not known, as ``std::make_unique``, for a class T of the workspace: an object of it."""
@@ -121,7 +121,7 @@ def _made(
 
 
 def _one(
-    run: Run, frame: Frame, name: str, args: tuple[call_arguments.Argument, ...], location: Location
+    run: Walk, frame: Frame, name: str, args: tuple[call_arguments.PassedArgument, ...], location: Location
 ) -> Value | None:
     """``T::instance()`` that a class T of the workspace has from a base class ``Singleton<T>`` which is not here: the one object of it."""
     head, _, last = name.rpartition("::")
@@ -129,8 +129,10 @@ def _one(
     if owner is None or not last.lower().endswith("instance"):
         return None
     own = owner[1].name.rpartition("::")[2]
-    named = (each.name for base in owner[1].bases for each in base.arguments if isinstance(each, syntax.Type))
-    if own not in {each.rpartition("::")[2] for each in named}:
+    named = (
+        argument.name for base in owner[1].bases for argument in base.arguments if isinstance(argument, syntax.Type)
+    )
+    if own not in {item.rpartition("::")[2] for item in named}:
         return None
     key = (f"the one of {owner[0].path}", owner[1].name)
     cell = run.statics.get(key)
@@ -142,7 +144,7 @@ def _one(
     return found
 
 
-def ends_the_program(run: Run, frame: Frame, expression: Expression) -> bool:
+def ends_the_program(run: Walk, frame: Frame, expression: Expression) -> bool:
     """Whether a statement is a call of ``exit`` and its kin: nothing comes after it."""
     callee = expression.callee if isinstance(expression, syntax.Call) else None
     if not isinstance(callee, (syntax.Name, syntax.Member)) or callee.name.rpartition("::")[2] not in harmless.EXITS:

@@ -14,7 +14,7 @@ from haros_ci.follow.libraries import cpp as library_cpp
 from haros_ci.follow.libraries import numbers as library_numbers
 from haros_ci.follow.libraries import python_modules
 from haros_ci.follow.ros import qos
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index import macros as macros_
 from haros_ci.index.common_messages import COMMON, NAMES
 from haros_ci.index.index import EITHER, Source
@@ -23,7 +23,7 @@ from haros_ci.syntax import Expression, Type
 from haros_ci.values.abstract import Callable, Cell, ClassValue, Known, Library, Module, Object, Value, join, tick
 
 
-def named_cell(run: Run, frame: Frame, name: str) -> Cell | None:
+def named_cell(run: Walk, frame: Frame, name: str) -> Cell | None:
     cell = frame.find(name)
     if cell is not None:
         return cell
@@ -50,13 +50,13 @@ def named_cell(run: Run, frame: Frame, name: str) -> Cell | None:
     return global_cell(run, *found) if found is not None else None
 
 
-def _found_variable(run: Run, frame: Frame, name: str) -> tuple[Source, str, syntax.Init | None, Type] | None:
+def _found_variable(run: Walk, frame: Frame, name: str) -> tuple[Source, str, syntax.Init | None, Type] | None:
     if (key := ("variable", name, frame.scope, frame.source.path)) not in run.found:
         run.found[key] = _variable(run, frame, name)
     return run.found[key]
 
 
-def _variable(run: Run, frame: Frame, name: str) -> tuple[Source, str, syntax.Init | None, Type] | None:
+def _variable(run: Walk, frame: Frame, name: str) -> tuple[Source, str, syntax.Init | None, Type] | None:
     """The namespace-scope variable or static member that *name* means: its file, qualified name, initialiser, type."""
     for candidate in run.index.scopes(name, frame.scope, frame.source):
         found = run.index.near(run.index.variables, candidate, frame.source, run.files)
@@ -75,7 +75,7 @@ def _variable(run: Run, frame: Frame, name: str) -> tuple[Source, str, syntax.In
     return None
 
 
-def global_cell(run: Run, source: Source, name: str, init: syntax.Init | None, kind: Type) -> Cell:
+def global_cell(run: Walk, source: Source, name: str, init: syntax.Init | None, kind: Type) -> Cell:
     """The one cell of a namespace-scope variable or static member, made when it is first used."""
     key = (source.path, name)
     cell = run.globals.get(key)
@@ -97,7 +97,7 @@ def global_cell(run: Run, source: Source, name: str, init: syntax.Init | None, k
     return cell
 
 
-def name(run: Run, frame: Frame, expression: syntax.Name) -> Value:
+def name(run: Walk, frame: Frame, expression: syntax.Name) -> Value:
     name = expression.name
     cell = named_cell(run, frame, name)
     if cell is not None:
@@ -108,7 +108,7 @@ def name(run: Run, frame: Frame, expression: syntax.Name) -> Value:
     if key not in run.found:
         run.found[key] = _global_name(run, frame, name)
     value: Any = run.found[key]
-    if isinstance(value, Macro):
+    if isinstance(value, ObjectMacro):
         return _expanded(run, frame, value, name)
     if isinstance(value, Library) and run.context.process is not None:
         profile = qos.preset(value.name)
@@ -127,13 +127,13 @@ def name(run: Run, frame: Frame, expression: syntax.Name) -> Value:
 
 
 @dataclass(frozen=True, slots=True)
-class Macro:
+class ObjectMacro:
     """An object-like macro: what its definitions stand for."""
 
     bodies: tuple[Expression, ...]
 
 
-def _expanded(run: Run, frame: Frame, macro: Macro, name: str) -> Value:
+def _expanded(run: Walk, frame: Frame, macro: ObjectMacro, name: str) -> Value:
     """A macro's value where it stands; names in it mean there what they mean."""
     looking = ("expanding", frame.source.path, name)
     if looking in run.found:
@@ -149,7 +149,7 @@ def _expanded(run: Run, frame: Frame, macro: Macro, name: str) -> Value:
     return value
 
 
-def _inherited(run: Run, frame: Frame, this: Object, name: str, value: Value) -> Callable | None:
+def _inherited(run: Walk, frame: Frame, this: Object, name: str, value: Value) -> Callable | None:
     """The method *name* of a base class, which is meant before what the enclosing namespaces have of that name."""
     if isinstance(value, Callable) and value.function.owner and value.function.owner == frame.scope:
         return None
@@ -162,14 +162,14 @@ def _inherited(run: Run, frame: Frame, this: Object, name: str, value: Value) ->
     return Callable(*method) if method is not None else None
 
 
-def _is_virtual(run: Run, frame: Frame, value: Callable) -> bool:
+def _is_virtual(run: Walk, frame: Frame, value: Callable) -> bool:
     """Whether the call of a method goes to the object's own class: not inside a constructor, where it is not yet of it."""
     if frame.function is None or frame.function.kind in ("constructor", "destructor"):
         return False
     return any(function.is_virtual for _, function in run.index.functions.get(value.function.name, ()))
 
 
-def _global_name(run: Run, frame: Frame, name: str) -> Value | Macro:
+def _global_name(run: Walk, frame: Frame, name: str) -> Value | ObjectMacro:
     """What a name that is no variable means in C++: a function, macro, class, or a library's name."""
     index = run.index
     for candidate in index.scopes(name, frame.scope, frame.source):
@@ -181,7 +181,7 @@ def _global_name(run: Run, frame: Frame, name: str) -> Value | Macro:
         packages = {frame.source.package, *(source.package for source, _ in macros)}
         if any(name in index.defined.get(package, ()) for package in packages):
             return run.opaque(f"the build defines {name}", frame)
-        return Macro(tuple(macros_.expression(body) for _, body in macros))
+        return ObjectMacro(tuple(macros_.expression(body) for _, body in macros))
     resolved = run.type_in(syntax.Type(name), frame)
     found = run.class_of(resolved.name, frame.source)
     if found is not None:
@@ -198,25 +198,25 @@ def _global_name(run: Run, frame: Frame, name: str) -> Value | Macro:
     return Known(constant) if constant is not None else Library(resolved.name)
 
 
-def _of_its_base(run: Run, frame: Frame, name: str) -> tuple[Source, syntax.Function] | None:
+def _of_its_base(run: Walk, frame: Frame, name: str) -> tuple[Source, syntax.Function] | None:
     """``C::m`` where a base of the class defines the method."""
     head, _, last = name.rpartition("::")
     owner = run.class_of(run.type_in(syntax.Type(head), frame).name, frame.source)
     return methods.class_method(run, *owner, last) if owner is not None else None
 
 
-def python_name(run: Run, frame: Frame, name: str) -> Value:
+def python_name(run: Walk, frame: Frame, name: str) -> Value:
     if name in ("True", "False", "None"):
         return Known({"True": True, "False": False, "None": None}[name])
     found = run.index.near(run.index.classes, name, frame.source, run.files)
     if found and found[0][0].path == frame.source.path:
-        return overloads.either([ClassValue(*each) for each in overloads.last(found)])
+        return overloads.either([ClassValue(*item) for item in overloads.last(found)])
     functions = [f for f in run.index.functions.get(name, ()) if f[0].path == frame.source.path]
     if frame.function is None and frame.scope:  # the body of a class
         own = run.index.functions.get(f"{frame.scope}.{name}", ())
         functions = [f for f in own if f[0].path == frame.source.path] or functions
     if functions:
-        return overloads.either([Callable(*each) for each in overloads.last(functions)])
+        return overloads.either([Callable(*item) for item in overloads.last(functions)])
     looking = ("looking", frame.source.path, name)
     if looking not in run.found:  # else modules import each other
         run.found[looking] = True
@@ -231,7 +231,7 @@ def python_name(run: Run, frame: Frame, name: str) -> Value:
     return Library(name)
 
 
-def _imported_name(run: Run, frame: Frame, name: str) -> Value | None:
+def _imported_name(run: Walk, frame: Frame, name: str) -> Value | None:
     """What the file's imports of *name* mean: either of several, and of several modules with all their names the last."""
     targets = dict.fromkeys(alias.type.name for alias in frame.source.program.aliases if alias.name == name)
     value: Value | None = None
@@ -248,7 +248,7 @@ def _imported_name(run: Run, frame: Frame, name: str) -> Value | None:
     return None
 
 
-def _starred(run: Run, source: Source, name: str) -> str | None:
+def _starred(run: Walk, source: Source, name: str) -> str | None:
     """The message type that ``from pkg.msg import *`` brings in: defined in the workspace, or else by the one package outside."""
     outside = []
     for alias in reversed(source.program.aliases):  # of several the last counts
@@ -267,7 +267,7 @@ def _starred(run: Run, source: Source, name: str) -> str | None:
     return outside[0] if len(outside) == 1 and name[:1].isupper() else None
 
 
-def _of_action(run: Run, package: str, name: str) -> bool:
+def _of_action(run: Walk, package: str, name: str) -> bool:
     """Whether *name* is a message of an action of the workspace (wiki.ros.org/actionlib: FooAction, FooGoal, ...)."""
     action = name
     for suffix in ("Action", "Goal", "Result", "Feedback"):
@@ -276,7 +276,7 @@ def _of_action(run: Run, package: str, name: str) -> bool:
     return action != name and f"{package}/{action}" in run.index.interfaces
 
 
-def imported(run: Run, frame: Frame, target: str) -> Value:
+def imported(run: Walk, frame: Frame, target: str) -> Value:
     """What a dotted Python name means: a module, class, function or variable of the workspace, or a library's name."""
     placed = python_modules.placed(run, frame.source, target)
     if placed is not None:
@@ -299,7 +299,7 @@ def imported(run: Run, frame: Frame, target: str) -> Value:
     return imported(run, frame, beside) if beside is not None else Library(python_modules.passed_on(target))
 
 
-def _inside(run: Run, frame: Frame, source: Source, rest: list[str]) -> Value:
+def _inside(run: Walk, frame: Frame, source: Source, rest: list[str]) -> Value:
     """A module, or what the names *rest* mean in it, one inside of the other."""
     value: Value = Module(source)
     for part in rest:
@@ -309,7 +309,7 @@ def _inside(run: Run, frame: Frame, source: Source, rest: list[str]) -> Value:
     return value
 
 
-def is_generated(run: Run, source: Source, name: str) -> bool:
+def is_generated(run: Walk, source: Source, name: str) -> bool:
     """Whether *name* of a package's own Python module is the module that its interfaces are generated into.
 
     Both are installed into one Python package (wiki.ros.org/genpy, wiki.ros.org/dynamic_reconfigure).
@@ -324,10 +324,10 @@ def is_generated(run: Run, source: Source, name: str) -> bool:
 def _rebound(source: Source) -> set[str]:
     """The variables of a Python module that its functions assign to (``global``)."""
     statements = (statement for function in source.program.functions for statement in function.body or ())
-    return {name for each in statements if isinstance(each, syntax.Global) for name in each.names}
+    return {name for statement in statements if isinstance(statement, syntax.Global) for name in statement.names}
 
 
-def module_frame(run: Run, source: Source) -> Frame:
+def module_frame(run: Walk, source: Source) -> Frame:
     """A Python module's own scope; its body is followed once, when the module is first used."""
     frame = run.modules.get(source.path)
     if frame is None:

@@ -11,7 +11,7 @@ from haros_ci import syntax
 from haros_ci.follow import alternatives, expressions, statements, static_types, thrown
 from haros_ci.follow.frames import BREAK, CONTINUE, NEXT, Frame, Loop
 from haros_ci.follow.made import forget_dead, go_back, keep
-from haros_ci.follow.run import TURNS, Run
+from haros_ci.follow.run import TURNS, Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Type
 from haros_ci.values.abstract import Cell, Known, Mapped, Object, Opaque, Partial, Sequence, Value, opaque_of, tick
@@ -29,7 +29,7 @@ NESTED = 8
 NAMED = "the list is a matter of parameters"
 
 
-def loop(run: Run, frame: Frame, statement: syntax.Loop) -> str:
+def loop(run: Walk, frame: Frame, statement: syntax.Loop) -> str:
     keyword, line, column, text = statement.keyword, statement.line, statement.column, statement.text
     first, test, body = statement.before, statement.test, statement.body
     frame.scopes.append({})
@@ -67,7 +67,7 @@ def loop(run: Run, frame: Frame, statement: syntax.Loop) -> str:
 
 
 def _turned(
-    run: Run, frame: Frame, statement: syntax.Loop, loop: Loop, one: Callable[[], str], after: Callable[[], None]
+    run: Walk, frame: Frame, statement: syntax.Loop, loop: Loop, one: Callable[[], str], after: Callable[[], None]
 ) -> str | None:
     """Go through a loop turn by turn, as long as that is known and worth it: how it ends; None if that is not seen."""
     test, before = statement.test, run.steps - run.aside
@@ -95,14 +95,14 @@ def _turned(
     return None
 
 
-def _holds(run: Run, frame: Frame, test: Expression | None) -> bool | None:
+def _holds(run: Walk, frame: Frame, test: Expression | None) -> bool | None:
     """Whether the test of a loop is true; None if that is not known, or there is none."""
     if test is None:
         return None
     return expressions.holds(run, frame, test, expressions.evaluate(run, frame, test))
 
 
-def _turn(run: Run, frame: Frame, loop: Loop, body: Callable[[], str], after: Callable[[], None] | None = None) -> str:
+def _turn(run: Walk, frame: Frame, loop: Loop, body: Callable[[], str], after: Callable[[], None] | None = None) -> str:
     """One turn of a loop, and what comes *after* it if the loop goes on."""
     ended = _body(run, frame, loop, body)
     if ended == NEXT and after is not None:
@@ -111,7 +111,7 @@ def _turn(run: Run, frame: Frame, loop: Loop, body: Callable[[], str], after: Ca
 
 
 def _counted(
-    run: Run, frame: Frame, loop: Loop, number: int, body: Callable[[], str], after: Callable[[], None] | None = None
+    run: Walk, frame: Frame, loop: Loop, number: int, body: Callable[[], str], after: Callable[[], None] | None = None
 ) -> str:
     """The turn of that *number*, where they are gone through one by one."""
     run.turns *= 2
@@ -124,7 +124,7 @@ def _counted(
         run.turns //= 2
 
 
-def _body(run: Run, frame: Frame, loop: Loop, body: Callable[[], str]) -> str:
+def _body(run: Walk, frame: Frame, loop: Loop, body: Callable[[], str]) -> str:
     """The body of a loop: the ways that continue are joined with the one that comes to its end."""
     was_dead = frame.is_dead
     loop.continues = []
@@ -150,7 +150,7 @@ def _body(run: Run, frame: Frame, loop: Loop, body: Callable[[], str]) -> str:
     return BREAK if died else ended
 
 
-def _leave(run: Run, loop: Loop, *, goes_on: bool, ended: str = NEXT) -> str:
+def _leave(run: Walk, loop: Loop, *, goes_on: bool, ended: str = NEXT) -> str:
     """The end of a loop: what was left by break is joined with what came to the end."""
     if not loop.breaks:
         return NEXT if goes_on or ended == BREAK else ended
@@ -162,15 +162,15 @@ def _leave(run: Run, loop: Loop, *, goes_on: bool, ended: str = NEXT) -> str:
     return NEXT
 
 
-def _matters(run: Run, frame: Frame, body: Block, test: Expression | None) -> bool:
+def _matters(run: Walk, frame: Frame, body: Block, test: Expression | None) -> bool:
     blocks = (body,) if test is None else (body, test)
     function = frame.function
     if function is None and frame.source.separator == ".":  # the module's variables may hold functions
-        function = next((each for each in frame.source.program.functions if each.kind == "module"), None)
+        function = next((function for function in frame.source.program.functions if function.kind == "module"), None)
     return any(run.relevance.matters(block, frame.source, function) for block in blocks)
 
 
-def _worthwhile(run: Run, frame: Frame, body: Block, test: Expression | None) -> bool:
+def _worthwhile(run: Walk, frame: Frame, body: Block, test: Expression | None) -> bool:
     """Whether the turns of a loop are gone through one by one: it may make something or put a list together."""
     if _matters(run, frame, body, test):
         return run.turns < NESTED
@@ -185,7 +185,7 @@ def _worthwhile(run: Run, frame: Frame, body: Block, test: Expression | None) ->
 
 
 def _widened(
-    run: Run,
+    run: Walk,
     frame: Frame,
     loop: Loop,
     matters: bool,
@@ -223,7 +223,7 @@ def _widened(
     run.state.merge([alternatives.own(run, writes), writes] if ended == NEXT else [{}])
 
 
-def _forgotten(run: Run, frame: Frame, line: int, begun: int, ways: list[tuple[Cell, Any]]) -> bool:
+def _forgotten(run: Walk, frame: Frame, line: int, begun: int, ways: list[tuple[Cell, Any]]) -> bool:
     """Whether a turn has changed what was known before it; that is not known any more."""
     changed = False
     for cell, value in ways:
@@ -237,12 +237,12 @@ def _forgotten(run: Run, frame: Frame, line: int, begun: int, ways: list[tuple[C
         if isinstance(then, (Known, Object, Sequence, Mapped)) or is_opaque:
             continue
         changed = True
-        told = Opaque("it changes in a loop", Location(frame.source.path, line), cell.type)
-        run.state.write(cell, Partial(told.reason, told.location, told.type, some) if some else told)
+        result = Opaque("it changes in a loop", Location(frame.source.path, line), cell.type)
+        run.state.write(cell, Partial(result.reason, result.location, result.type, some) if some else result)
     return changed
 
 
-def each(run: Run, frame: Frame, statement: syntax.Each) -> str:
+def each(run: Walk, frame: Frame, statement: syntax.Each) -> str:
     line, column, text = statement.line, statement.column, statement.text
     name, kind, iterable, body = statement.name, statement.type, statement.iterable, statement.body
     items, others = static_types.some_elements(run, frame, iterable)
@@ -292,11 +292,11 @@ def each(run: Run, frame: Frame, statement: syntax.Each) -> str:
     return _leave(run, current, goes_on=True)
 
 
-def _element_type(run: Run, frame: Frame, iterable: Expression, written: Type) -> Type | None:
+def _element_type(run: Walk, frame: Frame, iterable: Expression, written: Type) -> Type | None:
     return static_types.element_type(run, frame, iterable) if written.name in ("", "auto") else written
 
 
-def _possible(run: Run, frame: Frame, loop: Loop, turns: list[Callable[[], str]]) -> None:
+def _possible(run: Walk, frame: Frame, loop: Loop, turns: list[Callable[[], str]]) -> None:
     """Turns for elements that a list has on some paths: what these make and leave behind may be so."""
     mark = run.state.mark()
     for turn in turns:

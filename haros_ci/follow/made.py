@@ -13,14 +13,14 @@ from haros_ci.model.location import Location
 from haros_ci.values.abstract import Callable, Cell
 
 if TYPE_CHECKING:
-    from haros_ci.follow.run import Run
+    from haros_ci.follow.run import Walk
 
-#: Why not all conditions are told.
+#: The reason where not all conditions are recorded.
 SEVERAL = "it is made on several ways, each under conditions of its own"
 
 
 @dataclass(frozen=True, slots=True)
-class Made:
+class MadeEntity:
     """What a call made, before remapping: *name* is absolute, with ``?`` for unknown parts."""
 
     kind: str
@@ -72,9 +72,9 @@ class Root:
 
 @dataclass(frozen=True, slots=True)
 class Kept:
-    """What a run had told at some point."""
+    """What a walk had recorded at some point."""
 
-    made: Mapping[Any, Made]
+    made: Mapping[Any, MadeEntity]
     gaps: Mapping[str, Location]
     #: Of nodes, names and alternatives.
     counts: tuple[int, int, int]
@@ -101,7 +101,7 @@ def either(
     return (other if len(other) < len(one) else one), True
 
 
-def make(run: Run, made: Made) -> None:
+def make(run: Walk, made: MadeEntity) -> None:
     """Keep *made* unless this is a rehearsal; of two ways to one endpoint the less conditional counts."""
     if run.quiet or run.is_raised:
         return
@@ -133,17 +133,17 @@ def make(run: Run, made: Made) -> None:
     run.made[key] = made
 
 
-def _as_known(known: Made, made: Made) -> Made:
+def _as_known(known: MadeEntity, made: MadeEntity) -> MadeEntity:
     """*made* is strict if it was *known* as that, and has the type that was."""
     if known.is_strict and not made.is_strict:
         made = replace(made, is_strict=True)
-    if known.type is not None and made.type is None:  # which a later reading has told
+    if known.type is not None and made.type is None:  # which a later reading has recorded
         made = replace(made, type=known.type)
     return made
 
 
 def _both(
-    run: Run, known: Made, other: Made
+    run: Walk, known: MadeEntity, other: MadeEntity
 ) -> tuple[tuple[Condition, ...], tuple[tuple[str, str, Location | None], ...]]:
     """The conditions and unknowns of what is made on two ways; one that fewer branches rule out as things are counts alone."""
     conditions, is_all = either(known.conditions, other.conditions, run.pairs)
@@ -155,15 +155,15 @@ def _both(
     return conditions, tuple(dict.fromkeys((*known.unknowns, *unknowns)))
 
 
-def keep(run: Run) -> Kept:
-    """What the run has told so far, to go back to."""
+def keep(run: Walk) -> Kept:
+    """A snapshot of what the walk has recorded so far, to go back to."""
     counts = len(run.nodes), len(run.names), len(run.alternatives)
     sets = frozenset(run.statics), frozenset(run.offered)
     return Kept(dict(run.made), dict(run.gaps), counts, sets, (tuple(run.roots), dict(run.known_roots)))
 
 
-def go_back(run: Run, kept: Kept) -> None:
-    """Take back what was told since *kept* was."""
+def go_back(run: Walk, kept: Kept) -> None:
+    """Drop what was recorded since the snapshot *kept*."""
     run.made.clear()
     run.made.update(kept.made)
     run.gaps.clear()
@@ -178,7 +178,7 @@ def go_back(run: Run, kept: Kept) -> None:
     run.offered &= offered
 
 
-def forget_again(run: Run, known: int) -> None:
+def forget_again(run: Walk, known: int) -> None:
     """Of what was made after the first *known*, drop what stands where the same was made before."""
     every = list(run.made.items())
     before = {(made.kind, made.location) for _, made in every[:known]}
@@ -187,7 +187,7 @@ def forget_again(run: Run, known: int) -> None:
             del run.made[key]
 
 
-def forget_dead(run: Run, known: int) -> None:
+def forget_dead(run: Walk, known: int) -> None:
     """Of what was made after the first *known*, drop what stands in branches that another turn of a loop takes.
 
     Where no turn takes all of the branches around a place, those count that take the most.
@@ -203,7 +203,7 @@ def forget_dead(run: Run, known: int) -> None:
                 del run.made[key]
 
 
-def forget_unowned(run: Run) -> None:
+def forget_unowned(run: Walk) -> None:
     """Drop what is made on a node that is not known where the same call is seen to make it on one that is.
 
     It is another way to that: the conditions are those of both.
@@ -216,9 +216,11 @@ def forget_unowned(run: Run) -> None:
         same = owned.get((made.kind, made.location), ())
         if made.node is None and made.name.startswith("/?") and same:
             del run.made[key]
-            for each in same:
-                known = run.made[each]
-                told = replace(made, unknowns=tuple(each for each in made.unknowns if each[0] == "conditions"))
-                conditions, unknowns = _both(run, known, told)
+            for item in same:
+                known = run.made[item]
+                result = replace(
+                    made, unknowns=tuple(unknown for unknown in made.unknowns if unknown[0] == "conditions")
+                )
+                conditions, unknowns = _both(run, known, result)
                 dead = min(known.dead, made.dead)
-                run.made[each] = replace(known, conditions=conditions, unknowns=unknowns, dead=dead)
+                run.made[item] = replace(known, conditions=conditions, unknowns=unknowns, dead=dead)

@@ -11,7 +11,7 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import python as library_python
 from haros_ci.follow.libraries import python_modules
 from haros_ci.follow.ros import ros2_parameters
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.index import Source
 from haros_ci.index.types import pointee
 from haros_ci.syntax import Class, Expression
@@ -33,7 +33,7 @@ from haros_ci.values.abstract import (
 )
 
 
-def member(run: Run, value: Value, name: str, frame: Frame) -> Cell | None:
+def member(run: Walk, value: Value, name: str, frame: Frame) -> Cell | None:
     """The cell of a data member; made where the class declares it (or Python may), None where there is none."""
     if isinstance(value, Pointer):
         value = value.cell.value
@@ -63,14 +63,14 @@ def member(run: Run, value: Value, name: str, frame: Frame) -> Cell | None:
     return cell
 
 
-def _of_module_or_class(run: Run, value: Value, name: str) -> Cell | None:
+def _of_module_or_class(run: Walk, value: Value, name: str) -> Cell | None:
     """The cell of a variable of a module, or of a class's own attribute."""
     if isinstance(value, Module):
         return lookup.module_frame(run, value.source).scopes[0].get(name)
     return static_cell(run, value.source, value.definition, name) if isinstance(value, ClassValue) else None
 
 
-def static_cell(run: Run, source: Source, definition: Class, name: str, depth: int = 0) -> Cell | None:
+def static_cell(run: Walk, source: Source, definition: Class, name: str, depth: int = 0) -> Cell | None:
     """The cell of a class's own attribute, declared or assigned to, or that of its bases."""
     separator = source.separator
     set_later = run.globals.get((source.path, f"{definition.name}{separator}{name}"))
@@ -93,7 +93,7 @@ def static_cell(run: Run, source: Source, definition: Class, name: str, depth: i
     return None
 
 
-def attribute(run: Run, value: Value, name: str, frame: Frame) -> Value:
+def attribute(run: Walk, value: Value, name: str, frame: Frame) -> Value:
     """``value.name`` where it is no data member: a method, a module's content, a library's member."""
     if isinstance(value, Pointer):
         value = value.cell.value
@@ -165,7 +165,7 @@ def attribute(run: Run, value: Value, name: str, frame: Frame) -> Value:
     return Library(name, value)
 
 
-def of_class(run: Run, value: Object, name: str, frame: Frame) -> Value | None:
+def of_class(run: Walk, value: Object, name: str, frame: Frame) -> Value | None:
     """What a Python object's class has under *name* that is no method: an attribute, a class in it, ``__class__``.
 
     A function is a method there, be it a lambda or a method by another name.
@@ -187,10 +187,10 @@ def of_class(run: Run, value: Object, name: str, frame: Frame) -> Value | None:
     return held
 
 
-def class_inside(run: Run, source: Source, definition: Class, name: str, depth: int = 0) -> ClassValue | None:
+def class_inside(run: Walk, source: Source, definition: Class, name: str, depth: int = 0) -> ClassValue | None:
     """The Python class *name* that is defined inside of a class or one of its bases."""
-    wanted = f"{definition.name}.{name}"
-    found = [item for item in run.index.classes.get(wanted, ()) if item[0].path == source.path]
+    expected = f"{definition.name}.{name}"
+    found = [item for item in run.index.classes.get(expected, ()) if item[0].path == source.path]
     if found:
         return ClassValue(*found[-1]) if len(found) == 1 else None
     if depth < methods.BASES:
@@ -203,11 +203,11 @@ def class_inside(run: Run, source: Source, definition: Class, name: str, depth: 
     return None
 
 
-def field(run: Run, frame: Frame, expression: syntax.Member) -> Value:
+def field(run: Walk, frame: Frame, expression: syntax.Member) -> Value:
     if expression.name in enums.FIELDS and frame.source.separator == ".":
-        told = enums.field(run, frame, expression)
-        if told is not None:
-            return told
+        result = enums.field(run, frame, expression)
+        if result is not None:
+            return result
     value = expressions.evaluate(run, frame, expression.object)
     cell = member(run, value, expression.name, frame)
     if cell is not None:

@@ -9,17 +9,17 @@ from typing import TYPE_CHECKING
 from haros_ci import syntax
 from haros_ci.follow import expressions, lookup, members, overloads
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Field, Function, Type
 from haros_ci.values.abstract import Callable, ClassValue, Object, Value
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
     #: The arguments of a call, None where no call is meant.
-    Given = Sequence[Argument] | None
+    Given = Sequence[PassedArgument] | None
 
 #: Deeper hierarchies are cut off (and cycles with them).
 BASES = 12
@@ -29,7 +29,7 @@ Found = tuple[Source, Function]
 
 
 def field_of(
-    run: Run, source: Source, definition: Class, name: str, templates: Mapping[str, syntax.Argument], depth: int = 0
+    run: Walk, source: Source, definition: Class, name: str, templates: Mapping[str, syntax.Argument], depth: int = 0
 ) -> Member | None:
     """The data member *name* of a class or its bases: where it is declared, and its resolved type."""
     key = ("field", id(definition), name, run.numbered(templates) if templates else 0)
@@ -40,7 +40,7 @@ def field_of(
 
 
 def _field_of(
-    run: Run, source: Source, definition: Class, name: str, templates: Mapping[str, syntax.Argument], depth: int
+    run: Walk, source: Source, definition: Class, name: str, templates: Mapping[str, syntax.Argument], depth: int
 ) -> Member | None:
     for declared in definition.fields:
         if declared.name == name:
@@ -57,7 +57,7 @@ def _field_of(
 
 
 def class_method(
-    run: Run, source: Source, definition: Class, name: str, given: Given = None, depth: int = 0
+    run: Walk, source: Source, definition: Class, name: str, arguments: Given = None, depth: int = 0
 ) -> Found | None:
     """The method *name* of a class or its bases; the arguments *given* choose between overloads."""
     separator = source.separator
@@ -73,35 +73,35 @@ def class_method(
         candidates = run.index.near(run.index.functions, f"{definition.name}.{name}", source, run.files)
         candidates = overloads.python_methods([item for item in candidates if item[0].path == source.path])
     if candidates:
-        where, function = overload(run, candidates, given)
+        where, function = overload(run, candidates, arguments)
         return where, overloads.decorated(run, function) if separator == "." else function
     if depth < BASES:
         for base in run.bases(source, definition, {}):
             owner = python_class(run, base, source) if separator == "." else run.class_of(base.name, source)
             if owner is not None and owner[1] is not definition:
-                found = class_method(run, owner[0], owner[1], name, given, depth + 1)
+                found = class_method(run, owner[0], owner[1], name, arguments, depth + 1)
                 if found is not None:
                     return found
     return None
 
 
-def python_class(run: Run, base: Type, source: Source) -> tuple[Source, Class] | None:
+def python_class(run: Walk, base: Type, source: Source) -> tuple[Source, Class] | None:
     value: Value = expressions.evaluate(run, lookup.module_frame(run, source), syntax.Name(base.name.split(".")[0]))
     for part in base.name.split(".")[1:]:
         value = members.attribute(run, value, part, Frame(source, ""))
     return (value.source, value.definition) if isinstance(value, ClassValue) else None
 
 
-def _as_node(run: Run, name: str, source: Source, definition: Class) -> str:
+def _as_node(run: Walk, name: str, source: Source, definition: Class) -> str:
     """The node of rclpy for a class ``Node`` of a library that is not known: it derives from it, and what else it makes is not known."""
     if not name.endswith(".Node") or name in run.rows or run.context.process is None:
         return name
-    said = f"the base class {name} is not in the workspace: what it makes and calls is not known"
-    run.gaps.setdefault(said, Location(source.path, definition.line))
+    message = f"the base class {name} is not in the workspace: what it makes and calls is not known"
+    run.gaps.setdefault(message, Location(source.path, definition.line))
     return "rclpy.node.Node"
 
 
-def library_bases(run: Run, source: Source, definition: Class, depth: int = 0) -> list[str]:
+def library_bases(run: Walk, source: Source, definition: Class, depth: int = 0) -> list[str]:
     """The names of all base classes that are not of the workspace."""
     key = ("bases", id(definition))
     if key in run.found:
@@ -128,22 +128,22 @@ def library_bases(run: Run, source: Source, definition: Class, depth: int = 0) -
     return found
 
 
-def method_of(run: Run, this: Object, name: str, given: Given = None) -> Callable | None:
+def method_of(run: Walk, this: Object, name: str, arguments: Given = None) -> Callable | None:
     """The method *name* of an object, bound to it."""
     if this.definition is None:
         return None
     source, definition = this.definition
-    found = class_method(run, source, definition, name, given)
+    found = class_method(run, source, definition, name, arguments)
     if found is None:
         return None
     return Callable(found[0], found[1], this, templates=this.templates)
 
 
-def templates_of(run: Run, this: Object, owner: str) -> Mapping[str, syntax.Argument] | None:
+def templates_of(run: Walk, this: Object, owner: str) -> Mapping[str, syntax.Argument] | None:
     """What the template parameters of *owner*, a base class of the object *this*, stand for; None if it has none."""
     if this.definition is None or this.definition[1].name == owner:
         return None
-    if not any(each.templates for _, each in run.index.classes.get(owner, ())):
+    if not any(class_.templates for _, class_ in run.index.classes.get(owner, ())):
         return None
     waiting = [(*this.definition, this.templates)]
     seen = 0
@@ -161,29 +161,29 @@ def templates_of(run: Run, this: Object, owner: str) -> Mapping[str, syntax.Argu
     return None
 
 
-def overload(run: Run, candidates: list[Found], given: Given) -> Found:
+def overload(run: Walk, candidates: list[Found], arguments: Given) -> Found:
     """The definition that takes the arguments *given*, with its body if it has one; of several bodies none for certain."""
     fitting = candidates
-    if given is not None:
-        fitting = [item for item in candidates if overloads.takes(item[1], len(given))] or candidates
+    if arguments is not None:
+        fitting = [item for item in candidates if overloads.takes(item[1], len(arguments))] or candidates
     best = next((item for item in fitting if item[1].body is not None), fitting[0])
-    if given is not None and len({overloads.signature(item[1]) for item in fitting}) > 1:
-        best = overloads.chosen(run, fitting, given)
+    if arguments is not None and len({overloads.signature(item[1]) for item in fitting}) > 1:
+        best = overloads.chosen(run, fitting, arguments)
     if best[1].body is None:
         bodies = [
             item
             for item in candidates
             if item[1].body is not None and len(item[1].parameters) == len(best[1].parameters)
         ]
-        wanted = overloads.signature(best[1])
+        requested = overloads.signature(best[1])
         elsewhere = [item for item in _defined(run, best) if item not in candidates]
         candidates = [*candidates, *elsewhere]
-        alike = (item for item in (*bodies, *elsewhere) if overloads.signature(item[1]) == wanted)
+        alike = (item for item in (*bodies, *elsewhere) if overloads.signature(item[1]) == requested)
         best = next(alike, (*elsewhere, *bodies, best)[0])
     return overloads.any_of(run, best, candidates) if best[1].body is not None else best
 
 
-def _defined(run: Run, declared: Found) -> list[Found]:
+def _defined(run: Walk, declared: Found) -> list[Found]:
     """The definitions with as many parameters of a C++ function that is declared only, nearest first."""
     source, function = declared
     if source.separator == ".":
@@ -197,18 +197,18 @@ def _defined(run: Run, declared: Found) -> list[Found]:
     return overloads.nearest(run, bodies, source)
 
 
-def with_body(run: Run, candidates: list[Found]) -> Found:
+def with_body(run: Walk, candidates: list[Found]) -> Found:
     """The first that has a body, looked for under the same name in the files of the node if need be."""
     for item in candidates:
         if item[1].body is not None:
             return overloads.any_of(run, item, candidates)
     found = _defined(run, candidates[0])
-    wanted = overloads.signature(candidates[0][1])
-    alike = [item for item in found if overloads.signature(item[1]) == wanted] or found
+    requested = overloads.signature(candidates[0][1])
+    alike = [item for item in found if overloads.signature(item[1]) == requested] or found
     return overloads.any_of(run, alike[0], alike) if alike else candidates[0]
 
 
-def _loose(run: Run, owner: str, name: str) -> list[Found]:
+def _loose(run: Walk, owner: str, name: str) -> list[Found]:
     """The definitions of the method *name* of the class *owner* that name the class under a using-directive, or in full
     within its own namespace (``namespace a { void a::C::m() {} }``)."""
     return [
@@ -226,7 +226,7 @@ def _is_in_full(written: str, owner: str) -> bool:
     return bool(sign) and written == f"{space}::{owner}" and owner.startswith(f"{space}::")
 
 
-def tail_method(run: Run, name: str, source: Source) -> Found | None:
+def tail_method(run: Walk, name: str, source: Source) -> Found | None:
     """``C::m`` where the class is known under a using-directive only."""
     tail = "::".join(name.split("::")[-2:])
     found = [

@@ -11,7 +11,7 @@ from haros_ci import syntax
 from haros_ci.follow import activation, call_arguments, conversions, expressions, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import formats, python_kinds, python_lists, texts
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.types import STRINGS
 from haros_ci.syntax import Expression
 from haros_ci.values import iterators
@@ -56,7 +56,7 @@ BINARY = {
 MIRRORED = {"==": "==", "!=": "!=", "<": ">", ">": "<", "<=": ">=", ">=": "<="}
 
 
-def operation(run: Run, frame: Frame, expression: syntax.Operation) -> Value:
+def operation(run: Walk, frame: Frame, expression: syntax.Operation) -> Value:
     """A unary or binary operator, overloaded ones of the workspace included."""
     symbol, operands = expression.operator, expression.operands
     if symbol in ("&&", "||"):
@@ -72,14 +72,14 @@ def operation(run: Run, frame: Frame, expression: syntax.Operation) -> Value:
     if symbol == ".*":
         return _bound(run, frame, left, right)
     if isinstance(left, Object) and left.definition is not None:
-        given = (call_arguments.Argument(right, None, conversions.value_type(right)),)
-        method = methods.method_of(run, left, f"operator{symbol}", given)
+        arguments = (call_arguments.PassedArgument(right, None, conversions.value_type(right)),)
+        method = methods.method_of(run, left, f"operator{symbol}", arguments)
         if method is not None:
-            return activation.invoke(run, frame, method, given)
+            return activation.invoke(run, frame, method, arguments)
     return binary(run, frame, symbol, left, right)
 
 
-def _bound(run: Run, frame: Frame, left: Value, right: Value) -> Value:
+def _bound(run: Walk, frame: Frame, left: Value, right: Value) -> Value:
     """``a.*m``, ``a->*m``: the method that *m* points to, of the object *a*."""
     this = left.cell.value if isinstance(left, Pointer) else left
     if isinstance(right, Callable) and isinstance(this, Object) and right.function.owner:
@@ -87,7 +87,7 @@ def _bound(run: Run, frame: Frame, left: Value, right: Value) -> Value:
     return run.opaque("it is a member that a pointer tells", frame)
 
 
-def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Value:
+def binary(run: Walk, frame: Frame, symbol: str, left: Value, right: Value) -> Value:
     """*symbol* applied to two values; Opaque where it cannot be computed."""
     if isinstance(left, Choice) and not isinstance(right, Choice):
         return _over(left, lambda option: binary(run, frame, symbol, option, right))
@@ -119,8 +119,8 @@ def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Va
     if symbol in ("==", "!=", "is", "is not") and (is_same := python_kinds.same(left, right)) is not None:
         return TRUE if is_same is (symbol in ("==", "is")) else FALSE
     if symbol in ("==", "!="):
-        if (told := iterators.compared(symbol, left, right)) is not None:
-            return told
+        if (result := iterators.compared(symbol, left, right)) is not None:
+            return result
         if isinstance(left, Object) and isinstance(right, Object) and left is right:
             return TRUE if symbol == "==" else FALSE
         if isinstance(left, Library) and left == right and left.this is None:  # a library's constant
@@ -133,7 +133,7 @@ def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Va
         ):
             return FALSE if symbol == "==" else TRUE  # an element, and what is behind the last one
         if isinstance(left, Library) and isinstance(right, Library):
-            words = [each.name.rpartition("::")[2] for each in (left, right)]
+            words = [library.name.rpartition("::")[2] for library in (left, right)]
             if all(word.startswith("PARAMETER_") for word in words):  # constants of rclcpp::ParameterType
                 return TRUE if (words[0] == words[1]) is (symbol == "==") else FALSE
         known, one_data = data_of(left)
@@ -153,7 +153,7 @@ def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Va
     return run.opaque("it is computed from what is not known", frame, None, syntax.Type("bool") if comparison else kind)
 
 
-def _of_lists(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Value | None:
+def _of_lists(run: Walk, frame: Frame, symbol: str, left: Value, right: Value) -> Value | None:
     """``+``, and Python's ``*`` and operators of sets; None if that is not known."""
     if symbol == "+" and isinstance(left, Sequence) and isinstance(right, Sequence):
         one, other = left.content.value, right.content.value
@@ -190,7 +190,7 @@ def _over(choice: Choice, function: Any) -> Value:
     return result if result is not None else NONE
 
 
-def _computed(run: Run, frame: Frame, symbol: str, left: Any, right: Any) -> Value:
+def _computed(run: Walk, frame: Frame, symbol: str, left: Any, right: Any) -> Value:
     is_python = frame.source.program.language == "python"
     if not is_python and isinstance(left, int) and isinstance(right, int) and conversions.NPOS in (left, right):
         left, right = left % (conversions.NPOS + 1), right % (conversions.NPOS + 1)
@@ -227,7 +227,7 @@ def _computed(run: Run, frame: Frame, symbol: str, left: Any, right: Any) -> Val
     return run.opaque("it cannot be computed", frame)
 
 
-def _logical(run: Run, frame: Frame, symbol: str, operands: tuple[Expression, ...]) -> Value:
+def _logical(run: Walk, frame: Frame, symbol: str, operands: tuple[Expression, ...]) -> Value:
     left = expressions.evaluate(run, frame, operands[0])
     first = expressions.holds(run, frame, operands[0], left)
     reason = f"it stands behind {symbol}"
@@ -252,13 +252,13 @@ def _logical(run: Run, frame: Frame, symbol: str, operands: tuple[Expression, ..
     return run.opaque("it is computed from what is not known", frame, None, syntax.Type("bool"))
 
 
-def _negated(run: Run, frame: Frame, holds: bool | None) -> Value:
+def _negated(run: Walk, frame: Frame, holds: bool | None) -> Value:
     if holds is None:
         return run.opaque("it is computed from what is not known", frame, None, syntax.Type("bool"))
     return FALSE if holds else TRUE
 
 
-def _unary(run: Run, frame: Frame, symbol: str, value: Value) -> Value:
+def _unary(run: Walk, frame: Frame, symbol: str, value: Value) -> Value:
     if isinstance(value, Known) and issubclass(value.kind, (int, float)):
         if symbol == "-":
             return Known(-value.value)
@@ -269,17 +269,17 @@ def _unary(run: Run, frame: Frame, symbol: str, value: Value) -> Value:
     return run.opaque("it is computed from what is not known", frame, None, conversions.value_type(value))
 
 
-def _shift(run: Run, frame: Frame, symbol: str, operands: tuple[Expression, ...], left: Value) -> Value:
+def _shift(run: Walk, frame: Frame, symbol: str, operands: tuple[Expression, ...], left: Value) -> Value:
     """``<<`` and ``>>``: overloads of the workspace, streams, YAML's extraction, integers."""
     cell = expressions.cell_of(run, frame, operands[1])
     right = cell.value if cell is not None else expressions.evaluate(run, frame, operands[1])
     if isinstance(left, Object):
         if left.definition is not None:
             kind = cell.type if cell is not None else conversions.value_type(right)
-            given = (call_arguments.Argument(right, cell, kind),)
-            method = methods.method_of(run, left, f"operator{symbol}", given)
+            arguments = (call_arguments.PassedArgument(right, cell, kind),)
+            method = methods.method_of(run, left, f"operator{symbol}", arguments)
             if method is not None:
-                return activation.invoke(run, frame, method, given)
+                return activation.invoke(run, frame, method, arguments)
         text = left.fields.get("[text]")
         if text is not None and symbol == "<<":
             texts.insert(run, frame, left, right)
@@ -298,7 +298,7 @@ def _shift(run: Run, frame: Frame, symbol: str, operands: tuple[Expression, ...]
     return left
 
 
-def _token(run: Run, frame: Frame, stream: Value, text: Cell, cell: Cell) -> Value:
+def _token(run: Walk, frame: Frame, stream: Value, text: Cell, cell: Cell) -> Value:
     """The next word of a string stream; false (as the stream then is) where there is none."""
     if isinstance(text.value, Known) and cell.type is not None and cell.type.name in STRINGS:
         head, *rest = str(text.value.value).split(None, 1) or [""]

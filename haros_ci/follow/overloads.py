@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which of several functions of one name is meant; where that cannot be told, a function that is none of them for sure.
+"""Which of several functions of one name is meant; where that is not known, a function that is certainly none of them.
 
 C++ ranks overloads by how their parameters fit the arguments (en.cppreference.com/w/cpp/language/overload_resolution).
 """
@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.index import EITHER, Source
 from haros_ci.index.types import INTEGERS, REALS, STRINGS, is_smart_pointer, pointee
 from haros_ci.syntax import Block, Function, Type
 from haros_ci.values.abstract import Known, Object, Value, join
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 Found = tuple[Source, Function]
 #: How a parameter takes an argument: as it is, as a template's, converted, perhaps, not at all.
@@ -50,7 +50,7 @@ ACCESSORS = frozenset(("setter", "deleter", "getter"))
 BASES = 12
 
 
-def nearest(run: Run, found: list[Found], source: Source) -> list[Found]:
+def nearest(run: Walk, found: list[Found], source: Source) -> list[Found]:
     """Of definitions elsewhere of what *source* declares: those of the node's own files, else of its package, else others."""
     index = run.index
     for fits in (
@@ -67,7 +67,7 @@ def nearest(run: Run, found: list[Found], source: Source) -> list[Found]:
     return [item for item in found if item[1].owner in index.classes or index.sees(source, item[0], run.files)]
 
 
-def chosen(run: Run, candidates: list[Found], arguments: Sequence[Argument]) -> Found:
+def chosen(run: Walk, candidates: list[Found], arguments: Sequence[PassedArgument]) -> Found:
     """The overload that fits *arguments* best; of several that fit alike, none for certain."""
     ranked: list[tuple[int, Found]] = []
     for item in candidates:
@@ -91,7 +91,7 @@ def takes(function: Function, count: int) -> bool:
     return required <= count and (open_end or count <= len(function.parameters))
 
 
-def any_of(run: Run, one: Found, candidates: Sequence[Found]) -> Found:
+def any_of(run: Walk, one: Found, candidates: Sequence[Found]) -> Found:
     """*one*, or what stands for all that have its signature and another body."""
     if len(candidates) == 1 and candidates[0][1] is one[1]:
         return one
@@ -102,9 +102,11 @@ def any_of(run: Run, one: Found, candidates: Sequence[Found]) -> Found:
     return known
 
 
-def _any_of(run: Run, one: Found, candidates: Sequence[Found]) -> Found:
-    wanted = signature(one[1])
-    alike = [item for item in candidates if item is one or (item[1].body is not None and signature(item[1]) == wanted)]
+def _any_of(run: Walk, one: Found, candidates: Sequence[Found]) -> Found:
+    requested = signature(one[1])
+    alike = [
+        item for item in candidates if item is one or (item[1].body is not None and signature(item[1]) == requested)
+    ]
     different = [one, *(item for item in alike if item[1] is not one[1] and not _same(item[1].body, one[1].body))]
     if len(different) == 1:
         return one
@@ -119,12 +121,12 @@ def _any_of(run: Run, one: Found, candidates: Sequence[Found]) -> Found:
     return one[0], _unsure(run, one[1], functions)
 
 
-def is_any(run: Run, function: Function) -> bool:
+def is_any(run: Walk, function: Function) -> bool:
     """Whether *function* stands for several, or for what a decorator makes of one."""
     return ("any", id(function)) in run.found
 
 
-def decorated(run: Run, function: Function) -> Function:
+def decorated(run: Walk, function: Function) -> Function:
     """A Python function as its decorators leave it: with results that are not known where they may do anything."""
     for decorator in function.decorators:
         while isinstance(decorator, syntax.Call):
@@ -146,7 +148,7 @@ def python_methods(found: list[Found]) -> list[Found]:
 
 def last(found: list[tuple[Source, Any]]) -> list[tuple[Source, Any]]:
     """Of definitions of one name in a module those that count: the last, and before it those that an ``if`` or ``try`` decides about."""
-    sure = [number for number, (_, each) in enumerate(found) if each.column == 1]
+    sure = [number for number, (_, item) in enumerate(found) if item.column == 1]
     return found[sure[-1] :] if sure else found
 
 
@@ -188,21 +190,23 @@ def _same(one: object, other: object) -> bool:
     return True
 
 
-def _guarded(run: Run, functions: tuple[Function, ...]) -> Function:
+def _guarded(run: Walk, functions: tuple[Function, ...]) -> Function:
     """One function of the bodies under the branches of an #if."""
     branches = tuple(syntax.Branch(*function.guards[-1], function.body or ()) for function in functions)
     return _made(run, functions, (syntax.Preprocessor(branches),), functions[0].guards[:-1])
 
 
-def _unsure(run: Run, function: Function, functions: tuple[Function, ...]) -> Function:
+def _unsure(run: Walk, function: Function, functions: tuple[Function, ...]) -> Function:
     """*function* with results, and effects, that are not sure."""
-    gone = (syntax.Return(syntax.Unknown(EITHER)),)
-    branch = syntax.Branch(function.line, function.column, "", gone)
+    removed = (syntax.Return(syntax.Unknown(EITHER)),)
+    branch = syntax.Branch(function.line, function.column, "", removed)
     body = (syntax.Preprocessor((branch,)), *(function.body or ()))
     return _made(run, functions, body, function.guards)
 
 
-def _made(run: Run, functions: tuple[Function, ...], body: Block, guards: tuple[tuple[int, int, str], ...]) -> Function:
+def _made(
+    run: Walk, functions: tuple[Function, ...], body: Block, guards: tuple[tuple[int, int, str], ...]
+) -> Function:
     key = ("any of", *(id(function) for function in functions))
     found: Function | None = run.found.get(key)
     if found is None:
@@ -211,27 +215,27 @@ def _made(run: Run, functions: tuple[Function, ...], body: Block, guards: tuple[
     return found
 
 
-def _fit(run: Run, item: Found, written: Type, argument: Argument) -> int:
+def _fit(run: Walk, item: Found, written: Type, argument: PassedArgument) -> int:
     source, function = item
-    value, given = argument.value, argument.type
-    if given is None or not given.name:
+    value, type_ = argument.value, argument.type
+    if type_ is None or not type_.name:
         if isinstance(value, Known) and value.value is None:
             return EXACT if "*" in written.marks else PERHAPS
         if source.separator != "::" or not isinstance(value, Object) or value.definition is None:
             return PERHAPS
-        given = syntax.Type(value.name, value.arguments, "*")
+        type_ = syntax.Type(value.name, value.arguments, "*")
     if written.name in function.templates:
         return GENERIC
     kind = run.type_in(written, Frame(source, function.owner or function.name.rpartition("::")[0]))
     owner = run.class_of(function.owner, source) if function.owner else None
     if owner is not None and kind.name in owner[1].templates:
         return GENERIC
-    fits = _conversion(run, source, kind, given)
-    is_own = given is not argument.type and fits == PERHAPS and (is_smart_pointer(kind) or "*" in kind.marks)
-    return NOT if is_own and _is_of_workspace(run, source, given.name) and "void" not in pointee(kind).name else fits
+    fits = _conversion(run, source, kind, type_)
+    is_own = type_ is not argument.type and fits == PERHAPS and (is_smart_pointer(kind) or "*" in kind.marks)
+    return NOT if is_own and _is_of_workspace(run, source, type_.name) and "void" not in pointee(kind).name else fits
 
 
-def _is_of_workspace(run: Run, source: Source, name: str) -> bool:
+def _is_of_workspace(run: Walk, source: Source, name: str) -> bool:
     """Whether a class and all its bases are defined in the workspace: what it converts to is known."""
     waiting, seen = [name], set[str]()
     while waiting:
@@ -245,27 +249,27 @@ def _is_of_workspace(run: Run, source: Source, name: str) -> bool:
     return True
 
 
-def _conversion(run: Run, source: Source, kind: Type, given: Type) -> int:
-    wanted, shown = _sort(kind), _sort(given)
-    if wanted in ("int", "real", "bool") and shown in ("int", "real", "bool"):
+def _conversion(run: Walk, source: Source, kind: Type, type_: Type) -> int:
+    expected, shown = _sort(kind), _sort(type_)
+    if expected in ("int", "real", "bool") and shown in ("int", "real", "bool"):
         if "*" in kind.marks:
             return NOT
-        return EXACT if wanted == shown else CONVERTED
-    if "auto" in (wanted, shown):
+        return EXACT if expected == shown else CONVERTED
+    if "auto" in (expected, shown):
         return PERHAPS
-    if wanted == shown == "text":
+    if expected == shown == "text":
         return EXACT
     if shown == "text":
-        return NOT if wanted in ("int", "real") else PERHAPS
-    inner, actual = pointee(kind).name, pointee(given).name
-    if wanted == "text":
+        return NOT if expected in ("int", "real") else PERHAPS
+    inner, actual = pointee(kind).name, pointee(type_).name
+    if expected == "text":
         return NOT if shown in ("real", "bool") or _has_no_conversion(run, source, actual) else PERHAPS
     if inner == actual or inner in (f"{actual}Ptr", f"{actual}ConstPtr"):
         return EXACT
     return CONVERTED if _derives(run, source, actual, inner) else PERHAPS
 
 
-def _has_no_conversion(run: Run, source: Source, name: str) -> bool:
+def _has_no_conversion(run: Walk, source: Source, name: str) -> bool:
     """Whether a class is of the workspace and neither it nor a base of it declares a conversion (``operator X``)."""
     owner = run.class_of(name, source)
     if owner is None:
@@ -290,7 +294,7 @@ def _sort(kind: Type) -> str:
     return "auto" if name == "auto" else name or "auto"
 
 
-def _derives(run: Run, source: Source, name: str, base: str) -> bool:
+def _derives(run: Walk, source: Source, name: str, base: str) -> bool:
     seen: set[str] = set()
     waiting = [name]
     while waiting and len(seen) < BASES:

@@ -6,13 +6,13 @@ from __future__ import annotations
 from haros_ci import syntax
 from haros_ci.follow import expressions
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.syntax import Expression
 from haros_ci.syntax.walk import everything
 from haros_ci.values.abstract import NONE, Cell, Sequence, Value
 
 
-def folded(run: Run, frame: Frame, expression: Expression) -> Value:
+def folded(run: Walk, frame: Frame, expression: Expression) -> Value:
     """Evaluate *expression* for the elements of the packs that it names, in their order; once where these are not known."""
     packs = _packs(frame)
     named = {node.name for node in everything(expression) if isinstance(node, syntax.Name)} & packs
@@ -37,6 +37,6 @@ def _packs(frame: Frame) -> set[str]:
     around: Frame | None = frame
     while around is not None:
         if around.function is not None:
-            found |= {each.name[1:] for each in around.function.parameters if each.name.startswith("*")}
+            found |= {parameter.name[1:] for parameter in around.function.parameters if parameter.name.startswith("*")}
         around = around.outer
     return found

@@ -10,13 +10,13 @@ from haros_ci.follow import call_arguments
 from haros_ci.values.abstract import Callable, Cell, Object, Opaque, Value
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 PARTIAL = "functools.partial"
 _FUNCTION = "[function]"
 
 
-def partial(function: Value, args: tuple[Argument, ...]) -> Value:
+def partial(function: Value, args: tuple[PassedArgument, ...]) -> Value:
     """*function* with *args*: a bound function, or an object where it is a library's or keywords are given."""
     if isinstance(function, Object) and function.name == PARTIAL:
         function, args = called(function, args)
@@ -28,18 +28,18 @@ def partial(function: Value, args: tuple[Argument, ...]) -> Value:
     return Object(PARTIAL, fields=fields)
 
 
-def called(value: Object, args: tuple[Argument, ...]) -> tuple[Value, tuple[Argument, ...]]:
+def called(value: Object, args: tuple[PassedArgument, ...]) -> tuple[Value, tuple[PassedArgument, ...]]:
     """What a call of a partial object calls, and with what: keywords that are given anew count."""
     anew = {argument.keyword for argument in args}
-    first: list[Argument] = []
-    named: list[Argument] = []
+    first: list[PassedArgument] = []
+    named: list[PassedArgument] = []
     for name, cell in value.fields.items():
         if name == _FUNCTION or name in anew:
             continue
         if name.isdigit():
-            first.append(call_arguments.Argument(cell.value, None, cell.type))
+            first.append(call_arguments.PassedArgument(cell.value, None, cell.type))
         else:
-            named.append(call_arguments.Argument(cell.value, None, cell.type, name))
+            named.append(call_arguments.PassedArgument(cell.value, None, cell.type, name))
     return value.fields[_FUNCTION].value, (*first, *args, *named)
 
 

@@ -12,7 +12,7 @@ from typing import Any
 from haros_ci import syntax
 from haros_ci.follow.context import Context, Exact
 from haros_ci.follow.frames import Frame, Loop
-from haros_ci.follow.made import Made, Root
+from haros_ci.follow.made import MadeEntity, Root
 from haros_ci.follow.twins import Standing, Twin
 from haros_ci.graph.ros2_process import RosNode
 from haros_ci.index.index import Index, Source
@@ -59,7 +59,7 @@ def _inside(value: Value, path: str) -> Value | None:
 
 
 @dataclass(slots=True)
-class Run:
+class Walk:
     """The interpreter's state for one node."""
 
     index: Index
@@ -72,7 +72,7 @@ class Run:
     exact: Exact | None = None
     state: State = field(default_factory=State)
     conditions: list[Condition] = field(default_factory=list)
-    made: dict[Any, Made] = field(default_factory=dict)
+    made: dict[Any, MadeEntity] = field(default_factory=dict)
     roots: list[Root] = field(default_factory=list)
     #: The number of each root by what is called back; of a root that is gone it is that of none or another.
     known_roots: dict[Any, int] = field(default_factory=dict)

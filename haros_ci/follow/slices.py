@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.values.abstract import Cell, Choice, Known, Object, Sequence, Value, join
 
 #: What a part of a list is that has nothing as things are.
 NOTHING = "a part of a list, which has nothing as it is started"
 
 
-def part(run: Run, frame: Frame, container: Value, bounds: Object) -> Value:
+def part(run: Walk, frame: Frame, container: Value, bounds: Object) -> Value:
     """``container[a:b:c]``, a new text or list; *bounds* is the object that ``[slice]`` makes.
 
     Nothing of a list that has something is not known: what is done with each element is looked at once all the same.

@@ -10,7 +10,7 @@ from haros_ci import syntax
 from haros_ci.follow import construct, expressions, guarded, library_calls, lookup, loops, members, thrown
 from haros_ci.follow.frames import BREAK, CONTINUE, NEXT, RAISED, RETURN, THROW, Frame, Loop
 from haros_ci.follow.libraries import harmless
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Statement
 from haros_ci.values import abstract
@@ -20,10 +20,10 @@ from haros_ci.values.state import Writes, joined
 #: What holds in the script that is started, and in no other module: no condition at all.
 MAIN_GUARD = ('__name__=="__main__"', '"__main__"==__name__')
 _Kind = TypeVar("_Kind", bound=Statement)
-_Execute = Callable[[Run, Frame, Statement], str]
+_Execute = Callable[[Walk, Frame, Statement], str]
 
 
-def execute(run: Run, frame: Frame, block: Block) -> str:
+def execute(run: Walk, frame: Frame, block: Block) -> str:
     """Follow the statements of *block* in a scope of their own; say how it ends."""
     frame.scopes.append({})
     try:
@@ -40,17 +40,17 @@ def execute(run: Run, frame: Frame, block: Block) -> str:
         frame.scopes.pop()
 
 
-def _do(run: Run, frame: Frame, statement: syntax.Do) -> str:
+def _do(run: Walk, frame: Frame, statement: syntax.Do) -> str:
     expressions.evaluate(run, frame, statement.value)
     return THROW if library_calls.ends_the_program(run, frame, statement.value) else NEXT
 
 
-def _variable(run: Run, frame: Frame, statement: syntax.Variable) -> str:
+def _variable(run: Walk, frame: Frame, statement: syntax.Variable) -> str:
     construct.declare(run, frame, statement)
     return NEXT
 
 
-def _static(run: Run, frame: Frame, statement: syntax.Static) -> str:
+def _static(run: Walk, frame: Frame, statement: syntax.Static) -> str:
     """A variable that is made once. What is made in a rehearsal is kept if it is plain data: all else has made nothing of note."""
     variable = statement.statement
     name = variable.name
@@ -78,24 +78,24 @@ def _static(run: Run, frame: Frame, statement: syntax.Static) -> str:
 def _starts_as_written(variable: syntax.Variable) -> bool:
     """Whether a variable begins with nothing or with a literal, so with the same whoever comes to it first."""
     literals = (syntax.Boolean, syntax.Number, syntax.String)
-    return all(isinstance(each, literals) for each in syntax.started(variable.init))
+    return all(isinstance(literal, literals) for literal in syntax.started(variable.init))
 
 
-def _global(run: Run, frame: Frame, statement: syntax.Global) -> str:
+def _global(run: Walk, frame: Frame, statement: syntax.Global) -> str:
     scope = lookup.module_frame(run, frame.source).scopes[0]
     for name in statement.names:
         frame.scopes[0][name] = scope.setdefault(name, Cell(run.opaque(f"{name} is not set", frame)))
     return NEXT
 
 
-def _nonlocal(run: Run, frame: Frame, statement: syntax.Nonlocal) -> str:
+def _nonlocal(run: Walk, frame: Frame, statement: syntax.Nonlocal) -> str:
     for name in statement.names:
         cell = frame.outer.find(name) if frame.outer is not None else None
         frame.scopes[0][name] = cell or Cell(run.opaque(f"{name} is not set", frame))
     return NEXT
 
 
-def _if(run: Run, frame: Frame, statement: syntax.If) -> str:
+def _if(run: Walk, frame: Frame, statement: syntax.If) -> str:
     line, column, text = statement.line, statement.column, statement.text
     then, other, else_line, else_column = statement.then, statement.other, statement.else_line, statement.else_column
     if text.replace("'", '"').replace(" ", "").strip("()") in MAIN_GUARD and frame.source.program.language == "python":
@@ -121,7 +121,7 @@ def _if(run: Run, frame: Frame, statement: syntax.If) -> str:
     return merge(run, frame, branches, None if holds is None else [0 if holds else 1])
 
 
-def _followed(run: Run, frame: Frame, block: Block, can_be: bool) -> str:
+def _followed(run: Walk, frame: Frame, block: Block, can_be: bool) -> str:
     """Follow a branch; what one that cannot be taken returns does not count."""
     before = frame.is_dead
     frame.is_dead = before or not can_be
@@ -133,7 +133,7 @@ def _followed(run: Run, frame: Frame, block: Block, can_be: bool) -> str:
         run.dead -= not can_be
 
 
-def merge(run: Run, frame: Frame, branches: list[tuple[str, Writes]], live: list[int] | None) -> str:
+def merge(run: Walk, frame: Frame, branches: list[tuple[str, Writes]], live: list[int] | None) -> str:
     """Go on with the join of the branches that can be taken; one that cannot is gone through for what it makes only."""
     chosen = branches if live is None else [branches[i] for i in live]
     going = [writes for ended, writes in chosen if ended == NEXT]
@@ -149,7 +149,7 @@ def merge(run: Run, frame: Frame, branches: list[tuple[str, Writes]], live: list
     return next((ended for ended in (CONTINUE, BREAK, RETURN, THROW, RAISED) if ended in ends), NEXT)
 
 
-def _switch(run: Run, frame: Frame, statement: syntax.Switch) -> str:
+def _switch(run: Walk, frame: Frame, statement: syntax.Switch) -> str:
     line, column, text, test, cases = statement.line, statement.column, statement.text, statement.value, statement.cases
     value = expressions.evaluate(run, frame, test)
     branches: list[tuple[str, Writes]] = []
@@ -196,21 +196,21 @@ def _switch(run: Run, frame: Frame, statement: syntax.Switch) -> str:
     return merge(run, frame, branches, (live or [default]) if taken is not None else None)
 
 
-def _taken(run: Run, frame: Frame, value: Value, labels: list[Expression | None]) -> set[int] | None:
+def _taken(run: Walk, frame: Frame, value: Value, labels: list[Expression | None]) -> set[int] | None:
     """The numbers of the cases that a switch over *value* goes to, else the default's; None if that is not known."""
     if not isinstance(value, Known):
         return None
     found = set()
     for number, label in enumerate(labels):
-        wanted = expressions.evaluate(run, frame, label) if label is not None else None
-        if wanted is not None and not isinstance(wanted, Known):
+        expected = expressions.evaluate(run, frame, label) if label is not None else None
+        if expected is not None and not isinstance(expected, Known):
             return None
-        if wanted is not None and wanted.value == value.value:
+        if expected is not None and expected.value == value.value:
             found.add(number)
     return found or {number for number, label in enumerate(labels) if label is None}
 
 
-def _try(run: Run, frame: Frame, statement: syntax.Try) -> str:
+def _try(run: Walk, frame: Frame, statement: syntax.Try) -> str:
     """A handler begins with anything that the block may have done by then; afterwards counts what it assigns itself.
 
     What else the block has left undone where it threw is not thought of: most never throw. A handler that gives up, as it
@@ -256,7 +256,7 @@ def _is_failure(value: Value) -> bool:
     return value in (Known(False), Known(None))
 
 
-def _return(run: Run, frame: Frame, statement: syntax.Return) -> str:
+def _return(run: Walk, frame: Frame, statement: syntax.Return) -> str:
     value = expressions.evaluate(run, frame, statement.value) if statement.value is not None else Known(None)
     if not frame.is_dead and not run.is_raised:
         frame.returned.append(value)
@@ -264,19 +264,19 @@ def _return(run: Run, frame: Frame, statement: syntax.Return) -> str:
     return RETURN
 
 
-def _throw(run: Run, frame: Frame, statement: syntax.Throw) -> str:
+def _throw(run: Walk, frame: Frame, statement: syntax.Throw) -> str:
     if statement.value is not None:
         expressions.evaluate(run, frame, statement.value)
     return THROW
 
 
-def _break(run: Run, frame: Frame, statement: syntax.Break) -> str:
+def _break(run: Walk, frame: Frame, statement: syntax.Break) -> str:
     if run.loops and not frame.is_dead:
         run.loops[-1].breaks.append(run.state.since(run.loops[-1].mark))
     return BREAK
 
 
-def _continue(run: Run, frame: Frame, statement: syntax.Continue) -> str:
+def _continue(run: Walk, frame: Frame, statement: syntax.Continue) -> str:
     if not frame.is_dead:
         for loop in reversed(run.loops):
             if not loop.is_switch:
@@ -285,14 +285,14 @@ def _continue(run: Run, frame: Frame, statement: syntax.Continue) -> str:
     return CONTINUE
 
 
-def _define(run: Run, frame: Frame, statement: syntax.NestedFunction) -> str:
+def _define(run: Walk, frame: Frame, statement: syntax.NestedFunction) -> str:
     function = frame.source.program.functions[statement.function]
     made = abstract.Callable(frame.source, function, frame.this, frame=expressions.kept(frame))
     frame.declare(statement.name, Cell(made))
     return NEXT
 
 
-def _class(run: Run, frame: Frame, statement: syntax.NestedClass) -> str:
+def _class(run: Walk, frame: Frame, statement: syntax.NestedClass) -> str:
     found = run.class_of(statement.name, frame.source)
     if found is None:
         return NEXT
@@ -304,12 +304,12 @@ def _class(run: Run, frame: Frame, statement: syntax.NestedClass) -> str:
     return NEXT
 
 
-def _import(run: Run, frame: Frame, statement: syntax.Import) -> str:
+def _import(run: Walk, frame: Frame, statement: syntax.Import) -> str:
     frame.declare(statement.name, Cell(lookup.imported(run, frame, statement.target)))
     return NEXT
 
 
-def _on(kind: type[_Kind], execute: Callable[[Run, Frame, _Kind], str]) -> tuple[type[Statement], _Execute]:
+def _on(kind: type[_Kind], execute: Callable[[Walk, Frame, _Kind], str]) -> tuple[type[Statement], _Execute]:
     """*execute* for statements of *kind*, and for no others."""
     return cast("type[Statement]", kind), cast("_Execute", execute)
 

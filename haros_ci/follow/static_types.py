@@ -6,7 +6,7 @@ from __future__ import annotations
 from haros_ci import syntax
 from haros_ci.follow import conversions, enums, expressions
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.types import SEQUENCES
 from haros_ci.syntax import Expression, Type
 from haros_ci.values import iterators
@@ -25,13 +25,15 @@ from haros_ci.values.abstract import (
 from haros_ci.values.state import certain, possible
 
 
-def elements(run: Run, frame: Frame, expression: Expression) -> list[Value | Cell] | None:
+def elements(run: Walk, frame: Frame, expression: Expression) -> list[Value | Cell] | None:
     """The elements that a loop goes through; None if they are not known."""
     found, others = some_elements(run, frame, expression)
     return found if others is None else None
 
 
-def some_elements(run: Run, frame: Frame, expression: Expression) -> tuple[list[Value | Cell], tuple[Cell, ...] | None]:
+def some_elements(
+    run: Walk, frame: Frame, expression: Expression
+) -> tuple[list[Value | Cell], tuple[Cell, ...] | None]:
     """Elements that a loop goes through for sure, and objects that are elements on some paths: None if these are all.
 
     Where a branch is not taken, a text stands for the list that the branch is for: its letters are no elements.
@@ -56,7 +58,7 @@ def objects(content: Opaque) -> tuple[Cell, ...]:
     return tuple(
         cell
         for cell, options in every
-        if all(isinstance(each, Object) and each.definition is not None for each in options)
+        if all(isinstance(option, Object) and option.definition is not None for option in options)
     )
 
 
@@ -76,7 +78,7 @@ def _all_elements(frame: Frame, value: Value) -> list[Value | Cell] | None:
     return None
 
 
-def element_type(run: Run, frame: Frame, expression: Expression) -> Type | None:
+def element_type(run: Walk, frame: Frame, expression: Expression) -> Type | None:
     """The static type of a container's elements."""
     kind = static_type(run, frame, expression)
     if kind is not None and kind.name in SEQUENCES and kind.arguments:
@@ -85,7 +87,7 @@ def element_type(run: Run, frame: Frame, expression: Expression) -> Type | None:
 
 
 def member_called(
-    run: Run, frame: Frame, callee: Expression, targs: tuple[syntax.Argument, ...]
+    run: Walk, frame: Frame, callee: Expression, targs: tuple[syntax.Argument, ...]
 ) -> tuple[Expression, tuple[syntax.Argument, ...]]:
     """``decltype(a)::element_type::make`` with the class that it stands for, and this class's template arguments."""
     if not isinstance(callee, syntax.Name) or not callee.name.startswith("decltype("):
@@ -100,7 +102,7 @@ def member_called(
     return syntax.Name(f"{owner.name}::{last}"), targs or owner.arguments
 
 
-def static_type(run: Run, frame: Frame, expression: Expression) -> Type | None:
+def static_type(run: Walk, frame: Frame, expression: Expression) -> Type | None:
     """The declared (resolved) type of *expression*; what it makes and changes is not kept."""
     mark = run.state.mark()
     run.quiet += 1
@@ -111,7 +113,7 @@ def static_type(run: Run, frame: Frame, expression: Expression) -> Type | None:
         run.state.undo(mark)
 
 
-def _static_type(run: Run, frame: Frame, expression: Expression) -> Type | None:
+def _static_type(run: Walk, frame: Frame, expression: Expression) -> Type | None:
     literal = LITERAL_TYPES.get(type(expression))
     if literal is not None:
         return literal

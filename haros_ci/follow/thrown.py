@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from haros_ci import syntax
 
 if TYPE_CHECKING:
-    from haros_ci.follow.run import Run
+    from haros_ci.follow.run import Walk
     from haros_ci.model.location import Location
     from haros_ci.syntax import Expression
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 CATCHING = ("KeyError", "LookupError", "Exception", "exception", "ParameterNotDeclared", "runtime_error", "...")
 
 
-def raises(run: Run, name: str, location: Location, is_set: bool) -> bool:
+def raises(run: Walk, name: str, location: Location, is_set: bool) -> bool:
     """Whether reading a parameter without a default, which something sets or nothing, raises an exception that ends a loop.
 
     In the first turn a loop goes on as if it were set. A later turn that asks for another name at that place raises, and has
@@ -31,13 +31,13 @@ def raises(run: Run, name: str, location: Location, is_set: bool) -> bool:
     loop = next((loop for loop in reversed(run.turning) if loop.is_endless), None)
     if loop is None or run.dead or "?" in name:
         return False
-    asked = loop.asked.setdefault(location, {})
+    requested = loop.asked.setdefault(location, {})
     if is_set or not loop.turn:
-        asked[name] = is_set
+        requested[name] = is_set
         return False
-    if not asked or asked.get(name) is False:
+    if not requested or requested.get(name) is False:
         return False
-    run.is_raised = not all(asked.values())
+    run.is_raised = not all(requested.values())
     return True
 
 
@@ -55,7 +55,7 @@ def is_endless(test: Expression | None) -> bool:
 
 
 @contextmanager
-def left(run: Run, handlers: tuple[syntax.Handler, ...]) -> Iterator[None]:
+def left(run: Walk, handlers: tuple[syntax.Handler, ...]) -> Iterator[None]:
     """In the block of a ``try`` whose *handlers* leave the loop around it, exceptions end that loop."""
     loop = run.loops[-1] if run.loops else None
     if loop is None or loop.is_endless or not _leaves(handlers):
@@ -71,6 +71,6 @@ def left(run: Run, handlers: tuple[syntax.Handler, ...]) -> Iterator[None]:
 def _leaves(handlers: tuple[syntax.Handler, ...]) -> bool:
     """Whether a handler of these exceptions leaves the loop around it."""
     return any(
-        catches(each) and any(isinstance(last, (syntax.Break, syntax.Return)) for last in each.body[-1:])
-        for each in handlers
+        catches(handler) and any(isinstance(last, (syntax.Break, syntax.Return)) for last in handler.body[-1:])
+        for handler in handlers
     )

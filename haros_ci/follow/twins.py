@@ -11,7 +11,7 @@ from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Function
 
 if TYPE_CHECKING:
-    from haros_ci.follow.run import Run
+    from haros_ci.follow.run import Walk
     from haros_ci.values.abstract import Object
 
 #: Functions and methods after which a node may be gone.
@@ -39,26 +39,30 @@ class Standing:
     inside: tuple[Function, ...]
     is_called_back: bool
 
-    def stands(self, run: Run, inside: tuple[Function, ...]) -> bool:
+    def stands(self, run: Walk, inside: tuple[Function, ...]) -> bool:
         """Whether it is sure to be there still: the function that made it has not returned, or is the process's own."""
         if self.is_called_back != run.is_called_back:
             return len(self.inside) <= 1 and not self.is_called_back
         return self.inside == inside[: len(self.inside)]
 
 
-def called(run: Run, callee: Expression) -> None:
+def called(run: Walk, callee: Expression) -> None:
     """A call, after which a node may be gone."""
     name = syntax.name_of(callee)
     if name.rpartition("::")[2].rpartition(".")[2] in _ENDING:
         run.has_ended = True
 
 
-def made(run: Run, target: Object, name: str, coded: str, location: Location) -> None:
+def made(run: Walk, target: Object, name: str, coded: str, location: Location) -> None:
     """The node *target* is made; *coded* is the name that it has without what the process is given."""
     if run.quiet or run.conditions or run.doubts or run.dead or run.beyond or run.trying or "?" in name + coded:
         return
-    inside = tuple(each for each in run.active if each.kind != "constructor" and not each.name.endswith(".__init__"))
-    if any(_has_scopes(each) for each in inside) or len(run.standing) >= MOST:
+    inside = tuple(
+        function
+        for function in run.active
+        if function.kind != "constructor" and not function.name.endswith(".__init__")
+    )
+    if any(_has_scopes(function) for function in inside) or len(run.standing) >= MOST:
         return
     place = target.location or location
     for other in run.standing:

@@ -7,9 +7,9 @@ import re
 from typing import Any
 
 from haros_ci import syntax
-from haros_ci.follow import conversions, copies, dispatch, expressions, havoc, members
+from haros_ci.follow import conversions, copies, dispatch, expressions, members, unknown_calls
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.syntax import Expression
 from haros_ci.values.abstract import (
     NONE,
@@ -30,12 +30,12 @@ from haros_ci.values.abstract import (
 UNCERTAIN = "it is assigned to in a way that is not followed"
 
 
-def lost(run: Run, frame: Frame, target: Expression, value: Value) -> None:
+def lost(run: Walk, frame: Frame, target: Expression, value: Value) -> None:
     """What has no single cell is assigned to: all that may be meant is what it was or the value, or not known."""
     if (
         isinstance(target, syntax.Member)
         and isinstance(value, Callable)
-        and _given_to_library(run, frame, target, value)
+        and _passed_to_library(run, frame, target, value)
     ):
         return
     if isinstance(target, syntax.Cast):
@@ -55,9 +55,9 @@ def lost(run: Run, frame: Frame, target: Expression, value: Value) -> None:
         owners = _options(expressions.evaluate(run, frame, target.object))
         if isinstance(target.object, syntax.Subscript) and not any(isinstance(owner, Object) for owner in owners):
             owners = [
-                each
+                other_value
                 for held in _options(expressions.evaluate(run, frame, target.object.object))
-                for each in _held(held)
+                for other_value in _held(held)
             ]
         for owner in owners:
             for option in _pointed(owner):
@@ -66,11 +66,11 @@ def lost(run: Run, frame: Frame, target: Expression, value: Value) -> None:
                     _maybe(run, frame, cell, value)
     elif isinstance(target, syntax.Dereference):
         owner = expressions.evaluate(run, frame, target.value)
-        for each in owner.options if isinstance(owner, Choice) else (owner,):
-            if isinstance(each, Pointer):
-                _maybe(run, frame, each.cell, value)
-            elif isinstance(each, Object) and "[of]" in each.fields:
-                _element(run, frame, each.fields["[of]"].value, value)
+        for other_value in owner.options if isinstance(owner, Choice) else (owner,):
+            if isinstance(other_value, Pointer):
+                _maybe(run, frame, other_value.cell, value)
+            elif isinstance(other_value, Object) and "[of]" in other_value.fields:
+                _element(run, frame, other_value.fields["[of]"].value, value)
     elif isinstance(target, syntax.Subscript):
         python = frame.source.program.language == "python"
         key = expressions.evaluate(run, frame, target.index)
@@ -89,7 +89,7 @@ def lost(run: Run, frame: Frame, target: Expression, value: Value) -> None:
             _forget(run, frame, cell)
 
 
-def _given_to_library(run: Run, frame: Frame, target: syntax.Member, value: Callable) -> bool:
+def _passed_to_library(run: Walk, frame: Frame, target: syntax.Member, value: Callable) -> bool:
     """A function is assigned to a member of a struct inside a library's object: the struct is made, as a part of it."""
     inside = expressions.evaluate(run, frame, target.object)
     if (
@@ -106,7 +106,7 @@ def _given_to_library(run: Run, frame: Frame, target: syntax.Member, value: Call
     return True
 
 
-def _inside(run: Run, frame: Frame, target: syntax.Subscript, container: Known, key: Value, value: Value) -> None:
+def _inside(run: Walk, frame: Frame, target: syntax.Subscript, container: Known, key: Value, value: Value) -> None:
     """An element of known data or a character of a text is set: the variable holds other data."""
     cell = expressions.cell_of(run, frame, target.object)
     data: Any = container.value
@@ -125,7 +125,7 @@ def _inside(run: Run, frame: Frame, target: syntax.Subscript, container: Known, 
         _forget(run, frame, cell)
 
 
-def _element(run: Run, frame: Frame, container: Value, value: Value) -> None:
+def _element(run: Walk, frame: Frame, container: Value, value: Value) -> None:
     """Some element of a container is set."""
     if isinstance(container, Sequence) and isinstance(container.content.value, tuple):
         for cell in container.content.value:
@@ -134,7 +134,7 @@ def _element(run: Run, frame: Frame, container: Value, value: Value) -> None:
         run.state.write(container.content, run.opaque(UNCERTAIN, frame))
 
 
-def _maybe(run: Run, frame: Frame, cell: Cell, value: Value) -> None:
+def _maybe(run: Walk, frame: Frame, cell: Cell, value: Value) -> None:
     """*cell* holds what it held, or *value*."""
     if isinstance(value, Object) and isinstance(cell.value, Object) and copies.is_by_value(cell.type):
         _forget(run, frame, cell)
@@ -142,14 +142,14 @@ def _maybe(run: Run, frame: Frame, cell: Cell, value: Value) -> None:
         run.state.write(cell, join(cell.value, conversions.converted(value, cell.type)))
 
 
-def _forget(run: Run, frame: Frame, cell: Cell) -> None:
+def _forget(run: Walk, frame: Frame, cell: Cell) -> None:
     if cell.value == NONE:
         run.state.write(cell, run.opaque(UNCERTAIN, frame, None, cell.type))
     else:
-        havoc.forget(run, frame, cell, UNCERTAIN)
+        unknown_calls.forget(run, frame, cell, UNCERTAIN)
 
 
-def _root(run: Run, frame: Frame, expression: Expression) -> Cell | None:
+def _root(run: Walk, frame: Frame, expression: Expression) -> Cell | None:
     """The nearest cell that an element, member or character is inside of."""
     while True:
         cell = expressions.cell_of(run, frame, expression)
@@ -187,7 +187,7 @@ def _pointed(value: Value) -> list[Value]:
     return [value]
 
 
-def exposed(run: Run, frame: Frame, expression: Expression) -> None:
+def exposed(run: Walk, frame: Frame, expression: Expression) -> None:
     """A reference to one of several is made: what they hold may be changed through it from here on."""
     for side in (expression.then, expression.other) if isinstance(expression, syntax.Conditional) else ():
         cell = expressions.cell_of(run, frame, side)
@@ -197,7 +197,7 @@ def exposed(run: Run, frame: Frame, expression: Expression) -> None:
             _forget(run, frame, cell)
 
 
-def deleted(run: Run, frame: Frame, text: str) -> None:
+def deleted(run: Walk, frame: Frame, text: str) -> None:
     """Python's ``del``: variables have no value, lists and maps that lose an element are not known."""
     for target in text.removeprefix("del ").split(","):
         found = re.match(r"\s*(?:\(\s*)?([A-Za-z_]\w*(?:\s*\.\s*\w+)*)\s*([\[(.]?)", target)

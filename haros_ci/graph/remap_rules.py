@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from haros_ci.graph.names import resolve, resolve_target
-from haros_ci.graph.ros2_process import NAMES, SPACES, RosNode, Rule, rule_of, schemed
+from haros_ci.graph.ros2_process import NAMES, SPACES, RosNode, RemappingRule, rule_of, schemed
 from haros_ci.model.architecture import Condition, RemapRule
 from haros_ci.model.location import Location
 from haros_ci.model.presence import ALWAYS, Presence
@@ -28,7 +28,9 @@ def written_rule(
     )
 
 
-def ros2_rules(rules: Iterable[Rule], written: Iterable[RemapRule], location: Location) -> tuple[RemapRule, ...]:
+def ros2_rules(
+    rules: Iterable[RemappingRule], written: Iterable[RemapRule], location: Location
+) -> tuple[RemapRule, ...]:
     """*rules* on the command line of a process, at *location*, then those *written* as remappings; none that names nodes."""
     found = [RemapRule(source=rule.source, target=rule.target, location=location, node=rule.node) for rule in rules]
     for remap_rule in written:
@@ -45,7 +47,7 @@ def of_ros2_node(rules: Iterable[RemapRule], node: RosNode) -> tuple[RemapRule, 
         replace(
             rule,
             source_name=_whole(node.expand(schemed(rule.source)[1])),
-            target_name=_whole(node.target(Rule("", rule.source, rule.target))),
+            target_name=_whole(node.target(RemappingRule("", rule.source, rule.target))),
         )
         for rule in rules
         if rule.node in ("", last)

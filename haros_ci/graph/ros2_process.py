@@ -36,7 +36,7 @@ TOPIC, SERVICE = "rostopic://", "rosservice://"
 
 
 @dataclass(frozen=True, slots=True)
-class Rule:
+class RemappingRule:
     """A remapping rule *source*``:=``*target*, for the node called *node* alone unless that is empty."""
 
     node: str
@@ -45,10 +45,10 @@ class Rule:
 
 
 @dataclass(frozen=True, slots=True)
-class Arguments:
+class RosArguments:
     """What ``--ros-args`` say: rules in order, parameters as (node, name, text), parameter files."""
 
-    rules: tuple[Rule, ...] = ()
+    rules: tuple[RemappingRule, ...] = ()
     parameters: tuple[tuple[str, str, str], ...] = ()
     files: tuple[str, ...] = ()
     rest: tuple[str, ...] = ()
@@ -68,7 +68,7 @@ class RosNode:
     class_name: str
     location: Location
     conditions: tuple[Condition, ...] = ()
-    rules: tuple[Rule, ...] = ()
+    rules: tuple[RemappingRule, ...] = ()
     given: Mapping[str, Value] = field(default_factory=dict)
     why: tuple[str, Location | None] | None = None
     main: RosNode | None = None
@@ -102,7 +102,7 @@ class RosNode:
                 return self.target(rule)
         return name
 
-    def target(self, rule: Rule) -> str:
+    def target(self, rule: RemappingRule) -> str:
         """The name that *rule* gives; one whose beginning is not known may be absolute."""
         text = schemed(rule.target)[1]
         return clean(f"/{text}") if text.startswith("?") else self.whole.expand(text)
@@ -115,16 +115,16 @@ class Process:
     *component* are the arguments of the options that a component is constructed with, None for an executable.
     """
 
-    rules: tuple[Rule, ...] = ()
+    rules: tuple[RemappingRule, ...] = ()
     parameter: Callable[[str, str], Value | None] = lambda node, name: None
-    component: tuple[Rule, ...] | None = None
+    component: tuple[RemappingRule, ...] | None = None
     has_parameters: bool = False
 
 
 def named(
     name: str,
     namespace: str,
-    rules: tuple[Rule, ...],
+    rules: tuple[RemappingRule, ...],
 ) -> tuple[str, str]:
     """The final full name and namespace of a node that the code calls *name* in *namespace*.
 
@@ -142,20 +142,20 @@ def schemed(text: str) -> tuple[str, str]:
     return scheme, text[len(scheme) :]
 
 
-def rule_of(text: str) -> Rule | None:
+def rule_of(text: str) -> RemappingRule | None:
     """``[node:]source:=target``; None if it is no rule."""
     head, sign, target = text.partition(":=")
     if not sign or not head:
         return None
     node, colon, source = head.partition(":")
     if not colon or source.startswith("//"):
-        return Rule("", head, target)
-    return Rule(node, source, target)
+        return RemappingRule("", head, target)
+    return RemappingRule(node, source, target)
 
 
-def ros_arguments(words: Iterable[str]) -> Arguments:
+def ros_arguments(words: Iterable[str]) -> RosArguments:
     """A command line's words sorted: what stands between ``--ros-args`` and ``--``, and the rest."""
-    rules: list[Rule] = []
+    rules: list[RemappingRule] = []
     parameters: list[tuple[str, str, str]] = []
     files: list[str] = []
     rest: list[str] = []
@@ -181,10 +181,10 @@ def ros_arguments(words: Iterable[str]) -> Arguments:
             is_ros = False
         elif word in TAKES_ONE:
             flag = word
-    return Arguments(tuple(rules), tuple(parameters), tuple(files), tuple(rest))
+    return RosArguments(tuple(rules), tuple(parameters), tuple(files), tuple(rest))
 
 
-def from_arguments(found: Arguments, location: Location) -> tuple[ParameterRule, ...]:
+def from_arguments(found: RosArguments, location: Location) -> tuple[ParameterRule, ...]:
     """The parameters of ``-p [node:]name:=value``; *node* is a key as in a file (rcl ``_rcl_parse_param_rule``)."""
     made = []
     for node, name, text in found.parameters:

@@ -10,7 +10,7 @@ from math import isfinite
 
 
 @dataclass(frozen=True, slots=True)
-class Words:
+class CommandLineArguments:
     """``_name:=value`` and ``from:=to`` as pairs, ``__name:=value`` as pairs, and what the program itself is given."""
 
     private: tuple[tuple[str, str], ...]
@@ -33,7 +33,7 @@ def shell_words(text: str) -> list[str]:
     return [word.replace("\0", " ") for word in words]
 
 
-def split(text: str) -> Words:
+def split(text: str) -> CommandLineArguments:
     """The words of *text* (``shell_words``) by what they are."""
     words = shell_words(text)
     private: list[tuple[str, str]] = []
@@ -50,7 +50,7 @@ def split(text: str) -> Words:
             private.append((left[1:], right))
         else:
             remaps.append((left, right))
-    return Words(tuple(private), tuple(remaps), tuple(special), tuple(rest))
+    return CommandLineArguments(tuple(private), tuple(remaps), tuple(special), tuple(rest))
 
 
 def scalar(text: str) -> int | float | bool | str:

@@ -206,7 +206,7 @@ def _matches(inputs: Input, scenes: Scenes, results: Sequence[Result]) -> dict[A
         inputs.project,
         inputs.where,
         inputs.workspace.files,
-        wanted=lambda rule: rule.id in rules,
+        is_selected=lambda rule: rule.id in rules,
         scenes=scenes,
     )
     return {asking(result): matches for result, matches in grouped(answers.matches, Location(inputs.where))}

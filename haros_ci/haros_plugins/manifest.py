@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from haros_ci.bounded_yaml import Limits, YamlFault
+from haros_ci.bounded_yaml import YamlLimits, YamlFault
 from haros_ci.bounded_yaml import data as yaml_data
 from haros_ci.errors import UserError
 from haros_ci.haros_plugins.common import METRICS, RULES
@@ -20,7 +20,7 @@ from haros_ci.results.rule import Level, Rule
 PREFIX = "haros_plugin_"
 #: Bytes that a plugin.yaml or plugin.py may have.
 LARGEST = 4_000_000
-LIMITS = Limits(characters=LARGEST, aliases=1_000)
+LIMITS = YamlLimits(characters=LARGEST, aliases=1_000)
 #: A plug-in is run because somebody names it: all its rules are on, until they are ignored.
 PROFILES = ("ros", "strict", "google", "bugs-only", "architecture")
 

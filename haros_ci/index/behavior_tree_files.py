@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from haros_ci.index.index import TREES, Index, Source
-from haros_ci.index.xml_files import Reader
+from haros_ci.index.xml_files import XmlFileReader
 from haros_ci.model.build import Build
 from haros_ci.model.launch import LaunchElement
 from haros_ci.syntax import Function
@@ -52,7 +52,7 @@ class Tag:
 
 
 @dataclass(frozen=True, slots=True)
-class Trees:
+class BehaviorTreeFile:
     """The trees of one file by ID ("" without), the one to execute, and the subtrees of each."""
 
     tags: Mapping[str, tuple[Tag, ...]]
@@ -70,25 +70,25 @@ class Trees:
         is_whole = all(item in self.tags for item in reached)
         return tuple(tag for item in reached for tag in self.tags.get(item, ())), is_whole
 
-    def beside(self, others: Iterable[Trees]) -> Trees:
+    def beside(self, others: Iterable[BehaviorTreeFile]) -> BehaviorTreeFile:
         """These trees and those that were read before."""
         tags, inner = dict(self.tags), dict(self.inner)
         for other in others:
             tags = {**other.tags, **tags}
             inner = {**other.inner, **inner}
-        return Trees(tags, self.main, inner)
+        return BehaviorTreeFile(tags, self.main, inner)
 
 
 @dataclass(frozen=True, slots=True)
 class TreeFiles:
     """Where trees and the libraries of their nodes are found: nothing is read before it is asked for."""
 
-    xml: Reader
+    xml: XmlFileReader
     index: Index
     builds: Mapping[str, Build]
-    memo: dict[str, Trees | None] = field(default_factory=dict)
+    memo: dict[str, BehaviorTreeFile | None] = field(default_factory=dict)
 
-    def read(self, path: str) -> Trees | None:
+    def read(self, path: str) -> BehaviorTreeFile | None:
         """The trees of a file by its path as values have it, or of a text after a line feed; None if not known."""
         if not path.startswith("\n"):
             place = self.xml.place(path)
@@ -97,7 +97,7 @@ class TreeFiles:
             path = place
         return self._read(path)
 
-    def every(self) -> Iterator[Trees]:
+    def every(self) -> Iterator[BehaviorTreeFile]:
         """The trees of all files of the workspace that are not for tests."""
         for file in self.xml.files.workspace.files:
             if file.path.endswith(".xml") and not _is_test(file.path):
@@ -105,7 +105,7 @@ class TreeFiles:
                 if found is not None:
                     yield found
 
-    def _read(self, path: str) -> Trees | None:
+    def _read(self, path: str) -> BehaviorTreeFile | None:
         if path not in self.memo:
             self.memo[path] = None
             text = path if path.startswith("\n") else self.xml.files.workspace.text(path)
@@ -128,7 +128,7 @@ class TreeFiles:
         return [definition for definition in found if definition[0].path in sources]
 
 
-def trees_of(root: LaunchElement) -> Trees:
+def trees_of(root: LaunchElement) -> BehaviorTreeFile:
     """What the file with the tag *root* says; *root* may be one tree by itself."""
     tags: dict[str, tuple[Tag, ...]] = {}
     inner: dict[str, tuple[str, ...]] = {}
@@ -142,7 +142,7 @@ def trees_of(root: LaunchElement) -> Trees:
         )
         inner[name] = (*inner.get(name, ()), *subtrees)
     main = root.get("main_tree_to_execute") or (next(iter(tags)) if len(tags) == 1 else "(of several)")
-    return Trees(tags, main, inner)
+    return BehaviorTreeFile(tags, main, inner)
 
 
 def _below(tree: LaunchElement) -> Iterator[LaunchElement]:

@@ -13,7 +13,7 @@ from haros_ci.syntax import Class
 LONGEST, DEEPEST = 500, 8
 
 
-class Plugin(NamedTuple):
+class PluginDescription(NamedTuple):
     """A class that a plug-in description names: where it is defined, and the arguments of the template that it is one of."""
 
     source: Source

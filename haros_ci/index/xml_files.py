@@ -13,7 +13,7 @@ from haros_ci.substitutions.names import literal
 
 
 @dataclass(frozen=True, slots=True)
-class Reader:
+class XmlFileReader:
     """XML files and directories by paths as values have them.
 
     *load* gives the tags of a file by its root-relative path, or of the text after a line feed.

@@ -15,7 +15,7 @@ from hashlib import sha256
 from struct import error, pack, unpack
 from typing import Any
 
-from haros_ci.follow.made import Made
+from haros_ci.follow.made import MadeEntity
 from haros_ci.follow.twins import Twin
 from haros_ci.graph.ros2_process import RosNode
 from haros_ci.keeping.consulted import Consulted, Effect
@@ -31,7 +31,7 @@ from haros_ci.values.questions import Answer
 class Followed:
     """What one node has made, what went wrong, the names it gives itself; and each parameter that it asked for."""
 
-    made: tuple[Made, ...]
+    made: tuple[MadeEntity, ...]
     problems: tuple[Problem, ...]
     names: tuple[tuple[Value, bool], ...]
     gaps: Mapping[str, Location]
@@ -257,10 +257,10 @@ def _twin(data: Any) -> Twin:
     return Twin(_text(name), _location(from_json(first)), _location(from_json(second)))
 
 
-def _made(data: Any, nodes: tuple[RosNode, ...]) -> Made:
+def _made(data: Any, nodes: tuple[RosNode, ...]) -> MadeEntity:
     number, held = data
     made = from_json(held)
-    if made.__class__ is not Made:
+    if made.__class__ is not MadeEntity:
         raise Unfit
     return made if number == -1 else replace(made, node=nodes[_index(number, nodes)])
 

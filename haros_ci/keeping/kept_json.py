@@ -7,9 +7,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import fields
 from typing import Any
 
-from haros_ci.follow.made import Made
+from haros_ci.follow.made import MadeEntity
 from haros_ci.graph.parameters import Perhaps
-from haros_ci.graph.ros2_process import RosNode, Rule
+from haros_ci.graph.ros2_process import RosNode, RemappingRule
 from haros_ci.model.architecture import KINDS, Condition, Qos
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import Known, Opaque
@@ -66,7 +66,7 @@ def _is_location(value: Any) -> bool:
 _text, _flag, _line = _is(str), _is(bool), _optional(_is(int))
 _place = _optional(_is(Location))
 _measure = _optional(_is(int, float, str))
-_conditions, _rules = _every(_is(Condition)), _every(_is(Rule))
+_conditions, _rules = _every(_is(Condition)), _every(_is(RemappingRule))
 #: The classes that are kept: the attributes in order, each with what it may be.
 CLASSES: dict[type, dict[str, Check]] = {
     Location: {"path": _text, "line": _line, "column": _line, "end_line": _line, "end_column": _line},
@@ -81,7 +81,7 @@ CLASSES: dict[type, dict[str, Check]] = {
         "liveliness": _optional(_text),
         "lease": _measure,
     },
-    Rule: {"node": _text, "source": _text, "target": _text},
+    RemappingRule: {"node": _text, "source": _text, "target": _text},
     RosNode: {
         "name": _text,
         "own": _text,
@@ -96,7 +96,7 @@ CLASSES: dict[type, dict[str, Check]] = {
         "main": lambda value: value is None,
         "options": lambda value: isinstance(value, dict) and all(map(_flag, value.values())),
     },
-    Made: {
+    MadeEntity: {
         "kind": lambda value: value in KINDS,
         "name": _text,
         "type": _optional(_text),

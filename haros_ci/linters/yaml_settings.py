@@ -6,9 +6,9 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from haros_ci.bounded_yaml import Limits, YamlFault, data
+from haros_ci.bounded_yaml import YamlLimits, YamlFault, data
 
-LIMITS = Limits(characters=50_000, depth=20, aliases=20)
+LIMITS = YamlLimits(characters=50_000, depth=20, aliases=20)
 
 
 def read(text: str) -> dict[str, Any]:

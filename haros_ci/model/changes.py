@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a change does to a system, each thing told once.
+"""What a change does to a system, each effect reported once.
 
 ``haros-ci diff --format json`` prints it; names of attributes here are the keys there (docs/diff.md).
 """
@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from haros_ci.model.location import Location
 
-#: What may change, in the order in which it is told.
+#: What may change, in the order of reports.
 WHATS = (
     "interface",
     "launch file",
@@ -32,7 +32,7 @@ ADDED, REMOVED, RENAMED, CHANGED = "added", "removed", "renamed", "changed"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Change:
-    """A change, told once: *names* are those that it is seen under, *nodes*, *programs* and *configurations* where.
+    """A change, reported once: *names* are those that it is seen under, *nodes*, *programs* and *configurations* where.
 
     *old_names* of what is renamed are in the order of *names*. *before* and *after* are texts, None for what is not there; *base* and
     *head* the places on either side. *users* are who else uses it, *details* further words.

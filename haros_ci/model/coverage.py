@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-#: What a file is for: the product, or tests and examples, which are counted apart.
+#: What a file is for: the product, or tests and examples, which are counted separately.
 PRODUCTION, TEST, EXAMPLE = AREAS = ("production", "test", "example")
 #: An endpoint or parameter of the model; no API call at all; code that nothing reaches; missing in the model.
 ENDPOINT, OTHER, UNREACHED, OPEN = STATES = ("endpoint", "other", "unreached", "open")

@@ -44,12 +44,12 @@ _WORD = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
 _ESCAPED = re.compile(r"\\(.)")
 
 
-class _Malformed(Exception):
+class _MalformedPhrase(Exception):
     """The text is none that launch can read."""
 
 
 @dataclass(slots=True)
-class _Reader:
+class _PhraseReader:
     text: str
     location: Location | None
     position: int = 0
@@ -75,7 +75,7 @@ class _Reader:
                 self.position += 1
         else:
             if quote:
-                raise _Malformed(f"a {quote} is not closed")
+                raise _MalformedPhrase(f"a {quote} is not closed")
         self.literal(parts, begin)
         self.position += len(quote)
         return tuple(parts)
@@ -88,12 +88,12 @@ class _Reader:
         """``$(name arguments)``; inside quotes the other kind of quote is text."""
         self.depth += 1
         if self.depth > MAX_DEPTH:
-            raise _Malformed(f"substitutions are nested deeper than {MAX_DEPTH}")
+            raise _MalformedPhrase(f"substitutions are nested deeper than {MAX_DEPTH}")
         start = self.position
         self.position += 2
         match = _WORD.match(self.text, self.position)
         if match is None:
-            raise _Malformed("no name of a substitution stands behind '$('; escape it as '\\$(' if it is text")
+            raise _MalformedPhrase("no name of a substitution stands behind '$('; escape it as '\\$(' if it is text")
         self.position = match.end()
         arguments: list[Phrase] = []
         while True:
@@ -101,7 +101,7 @@ class _Reader:
                 self.position += 1
                 break
             if not self.at(" "):
-                raise _Malformed(f"the substitution '$({match[0]}' is not closed")
+                raise _MalformedPhrase(f"the substitution '$({match[0]}' is not closed")
             while self.at(" "):
                 self.position += 1
             if not self.at(")"):
@@ -127,7 +127,7 @@ class _Reader:
             elif here in " )":
                 break
             elif here == "(" or here == quote or (not quote and here in "'\""):
-                raise _Malformed(f"a {here} stands in an argument; quote the argument, or write \\{here}")
+                raise _MalformedPhrase(f"a {here} stands in an argument; quote the argument, or write \\{here}")
             else:
                 self.position += 1
         self.literal(parts, begin)
@@ -137,12 +137,14 @@ class _Reader:
         kind = _ALIASES.get(word, word)
         bounds = _ARGUMENTS.get(kind)
         if bounds is None:
-            raise _Malformed(f"launch knows no substitution '$({word})'; correct its name")
+            raise _MalformedPhrase(f"launch knows no substitution '$({word})'; correct its name")
         least, most = bounds
         if len(arguments) < least or (most is not None and len(arguments) > most):
             needs = str(least) if least == most else f"{least} to {most}"
             short = written if len(written) < 80 else written[:77] + "..."
-            raise _Malformed(f"'{short}' has {len(arguments)} arguments and needs {needs}; quote what holds a space")
+            raise _MalformedPhrase(
+                f"'{short}' has {len(arguments)} arguments and needs {needs}; quote what holds a space"
+            )
         return Substitution(kind, arguments, self.location)
 
 
@@ -161,7 +163,7 @@ def read_phrase(text: str, location: Location | None = None) -> tuple[Phrase, st
         return ((text,) if text else ()), ""
     try:
         if len(text) > MAX_CHARACTERS:
-            raise _Malformed(f"the text is longer than {MAX_CHARACTERS} characters")
-        return _Reader(text, location).template(""), ""
-    except _Malformed as err:
+            raise _MalformedPhrase(f"the text is longer than {MAX_CHARACTERS} characters")
+        return _PhraseReader(text, location).template(""), ""
+    except _MalformedPhrase as err:
         return (Substitution("?", (), location, str(err)),), str(err)

@@ -40,12 +40,12 @@ def together(*presences: Presence) -> Presence | None:
     """The conjunction; None if it is contradictory, so that the entities never exist at once."""
     merged = tuple(sorted(set().union(*presences)))
     fixed: dict[str, str] = {}
-    for each in merged:
-        if each.equal and fixed.setdefault(each.argument, each.value) != each.value:
+    for item in merged:
+        if item.equal and fixed.setdefault(item.argument, item.value) != item.value:
             return None
-    if any(not each.equal and fixed.get(each.argument) == each.value for each in merged):
+    if any(not item.equal and fixed.get(item.argument) == item.value for item in merged):
         return None
-    return tuple(each for each in merged if each.equal or each.argument not in fixed)
+    return tuple(item for item in merged if item.equal or item.argument not in fixed)
 
 
 def assignment(presence: Presence, defaults: Mapping[str, str]) -> tuple[tuple[str, str], ...] | None:
@@ -53,15 +53,15 @@ def assignment(presence: Presence, defaults: Mapping[str, str]) -> tuple[tuple[s
 
     None where a choice excludes a default and no other value is known.
     """
-    wanted: list[tuple[str, str]] = []
-    for each in presence:
-        default = defaults.get(each.argument)
-        same = default is not None and _same(default, each.value)
-        if each.equal and not same:
-            wanted.append((each.argument, _spelled(each.value, default)))
-        elif not each.equal and same:
+    requested: list[tuple[str, str]] = []
+    for item in presence:
+        default = defaults.get(item.argument)
+        same = default is not None and _same(default, item.value)
+        if item.equal and not same:
+            requested.append((item.argument, _spelled(item.value, default)))
+        elif not item.equal and same:
             return None
-    return tuple(wanted)
+    return tuple(requested)
 
 
 def _same(default: str, value: str) -> bool:
@@ -76,6 +76,6 @@ def _spelled(value: str, default: str | None) -> str:
     return value.capitalize() if word in ("True", "False") else "1" if value == "true" else "0"
 
 
-def in_words(wanted: Iterable[tuple[str, str]]) -> str:
+def in_words(requested: Iterable[tuple[str, str]]) -> str:
     """``use_sim:=true slam:=true``, as one writes it on the command line."""
-    return " ".join(f"{name}:={value}" for name, value in wanted)
+    return " ".join(f"{name}:={value}" for name, value in requested)

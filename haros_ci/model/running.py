@@ -49,5 +49,5 @@ def _hosting(manager: Node, inside: list[Node]) -> Node:
     ends: list[Endpoint] = list(manager.endpoints)
     for node in inside:
         ends += [replace(end, conditions=(*node.conditions, *end.conditions)) for end in node.endpoints]
-    unknowns = (*manager.unknowns, *(each for node in inside for each in node.unknowns))
+    unknowns = (*manager.unknowns, *(unknown for node in inside for unknown in node.unknowns))
     return replace(manager, endpoints=tuple(dict.fromkeys(ends)), unknowns=tuple(dict.fromkeys(unknowns)))

@@ -17,36 +17,36 @@ _LAUNCH = re.compile(r"[._]launch(?:\.\w+)?$")
 _APART = ({"left", "right"}, {"front", "rear"}, {"front", "back"}, {"upper", "lower"}, {"min", "max"})
 
 
-def similar_files(wanted: str, paths: Iterable[str], owner: str = "", count: int = 1) -> tuple[str, ...]:
-    """Up to *count* of *paths* that may be meant by *wanted*, the likeliest first; none where all are rather other files.
+def similar_files(expected: str, paths: Iterable[str], owner: str = "", count: int = 1) -> tuple[str, ...]:
+    """Up to *count* of *paths* that may be meant by *expected*, the likeliest first; empty where all seem to be other files.
 
     *owner* is the package that has them: its name may stand before that of a file.
     """
-    base = posixpath.basename(wanted)
+    base = posixpath.basename(expected)
     stem, kind = _stem(base), _kind(base)
     if not stem or len(base) > _LONGEST:
         return ()
     ranked: list[tuple[int, float, str]] = []
     for path in paths:
         other = posixpath.basename(path)
-        if path != wanted and len(other) <= _LONGEST and (other == base or _kind(other) == kind):
+        if path != expected and len(other) <= _LONGEST and (other == base or _kind(other) == kind):
             rank = _rank(base, stem, other, _stem(other), owner)
             if rank is not None:
                 ranked.append((rank[0], -rank[1], path))
     best = sorted(ranked)[: 4 * count + 20]
     return tuple(
-        path for _, _, path in sorted(best, key=lambda each: (*each[:2], -_ratio(wanted, each[2]), each[2]))[:count]
+        path for _, _, path in sorted(best, key=lambda item: (*item[:2], -_ratio(expected, item[2]), item[2]))[:count]
     )
 
 
-def similar_names(wanted: str, names: Iterable[str], owner: str = "", count: int = 1) -> tuple[str, ...]:
-    """Up to *count* of *names*, of programs and classes, that may be meant by *wanted*; what stands behind a dot counts for little."""
-    stem = _stem(wanted)
-    if not stem or len(wanted) > _LONGEST:
+def similar_names(expected: str, names: Iterable[str], owner: str = "", count: int = 1) -> tuple[str, ...]:
+    """Up to *count* of *names*, of programs and classes, that may be meant by *expected*; the part behind a dot has little weight."""
+    stem = _stem(expected)
+    if not stem or len(expected) > _LONGEST:
         return ()
     ranked = []
     for name in names:
-        rank = _rank(wanted, stem, name, _stem(name), owner) if name != wanted and len(name) <= _LONGEST else None
+        rank = _rank(expected, stem, name, _stem(name), owner) if name != expected and len(name) <= _LONGEST else None
         if rank is not None:
             ranked.append((rank[0], -rank[1], name))
     return tuple(name for _, _, name in sorted(ranked)[:count])

@@ -37,7 +37,7 @@ def is_whole(build: Build, package: Package) -> bool:
     """Whether all files and commands that may make something were followed, to the command that ends a package's CMake."""
     last = _LAST.get(package.ros or 0, frozenset())
     is_ended = package.build_type == "cmake" or any(command.name in last for command in build.commands)
-    return bool(build.commands) and is_ended and not any(_UNSEEN.match(each.message) for each in build.problems)
+    return bool(build.commands) and is_ended and not any(_UNSEEN.match(problem.message) for problem in build.problems)
 
 
 def is_cmake(path: str) -> bool:
@@ -66,7 +66,7 @@ def not_included(paths: Iterable[str], included: Collection[str]) -> list[str]:
 
 def _named(texts: Iterable[str]) -> frozenset[str]:
     """The last parts of the paths in CMake files. A word without an end counts as a name only where a variable makes names: ``${name}.cpp``."""
-    text = "\n".join(_COMMENT.sub(" ", each) for each in texts)
+    text = "\n".join(_COMMENT.sub(" ", text) for text in texts)
     words = frozenset(_NAME.findall(text))
     return words if "}.c" in text else frozenset(word for word in words if word.endswith(SUFFIXES))
 

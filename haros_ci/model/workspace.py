@@ -109,7 +109,7 @@ class Workspace:
         return self.reader.data(path)
 
     def head(self, path: str) -> bytes:
-        """The first bytes of a file that is no text, for its format to be told; b"" if it is not there."""
+        """The first bytes of a file that is no text, to recognise its format; b"" if it is not there."""
         return self.reader.head(path, HEAD) if path in self.names else b""
 
     def package_finder(self) -> Callable[[str], str | None]:
@@ -126,5 +126,5 @@ class Workspace:
         return package_of
 
     def reports_on(self, path: str) -> bool:
-        """Whether findings in *path* are wanted in this run."""
+        """Whether this run reports findings in *path*."""
         return self.targets is None or path in self.targets

@@ -59,7 +59,7 @@ def run(
     where: str,
     files: Iterable[SourceFile] = (),
     *,
-    wanted: Callable[[Rule], bool] = lambda rule: True,
+    is_selected: Callable[[Rule], bool] = lambda rule: True,
     scenes: Scenes | None = None,
 ) -> QueryOutcome:
     """Evaluate those queries of the *project* file (named *where*) whose rule is *wanted*, on the architecture *found*.
@@ -67,7 +67,7 @@ def run(
     A query that is wrong is a result of its own and stops no other; what is no query at all is an error notification. *scenes* are those of *found*, if they have been made.
     """
     every, problems = declared(project)
-    chosen = [query for query in every if wanted(query.rule())]
+    chosen = [query for query in every if is_selected(query.rule())]
     notifications = [Notification(Level.ERROR, text, TOOL, where, configuration=True) for text in problems]
     matches: list[Match] = []
     failed = []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Topics, services and actions: what the endpoints of a configuration connect, in the order in which it is told."""
+"""Topics, services and actions: what the endpoints of a configuration connect, in the order of the output."""
 
 from __future__ import annotations
 
@@ -62,8 +62,8 @@ def channels(configuration: Configuration) -> tuple[Channel, ...]:
         ends.sort(key=lambda pair: pair[1].name)
         for name, group in groupby(ends, key=lambda pair: pair[1].name):
             together = tuple(group)
-            apart = [(end,) for end in together] if UNKNOWN in name else [together]
-            found += [Channel(what, name, ends_of_one) for ends_of_one in apart]
+            differing = [(end,) for end in together] if UNKNOWN in name else [together]
+            found += [Channel(what, name, ends_of_one) for ends_of_one in differing]
     return tuple(found)
 
 

@@ -49,7 +49,7 @@ def _lines(found: Coverage) -> Iterator[str]:
 
 
 def _incomplete(found: Coverage) -> Iterator[str]:
-    counts = sorted(found.incomplete().items(), key=lambda each: (-each[1], each[0]))
+    counts = sorted(found.incomplete().items(), key=lambda item: (-item[1], item[0]))
     if counts:
         yield ""
         yield "node types that are incomplete, and how many of these calls each may have:"

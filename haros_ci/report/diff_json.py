@@ -18,7 +18,7 @@ def render(found: Changes, base: str, head: str | None) -> str:
         "schema_version": SCHEMA_VERSION,
         "base": base,
         "head": head,
-        "changes": [_change(each) for each in found.changes],
+        "changes": [_change(change) for change in found.changes],
         "graph": [
             {"node": e.node, "channel": e.channel, "kind": e.kind, "gives": e.is_giver, "state": e.state or "unchanged"}
             for e in found.edges

@@ -60,5 +60,5 @@ def _details(change: Change) -> str:
     if not change.details:
         return ""
     more = len(change.details) - ENDS
-    said = "<br>".join(markdown(value(word)) for word in change.details[:ENDS])
-    return said + (f"<br>and {more} more" if more > 0 else "")
+    message = "<br>".join(markdown(value(word)) for word in change.details[:ENDS])
+    return message + (f"<br>and {more} more" if more > 0 else "")

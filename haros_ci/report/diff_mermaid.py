@@ -39,8 +39,8 @@ def diagram(found: Changes) -> str:
 def drawn(edges: Iterable[Edge]) -> tuple[Edge, ...]:
     """The edges to draw: of those that differ in namespaces alone, one; changed ones first where there are too many."""
     alike: dict[tuple[object, ...], Edge] = {}
-    for edge in sorted(edges, key=lambda each: (len(each.node), len(each.channel), each.node, each.channel)):
+    for edge in sorted(edges, key=lambda edge: (len(edge.node), len(edge.channel), edge.node, edge.channel)):
         node, channel = edge.node.rpartition("/")[2], edge.channel.rpartition("/")[2]
         alike.setdefault((node, channel, edge.kind, edge.is_giver, edge.state), edge)
-    chosen = sorted(alike.values(), key=lambda each: not each.state)[:MOST]
-    return tuple(sorted(chosen, key=lambda each: (each.kind, each.channel, not each.is_giver, each.node, each.state)))
+    chosen = sorted(alike.values(), key=lambda edge: not edge.state)[:MOST]
+    return tuple(sorted(chosen, key=lambda edge: (edge.kind, edge.channel, not edge.is_giver, edge.node, edge.state)))

@@ -29,8 +29,8 @@ def render(found: Changes, base: str, head: str | None) -> str:
 def headline(found: Changes) -> str:
     """``5 changes: 3 parameters, 2 publishers``."""
     counts = Counter(change.what for change in found.changes)
-    said = ", ".join(noun(number, what) for what, number in counts.items())
-    return f"{plural(len(found.changes), 'change')}: {said}"
+    message = ", ".join(noun(number, what) for what, number in counts.items())
+    return f"{plural(len(found.changes), 'change')}: {message}"
 
 
 def noun(number: int, what: str) -> str:
@@ -74,26 +74,26 @@ def value(text: str | None) -> str:
 
 def users(change: Change) -> str:
     """Who else uses it, and in how many configurations it is seen."""
-    said = [several(change.users)] if change.users else []
+    messages = [several(change.users)] if change.users else []
     if len(change.configurations) > 1:
-        said.append(plural(len(change.configurations), "configuration"))
-    return "; ".join(said)
+        messages.append(plural(len(change.configurations), "configuration"))
+    return "; ".join(messages)
 
 
 def _line(change: Change) -> str:
     names = several(change.names)
     if change.action == RENAMED:
-        said = f"{several(change.old_names)} → {names}"
+        message = f"{several(change.old_names)} → {names}"
     elif change.action == CHANGED:
-        said = f"{names}: {change.aspect if change.what == 'interface' else ''}".rstrip(": ")
+        message = f"{names}: {change.aspect if change.what == 'interface' else ''}".rstrip(": ")
         if change.what != "interface":
-            said += f": {value(change.before)} → {value(change.after)}"
+            message += f": {value(change.before)} → {value(change.after)}"
     else:
         text = change.after if change.after is not None else change.before
-        said = f"{names}: {value(text)}" if text is not None else names
+        message = f"{names}: {value(text)}" if text is not None else names
     where = several(change.programs)
     parts = [
-        f"{title(change)}: {said}",
+        f"{title(change)}: {message}",
         where,
         place(change),
         f"used by {users(change)}" if change.users else users(change),

@@ -44,8 +44,8 @@ def _suite(run: Run) -> tuple[dict[str, int], str]:
     if not run.successful:
         cases.append(("errors", _broken(run, name)))
     for path in sorted({*by_path, *run.analysed, *given_up}):
-        asked = path in run.analysed or path in by_path
-        cases.append(_case(path, name, by_path.get(path, ()), None if asked else given_up.get(path)))
+        is_requested = path in run.analysed or path in by_path
+        cases.append(_case(path, name, by_path.get(path, ()), None if is_requested else given_up.get(path)))
     return _written(name, run.tool.version, cases, [_note(note) for note in notes])
 
 
@@ -98,11 +98,11 @@ def _failure(failing: list[Result]) -> str:
 
 
 def _broken(run: Run, name: str) -> str:
-    said = [note for note in sorted(set(run.notifications), key=_note_key) if note.level is Level.ERROR]
-    why = sentence(said[0].message) if said else "It did not finish."
+    messages = [note for note in sorted(set(run.notifications), key=_note_key) if note.level is Level.ERROR]
+    why = sentence(messages[0].message) if messages else "It did not finish."
     head = tag("testcase", {"classname": f"{OWN}.{name}", "name": "the tool itself", "time": "0"})
     message = f"{run.tool.name} failed: {why} Its findings are missing or incomplete."
-    error = f"{tag('error', {'type': 'tool', 'message': message})}{lines(map(_note, said[:MAX_NOTES]))}</error>"
+    error = f"{tag('error', {'type': 'tool', 'message': message})}{lines(map(_note, messages[:MAX_NOTES]))}</error>"
     return "\n".join([head, error, "</testcase>"])
 
 

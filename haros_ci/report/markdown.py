@@ -79,8 +79,8 @@ def _coverage(report: Report, room: int) -> Iterator[str]:
         ]
         yield from _fitting(lines, len(lines), room, "line")
     unseen = report.coverage.unseen
-    said = [f"- Not seen: {_text(sentence)}" for sentence in unseen[:MAX_TROUBLE]]
-    yield from _fitting(said, len(unseen), room, "sentence")
+    messages = [f"- Not seen: {_text(sentence)}" for sentence in unseen[:MAX_TROUBLE]]
+    yield from _fitting(messages, len(unseen), room, "sentence")
 
 
 def _messages(report: Report, room: int) -> Iterator[str]:

@@ -45,18 +45,18 @@ Limits = Mapping[tuple[str, str], tuple[Limit, ...]]
 Entity = tuple[str, str, str, int, str, str]
 
 
-def level(each: Measurement) -> str:
+def level(measurement: Measurement) -> str:
     """One of LEVELS."""
-    if each.function:
+    if measurement.function:
         return "function"
-    return "class" if each.class_name else "file" if each.path else "package"
+    return "class" if measurement.class_name else "file" if measurement.path else "package"
 
 
 def as_json(values: Iterable[Measurement], limits: Iterable[Limit], notes: Iterable[Notification] = ()) -> str:
     """An object with a list for each level; ``crossed`` are the rules whose limits a value crosses."""
-    given = tuple(limits)
-    listed: dict[str, list[object]] = {_PLURALS[each]: [] for each in LEVELS}
-    by_metric = _by_metric(given)
+    provided = tuple(limits)
+    listed: dict[str, list[object]] = {_PLURALS[item]: [] for item in LEVELS}
+    by_metric = _by_metric(provided)
     for entity, found in _entities(values):
         crossed = [
             limit.rule for metric, value in found.items() for limit in _crossed(by_metric, entity[0], metric, value)
@@ -73,12 +73,12 @@ def as_json(values: Iterable[Measurement], limits: Iterable[Limit], notes: Itera
         "tool": {"name": "haros-ci", "version": __version__},
         "limits": [
             {
-                "rule": each.rule,
-                "level": each.level,
-                "metric": each.metric,
-                "min" if each.is_lowest else "max": number(each.limit),
+                "rule": limit.rule,
+                "level": limit.level,
+                "metric": limit.metric,
+                "min" if limit.is_lowest else "max": number(limit.limit),
             }
-            for each in given
+            for limit in provided
         ],
         **listed,
         "notifications": [
@@ -95,12 +95,18 @@ def as_csv(values: Iterable[Measurement], limits: Iterable[Limit]) -> str:
     rows = csv.writer(table, lineterminator="\n")
     rows.writerow(COLUMNS)
     by_metric = _by_metric(limits)
-    for each in values:
-        here = level(each)
-        crossed = " ".join(limit.rule for limit in _crossed(by_metric, here, each.metric, each.value))
-        names = (cell(each.package), cell(each.path), each.line or None, cell(each.class_name), cell(each.function))
-        beside = " ".join(_written(limit) for limit in by_metric.get((here, each.metric), ()))
-        rows.writerow((here, *names, each.metric, number(each.value), beside, crossed))
+    for value in values:
+        here = level(value)
+        crossed = " ".join(limit.rule for limit in _crossed(by_metric, here, value.metric, value.value))
+        names = (
+            cell(value.package),
+            cell(value.path),
+            value.line or None,
+            cell(value.class_name),
+            cell(value.function),
+        )
+        beside = " ".join(_written(limit) for limit in by_metric.get((here, value.metric), ()))
+        rows.writerow((here, *names, value.metric, number(value.value), beside, crossed))
     return table.getvalue()
 
 
@@ -112,8 +118,8 @@ def as_text(values: Iterable[Measurement], limits: Iterable[Limit]) -> str:
         here, package, path, line, class_name, function = entity
         names = {"package": package, "file": path, "class": class_name, "function": _full(class_name, function)}
         at = f"{path}:{line}: " if line else ""
-        told = ", ".join(_told(by_metric, here, metric, value) for metric, value in found.items())
-        lines.append(f"{terminal(at)}{here} {terminal(names[here])}: {told}\n")
+        message = ", ".join(_described(by_metric, here, metric, value) for metric, value in found.items())
+        lines.append(f"{terminal(at)}{here} {terminal(names[here])}: {message}\n")
     return "".join(lines)
 
 
@@ -121,13 +127,15 @@ def _full(class_name: str, function: str) -> str:
     return f"{class_name} {function}" if class_name else function
 
 
-def _told(limits: Limits, here: str, metric: str, value: float) -> str:
+def _described(limits: Limits, here: str, metric: str, value: float) -> str:
     text = f"{metric} {_short(value)}"
     crossed = _crossed(limits, here, metric, value)
     if not crossed:
         return text
     worst = (
-        min(crossed, key=lambda each: each.limit) if crossed[0].is_lowest else max(crossed, key=lambda each: each.limit)
+        min(crossed, key=lambda limit: limit.limit)
+        if crossed[0].is_lowest
+        else max(crossed, key=lambda limit: limit.limit)
     )
     return f"{text} ({'under' if worst.is_lowest else 'over'} {_short(worst.limit)})"
 
@@ -142,9 +150,9 @@ def _written(limit: Limit) -> str:
 
 def _by_metric(limits: Iterable[Limit]) -> Limits:
     found: dict[tuple[str, str], tuple[Limit, ...]] = {}
-    for each in limits:
-        key = (each.level, each.metric)
-        found[key] = (*found.get(key, ()), each)
+    for limit in limits:
+        key = (limit.level, limit.metric)
+        found[key] = (*found.get(key, ()), limit)
     return found
 
 
@@ -155,9 +163,9 @@ def _crossed(limits: Limits, here: str, metric: str, value: float) -> list[Limit
 def _entities(values: Iterable[Measurement]) -> Iterator[tuple[Entity, dict[str, float]]]:
     """The values of each package, file, class and function, in their order."""
     found: dict[Entity, dict[str, float]] = defaultdict(dict)
-    for each in values:
-        key = (level(each), each.package, each.path, each.line, each.class_name, each.function)
-        found[key][each.metric] = each.value
+    for value in values:
+        key = (level(value), value.package, value.path, value.line, value.class_name, value.function)
+        found[key][value.metric] = value.value
     return iter(found.items())
 
 

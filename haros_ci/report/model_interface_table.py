@@ -68,13 +68,13 @@ def _node(item: Interface, descriptions: Descriptions) -> Iterator[str]:
     yield from (f"### {title}", "")
     if item.is_library:
         yield from ("A class: this is what it brings into the node of whoever uses it.", "")
-    told = [entry for entry in item.entries if entry.name.strip("?~/.")]
-    if len(told) < len(item.entries) or any(why.field == "endpoints" for node in item.nodes for why in node.unknowns):
+    result = [entry for entry in item.entries if entry.name.strip("?~/.")]
+    if len(result) < len(item.entries) or any(why.field == "endpoints" for node in item.nodes for why in node.unknowns):
         yield from ("There may be more than what stands here.", "")
-    elif not told:
+    elif not result:
         yield from ("No endpoints.", "")
     for kind, heading in HEADINGS.items():
-        rows = [entry for entry in told if entry.kind == kind]
+        rows = [entry for entry in result if entry.kind == kind]
         if not rows:
             continue
         columns = ["Name", "Type", *_third(kind, item.ros), "Description"]

@@ -224,14 +224,14 @@ def _particulars(end: Endpoint) -> dict[str, Any]:
             return {"value": plain(end.value)}
         case "parameters":
             limits = list(end.range) if end.range is not None else None
-            given = {"default": plain(end.value), "value": plain(end.effective)}
-            return {**given, "read_only": end.read_only, "range": limits}
+            provided = {"default": plain(end.value), "value": plain(end.effective)}
+            return {**provided, "read_only": end.read_only, "range": limits}
         case _:
             return {}
 
 
 def _qos(qos: Qos | None) -> dict[str, Any] | None:
-    return None if qos is None else {each.name: plain(getattr(qos, each.name)) for each in fields(qos)}
+    return None if qos is None else {field.name: plain(getattr(qos, field.name)) for field in fields(qos)}
 
 
 def _count(value: int | None) -> int | None:
@@ -274,10 +274,10 @@ def _conditions(conditions: Iterable[Condition], place: Places) -> list[dict[str
 
 
 def _unknowns(unknowns: Iterable[Unknown], place: Places) -> list[dict[str, Any]]:
-    each = sorted(set(unknowns), key=lambda item: (item.field, place_key(item.location), item.reason))
+    entry = sorted(set(unknowns), key=lambda item: (item.field, place_key(item.location), item.reason))
     return [
         {"field": item.field, "reason": terminal(item.reason), "location": place.location(item.location)}
-        for item in each
+        for item in entry
     ]
 
 

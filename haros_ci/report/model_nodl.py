@@ -65,13 +65,13 @@ def type_name(kind: str, type: str, ros: int) -> str:
 
 def _node(item: Interface) -> Iterator[str]:
     known = [] if item.is_library else [e for e in item.entries if is_known(e.name) and is_known(e.type)]
-    said = dict(_elements(known, item.ros))
+    reported = dict(_elements(known, item.ros))
     left = [_left_out(entry, item.ros) for entry in item.entries if entry not in known]
     more = sorted({why.reason for node in item.nodes for why in node.unknowns if why.field == "endpoints"})
     left += [f"there may be more: {reason}" for reason in more]
     name = item.names[0]
-    if not said or not is_known(name) or not name:
-        what = "no entry is known" if not said else "the node's name is not known"
+    if not reported or not is_known(name) or not name:
+        what = "no entry is known" if not reported else "the node's name is not known"
         what = "a class of a library, for the node of whoever uses it" if item.is_library else what
         yield f"  {_comment(f'left out: {item.type}: {what}')}"
         yield from (f"  {_comment(text)}" for text in left)
@@ -80,7 +80,7 @@ def _node(item: Interface) -> Iterator[str]:
     others = [other for other in item.names[1:] if is_known(other)]
     if others:
         yield f"    {_comment('also runs as ' + ', '.join(others))}"
-    for (element, spelt, type), roles in sorted(said.items(), key=lambda pair: (ORDER.index(pair[0][0]), pair[0])):
+    for (element, spelt, type), roles in sorted(reported.items(), key=lambda pair: (ORDER.index(pair[0][0]), pair[0])):
         role = f" role={_quoted(roles[0] if len(roles) == 1 else 'both')}" if roles != [""] else ""
         yield f"    <{element} name={_quoted(spelt)} type={_quoted(type)}{role} />"
     yield from (f"    {_comment(text)}" for text in left)

@@ -101,11 +101,11 @@ def _causes(end: Endpoint, ros: int) -> Iterator[tuple[str, str, Location | None
     qos = ros == 2 and end.kind in ("publishers", "subscribers") and _qos_is_unknown(end)
     for field, unknown in (("name", not is_known(end.name)), ("type", _type_is_unknown(end)), ("QoS", qos)):
         if unknown:
-            said = [why for why in end.unknowns if why.field.partition(".")[0] == field.lower()]
-            for why in said:
+            messages = [why for why in end.unknowns if why.field.partition(".")[0] == field.lower()]
+            for why in messages:
                 exact = why.location if why.location and why.location.line else None
                 yield field, why.reason, exact or end.location or why.location
-            if not said:
+            if not messages:
                 yield field, "no reason given", end.location
 
 

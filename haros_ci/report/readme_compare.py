@@ -18,7 +18,7 @@ from haros_ci.report.channels import is_known
 from haros_ci.report.model_json import Places
 from haros_ci.report.node_interface import Entry, Interface, own_name
 from haros_ci.report.readme_names import fits, is_group, may_be, same_tail, spelt
-from haros_ci.report.readme_tables import Row
+from haros_ci.report.readme_tables import TableRow
 from haros_ci.report.readme_values import default_differs, is_value, type_differs
 
 RULES = {kind: f"readme-{kind}" for kind in ("missing", "type", "default", "undocumented")}
@@ -41,7 +41,7 @@ _PARAMETER_KINDS = ("parameters", "getters", "setters")
 
 
 @dataclass(frozen=True, slots=True)
-class Difference:
+class Disagreement:
     """One disagreement at a line of a README; *level* is warning, or note for what is only not documented."""
 
     path: str
@@ -62,7 +62,7 @@ class _End:
 
 
 @dataclass(frozen=True, slots=True)
-class Known:
+class KnownPackage:
     """What the model knows of one package.
 
     *ends* are the endpoints of its nodes and those made in its files, *interfaces* its node types. *complete* says that
@@ -79,7 +79,7 @@ class Known:
     name: str
 
 
-def known(every: Iterable[Interface], architecture: Architecture) -> dict[str, Known]:
+def known(every: Iterable[Interface], architecture: Architecture) -> dict[str, KnownPackage]:
     """What *architecture*, whose interfaces are *every*, knows of each package that it knows of at all."""
     home = _homes(architecture)
     ends: dict[str, dict[tuple[object, ...], _End]] = {}
@@ -113,7 +113,7 @@ def known(every: Iterable[Interface], architecture: Architecture) -> dict[str, K
             continue  # its documentation is not that of a node
         own.setdefault(interface.package, []).append(interface)
     return {
-        package: Known(
+        package: KnownPackage(
             tuple(found.values()),
             tuple(own.get(package, ())),
             package in own and package not in unseen,
@@ -138,8 +138,8 @@ def _homes(architecture: Architecture) -> Callable[[Location | None], str | None
 
 
 def compare(
-    path: str, documented: Sequence[Row], facts: Known, files: Settings = lambda key: ()
-) -> Iterator[Difference]:
+    path: str, documented: Sequence[TableRow], facts: KnownPackage, files: Settings = lambda key: ()
+) -> Iterator[Disagreement]:
     """The differences between *documented*, the rows of the README at *path*, and *facts*.
 
     *files* gives the values that the package's own parameter files have for a key: a default in the document may be one.
@@ -151,17 +151,21 @@ def compare(
     about_code = {row.table for row, (found, _) in zip(documented, matches, strict=True) if found}
     taken = {id(item) for found, _ in matches for item in found}
     left = [item for item in facts.ends if id(item) not in taken and not item.end.implicit]
-    told: set[tuple[int, str]] = set()
+    reported: set[tuple[int, str]] = set()
     for row, (found, way) in zip(documented, matches, strict=True):
         if found:
             agrees = way is not None and _is_said_elsewhere(row, found, documented)
-            said = [] if agrees or way is is_group else list(_details(row, found, files, exact=way is not same_tail))
+            messages = (
+                [] if agrees or way is is_group else list(_details(row, found, files, exact=way is not same_tail))
+            )
         else:
-            said = list(_missing(row, facts, left)) if row.table in about_code or row.kinds != ("parameters",) else []
-        for level, rule, message in said:
-            if (row.line, message) not in told:
-                told.add((row.line, message))
-                yield Difference(path, row.line, level, RULES[rule], message)
+            messages = (
+                list(_missing(row, facts, left)) if row.table in about_code or row.kinds != ("parameters",) else []
+            )
+        for level, rule, message in messages:
+            if (row.line, message) not in reported:
+                reported.add((row.line, message))
+                yield Disagreement(path, row.line, level, RULES[rule], message)
     yield from _undocumented(path, documented, facts)
 
 
@@ -178,7 +182,7 @@ def _names(node: Node, end: Endpoint) -> frozenset[str]:
     return frozenset(names)
 
 
-def _found(row: Row, facts: Known) -> tuple[list[_End], Callable[[str, str], bool] | None]:
+def _found(row: TableRow, facts: KnownPackage) -> tuple[list[_End], Callable[[str, str], bool] | None]:
     """The endpoints that a row means, and in which way its name is theirs: in full, at the end, as that of a group."""
     kinds = _kinds(row)
     candidates = [item for item in facts.ends if item.kind in kinds]
@@ -190,7 +194,7 @@ def _found(row: Row, facts: Known) -> tuple[list[_End], Callable[[str, str], boo
     return [], None
 
 
-def _is_said_elsewhere(row: Row, found: Sequence[_End], documented: Sequence[Row]) -> bool:
+def _is_said_elsewhere(row: TableRow, found: Sequence[_End], documented: Sequence[TableRow]) -> bool:
     """Whether another row of that name has the default that the code or a launch file gives: this one is of another mode."""
     same = (other for other in documented if other is not row and other.names == row.names and other.kinds == row.kinds)
     values = [value for item in found for value in (item.end.value, item.end.effective) if value is not None]
@@ -201,11 +205,11 @@ def _is_said_elsewhere(row: Row, found: Sequence[_End], documented: Sequence[Row
     )
 
 
-def _kinds(row: Row) -> set[str]:
+def _kinds(row: TableRow) -> set[str]:
     return {*row.kinds, *(also for kind in row.kinds for also in _ALSO.get(kind, ()))}
 
 
-def _missing(row: Row, facts: Known, left: Sequence[_End]) -> Iterator[tuple[str, str, str]]:
+def _missing(row: TableRow, facts: KnownPackage, left: Sequence[_End]) -> Iterator[tuple[str, str, str]]:
     """Level, rule and message for a row that means nothing in the code, unless something unknown could be it."""
     name, kinds = row.names[0], _kinds(row)
     if not facts.complete or any(_may_explain(row, item) for item in facts.ends if item.kind in kinds):
@@ -216,7 +220,7 @@ def _missing(row: Row, facts: Known, left: Sequence[_End]) -> Iterator[tuple[str
     if any(_named(row, item, way) for way in (fits, same_tail) for item in hosted):
         return  # made for its plug-in, or with its functions, by the code of another package
     remapped = (item for item in left if item.kind in kinds and _type_fits(row, item))
-    if any(given.startswith("/") for given in row.names) and any(remapped):
+    if any(value.startswith("/") for value in row.names) and any(remapped):
         return
     what = " or ".join(NOUNS[kind] for kind in row.kinds)
     other = [item for item in facts.ends if item.kind not in kinds and _named(row, item, fits)]
@@ -224,7 +228,7 @@ def _missing(row: Row, facts: Known, left: Sequence[_End]) -> Iterator[tuple[str
     yield "warning", "missing", f"{what} {name} is documented, but is not in the code{hint}"
 
 
-def _details(row: Row, found: Sequence[_End], files: Settings, *, exact: bool) -> Iterator[tuple[str, str, str]]:
+def _details(row: TableRow, found: Sequence[_End], files: Settings, *, exact: bool) -> Iterator[tuple[str, str, str]]:
     """Another type or default of a row that was found; of several candidates one that agrees is enough."""
     if not exact and len({(item.end.type, _text(item.end.value)) for item in found}) > 1:
         return
@@ -259,7 +263,7 @@ def _details(row: Row, found: Sequence[_End], files: Settings, *, exact: bool) -
         yield "note", "default", message
 
 
-def _undocumented(path: str, documented: Sequence[Row], facts: Known) -> Iterator[Difference]:
+def _undocumented(path: str, documented: Sequence[TableRow], facts: KnownPackage) -> Iterator[Disagreement]:
     """What the package's own nodes have beside what a README with a table of that kind says."""
     for kind in NOUNS:
         of_kind = [row for row in documented if kind in row.kinds or any(kind in _ALSO.get(k, ()) for k in row.kinds)]
@@ -282,33 +286,33 @@ def _undocumented(path: str, documented: Sequence[Row], facts: Known) -> Iterato
                 type = f" ({left[0].type})" if left[0].type else ""
                 what = f"{NOUNS[kind]} {left[0].name}{type} of {item.type}"
                 message = f"{what} is in the code, but not documented{_at(left[0].ends[0].location)}"
-                yield Difference(path, table, "note", RULES["undocumented"], message)
+                yield Disagreement(path, table, "note", RULES["undocumented"], message)
             elif left:
                 names = list(dict.fromkeys(entry.name for entry in left))
                 more = f" and {len(names) - LISTED} more" if len(names) > LISTED else ""
                 what = f"{len(left)} {NOUNS[kind]}s of {item.type}"
                 message = f"{what} are in the code, but not documented: {', '.join(names[:LISTED])}{more}"
-                yield Difference(path, table, "note", RULES["undocumented"], message)
+                yield Disagreement(path, table, "note", RULES["undocumented"], message)
 
 
-def _is_documented(documented: Sequence[Row], ends: Sequence[_End]) -> bool:
+def _is_documented(documented: Sequence[TableRow], ends: Sequence[_End]) -> bool:
     ways = (fits, same_tail, is_group) if any(item.kind == "parameters" for item in ends) else (fits, same_tail)
     return any(_named(row, item, way) for way in ways for row in documented for item in ends)
 
 
-def _named(row: Row, item: _End, same: Callable[[str, str], bool]) -> bool:
+def _named(row: TableRow, item: _End, same: Callable[[str, str], bool]) -> bool:
     dotted = item.kind == "parameters"
     return any(same(spelt(name, dotted), other) for name in row.names for other in item.forms)
 
 
-def _may_explain(row: Row, item: _End) -> bool:
+def _may_explain(row: TableRow, item: _End) -> bool:
     """Whether *item*, whose name is not known in full, can be what the row means."""
     return _type_fits(row, item) and any(
         "?" in other and may_be(other, name) for other in item.names for name in row.names
     )
 
 
-def _type_fits(row: Row, item: _End) -> bool:
+def _type_fits(row: TableRow, item: _End) -> bool:
     return row.type is None or type_differs(row.type, item.kind, item.end.type) is not True
 
 

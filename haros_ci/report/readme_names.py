@@ -47,14 +47,14 @@ def is_group(documented: str, found: str) -> bool:
 def may_be(unknown: str, documented: str) -> bool:
     """Whether *unknown*, a name with ``?``, or any end of it, can be the end of *documented*, or the reverse."""
     ours, segments = _segments(documented), _segments(unknown)
-    wanted = "/".join(ours)[-_LONGEST:]
+    expected = "/".join(ours)[-_LONGEST:]
     if 0 < len(ours) < len(segments):
         pairs = zip(ours, segments[-len(ours) :], strict=True)
         if all(fits(a, b) or ("?" in b and _in_order(b.split("?"), a)) for a, b in pairs):
             return True
     for start in range(len(segments)):
         texts = "/".join(segments[start:]).split("?")
-        if len(texts) > 1 and (_in_order(texts, wanted) or _in_order(["", *texts], f"/{wanted}")):
+        if len(texts) > 1 and (_in_order(texts, expected) or _in_order(["", *texts], f"/{expected}")):
             return True
     return bool(_WILD.search(documented)) and bool(segments)
 

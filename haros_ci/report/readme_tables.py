@@ -36,7 +36,7 @@ _NAME = re.compile(r"[~/\w<{*.:?\[\]>}$-]+")
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class TableRow:
     """One documented name. *kinds* are the kinds of ends that it may be, *names* the forms in which it is given.
 
     *type* and *default* are plain text, None where the table has no such column or the cell is empty; *description* is
@@ -62,7 +62,7 @@ class _Table:
     lead: str
 
 
-def rows(text: str) -> tuple[Row, ...]:
+def rows(text: str) -> tuple[TableRow, ...]:
     """The rows of all tables in *text* that document interfaces, in order; of a cell with several names several."""
     lines = _without_comments(text).split("\n")
     found = [row for table in _tables(lines) for row in _read(table)]
@@ -149,7 +149,7 @@ def _cells(line: str) -> tuple[str, ...]:
     return tuple(cell.strip().replace("\\|", "|") for cell in re.split(r"(?<!\\)\|", line))
 
 
-class _Reader(HTMLParser):
+class _TableReader(HTMLParser):
     """Collects the cells of one HTML table by row, each row with its line."""
 
     def __init__(self) -> None:
@@ -180,7 +180,7 @@ def _html(lines: Sequence[str], first: int, headings: tuple[str, ...], lead: str
     text = "\n".join(lines)
     if len(text) > LONGEST_HTML_TABLE:
         return
-    reader = _Reader()
+    reader = _TableReader()
     reader.feed(text)
     reader.close()
     found = [
@@ -190,7 +190,7 @@ def _html(lines: Sequence[str], first: int, headings: tuple[str, ...], lead: str
         yield _Table(found[0][0], found[0][1], tuple(found[1:]), headings, lead)
 
 
-def _read(table: _Table) -> Iterator[Row]:
+def _read(table: _Table) -> Iterator[TableRow]:
     header = [plain(cell).lower() for cell in table.header]
     names = [n for n, cell in enumerate(header) if cell and _NAME_COLUMN.fullmatch(cell) and cell != "interface"]
     names = names if any("global" in header[n] for n in names) else names[:1]
@@ -214,20 +214,22 @@ def _read(table: _Table) -> Iterator[Row]:
         type = plain(cells[type_at]) if type_at is not None and len(cells) > type_at else None
         default = plain(cells[default_at]) if default_at is not None and len(cells) > default_at else None
         description = cells[about] if about is not None and len(cells) > about else ""
-        given = [split_names(cells[n]) for n in names if len(cells) > n]
-        for forms in zip(*given, strict=False) if len(given) > 1 else ((name,) for name in given[0]):
+        provided = [split_names(cells[n]) for n in names if len(cells) > n]
+        for forms in zip(*provided, strict=False) if len(provided) > 1 else ((name,) for name in provided[0]):
             spelt = tuple(form for form in forms if _NAME.fullmatch(form) and re.search(r"\w", form))
             fitting = _fitting(here, spelt, type or None)
             if fitting:
                 about_it = (line, table.line, table.headings, description)
-                yield Row(fitting, spelt, type or None, default or None, *about_it)
+                yield TableRow(fitting, spelt, type or None, default or None, *about_it)
 
 
 def _kinds(table: _Table, column: str, typed: bool) -> tuple[str, ...]:
     """What the table is about: its name column tells, else a short line above, else the headings, innermost first."""
-    said = kinds_of(column)
-    if said == PARAMETERS or (said and len(said) == 1 and column.startswith(("input", "output", "subscr", "publish"))):
-        return said
+    messages = kinds_of(column)
+    if messages == PARAMETERS or (
+        messages and len(messages) == 1 and column.startswith(("input", "output", "subscr", "publish"))
+    ):
+        return messages
     lead = table.lead.strip()
     if len(lead) < 60 and re.match(r"[-*+]\s|\*\*|__", lead) and (found := kinds_of(lead)):
         return found

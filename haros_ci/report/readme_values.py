@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Types and defaults as documents write them, compared with those of the code; None where it cannot be told."""
+"""Types and defaults as documents write them, compared with those of the code; None where that is not known."""
 
 from __future__ import annotations
 
@@ -89,12 +89,12 @@ def default_differs(documented: str, value: Any) -> bool | None:
 
 def _near(text: str, value: float) -> bool:
     """Whether *value*, rounded to as many digits as *text* has, is *text*."""
-    said = float(text)
+    message = float(text)
     mantissa, _, power = text.lower().partition("e")
     decimals = len(mantissa.partition(".")[2]) - int((power or "0")[:4])
     if abs(value) > 1e300 or abs(decimals) > 300:
-        return said == value
-    return isclose(said, value, rel_tol=1e-9, abs_tol=0.5000001 * 10.0**-decimals if decimals > 1 else 1e-12)
+        return message == value
+    return isclose(message, value, rel_tol=1e-9, abs_tol=0.5000001 * 10.0**-decimals if decimals > 1 else 1e-12)
 
 
 def _text_differs(text: str, value: str) -> bool | None:
@@ -110,12 +110,12 @@ def _list_differs(text: str, value: list[Any] | tuple[Any, ...]) -> bool | None:
     if len(text) > 2_000 or not text.startswith("["):
         return None
     try:
-        said = json.loads(re.sub(r"\b(True|False)\b", lambda match: match[0].lower(), text.replace("'", '"')))
+        report = json.loads(re.sub(r"\b(True|False)\b", lambda match: match[0].lower(), text.replace("'", '"')))
     except (ValueError, RecursionError):
         return None
-    if not isinstance(said, list) or any(isinstance(item, (list, dict)) for item in said):
+    if not isinstance(report, list) or any(isinstance(item, (list, dict)) for item in report):
         return None
-    if len(said) != len(value):
+    if len(report) != len(value):
         return True
-    each = [default_differs(json.dumps(a), b) for a, b in zip(said, value, strict=True)]
-    return True if True in each else None if None in each else False
+    entry = [default_differs(json.dumps(a), b) for a, b in zip(report, value, strict=True)]
+    return True if True in entry else None if None in entry else False

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The report as a SARIF 2.1.0 log, one run per tool; sarif-om is loaded only when a log is wanted."""
+"""The report as a SARIF 2.1.0 log, one run per tool; sarif-om is loaded only when a log is written."""
 
 from __future__ import annotations
 
@@ -42,17 +42,17 @@ def log(
     text = sarif_run.write_log(runs, report, audience, source)
     keep, too_big = sum(len(run.results) for run in runs), _size(text, limits.bytes)
     if too_big > limits.bytes and any(run.graphs for run in runs) and audience == "archive":
-        runs, said = without_graphs(runs)
-        notes += said
+        runs, messages = without_graphs(runs)
+        notes += messages
         text = sarif_run.write_log(runs, report, audience, source)
         too_big = _size(text, limits.bytes)
     while too_big > limits.bytes and keep:
         keep = min(keep - 1, int(keep * limits.bytes / too_big * 0.95))
-        fewer, said = shed(runs, keep)
+        fewer, messages = shed(runs, keep)
         text = sarif_run.write_log(fewer, report, audience, source)
         too_big = _size(text, limits.bytes)
         if too_big <= limits.bytes or not keep:
-            notes += said
+            notes += messages
     return text, notes
 
 
@@ -80,10 +80,12 @@ def runs_of(report: Report) -> tuple[Run, ...]:
 
 def _general(report: Report) -> list[Notification]:
     """What the report says of the whole in other forms: a missing baseline, and what could not be seen."""
-    said = [Notification(Level.NOTE, sentence) for sentence in report.coverage.unseen]
+    messages = [Notification(Level.NOTE, sentence) for sentence in report.coverage.unseen]
     if report.baseline and not report.baseline.available:
-        said.append(Notification(Level.WARNING, f"No baseline: {report.baseline.message or report.baseline.source}"))
-    return said
+        messages.append(
+            Notification(Level.WARNING, f"No baseline: {report.baseline.message or report.baseline.source}")
+        )
+    return messages
 
 
 def _size(text: str, limit: int) -> int:

@@ -31,8 +31,8 @@ class Drawn:
 
 def drawn(run: Run) -> Drawn:
     """Those graphs of *run* that a result of it traverses, in their order."""
-    wanted = {result.graph for result in run.results if result.graph and result.edges}
-    graphs = {graph.name: graph for graph in run.graphs if graph.name in wanted}
+    requested = {result.graph for result in run.results if result.graph and result.edges}
+    graphs = {graph.name: graph for graph in run.graphs if graph.name in requested}
     edges = tuple(_edge_ids(graph) for graph in graphs.values())
     return Drawn(tuple(graphs.values()), {name: index for index, name in enumerate(graphs)}, edges)
 

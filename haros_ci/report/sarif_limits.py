@@ -43,9 +43,9 @@ def fit(runs: tuple[Run, ...], limits: Limits) -> Cut:
     kept: list[Run] = []
     notes: list[Notification] = []
     for run in runs[: limits.runs]:
-        run, said = _fit_run(run, limits)
+        run, messages = _fit_run(run, limits)
         kept.append(run)
-        notes.extend(said)
+        notes.extend(messages)
     if runs[limits.runs :] and kept:
         names = ", ".join(run.tool.name for run in runs[limits.runs :])
         note = _note(None, f"Only {limits.runs} runs fit in one log; left out: {names}.")
@@ -78,27 +78,27 @@ def shed(runs: tuple[Run, ...], keep: int) -> Cut:
 
 
 def _fit_run(run: Run, limits: Limits) -> tuple[Run, tuple[Notification, ...]]:
-    said: list[str] = []
+    messages: list[str] = []
     results, rules = run.results, run.rules
     if len(results) > limits.results:
-        said.append(f"Only the {limits.results} most severe of {len(results)} results are in this log.")
+        messages.append(f"Only the {limits.results} most severe of {len(results)} results are in this log.")
         results = _highest(results, limits.results)
     if len(rules) > limits.rules:
         used = {r.rule for r in results}
-        said.append(f"Only {limits.rules} of {len(rules)} rules are described in this log.")
+        messages.append(f"Only {limits.rules} of {len(rules)} rules are described in this log.")
         rules = tuple(sorted(rules, key=lambda rule: (rule.id not in used, rule.id)))[: limits.rules]
     if crowded := sum(len(r.related) >= limits.locations for r in results):
-        said.append(f"Related locations past the first {limits.locations - 1} are left out of {crowded} results.")
+        messages.append(f"Related locations past the first {limits.locations - 1} are left out of {crowded} results.")
         results = tuple(replace(r, related=r.related[: limits.locations - 1]) for r in results)
     if winding := sum(len(r.flow) > limits.steps for r in results):
-        said.append(
+        messages.append(
             f"Steps of the flow past the first {limits.steps - 1} and the last are left out of {winding} results."
         )
         results = tuple(replace(r, flow=_with_ends(r.flow, limits.steps)) for r in results)
     if tagged := sum(len(rule.tags) + len(rule.cwe) > limits.tags for rule in rules):
-        said.append(f"Tags past the first {limits.tags} are left out of {tagged} rules.")
+        messages.append(f"Tags past the first {limits.tags} are left out of {tagged} rules.")
         rules = tuple(_with_tags(rule, limits.tags) for rule in rules)
-    notes = tuple(_note(run.tool.name, message) for message in said)
+    notes = tuple(_note(run.tool.name, message) for message in messages)
     return replace(run, results=results, rules=rules, notifications=(*run.notifications, *notes)), notes
 
 

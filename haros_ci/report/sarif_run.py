@@ -128,10 +128,10 @@ def build_artifact(artifact: Artifact, run: Run) -> om.Artifact:
 def build_result(result: Result, setting: Setting) -> om.Result:
     """§3.27; states and suppressions stand on all results of a run or on none."""
     place = result.location
-    gone = result.state is BaselineState.ABSENT  # its line is the baseline's, not today's
-    text = ("" if gone else _line(place, setting)) or (result.identity.snippet if result.identity else "")
+    removed = result.state is BaselineState.ABSENT  # its line is the baseline's, not today's
+    text = ("" if removed else _line(place, setting)) or (result.identity.snippet if result.identity else "")
     region = build_region(place, text)
-    context = build_context(region, place.path, text, setting) if setting.archive and not gone else None
+    context = build_context(region, place.path, text, setting) if setting.archive and not removed else None
     return om.Result(
         rule_id=terminal(result.rule),
         rule_index=setting.rules[terminal(result.rule)],

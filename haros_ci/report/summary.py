@@ -17,7 +17,7 @@ MOST_GIVEN_UP = 5
 
 
 @dataclass(frozen=True, slots=True)
-class Counts:
+class ResultCounts:
     """How many results there are of each kind; *errors*, *warnings* and *notes* are the open ones."""
 
     errors: int
@@ -35,7 +35,7 @@ class Counts:
         return self.errors + self.warnings + self.notes
 
 
-def count(report: Report) -> Counts:
+def count(report: Report) -> ResultCounts:
     """Every result falls in one kind.
 
     It is absent, else a metric that is only counted, else suppressed, else open by level, else unchanged or updated.
@@ -53,7 +53,7 @@ def count(report: Report) -> Counts:
                 kinds[result.level.value] += 1
             elif result.state is not None:
                 kinds[result.state.value] += 1
-    return Counts(
+    return ResultCounts(
         errors=kinds["error"],
         warnings=kinds["warning"],
         notes=kinds["note"],
@@ -71,7 +71,7 @@ def compared(report: Report) -> bool:
     return report.baseline is not None and report.baseline.available
 
 
-def headline(report: Report, counts: Counts) -> str:
+def headline(report: Report, counts: ResultCounts) -> str:
     """``3 new findings: 1 error, 2 warnings``; never without what makes it less than the truth."""
     new = "new " if compared(report) else ""
     failed = len(report.failed_tools())
@@ -86,7 +86,7 @@ def headline(report: Report, counts: Counts) -> str:
     return f"{plural(counts.open, f'{new}finding')}: {', '.join(levels)}{but}"
 
 
-def known(counts: Counts) -> str:
+def known(counts: ResultCounts) -> str:
     """``known: 120 unchanged, 4 updated; gone: 7; suppressed: 12``, or "" if there is nothing of it."""
     old = [f"{n:,} {word}" for n, word in ((counts.unchanged, "unchanged"), (counts.updated, "updated")) if n]
     parts = [f"known: {', '.join(old)}"] if old else []
@@ -100,7 +100,7 @@ def metrics(report: Report) -> str:
     return counted(result for run in report.runs for result in run.results)
 
 
-def verdict(report: Report, counts: Counts) -> str:
+def verdict(report: Report, counts: ResultCounts) -> str:
     """What decides about failure as far as findings do."""
     if report.fail_on is None:
         return "Findings do not fail this run."
@@ -132,16 +132,16 @@ def covered(report: Report) -> str:
 
 def given_up(report: Report) -> str:
     """How many files each tool could not analyse, or not all of them, else ""."""
-    said = [f"{tool} on {plural(len(files), 'file')}" for tool, files in _given_up(report)]
-    return f"Gave up: {', '.join(said)}." if said else ""
+    messages = [f"{tool} on {plural(len(files), 'file')}" for tool, files in _given_up(report)]
+    return f"Gave up: {', '.join(messages)}." if messages else ""
 
 
 def given_up_on(report: Report, told: Level | None = None) -> tuple[tuple[str, str], ...]:
     """Place and reason for the first MOST_GIVEN_UP files of each tool, then how many more; a place "" for that.
 
-    Tools are left out of which all that there is to say is *told* elsewhere: what is of that level or worse.
+    Tools are left out if all of their notifications are printed elsewhere: those at level *known* or worse.
     """
-    said: list[tuple[str, str]] = []
+    messages: list[tuple[str, str]] = []
     for tool, files in _given_up(report):
         first = {path: min(notes, key=lambda note: note.line or 0) for path, notes in sorted(files.items())}
         if told is not None and all(note.level.rank <= told.rank for note in first.values()):
@@ -149,10 +149,12 @@ def given_up_on(report: Report, told: Level | None = None) -> tuple[tuple[str, s
         for path, note in list(first.items())[:MOST_GIVEN_UP]:
             more = len(files[path]) - 1
             place = f"{path}:{note.line}" if note.line else path
-            said.append((place, note.message.rstrip(".") + (f"; and {plural(more, 'more reason')}" if more else "")))
+            messages.append(
+                (place, note.message.rstrip(".") + (f"; and {plural(more, 'more reason')}" if more else ""))
+            )
         if len(first) > MOST_GIVEN_UP:
-            said.append(("", f"and {plural(len(first) - MOST_GIVEN_UP, 'more file')} of {tool}"))
-    return tuple(said)
+            messages.append(("", f"and {plural(len(first) - MOST_GIVEN_UP, 'more file')} of {tool}"))
+    return tuple(messages)
 
 
 def _given_up(report: Report) -> list[tuple[str, dict[str, list[Notification]]]]:
@@ -174,12 +176,12 @@ def notifications(report: Report) -> tuple[Notification, ...]:
 
 def failures(report: Report) -> tuple[str, ...]:
     """A sentence for each tool whose run did not succeed."""
-    said = []
+    messages = []
     for run in sorted(report.runs, key=lambda run: run.tool.name):
         if not run.successful:
             why = next((n.message for n in run.notifications if n.level is Level.ERROR), "it did not finish")
-            said.append(f"{run.tool.name} failed: {why.rstrip('.')}. Its findings are missing or incomplete.")
-    return tuple(said)
+            messages.append(f"{run.tool.name} failed: {why.rstrip('.')}. Its findings are missing or incomplete.")
+    return tuple(messages)
 
 
 def plural(number: int, noun: str) -> str:

@@ -35,7 +35,7 @@ def render(report: Report, *, color: bool, width: int, why: bool, source: Reader
     blocks = _files(report.shown(), paint, width, why, source)
     if why:
         blocks.append(_matched(report, paint))
-    blocks.append(_trouble(report, paint))
+    blocks.append(_problems(report, paint))
     blocks.append(_summary(report, counts, paint))
     return _joined(blocks)
 
@@ -50,11 +50,11 @@ def one_line(result: Result) -> str:
     return _inert(_head(result, _painter(False)))
 
 
-def closing(report: Report, *, told: Collection[Notification], color: bool) -> str:
-    """Trouble beside what was *told* before, and one line that sums up."""
+def closing(report: Report, *, known: Collection[Notification], color: bool) -> str:
+    """Problems except those in *known*, which were printed before, and one line that sums up."""
     paint = _painter(color)
     failed = (paint(COLORS[Level.ERROR], terminal(failure)) for failure in summary.failures(report))
-    return _joined([_trouble(report, paint, told), (paint(BOLD, summary_line(report)), *failed)])
+    return _joined([_problems(report, paint, known), (paint(BOLD, summary_line(report)), *failed)])
 
 
 def summary_line(report: Report) -> str:
@@ -177,9 +177,9 @@ def _matched(report: Report, paint: Paint) -> Iterator[str]:
         yield paint(DIM, f"{line} {terminal(reason)}".rstrip())
 
 
-def _trouble(report: Report, paint: Paint, told: Collection[Notification] = ()) -> Iterator[str]:
+def _problems(report: Report, paint: Paint, known: Collection[Notification] = ()) -> Iterator[str]:
     worth = (n for n in summary.notifications(report) if n.level is not Level.NOTE or not n.tool or not n.path)
-    for _, group in groupby((n for n in worth if n not in told), lambda n: (n.level, n.tool)):
+    for _, group in groupby((n for n in worth if n not in known), lambda n: (n.level, n.tool)):
         notes = tuple(group)
         for note in notes[:MAX_TROUBLE]:
             yield f"{paint(COLORS[note.level], note.level.value)}: {_place(note)}{shorten(terminal(note.message), 500)}"
@@ -195,7 +195,7 @@ def _place(note: Notification) -> str:
     return f"{tool}{terminal(note.path)}{f':{note.line}' if note.line else ''}: "
 
 
-def _summary(report: Report, counts: summary.Counts, paint: Paint) -> Iterator[str]:
+def _summary(report: Report, counts: summary.ResultCounts, paint: Paint) -> Iterator[str]:
     loud = COLORS[Level.ERROR]
     failed = counts.failing or report.failed_tools() or summary.no_baseline(report)
     yield paint(loud if failed else BOLD, summary.headline(report, counts))

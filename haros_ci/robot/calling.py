@@ -12,10 +12,10 @@ from typing import Any
 
 from haros_ci.robot.evaluating import Evaluating
 from haros_ci.robot.expressions import Invalid, Undefined
-from haros_ci.robot.nodes import Node
+from haros_ci.robot.nodes import XmlNode
 from haros_ci.robot.scopes import Macros, XacroMacro, XacroScope
-from haros_ci.robot.sources import Sources
-from haros_ci.robot.unknown import UNKNOWN, Unknown
+from haros_ci.robot.sources import DescriptionSources
+from haros_ci.robot.unknown import UNKNOWN, UnknownValue
 
 #: Of so many names those are looked for that a name may be meant for, and of so many characters.
 MAX_KNOWN = 1_000
@@ -25,30 +25,30 @@ MAX_NAME = 100
 class Calling(Evaluating):
     """The part of an expansion that calls macros."""
 
-    def __init__(self, sources: Sources, path: str, arguments: dict[str, str | Unknown]) -> None:
+    def __init__(self, sources: DescriptionSources, path: str, arguments: dict[str, str | UnknownValue]) -> None:
         super().__init__(sources, path, arguments)
         self.is_whole = True
 
-    def content(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
+    def content(self, node: XmlNode, macros: Macros, scope: XacroScope, into: XmlNode) -> None:
         """Evaluate the attributes and the text of *node*, and what is in it, *into* an element that comes out."""
         raise NotImplementedError
 
-    def inside(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
+    def inside(self, node: XmlNode, macros: Macros, scope: XacroScope, into: XmlNode) -> None:
         """What is in *node*, without *node*; attributes that it sets are lost with it."""
-        holder = Node(node.tag, {}, node.location)
+        holder = XmlNode(node.tag, {}, node.location)
         self.content(node, macros, scope, holder)
         into.children += holder.children
 
-    def dynamic_call(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
+    def dynamic_call(self, node: XmlNode, macros: Macros, scope: XacroScope, into: XmlNode) -> None:
         """``xacro:call``: the macro's name is evaluated."""
         name = self.words(node.attributes.get("macro", ""), scope, node)
-        if isinstance(name, Unknown):
+        if isinstance(name, UnknownValue):
             self.world.is_open = True
             return
         left = {key: value for key, value in node.attributes.items() if key != "macro"}
         self.call(replace(node, attributes=left), name, macros, scope, into)
 
-    def call(self, node: Node, name: str, macros: Macros, scope: XacroScope, into: Node) -> None:
+    def call(self, node: XmlNode, name: str, macros: Macros, scope: XacroScope, into: XmlNode) -> None:
         """xacro's handle_macro_call."""
         found = _resolved(name, macros, scope)
         if found is None or not found[2].certain:
@@ -67,7 +67,7 @@ class Calling(Evaluating):
                 continue
             left.remove(key)
             inner.put(key, self.value(value, scope, node), lazy=False, location=node.location)
-        holder = Node(node.tag, {}, node.location)
+        holder = XmlNode(node.tag, {}, node.location)
         self.content(replace(node, attributes={}), macros, scope, holder)
         left = self._blocks(node, holder.children, left, macro, inner)
         missing = []
@@ -83,7 +83,7 @@ class Calling(Evaluating):
         self.way = before
 
     def _blocks(
-        self, node: Node, blocks: list[Node], left: list[str], macro: XacroMacro, inner: XacroScope
+        self, node: XmlNode, blocks: list[XmlNode], left: list[str], macro: XacroMacro, inner: XacroScope
     ) -> list[str]:
         """Give the elements in a call to the block parameters, in order; the parameters that are left."""
         certain = [block for block in blocks if block.certain]
@@ -100,7 +100,7 @@ class Calling(Evaluating):
             blocks = certain = blocks[1:]
         return left
 
-    def _default(self, key: str, macro: XacroMacro, scope: XacroScope, node: Node) -> Any:
+    def _default(self, key: str, macro: XacroMacro, scope: XacroScope, node: XmlNode) -> Any:
         if key not in macro.defaults:
             return UNKNOWN
         forward, default = macro.defaults[key]

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from haros_ci.robot.places import as_xacro
-from haros_ci.robot.unknown import UNKNOWN, Unknown
+from haros_ci.robot.unknown import UNKNOWN, UnknownValue
 
 MAX_LENGTH = 20_000
 _SPACE = "\x1f"
@@ -21,7 +21,7 @@ class XacroCommand:
     """``xacro FILE name:=value…``: *file* as the launch file has it."""
 
     file: str
-    arguments: Mapping[str, str | Unknown]
+    arguments: Mapping[str, str | UnknownValue]
 
 
 def xacro_command(command: str) -> XacroCommand | None:
@@ -41,7 +41,7 @@ def xacro_command(command: str) -> XacroCommand | None:
     if program not in ("xacro", "xacro.py", "?") or {"|", ";", "&&", "?"} & set(words):
         return None
     files: list[str] = []
-    arguments: dict[str, str | Unknown] = {}
+    arguments: dict[str, str | UnknownValue] = {}
     for word in words:
         name, sign, value = word.partition(":=")
         if sign:

@@ -16,8 +16,8 @@ from haros_ci.model.robot import Description, Robot
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.robot.commands import xacro_command
 from haros_ci.robot.places import by_builds, found
-from haros_ci.robot.sources import Sources
-from haros_ci.robot.unknown import UNKNOWN, Unknown
+from haros_ci.robot.sources import DescriptionSources
+from haros_ci.robot.unknown import UNKNOWN, UnknownValue
 from haros_ci.robot.urdf import read_robot
 
 #: Files that may say with which arguments xacro is run.
@@ -83,13 +83,13 @@ class Descriptions:
     workspace: Workspace
     builds: Mapping[str, Build]
     finder: Finder = field(init=False)
-    sources: Sources = field(init=False)
+    sources: DescriptionSources = field(init=False)
     _owners: dict[str, Package | None] = field(default_factory=dict, init=False)
     _read: dict[tuple[object, ...], Robot | None] = field(default_factory=dict, init=False)
 
     def __post_init__(self) -> None:
         self.finder = Finder(self.workspace, self.builds)
-        self.sources = Sources(self.workspace, by_builds(self.finder))
+        self.sources = DescriptionSources(self.workspace, by_builds(self.finder))
 
     def of_files(self) -> Iterator[Description]:
         """Each file that is a description by itself: no other includes it, and it names its robot or a launch file names it."""
@@ -132,7 +132,7 @@ class Descriptions:
             location=location,
         )
 
-    def _robot(self, path: str, arguments: Mapping[str, str | Unknown], *, is_open: bool = False) -> Robot | None:
+    def _robot(self, path: str, arguments: Mapping[str, str | UnknownValue], *, is_open: bool = False) -> Robot | None:
         key = (path, is_open, tuple(sorted((name, str(value)) for name, value in arguments.items())))
         if key not in self._read:
             owner = self._owner(path)

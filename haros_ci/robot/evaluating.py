@@ -14,11 +14,11 @@ from haros_ci.model.environment import lost_of
 from haros_ci.model.robot import Fault, Way
 from haros_ci.robot.expressions import Invalid, Undefined, evaluate, is_open, parsed
 from haros_ci.robot.functions import LIMITS, Function, Module, NotFollowed, TooMuch, tokenize
-from haros_ci.robot.nodes import Node
+from haros_ci.robot.nodes import XmlNode
 from haros_ci.robot.scopes import XacroGlobals, XacroScope
-from haros_ci.robot.sources import FIND, HERE, Sources
+from haros_ci.robot.sources import FIND, HERE, DescriptionSources
 from haros_ci.robot.texts import parts_of
-from haros_ci.robot.unknown import UNKNOWN, Unknown
+from haros_ci.robot.unknown import UNKNOWN, UnknownValue
 from haros_ci.robot.yaml_values import YamlDict, yaml_value
 
 MAX_STEPS = 500_000
@@ -37,7 +37,7 @@ Similar = Union[tuple[str, ...], Callable[[], tuple[str, ...]]]  # noqa: UP007
 class Evaluating:
     """What an expansion has for evaluation: the file and the way that led there, arguments, and steps that are left."""
 
-    def __init__(self, sources: Sources, path: str, arguments: dict[str, str | Unknown]) -> None:
+    def __init__(self, sources: DescriptionSources, path: str, arguments: dict[str, str | UnknownValue]) -> None:
         self.sources = sources
         self.path = path
         self.file = path
@@ -57,7 +57,7 @@ class Evaluating:
         if self.steps < 0:
             raise TooMuch
 
-    def fault(self, kind: str, name: str, node: Node, *, of: str = "", similar: Similar = ()) -> None:
+    def fault(self, kind: str, name: str, node: XmlNode, *, of: str = "", similar: Similar = ()) -> None:
         """Note what is wrong at *node*; certain only where nothing unknown leads there. *similar* may be looked for then."""
         at = node.location
         certain = self.world.maybe == 0 and node.certain
@@ -69,7 +69,7 @@ class Evaluating:
                 kind=kind, name=name, location=at, certain=certain, of=of, similar=found, way=self.way
             )
 
-    def words(self, text: str | Unknown, scope: XacroScope, node: Node) -> str | Unknown:
+    def words(self, text: str | UnknownValue, scope: XacroScope, node: XmlNode) -> str | UnknownValue:
         """*text* evaluated, as a text."""
         if isinstance(text, str) and "$" not in text:
             return text
@@ -82,9 +82,9 @@ class Evaluating:
         self.spend(len(found) // 64)
         return found
 
-    def value(self, text: str | Unknown, scope: XacroScope, node: Node) -> Any:
+    def value(self, text: str | UnknownValue, scope: XacroScope, node: XmlNode) -> Any:
         """*text* evaluated at *node*; UNKNOWN where it is not known, with a fault where that is why."""
-        if isinstance(text, Unknown):
+        if isinstance(text, UnknownValue):
             return UNKNOWN
         try:
             return self.text(text, scope)
@@ -123,7 +123,7 @@ class Evaluating:
 
     def _expression(self, content: str, scope: XacroScope) -> Any:
         written = self.text(content, scope)
-        if isinstance(written, Unknown):
+        if isinstance(written, UnknownValue):
             return UNKNOWN
         return evaluate(str(written), scope, self.spend)
 
@@ -152,7 +152,7 @@ class Evaluating:
             return UNKNOWN  # what a user's environment has
         return " ".join(default)
 
-    def argument_value(self, name: str) -> str | Unknown:
+    def argument_value(self, name: str) -> str | UnknownValue:
         if name in self.arguments:
             return self.arguments[name]
         if self.world.is_open or self.takes_any:

@@ -15,11 +15,11 @@ from haros_ci.model.workspace import Problem
 from haros_ci.robot.calling import Calling
 from haros_ci.robot.functions import TooMuch
 from haros_ci.robot.legacy import LEGACY, is_call
-from haros_ci.robot.nodes import Node
+from haros_ci.robot.nodes import XmlNode
 from haros_ci.robot.scopes import Macros, XacroMacro, XacroScope
-from haros_ci.robot.sources import Sources, as_written
+from haros_ci.robot.sources import DescriptionSources, as_written
 from haros_ci.robot.texts import is_read, parameters_of, truth
-from haros_ci.robot.unknown import UNKNOWN, Unknown
+from haros_ci.robot.unknown import UNKNOWN, UnknownValue
 
 MAX_DEPTH = 180
 GIVEN_UP = "not expanded to its end: it takes more steps than a description needs. Look for macros, lists or includes that repeat without end"
@@ -29,7 +29,7 @@ GIVEN_UP = "not expanded to its end: it takes more steps than a description need
 class Expanded:
     """The document that came out, and what was found on the way."""
 
-    root: Node | None
+    root: XmlNode | None
     faults: tuple[Fault, ...]
     files: tuple[str, ...]
     macros: tuple[str, ...]
@@ -37,9 +37,9 @@ class Expanded:
 
 
 def expand(
-    sources: Sources,
+    sources: DescriptionSources,
     path: str,
-    arguments: Mapping[str, str | Unknown] | None = None,
+    arguments: Mapping[str, str | UnknownValue] | None = None,
     *,
     legacy: bool = False,
     is_open: bool = False,
@@ -58,7 +58,9 @@ def expand(
 class Expansion(Calling):
     """One run over one file."""
 
-    def __init__(self, sources: Sources, path: str, arguments: dict[str, str | Unknown], legacy: bool) -> None:
+    def __init__(
+        self, sources: DescriptionSources, path: str, arguments: dict[str, str | UnknownValue], legacy: bool
+    ) -> None:
         super().__init__(sources, path, arguments)
         self.legacy = legacy
         self.depth = 0
@@ -91,7 +93,7 @@ class Expansion(Calling):
             replace(fault, defined_later=True) if fault.name in ever else fault for fault in self.faults.values()
         )
 
-    def content(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
+    def content(self, node: XmlNode, macros: Macros, scope: XacroScope, into: XmlNode) -> None:
         """Evaluate the attributes and the text of *node*, and what is in it, *into* an element that comes out."""
         self.depth += 1
         if self.depth > MAX_DEPTH:
@@ -99,7 +101,7 @@ class Expansion(Calling):
         for name, value in node.attributes.items():
             if not name.startswith("xacro:"):
                 into.attributes[name] = self.words(value, scope, node)
-        if isinstance(node.text, Unknown) or "$" in node.text:
+        if isinstance(node.text, UnknownValue) or "$" in node.text:
             into.text = self.words(node.text, scope, node)
         else:
             into.text = node.text
@@ -108,7 +110,7 @@ class Expansion(Calling):
             self.child(child, macros, scope, into)
         self.depth -= 1
 
-    def child(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
+    def child(self, node: XmlNode, macros: Macros, scope: XacroScope, into: XmlNode) -> None:
         tag = node.tag
         if self.legacy and tag in LEGACY:
             tag = f"xacro:{tag}"
@@ -126,34 +128,34 @@ class Expansion(Calling):
                     return
             self.element(node, node.tag, macros, scope, into)
 
-    def element(self, node: Node, tag: str, macros: Macros, scope: XacroScope, into: Node) -> None:
+    def element(self, node: XmlNode, tag: str, macros: Macros, scope: XacroScope, into: XmlNode) -> None:
         """Expand a tag that does not belong to xacro."""
         certain = self.world.maybe == 0
-        made = Node(tag, {}, node.location, certain=certain and node.certain, way=node.way or self.way)
+        made = XmlNode(tag, {}, node.location, certain=certain and node.certain, way=node.way or self.way)
         self.content(node, macros, scope, made)
         into.children.append(made)
 
-    def named_element(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
+    def named_element(self, node: XmlNode, macros: Macros, scope: XacroScope, into: XmlNode) -> None:
         """``xacro:element``: a tag whose name is evaluated."""
         name = self.words(node.attributes.get("xacro:name", ""), scope, node)
-        if isinstance(name, Unknown) or not name:
+        if isinstance(name, UnknownValue) or not name:
             self.is_whole = False
             return
         self.child(replace(node, tag=name), macros, scope, into)
 
-    def attribute(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
+    def attribute(self, node: XmlNode, macros: Macros, scope: XacroScope, into: XmlNode) -> None:
         name = self.words(node.attributes.get("name", ""), scope, node)
         value = self.words(node.attributes.get("value", ""), scope, node)
         if isinstance(name, str) and name:
             into.attributes[name] = value if self.world.maybe == 0 else UNKNOWN
 
-    def insert_block(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
+    def insert_block(self, node: XmlNode, macros: Macros, scope: XacroScope, into: XmlNode) -> None:
         name = str(node.attributes.get("name", ""))
         for key, whole in (("**" + name, False), ("*" + name, True)):
             if not scope.is_set(key):
                 continue
             block = scope.find(key)
-            if not isinstance(block, Node):
+            if not isinstance(block, XmlNode):
                 self.is_whole = False
             elif whole:
                 self.element(block, block.tag, macros, scope, into)
@@ -166,9 +168,9 @@ class Expansion(Calling):
         else:
             self.fault("block", name, node, of=name if is_parameter else "")
 
-    def condition(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
+    def condition(self, node: XmlNode, macros: Macros, scope: XacroScope, into: XmlNode) -> None:
         value = self.value(node.attributes.get("value", ""), scope, node)
-        known = None if isinstance(value, Unknown) else truth(value)
+        known = None if isinstance(value, UnknownValue) else truth(value)
         if known is None:
             self.world.maybe += 1
             self.is_whole = False
@@ -177,7 +179,7 @@ class Expansion(Calling):
         elif known is not node.tag.endswith("unless"):
             self.inside(replace(node, attributes={}), macros, scope, into)
 
-    def argument(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
+    def argument(self, node: XmlNode, macros: Macros, scope: XacroScope, into: XmlNode) -> None:
         name = str(node.attributes.get("name", ""))
         if self.takes_any:
             return
@@ -188,11 +190,11 @@ class Expansion(Calling):
             value = self.words(node.attributes["default"], scope, node)
             self.arguments[name] = value if self.world.maybe == 0 else UNKNOWN
 
-    def property(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
+    def property(self, node: XmlNode, macros: Macros, scope: XacroScope, into: XmlNode) -> None:
         """xacro's grab_property."""
         attributes = node.attributes
         name = self.words(attributes.get("name", ""), scope, node)
-        if isinstance(name, Unknown):
+        if isinstance(name, UnknownValue):
             self.world.is_open = True
             return
         if "remove" in attributes and truth(self.value(attributes["remove"], scope, node)):
@@ -213,7 +215,7 @@ class Expansion(Calling):
             value = self.value(value, scope, node)
         where.put(name, value, lazy=lazy, location=node.location)
 
-    def macro(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
+    def macro(self, node: XmlNode, macros: Macros, scope: XacroScope, into: XmlNode) -> None:
         """xacro's grab_macro."""
         name = str(node.attributes.get("name", "")).removeprefix("xacro:")
         params = str(node.attributes.get("params", ""))
@@ -225,18 +227,18 @@ class Expansion(Calling):
         macros.found[name] = XacroMacro(name, node, tuple(key for key, _, _ in found), defaults, certain)
         self.defined[name] = None
 
-    def include(self, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
+    def include(self, node: XmlNode, macros: Macros, scope: XacroScope, into: XmlNode) -> None:
         """xacro's process_include."""
         if "ns" in node.attributes:
             space = self.words(node.attributes["ns"], scope, node)
-            if isinstance(space, Unknown):
+            if isinstance(space, UnknownValue):
                 self.world.is_open = True
                 return
             around = scope
             macros.namespaces[space] = macros = Macros(self.world)
             scope.namespaces[space] = scope = XacroScope(self.world, around, is_namespace=True)
         name = self.words(node.attributes.get("filename", ""), scope, node)
-        if isinstance(name, Unknown):
+        if isinstance(name, UnknownValue):
             self.world.is_open = True
             return
         self.spend(100)
@@ -255,7 +257,7 @@ class Expansion(Calling):
         elif not located.is_missing:
             self.world.is_open = True
 
-    def included(self, path: str, node: Node, macros: Macros, scope: XacroScope, into: Node) -> None:
+    def included(self, path: str, node: XmlNode, macros: Macros, scope: XacroScope, into: XmlNode) -> None:
         source = self.sources.read(path)
         if source is None:
             self.world.is_open = True

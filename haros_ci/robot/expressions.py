@@ -12,7 +12,7 @@ from haros_ci.bounded_python import language, limits
 from haros_ci.bounded_python.evaluation import Evaluation
 from haros_ci.bounded_python.limits import weight
 from haros_ci.robot.functions import LIMITS, Module, NotFollowed, TooMuch, method
-from haros_ci.robot.unknown import UNKNOWN, Unknown
+from haros_ci.robot.unknown import UNKNOWN, UnknownValue
 from haros_ci.robot.yaml_values import YamlDict
 
 
@@ -63,7 +63,7 @@ def evaluate(text: str, names: ExpressionNames, spend: Callable[[int], None]) ->
 
 def is_open(value: object, depth: int = 0) -> bool:
     """Whether something unknown is in *value*."""
-    if isinstance(value, Unknown):
+    if isinstance(value, UnknownValue):
         return True
     if depth > 6:
         return True
@@ -98,7 +98,7 @@ class _Xacro(language.Language):
         return self.names.look_up(name)
 
     def attribute(self, owner: Any, name: str) -> Any:
-        if isinstance(owner, Unknown):
+        if isinstance(owner, UnknownValue):
             return UNKNOWN
         if isinstance(owner, Module):
             return owner.get(name, UNKNOWN)

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from haros_ci.robot.nodes import Node
+from haros_ci.robot.nodes import XmlNode
 from haros_ci.robot.scopes import XacroMacro
 
 LEGACY = frozenset(("arg", "include", "insert_block", "macro", "property", "if", "unless"))
@@ -34,7 +34,7 @@ _OWN = frozenset(
 )
 
 
-def is_call(node: Node, macro: XacroMacro, into: Node) -> bool:
+def is_call(node: XmlNode, macro: XacroMacro, into: XmlNode) -> bool:
     """Whether *node*, whose tag is the name of *macro*, is meant to call it: it stands where links do, and gives what it wants."""
     if node.tag in _OWN or into.tag not in ("robot", "macro", "xacro:macro"):
         return False

@@ -9,18 +9,18 @@ from dataclasses import dataclass, field
 from haros_ci.model.element import Element
 from haros_ci.model.location import Location
 from haros_ci.model.robot import Way
-from haros_ci.robot.unknown import Unknown
+from haros_ci.robot.unknown import UnknownValue
 
 
 @dataclass(slots=True)
-class Node:
+class XmlNode:
     """An element. Attributes and text of an expanded one may be UNKNOWN; it is not *certain* under an unknown condition."""
 
     tag: str
-    attributes: dict[str, str | Unknown]
+    attributes: dict[str, str | UnknownValue]
     location: Location
-    text: str | Unknown = ""
-    children: list[Node] = field(default_factory=list)
+    text: str | UnknownValue = ""
+    children: list[XmlNode] = field(default_factory=list)
     certain: bool = True
     way: Way = ()
 
@@ -29,10 +29,10 @@ class Node:
         value = self.attributes.get(name, "")
         return value if isinstance(value, str) else None
 
-    def all(self, *tags: str) -> Iterator[Node]:
+    def all(self, *tags: str) -> Iterator[XmlNode]:
         return (child for child in self.children if child.tag in tags)
 
-    def walk(self) -> Iterator[Node]:
+    def walk(self) -> Iterator[XmlNode]:
         """All elements below, in document order."""
         pending = list(reversed(self.children))
         while pending:
@@ -41,9 +41,9 @@ class Node:
             pending.extend(reversed(node.children))
 
 
-def nodes_of(element: Element, path: str) -> Node:
+def nodes_of(element: Element, path: str) -> XmlNode:
     """*element* and all below it, as parsed from *path*."""
-    return Node(
+    return XmlNode(
         element.tag,
         dict(element.attributes),
         Location(path, element.line, element.column),

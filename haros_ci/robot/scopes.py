@@ -10,7 +10,7 @@ from typing import Any
 from haros_ci.model.location import Location
 from haros_ci.robot.expressions import Invalid, Undefined
 from haros_ci.robot.functions import BUILTINS, MATH, PYTHON_MODULE, Module
-from haros_ci.robot.nodes import Node
+from haros_ci.robot.nodes import XmlNode
 from haros_ci.robot.texts import literal
 from haros_ci.robot.unknown import UNKNOWN
 
@@ -163,7 +163,7 @@ class XacroMacro:
     """A macro: its *body* is its element as written. Not *certain*: another one may be meant by its name."""
 
     name: str
-    body: Node
+    body: XmlNode
     parameters: tuple[str, ...]
     defaults: Mapping[str, tuple[bool, str | None]]
     certain: bool = True

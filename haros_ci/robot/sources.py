@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from haros_ci.model.workspace import Problem, Workspace
-from haros_ci.robot.nodes import Node, nodes_of
+from haros_ci.robot.nodes import XmlNode, nodes_of
 from haros_ci.workspace.xml import XmlError, parse_xml
 
 #: What ``$(find pkg)`` and the directory of a file become inside texts, so that they can be recognised again.
@@ -35,7 +35,7 @@ Look = Callable[[str, str], Located]
 
 
 @dataclass(slots=True)
-class Sources:
+class DescriptionSources:
     """Reads for expansions. *packages* are the directories of the workspace's packages by name."""
 
     workspace: Workspace
@@ -45,7 +45,7 @@ class Sources:
     #: What is left for all expansions together.
     steps: int = field(default=MAX_STEPS, init=False)
     problems: dict[str, Problem] = field(default_factory=dict, init=False)
-    _nodes: dict[str, Node | None] = field(default_factory=dict, init=False)
+    _nodes: dict[str, XmlNode | None] = field(default_factory=dict, init=False)
     _inside: dict[str, list[str]] = field(default_factory=dict, init=False)
     _owners: dict[str, tuple[str, str] | None] = field(default_factory=dict, init=False)
 
@@ -53,13 +53,13 @@ class Sources:
         self.packages = {package.name: package.path for package in self.workspace.packages}
         self.names = self.workspace.names | {file.path for file in self.workspace.files}
 
-    def read(self, path: str) -> Node | None:
+    def read(self, path: str) -> XmlNode | None:
         """The root element of an XML file; None if it cannot be read, or is not for us."""
         if path not in self._nodes:
             self._nodes[path] = self.parsed(self.workspace.text(path), path)
         return self._nodes[path]
 
-    def parsed(self, text: str, path: str) -> Node | None:
+    def parsed(self, text: str, path: str) -> XmlNode | None:
         """The root element of *text*, whose places are given in the file *path*; None if it is no XML."""
         try:
             return nodes_of(parse_xml(text.encode("utf-8")), path) if text else None

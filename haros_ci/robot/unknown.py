@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 
-class Unknown:
+class UnknownValue:
     """Never a value of a Robot, where what is not known is None."""
 
     __slots__ = ()
@@ -13,4 +13,4 @@ class Unknown:
         return "UNKNOWN"
 
 
-UNKNOWN = Unknown()
+UNKNOWN = UnknownValue()

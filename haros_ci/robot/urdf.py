@@ -7,15 +7,15 @@ from collections.abc import Mapping
 
 from haros_ci.model.robot import Joint, Limit, Link, Mesh, Robot
 from haros_ci.robot.expand import expand
-from haros_ci.robot.nodes import Node
-from haros_ci.robot.sources import Located, Sources, as_written
-from haros_ci.robot.unknown import UNKNOWN, Unknown
+from haros_ci.robot.nodes import XmlNode
+from haros_ci.robot.sources import Located, DescriptionSources, as_written
+from haros_ci.robot.unknown import UNKNOWN, UnknownValue
 
 
 def read_robot(
-    sources: Sources,
+    sources: DescriptionSources,
     path: str,
-    arguments: Mapping[str, str | Unknown] | None = None,
+    arguments: Mapping[str, str | UnknownValue] | None = None,
     *,
     legacy: bool = False,
     is_open: bool = False,
@@ -49,7 +49,7 @@ def read_robot(
     )
 
 
-def _mesh(node: Node, link: Link, sources: Sources, path: str) -> Mesh:
+def _mesh(node: XmlNode, link: Link, sources: DescriptionSources, path: str) -> Mesh:
     name = node.given("filename")
     located = sources.mesh(name, path) if name else Located()
     return Mesh(
@@ -64,7 +64,7 @@ def _mesh(node: Node, link: Link, sources: Sources, path: str) -> Mesh:
     )
 
 
-def _joint(node: Node) -> Joint:
+def _joint(node: XmlNode) -> Joint:
     limit = next(node.all("limit"), None)
     mimic = next(node.all("mimic"), None)
     return Joint(
@@ -82,17 +82,17 @@ def _joint(node: Node) -> Joint:
     )
 
 
-def _end(node: Node, tag: str) -> str | None:
+def _end(node: XmlNode, tag: str) -> str | None:
     found = next(node.all(tag), None)
     return "" if found is None else found.given("link")
 
 
-def _limit(node: Node) -> Limit:
+def _limit(node: XmlNode) -> Limit:
     values = {name: _value(node, name) for name in ("lower", "upper", "effort", "velocity")}
     return Limit(location=node.location, **values)
 
 
-def _value(node: Node, name: str) -> str | None:
+def _value(node: XmlNode, name: str) -> str | None:
     """An attribute as it comes out; None where it is not given, ``?`` where it is not known."""
     value = node.attributes.get(name)
     known = value if isinstance(value, str) else None

@@ -9,12 +9,12 @@ from typing import Any
 
 import yaml
 
-from haros_ci.bounded_yaml import MAX_NUMBER, MERGE, TAG, Limits, YamlFault, nodes, scalar_value
+from haros_ci.bounded_yaml import MAX_NUMBER, MERGE, TAG, YamlLimits, YamlFault, nodes, scalar_value
 from haros_ci.robot.unknown import UNKNOWN
 
 MAX_NODES = 50_000
 MAX_DEPTH = 60
-LIMITS = Limits(characters=500_000, depth=MAX_DEPTH, values=MAX_NODES)
+LIMITS = YamlLimits(characters=500_000, depth=MAX_DEPTH, values=MAX_NODES)
 #: The tags that xacro adds for units, with what they are multiplied by.
 UNITS = {
     "!radians": 1.0,

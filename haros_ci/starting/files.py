@@ -22,7 +22,7 @@ def pre_commit() -> str:
 
 
 def project(seen: Seen) -> str:
-    """A project file that says what is the case without it, apart from what *seen* gives reason to leave out."""
+    """A project file that says what is the case without it, except for what *seen* gives reason to leave out."""
     lines = [
         f"# yaml-language-server: $schema={_SCHEMA}",
         f"# Seen here: {seen.in_words()}. Every key: docs/configuration.md of haros-ci.",

@@ -113,7 +113,7 @@ def compute(source: str, scopes: ExpressionScopes) -> object:
     try:
         return Evaluation(_Roslaunch(scopes)).value(tree)
     except NotFollowed as err:
-        reason = err.said or f"uses {type(err.node).__name__}, which is not interpreted"
+        reason = err.description or f"uses {type(err.node).__name__}, which is not interpreted"
         raise Undecided(f"$(eval ...) {reason}") from err
     except TooMuch as err:
         is_deep = err.what == "depth"

@@ -67,7 +67,7 @@ class LaunchArgument:
 
 
 @dataclass(slots=True)
-class Arguments:
+class LaunchArguments:
     """The launch arguments of a configuration, in the order of their declarations."""
 
     known: dict[str, LaunchArgument] = field(default_factory=dict)
@@ -138,7 +138,7 @@ class Question:
     """
 
     ask: Ask
-    arguments: Arguments
+    arguments: LaunchArguments
     names: list[str]
     now: Mapping[str, Text]
     literals: Callable[[str], frozenset[str] | None]

@@ -33,7 +33,7 @@ class Substituted:
 
 
 @dataclass(frozen=True, slots=True)
-class Sources:
+class SubstitutionSources:
     """What substitutions see: args, those declared but not set, the environment and this file's directory.
 
     *compared* gets what an expression compares ``OTHER`` with.
@@ -46,7 +46,7 @@ class Sources:
     compared: set[str] = field(default_factory=set)
 
 
-def substitute(raw: str, sources: Sources) -> Substituted:
+def substitute(raw: str, sources: SubstitutionSources) -> Substituted:
     """*raw* with its substitution arguments replaced.
 
     ``$(find p)`` stays as it is, ``$(dirname)`` becomes such a text: paths are shown from packages on. What is not
@@ -100,7 +100,7 @@ def _parts(raw: str) -> Iterator[tuple[str, bool]]:
     yield raw[position:], False
 
 
-def _command(content: str, sources: Sources) -> Substituted:
+def _command(content: str, sources: SubstitutionSources) -> Substituted:
     command, *words = [word for word in content.split(" ") if word] or [""]
     if command not in COMMANDS:
         if command == "eval":
@@ -134,12 +134,12 @@ def _command(content: str, sources: Sources) -> Substituted:
     return _wrong(f"argument {quoted(name)} is not declared; declare it above, with <arg name=... default=.../>")
 
 
-def environment_text(name: str, sources: Sources) -> Text:
+def environment_text(name: str, sources: SubstitutionSources) -> Text:
     value = _environment_value(name, sources)
     return unknown(_not_set(name)) if value is None else value
 
 
-def _environment_value(name: str, sources: Sources) -> Text | None:
+def _environment_value(name: str, sources: SubstitutionSources) -> Text | None:
     """The value of an environment variable; None if nothing sets it."""
     lost = lost_of(sources.environment).get(name)
     if lost is not None:
@@ -161,7 +161,7 @@ def anonymous_text(name: str) -> Text:
     return Text(literal(re.sub(r"[.:-]", "_", name)).raw + "_" + made.raw, made.reasons)
 
 
-def _eval(expression: str, sources: Sources) -> Substituted:
+def _eval(expression: str, sources: SubstitutionSources) -> Substituted:
     try:
         scopes = ExpressionScopes(
             sources.args,

@@ -11,11 +11,11 @@ import re
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
-from haros_ci.bounded_yaml import MAX_NUMBER, MERGE, TAG, Composer, Limits, YamlFault
+from haros_ci.bounded_yaml import MAX_NUMBER, MERGE, TAG, Composer, YamlLimits, YamlFault
 from haros_ci.substitutions.expression import ExpressionScopes, Undecided, Wrong, compute
 from haros_ci.substitutions.names import MARK, Text, quoted, unknown
 
-LIMITS = Limits(characters=1_000_000, depth=50, aliases=1_000, values=50_000)
+LIMITS = YamlLimits(characters=1_000_000, depth=50, aliases=1_000, values=50_000)
 
 _SCALARS = {TAG + name for name in ("str", "int", "float", "bool", "null", "timestamp", "value", "binary")}
 _ANGLE = re.compile(r"(deg|rad)\([^)]*\)\Z")
@@ -27,7 +27,7 @@ YamlError = YamlFault
 
 
 @dataclass(frozen=True, slots=True)
-class Opaque:
+class OpaqueNode:
     """A scalar whose value is not known: *type* is its parameter type if known, *unknown* its text."""
 
     reason: str
@@ -101,20 +101,20 @@ class _SubstitutingComposer(Composer[YamlValue]):
             raise self.fault(event, "scalar", quoted(tag))
         kind = tag.removeprefix(TAG)
         if kind == "binary":
-            return Opaque("binary data (base64), which is none of the plain types")
+            return OpaqueNode("binary data (base64), which is none of the plain types")
         if kind == "timestamp":
-            return Opaque("a date, which is none of the plain types; quote it if it is text", shown=event.value)
+            return OpaqueNode("a date, which is none of the plain types; quote it if it is text", shown=event.value)
         if kind not in ("int", "float", "bool", "null"):
             return str(event.value)
         return self.number(event, tag)
 
-    def unknown(self, event: Any, tag: str) -> Opaque:
+    def unknown(self, event: Any, tag: str) -> OpaqueNode:
         first = self.text.raw.count(MARK, 0, event.start_mark.index)
         count = event.value.count(MARK)
         reasons = self.text.reasons[first : first + count] or ("part of it is not known",)
         is_text = not event.implicit[0] or "/" in event.value or (tag == TAG + "str" and event.tag is not None)
         text = Text(event.value, tuple((*reasons, *reasons * count)[:count]))
-        return Opaque("; ".join(dict.fromkeys(reasons)), "str" if is_text else None, text.shown, text)
+        return OpaqueNode("; ".join(dict.fromkeys(reasons)), "str" if is_text else None, text.shown, text)
 
     def angle(self, event: Any, kind: str) -> Any:
         """``deg(90)``, ``!degrees 90``: a number; ``rad(pi/2)``, ``!radians pi/2``: an expression."""
@@ -127,7 +127,7 @@ class _SubstitutingComposer(Composer[YamlValue]):
             number = compute(source, ExpressionScopes({}, unknown, {}, ""))
             return float(str(number)) if isinstance(number, (int, float)) else self.no_angle(event)
         except Undecided as err:
-            return Opaque(str(err).replace("$(eval ...)", quoted(event.value)), "double")
+            return OpaqueNode(str(err).replace("$(eval ...)", quoted(event.value)), "double")
         except (ValueError, OverflowError, Wrong):
             return self.no_angle(event)
 

@@ -41,11 +41,11 @@ def below(part: Part) -> list[Record]:
 
 
 def _gather(parts: Iterable[Part], found: list[Record]) -> None:
-    for each in parts:
-        if isinstance(each, tuple):
-            _gather(each, found)
-        elif each is not None:
-            found.append(each)
+    for part in parts:
+        if isinstance(part, tuple):
+            _gather(part, found)
+        elif part is not None:
+            found.append(part)
 
 
 def everything(part: Part) -> Iterator[Record]:
@@ -69,7 +69,7 @@ def preorder(part: Part) -> Iterator[Record]:
 def placeless(part: Part) -> Part:
     """*part* without the lines and columns of its calls."""
     if isinstance(part, tuple):
-        return tuple([placeless(each) for each in part])
+        return tuple([placeless(item) for item in part])
     if part is None:
         return None
     values = {name: placeless(getattr(part, name)) for name in _HOLDING.get(part.__class__, ())}
@@ -87,7 +87,7 @@ def _without(part: Part, statement: statements.Statement) -> Part:
     if part is statement:
         return statements.Nested(())
     if isinstance(part, tuple):
-        inner = tuple([_without(each, statement) for each in part])
+        inner = tuple([_without(item, statement) for item in part])
         return part if all(one is other for one, other in zip(part, inner, strict=True)) else inner
     if part is None:
         return None

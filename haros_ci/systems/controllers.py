@@ -88,12 +88,12 @@ def with_controllers(
         if node.kind != LOADING and not _is_spawner(node):
             add(node)
             continue
-        options, asked = (_loaded if node.kind == LOADING else _asked)(_words(node.arguments))
-        if node.name is None and asked and "?" not in asked[0].name:
-            node = replace(node, name=f"spawner_{asked[0].name}")
+        options, requested = (_loaded if node.kind == LOADING else _requested)(_words(node.arguments))
+        if node.name is None and requested and "?" not in requested[0].name:
+            node = replace(node, name=f"spawner_{requested[0].name}")
         if node.kind != LOADING:
             add(node)
-        for item in asked:
+        for item in requested:
             made = _controller(node, item, options, managers, rules_of)
             known = places.get((made.name, made.namespace, made.container))
             if known is None:
@@ -121,7 +121,7 @@ def _words(text: str) -> list[str]:
     return words[: words.index("--ros-args")] if "--ros-args" in words else words
 
 
-def _asked(words: Iterable[str]) -> tuple[dict[str, str], list[_Asked]]:
+def _requested(words: Iterable[str]) -> tuple[dict[str, str], list[_Asked]]:
     """The options of a spawner with one value each, and the controllers in order (``parse_native_args``)."""
     options: dict[str, str] = {}
     files: list[str] = []
@@ -140,9 +140,9 @@ def _asked(words: Iterable[str]) -> tuple[dict[str, str], list[_Asked]]:
             options[option] = value
         elif value:
             found.append(_Asked(value, [], []))
-    for each in found:
-        each.files[:0] = files
-        each.ros_arguments[:0] = arguments
+    for requested in found:
+        requested.files[:0] = files
+        requested.ros_arguments[:0] = arguments
     return options, found
 
 
@@ -154,7 +154,7 @@ def _loaded(words: Iterable[str]) -> tuple[dict[str, str], list[_Asked]]:
     return options, [_Asked(plain[0], plain[1:2], [])] if plain else []
 
 
-def _options(words: Iterable[str], taking: Mapping[str, str], apart: str = "") -> Iterator[tuple[str, str]]:
+def _options(words: Iterable[str], taking: Mapping[str, str], differing: str = "") -> Iterator[tuple[str, str]]:
     """The options *taking* a value, with it, and "" with each word that is no option; the value of *apart* is always a word of its own."""
     option = ""
     for word in words:
@@ -162,7 +162,7 @@ def _options(words: Iterable[str], taking: Mapping[str, str], apart: str = "") -
         if option:
             yield option, word
             option = ""
-        elif word in taking or (apart and word == apart):
+        elif word in taking or (differing and word == differing):
             option = taking.get(word, word)
         elif sign and name in taking:
             yield taking[name], value
@@ -172,7 +172,7 @@ def _options(words: Iterable[str], taking: Mapping[str, str], apart: str = "") -
 
 def _controller(
     spawner: LaunchedNode,
-    asked: _Asked,
+    requested: _Asked,
     options: dict[str, str],
     managers: dict[str, LaunchedNode],
     rules_of: Callable[[str, Location], Iterable[ParameterRule]],
@@ -182,12 +182,12 @@ def _controller(
     full = clean(called if called.startswith("/") else f"/{space}/{called}")
     manager = managers.get(full)
     namespace = full.rpartition("/")[0] or "/"
-    own = clean(f"{namespace}/{asked.name}")
+    own = clean(f"{namespace}/{requested.name}")
     rules = [*(manager.parameters if manager is not None else ()), *spawner.parameters]
-    for path in asked.files:
+    for path in requested.files:
         rules += rules_of(path, spawner.location)
-    given = Parameters(rules)
-    kind, why = _type(asked.name, own, full, options, given, manager is not None)
+    provided = Parameters(rules)
+    kind, why = _type(requested.name, own, full, options, provided, manager is not None)
     unknowns: list[Unknown] = []
     if why is not None:
         unknowns.append(Unknown("type", why.reason, why.location or spawner.location))
@@ -198,12 +198,12 @@ def _controller(
         package=kind.partition("/")[0],
         type=kind,
         location=spawner.location,
-        name=asked.name,
+        name=requested.name,
         namespace=namespace,
         container=full,
         parameters=tuple(rules),
         remaps=manager.remaps if manager is not None else (),
-        ros_arguments=" ".join(asked.ros_arguments),
+        ros_arguments=" ".join(requested.ros_arguments),
         conditions=spawner.conditions,
         presence=spawner.presence,
         unknowns=tuple(unknowns),
@@ -216,14 +216,14 @@ def _is_name(text: str) -> bool:
 
 
 def _type(
-    name: str, own: str, manager: str, options: dict[str, str], given: Parameters, is_started: bool
+    name: str, own: str, manager: str, options: dict[str, str], provided: Parameters, is_started: bool
 ) -> tuple[str, Opaque | None]:
     """``package/Class`` of a controller, ``?`` with the reason if it is not known."""
     if "?" in name:
         return "?", None
     if "--controller-type" in options:
         return options["--controller-type"], None
-    values = (given.get(own, "type"), given.get(manager, f"{name}.type"))
+    values = (provided.get(own, "type"), provided.get(manager, f"{name}.type"))
     for value in values:
         if isinstance(value, Known) and isinstance(value.value, str) and _is_name(value.value):
             return value.value, None

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from haros_ci import syntax
 from haros_ci.follow.follow import Entry
 from haros_ci.index.index import Index, Source, aliased, is_test
-from haros_ci.index.plugins import Plugin, written_type
+from haros_ci.index.plugins import PluginDescription, written_type
 from haros_ci.index.types import resolve_type
 from haros_ci.model.build import Build, PluginClass, Target
 from haros_ci.syntax import Argument, Class
@@ -62,25 +62,25 @@ def executables(programs: Programs, *, tests: bool = False) -> dict[tuple[str, s
     return found
 
 
-def plugins(programs: Programs) -> dict[str, Plugin]:
+def plugins(programs: Programs) -> dict[str, PluginDescription]:
     """All classes that plug-in descriptions name, by look-up name and by type: where they are defined."""
-    found: dict[str, Plugin] = {}
+    found: dict[str, PluginDescription] = {}
     for described, source, definition, _ in described_classes(programs):
-        plugin = Plugin(source, definition, _arguments(programs, described))
+        plugin = PluginDescription(source, definition, _arguments(programs, described))
         found.setdefault(described.name, plugin)
         found.setdefault(described.type.strip(), plugin)
     return found
 
 
-def plugins_of_base(programs: Programs) -> dict[str, tuple[Plugin, ...]]:
+def plugins_of_base(programs: Programs) -> dict[str, tuple[PluginDescription, ...]]:
     """The classes that plug-in descriptions name by their base class, in the order of their names, but for tests' own."""
-    found: dict[str, dict[tuple[str, str], Plugin]] = {}
+    found: dict[str, dict[tuple[str, str], PluginDescription]] = {}
     for described, source, definition, _ in described_classes(programs):
         if is_test(source.path):
             continue
-        plugin = Plugin(source, definition, _arguments(programs, described))
+        plugin = PluginDescription(source, definition, _arguments(programs, described))
         found.setdefault(base_of(described), {}).setdefault(plugin.key, plugin)
-    return {base: tuple(each for _, each in sorted(classes.items())) for base, classes in found.items()}
+    return {base: tuple(class_ for _, class_ in sorted(classes.items())) for base, classes in found.items()}
 
 
 def declared(programs: Programs) -> dict[str, tuple[str, ...]]:
@@ -110,10 +110,10 @@ def _arguments(programs: Programs, described: PluginClass) -> tuple[Argument, ..
         scope = written.name.rpartition("::")[0]
         return resolve_type(programs.cpp, alias.type, scope, source, frozenset(), {}).arguments
     return tuple(
-        syntax.Type(aliased(programs.cpp, each.name) or each.name, each.arguments, each.marks)
-        if isinstance(each, syntax.Type) and each.name not in programs.cpp.classes
-        else each
-        for each in written.arguments
+        syntax.Type(aliased(programs.cpp, argument.name) or argument.name, argument.arguments, argument.marks)
+        if isinstance(argument, syntax.Type) and argument.name not in programs.cpp.classes
+        else argument
+        for argument in written.arguments
     )
 
 

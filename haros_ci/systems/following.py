@@ -10,13 +10,13 @@ from typing import Any
 
 from haros_ci.follow.context import Context, Exact
 from haros_ci.follow.follow import Entry, follow
-from haros_ci.follow.made import Made
-from haros_ci.follow.run import Run
+from haros_ci.follow.made import MadeEntity
+from haros_ci.follow.run import Walk
 from haros_ci.index.behavior_tree_files import TreeFiles
-from haros_ci.index.plugins import Plugin
+from haros_ci.index.plugins import PluginDescription
 from haros_ci.index.relevance import Relevance
 from haros_ci.index.trace import Trace
-from haros_ci.index.xml_files import Reader
+from haros_ci.index.xml_files import XmlFileReader
 from haros_ci.keeping.consulted import small
 from haros_ci.keeping.kept import Followed, digest_of
 from haros_ci.model.api import Row
@@ -57,7 +57,7 @@ class Types:
     nodelets: Mapping[str, tuple[PluginClass, Entry, frozenset[str]]]
     #: By language and ROS version: API rows by call, and what they make relevant.
     rows: Mapping[tuple[str, int], Mapping[str, tuple[Row, ...]]]
-    plugins: Mapping[str, Plugin]
+    plugins: Mapping[str, PluginDescription]
     #: The last part of the base class's name of each plug-in, and the files of its library.
     plugin_files: list[tuple[str, frozenset[str]]]
     relevance: Mapping[tuple[str, int], Relevance]
@@ -84,12 +84,12 @@ class Types:
     #: The plug-ins of Gazebo that the workspace builds, by library (``gazebo_plugins.GazeboPlugin``).
     gazebo: Mapping[str, list[Any]] = field(default_factory=dict)
     #: The plug-ins of the workspace by base class.
-    of_base: Mapping[str, tuple[Plugin, ...]] = field(default_factory=dict)
+    of_base: Mapping[str, tuple[PluginDescription, ...]] = field(default_factory=dict)
     #: The look-up names of all plug-ins of a base class of the workspace.
     declared: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     #: Behaviour trees in files of the workspace; None where nothing makes any.
     trees: TreeFiles | None = None
-    xml: Reader | None = None
+    xml: XmlFileReader | None = None
     #: Results under the names and parameters of a node, with what they are made of, by both; and their endpoints by node.
     put: dict[Any, tuple[Followed, Followed | None]] = field(default_factory=dict)
     ends: dict[int, tuple[Followed, dict[str, tuple[Endpoint, ...]]]] = field(default_factory=dict)
@@ -125,10 +125,10 @@ def run_node(
     for done in earlier:
         if all(same(parameter(name), value) for name, value in done.asked.items()):
             return done
-    asked: dict[str, Value | None] = {}
+    requested: dict[str, Value | None] = {}
 
     def ask(name: str) -> Value | None:
-        value = asked[name] = parameter(name)
+        value = requested[name] = parameter(name)
         return value
 
     context = Context(
@@ -146,7 +146,7 @@ def run_node(
         process_namespace=instance.process.rpartition("/")[0] or "/",
         renames=renames,
     )
-    earlier.append(followed_in(types, entry, files, context, asked, key))
+    earlier.append(followed_in(types, entry, files, context, requested, key))
     return earlier[-1]
 
 
@@ -174,7 +174,7 @@ def files_key(files: frozenset[str]) -> str:
 
 
 def followed_in(
-    types: Types, entry: Entry, files: frozenset[str], context: Context, asked: Mapping[str, Value | None], key: Any
+    types: Types, entry: Entry, files: frozenset[str], context: Context, requested: Mapping[str, Value | None], key: Any
 ) -> Followed:
     """Follow from *entry* in *context*; what goes wrong is a problem, and what was made until then counts."""
     index = types.programs.index_of(entry)
@@ -182,7 +182,7 @@ def followed_in(
     before = index.trace
     index.traced(trace)
     try:
-        return _followed_in(types, entry, files, context, asked, key, trace)
+        return _followed_in(types, entry, files, context, requested, key, trace)
     finally:
         index.traced(before)
 
@@ -192,7 +192,7 @@ def _followed_in(
     entry: Entry,
     files: frozenset[str],
     context: Context,
-    asked: Mapping[str, Value | None],
+    requested: Mapping[str, Value | None],
     key: Any,
     trace: Trace,
 ) -> Followed:
@@ -203,28 +203,28 @@ def _followed_in(
     language = "python" if entry.source.program.language == "python" else "cpp"
     version = (language, 1 if context.process is None else 2)
     relevance, view = relevance_of(types, entry, version, files)
-    run = Run(index, types.rows[version], context, types.configs, relevance, files, types.exact)
+    run = Walk(index, types.rows[version], context, types.configs, relevance, files, types.exact)
     problems: tuple[Problem, ...] = ()
     try:
         if not follow(run, entry):
-            said = "the node is too large to be followed to its end; some of what it makes may be missing"
-            problems = (Problem(entry.source.path, said),)
+            message = "the node is too large to be followed to its end; some of what it makes may be missing"
+            problems = (Problem(entry.source.path, message),)
     except (ArithmeticError, AttributeError, LookupError, NameError, RecursionError, TypeError, ValueError) as err:
-        said = (
+        message = (
             f"the node could not be followed to its end ({type(err).__name__}): a fault of haros-ci, please report it"
         )
-        problems = (Problem(entry.source.path, said),)
+        problems = (Problem(entry.source.path, message),)
     if context.loaded:
         trace.is_whole = False
     trace.names.update(relevance.asked())
     made, nodes = tuple(run.made.values()), tuple(run.nodes)
-    asked = context.marks.settled(asked)
+    requested = context.marks.settled(requested)
     followed = Followed(
         made,
         problems,
         tuple(run.names),
         run.gaps,
-        asked,
+        requested,
         nodes,
         tuple(run.twins.values()),
         small(trace, relevance, view),
@@ -242,7 +242,7 @@ def _loaded(
     name: str,
     above: str,
     parameter: Callable[[str], Value | None],
-) -> tuple[tuple[Made, ...], Mapping[str, Location]] | None:
+) -> tuple[tuple[MadeEntity, ...], Mapping[str, Location]] | None:
     """What a nodelet makes that *loader* loads under the full *name*, in the namespace *above*; why there may be more."""
     if look_up not in types.nodelets:
         return None
@@ -258,7 +258,7 @@ def _loaded(
 def incomplete(followed: Followed, entry: Entry, location: Location | None) -> tuple[Unknown, ...]:
     """Why a node may have more endpoints than are known."""
     found = [Unknown("endpoints", problem.message, location) for problem in followed.problems]
-    found += [Unknown("endpoints", said, where) for said, where in sorted(followed.gaps.items())]
+    found += [Unknown("endpoints", text, where) for text, where in sorted(followed.gaps.items())]
     if entry.definition is None and not entry.source.program.functions and entry.source.program.problems:
         line, message = entry.source.program.problems[0]
         found.append(Unknown("endpoints", message, Location(entry.source.path, line)))

@@ -12,12 +12,12 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 from haros_ci.follow import activation, callbacks, construct, methods
-from haros_ci.follow.call_arguments import Argument
+from haros_ci.follow.call_arguments import PassedArgument
 from haros_ci.follow.follow import Entry
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries.gazebo import Sdf, element, parent
 from haros_ci.follow.ros.ends import by, endpoints
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.graph.ros2_process import Parameters
 from haros_ci.index.index import Source
@@ -36,7 +36,7 @@ from haros_ci.systems.system import PROGRAM, Job
 from haros_ci.values.abstract import Object, Value
 
 #: The macros that register a plug-in, by where it stands in a world or description.
-_CLASSIC = {f"GZ_REGISTER_{each.upper()}_PLUGIN": each for each in ("world", "model", "sensor", "visual", "system")}
+_CLASSIC = {f"GZ_REGISTER_{item.upper()}_PLUGIN": item for item in ("world", "model", "sensor", "visual", "system")}
 REGISTERING = {**_CLASSIC, "GZ_ADD_PLUGIN": "gz", "IGNITION_ADD_PLUGIN": "gz"}
 #: Methods of the classes for cameras and lasers.
 _FRAMES = (
@@ -82,7 +82,7 @@ class GazeboPlugin:
 
 def built(programs: Programs) -> dict[str, list[GazeboPlugin]]:
     """The plug-ins of the workspace by the name of their library, as descriptions have it without ``lib`` and ``.so``."""
-    registering = {path for path, each in programs.sources.items() if _registered(each)}
+    registering = {path for path, source in programs.sources.items() if _registered(source)}
     found: dict[str, list[GazeboPlugin]] = {}
     if not registering:
         return found
@@ -121,8 +121,8 @@ def _class_of(programs: Programs, written: str, path: str) -> tuple[Source, Clas
     reached = {path, *programs.cpp.reach(path)}
     found = [
         owner
-        for each, owners in programs.cpp.classes.items()
-        if each == name or each.endswith(f"::{name}")
+        for item, owners in programs.cpp.classes.items()
+        if item == name or item.endswith(f"::{name}")
         for owner in owners
         if owner[0].path in reached and (owner[1].bases or owner[1].fields)
     ]
@@ -137,99 +137,115 @@ class Given:
     name: str | None
 
 
-def started(types: Types, each: GazeboPlugin, given: Given, host: Node, server: ParameterServer) -> Job:
+def started(types: Types, gazebo_plugin: GazeboPlugin, parameter: Given, host: Node, server: ParameterServer) -> Job:
     """A plug-in in the simulator's node *host* of ROS 1; its node has the kind ``PLUGIN``, and the endpoints that *host* has by it."""
-    begin = partial(_begin, each.source, each.definition, given, each.at == "gz")
-    label = f"(gazebo {digest_of(given)[:16]})"
-    entry = Entry(each.source, definition=each.definition, begin=begin, label=label)
-    node = replace(host, kind=PLUGIN, package=each.package, type=each.library, class_name=each.definition.name)
+    begin = partial(_begin, gazebo_plugin.source, gazebo_plugin.definition, parameter, gazebo_plugin.at == "gz")
+    label = f"(gazebo {digest_of(parameter)[:16]})"
+    entry = Entry(gazebo_plugin.source, definition=gazebo_plugin.definition, begin=begin, label=label)
+    node = replace(
+        host,
+        kind=PLUGIN,
+        package=gazebo_plugin.package,
+        type=gazebo_plugin.library,
+        class_name=gazebo_plugin.definition.name,
+    )
     instance = Instance(host.name, host.name.rpartition("/")[0] or "/", None, dict(host.remaps), host.name)
 
     def follow() -> _Result:
-        followed = run_node(types, entry, each.files, instance, server.get)
+        followed = run_node(types, entry, gazebo_plugin.files, instance, server.get)
         ends = endpoints(followed.made, by(instance.remaps), server)
-        unknowns = (*node.unknowns, *incomplete(followed, entry, Location(each.source.path, each.definition.line)))
+        unknowns = (
+            *node.unknowns,
+            *incomplete(followed, entry, Location(gazebo_plugin.source.path, gazebo_plugin.definition.line)),
+        )
         return (replace(node, endpoints=ends, unknowns=unknowns),), followed.problems
 
-    return Job(node, id(each.definition), follow, size_of(types, each.files))
+    return Job(node, id(gazebo_plugin.definition), follow, size_of(types, gazebo_plugin.files))
 
 
 def jobs(types: Types, launched: Iterable[Job]) -> Iterator[Job]:
     """The classes of all plug-ins that are none of the *launched*, each by itself."""
     seen = {job.group for job in launched if job.node.kind == PLUGIN}
     for library, every in sorted(types.gazebo.items()):
-        for each in every:
-            if id(each.definition) not in seen:
-                seen.add(id(each.definition))
-                name = library if len(every) == 1 else each.definition.name.rpartition("::")[2]
-                yield _alone(types, each, f"{each.package}/{name}")
+        for item in every:
+            if id(item.definition) not in seen:
+                seen.add(id(item.definition))
+                name = library if len(every) == 1 else item.definition.name.rpartition("::")[2]
+                yield _alone(types, item, f"{item.package}/{name}")
 
 
-def _alone(types: Types, each: GazeboPlugin, name: str) -> Job:
+def _alone(types: Types, gazebo_plugin: GazeboPlugin, name: str) -> Job:
     """A plug-in by itself, called by its library, or by its class where that has several."""
-    begin = partial(_begin, each.source, each.definition, None, each.at == "gz")
-    entry = Entry(each.source, definition=each.definition, begin=begin, label="(gazebo)")
-    place = Location(each.source.path, each.definition.line)
-    ros = 2 if types.versions.get(each.package) == 2 else 1
+    begin = partial(_begin, gazebo_plugin.source, gazebo_plugin.definition, None, gazebo_plugin.at == "gz")
+    entry = Entry(gazebo_plugin.source, definition=gazebo_plugin.definition, begin=begin, label="(gazebo)")
+    place = Location(gazebo_plugin.source.path, gazebo_plugin.definition.line)
+    ros = 2 if types.versions.get(gazebo_plugin.package) == 2 else 1
     node = Node(
         name="/?",
         kind="node",
-        package=each.package,
+        package=gazebo_plugin.package,
         type=name,
         location=place,
         process="/?",
-        class_name=each.definition.name,
+        class_name=gazebo_plugin.definition.name,
         ros=ros,
     )
-    follow = partial(_of_ros2 if ros == 2 else _of_ros1, types, entry, each, node)
-    return Job(node, id(entry), follow, size_of(types, each.files), label=PLUGINS, is_loaded=True)
+    follow = partial(_of_ros2 if ros == 2 else _of_ros1, types, entry, gazebo_plugin, node)
+    return Job(node, id(entry), follow, size_of(types, gazebo_plugin.files), label=PLUGINS, is_loaded=True)
 
 
-def _of_ros1(types: Types, entry: Entry, each: GazeboPlugin, node: Node) -> _Result:
+def _of_ros1(types: Types, entry: Entry, gazebo_plugin: GazeboPlugin, node: Node) -> _Result:
     server = ParameterServer(())
-    followed = run_node(types, entry, each.files, Instance("/?", "/", None, {}, "/?"), server.get)
+    followed = run_node(types, entry, gazebo_plugin.files, Instance("/?", "/", None, {}, "/?"), server.get)
     ends = endpoints(followed.made, lambda item: item.name, server)
     unknowns = (*incomplete(followed, entry, node.location), Unknown("name", HOST, node.location))
     return (replace(node, kind=node.kind if ends else PROGRAM, endpoints=ends, unknowns=unknowns),), followed.problems
 
 
-def _of_ros2(types: Types, entry: Entry, each: GazeboPlugin, node: Node) -> _Result:
+def _of_ros2(types: Types, entry: Entry, gazebo_plugin: GazeboPlugin, node: Node) -> _Result:
     started = Started((), Parameters(()), (), is_component=True)
-    nodes, problems = ros2_system.nodes_of(types, entry, each.files, node, started, False)
+    nodes, problems = ros2_system.nodes_of(types, entry, gazebo_plugin.files, node, started, False)
     makes = any(not end.implicit for one in nodes for end in one.endpoints)
     return (nodes if makes else (replace(node, kind=PROGRAM),)), problems
 
 
-def _begin(source: Source, definition: Class, given: Given | None, is_new: bool, run: Run, frame: Frame) -> None:
+def _begin(source: Source, definition: Class, parameter: Given | None, is_new: bool, run: Walk, frame: Frame) -> None:
     """Construct the class, hand it what the simulator hands it, and let the rest be called later."""
     location = Location(source.path, definition.line)
     this = Object(definition.name, (), (source, definition), location=location)
     outside = next(
-        (each for each in methods.library_bases(run, source, definition) if not each.startswith(PLAIN)), None
+        (
+            library_base
+            for library_base in methods.library_bases(run, source, definition)
+            if not library_base.startswith(PLAIN)
+        ),
+        None,
     )
     if outside is not None:
-        said = f"the base class {outside} is not in the workspace: what it makes and calls is not known"
-        run.gaps.setdefault(said, location)
+        message = f"the base class {outside} is not in the workspace: what it makes and calls is not known"
+        run.gaps.setdefault(message, location)
     construct.initialise(run, frame, this, (source, definition), {}, (), location)
     for name in FIRST[is_new]:
         found = methods.method_of(run, this, name)
         if found is not None:
-            activation.invoke(run, frame, found, _arguments(run, found.function, found.source, given))
+            activation.invoke(run, frame, found, _arguments(run, found.function, found.source, parameter))
     for name in LATER[is_new]:
         found = methods.method_of(run, this, name)
         if found is not None:
             callbacks.register(run, found)
 
 
-def _arguments(run: Run, function: Function, source: Source, given: Given | None) -> tuple[Argument, ...]:
+def _arguments(
+    run: Walk, function: Function, source: Source, given_parameter: Given | None
+) -> tuple[PassedArgument, ...]:
     """What the simulator gives to a method: to ``Load`` what the plug-in stands in, and the element; else nothing is known of it."""
     inner = Frame(source, function.owner, function)
     values: list[Value] = []
-    if given is not None and len(function.parameters) == 2:
-        values = [parent(given.name), element(given.sdf)]
+    if given_parameter is not None and len(function.parameters) == 2:
+        values = [parent(given_parameter.name), element(given_parameter.sdf)]
     found = []
-    for number, each in enumerate(function.parameters):
-        kind = run.type_in(each.type, inner)
+    for number, parameter in enumerate(function.parameters):
+        kind = run.type_in(parameter.type, inner)
         what = run.opaque("what the simulator gives to a plug-in", inner, function.line, kind)
-        found.append(Argument(values[number] if values else what, None, kind))
+        found.append(PassedArgument(values[number] if values else what, None, kind))
     return tuple(found)

@@ -36,17 +36,17 @@ class Keeper:
 def key_of(types: Types, rows: Mapping[tuple[str, int], Iterable[Row]]) -> str:
     """The key of all that every node depends on: API rows, interfaces, plug-ins, what is relevant by itself."""
     cpp, python = types.programs.cpp, types.programs.python
-    plugins = [(name, each.source.path, *each.key) for name, each in sorted(types.plugins.items())]
+    plugins = [(name, plugin.source.path, *plugin.key) for name, plugin in sorted(types.plugins.items())]
     return kept.digest_of(
         [(version, tuple(items)) for version, items in sorted(rows.items())],
         [sorted(index.interfaces) for index in (cpp, python)],
         [sorted(index.packages) for index in (cpp, python)],
         sorted(cpp.defined.items(), key=repr),
         plugins,
-        [(base, [each.key for each in found]) for base, found in sorted(types.of_base.items())],
+        [(base, [item.key for item in found]) for base, found in sorted(types.of_base.items())],
         sorted(types.declared.items()),
         sorted(types.configs.items()),
-        [(version, each.rules()) for version, each in sorted(types.relevance.items())],
+        [(version, relevance.rules()) for version, relevance in sorted(types.relevance.items())],
         [(source.path, source.module, source.package) for _, source in sorted(types.programs.sources.items())],
         [source.program for _, source in sorted(types.programs.sources.items()) if source.path.endswith(YAML)],
     )
@@ -66,7 +66,7 @@ def take_up(types: Types, keeper: Keeper, key: str) -> list[tuple[Any, Followed]
 
     def relevance(path: str) -> Sequence[Relevance]:
         language = "python" if sources[path].program.language == "python" else "cpp"
-        return [each for version, each in types.relevance.items() if version[0] == language]
+        return [relevance for version, relevance in types.relevance.items() if version[0] == language]
 
     def visible(paths: frozenset[str]) -> frozenset[str]:
         return cpp.visible_from(paths, types.plugin_files)
@@ -81,7 +81,7 @@ def take_up(types: Types, keeper: Keeper, key: str) -> list[tuple[Any, Followed]
 
     change = consulted.change_of(earlier.files, keeper.files, before, sources.get, relevance, cpp.aliases)
     now = consulted.Now((cpp, types.programs.python), sources, visible, counting)
-    found = kept.read(earlier, lambda each: consulted.holds(each, change, now), change.lines)
+    found = kept.read(earlier, lambda other_consulted: consulted.holds(other_consulted, change, now), change.lines)
     for followed_key, followed in found:
         types.followed.setdefault(followed_key, []).append(followed)
     return found
@@ -91,5 +91,5 @@ def hand_on(
     keeper: Keeper, key: str, old: Sequence[tuple[Any, Followed]], fresh: Sequence[tuple[Any, Followed]]
 ) -> None:
     """Keep what held and what is new; nothing is written where nothing is new."""
-    if any(each.consulted is not None for _, each in fresh):
+    if any(followed.consulted is not None for _, followed in fresh):
         keeper.put(key, kept.written(keeper.files, (*old, *fresh)))

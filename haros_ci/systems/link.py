@@ -49,7 +49,7 @@ from haros_ci.systems.ros2_library import Seen
 from haros_ci.systems.simulation import ros1 as ros1_simulation
 from haros_ci.systems.simulation import ros2 as ros2_simulation
 from haros_ci.systems.simulation.simulators import Completes
-from haros_ci.systems.simulation.trees import Trees
+from haros_ci.systems.simulation.trees import DescriptionTrees
 from haros_ci.systems.system import Job
 from haros_ci.timing import timed
 
@@ -67,7 +67,7 @@ def in_turn(jobs: Sequence[Callable[[], Any]], groups: Sequence[Hashable]) -> Se
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Wanted:
+class Requested:
     """A configuration that a project file or the command line names. *launch* are root-relative paths."""
 
     name: str
@@ -132,15 +132,15 @@ def open_(
     workspace: Workspace,
     load: Callable[[str], LaunchFile | None],
     ros2: Ros2Launch | None,
-    wanted: Wanted,
+    expected: Requested,
     environment: Mapping[str, str],
-    trees: Trees,
+    trees: DescriptionTrees,
     alternatives: bool = False,
 ) -> Opened:
     """Evaluate the launch files of a configuration, each in its own dialect; perhaps with what other arguments start."""
     describe = ros2.loader(environment) if ros2 is not None else None
-    newer = tuple(path for path in wanted.launch if describe is not None and describe(path) is not None)
-    older = tuple(path for path in wanted.launch if path not in newer)
+    newer = tuple(path for path in expected.launch if describe is not None and describe(path) is not None)
+    older = tuple(path for path in expected.launch if path not in newer)
     jobs: list[Job] = []
     parameters: tuple[Parameter, ...] = ()
     other_parameters: tuple[Parameter, ...] = ()
@@ -151,10 +151,10 @@ def open_(
     completes: list[Completes] = []
     if older or not newer:
         memo = ros2.memo if ros2 is not None else None
-        launched = evaluate(older, workspace, load, wanted.arguments, environment, alternatives, memo)
+        launched = evaluate(older, workspace, load, expected.arguments, environment, alternatives, memo)
         server = ParameterServer(launched.parameters)
         robots = ros1_simulation.simulation(types, launched, server, trees, environment)
-        jobs += [*(system.launched(types, each, server) for each in launched.nodes if not each.is_test), *robots.jobs()]
+        jobs += [*(system.launched(types, node, server) for node in launched.nodes if not node.is_test), *robots.jobs()]
         others += present.launched(types, launched)
         parameters, other_parameters = launched.parameters, launched.alternative_parameters
         arguments += launched.arguments
@@ -163,14 +163,18 @@ def open_(
         completes.append(robots.complete)
     if newer and ros2 is not None and describe is not None:
         found = launch_system(
-            newer, workspace, describe, wanted.arguments, environment, ros2.places, ros2.memo, alternatives
+            newer, workspace, describe, expected.arguments, environment, ros2.places, ros2.memo, alternatives
         )
         rules_of = partial(parameter_file, ros2.places)
         simulated = ros2_simulation.simulation(found, trees, environment, types.known)
         managers = simulated.managers(rules_of) if simulated is not None else ()
         nodes = controllers.with_controllers(found.nodes, rules_of, managers)
-        containers = {clean(f"{each.namespace or '/'}/{each.name}"): each for each in (*managers, *nodes) if each.name}
-        jobs += [ros2_system.launched(types, each, containers) for each in nodes]
+        containers = {
+            clean(f"{manager.namespace or '/'}/{manager.name}"): manager
+            for manager in (*managers, *nodes)
+            if manager.name
+        }
+        jobs += [ros2_system.launched(types, node, containers) for node in nodes]
         others += present.ros2_launched(types, found, rules_of, managers)
         completes += [simulated.complete] if simulated is not None else []
         arguments += found.arguments
@@ -187,7 +191,7 @@ def linked(
     builds: Mapping[str, Build],
     rows: Mapping[tuple[str, int], Iterable[Row]],
     *,
-    wanted: tuple[Wanted, ...] | None = None,
+    requested: tuple[Requested, ...] | None = None,
     environment: Mapping[str, str] | None = None,
     defaults: Environment = NOTHING,
     known: KnownNodes | None = None,
@@ -210,31 +214,31 @@ def linked(
     types = types_of(workspace, sources, builds, rows, known or (lambda package, name, ros: None), exact, load)
     problems: dict[Problem, None] = {}
     configurations: list[Configuration] = []
-    if wanted is None:
+    if requested is None:
         paths = (
             *entry_files(workspace, load, defaults.over(environment)),
             *(ros2.entries(workspace, defaults.over(environment)) if ros2 is not None else ()),
         )
-        chosen = tuple(Wanted(name=path_name(workspace, path), launch=(path,)) for path in sorted(paths))
+        chosen = tuple(Requested(name=path_name(workspace, path), launch=(path,)) for path in sorted(paths))
     else:
-        chosen = wanted
+        chosen = requested
     jobs: list[Job] = []
     others: list[Job] = []
     started: set[tuple[str, str]] = set()
-    opened: list[tuple[Wanted, Opened]] = []
-    trees = Trees(workspace, builds)
+    opened: list[tuple[Requested, Opened]] = []
+    trees = DescriptionTrees(workspace, builds)
     for item in chosen:
-        each = open_(
+        other_opened = open_(
             types, workspace, load, ros2, item, defaults.over(item.environment, environment), trees, alternatives
         )
-        problems.update(dict.fromkeys(each.problems))
-        started.update((job.node.package, job.node.type) for job in each.jobs)
-        opened.append((item, each))
-        jobs += each.jobs
-        others += each.others
-    if wanted is None:
+        problems.update(dict.fromkeys(other_opened.problems))
+        started.update((job.node.package, job.node.type) for job in other_opened.jobs)
+        opened.append((item, other_opened))
+        jobs += other_opened.jobs
+        others += other_opened.others
+    if requested is None:
         linked_to = started & types.startable.keys() - types.executables.keys()
-        behind_links = {types.startable[each][1] for each in linked_to}
+        behind_links = {types.startable[pair][1] for pair in linked_to}
         for package, name in sorted(types.executables):
             if (package, name) not in started and types.executables[package, name][1] not in behind_links:
                 jobs.append(system.alone(types, package, name))
@@ -252,23 +256,27 @@ def linked(
     done = dict(zip(order, share(work, [every[number].group for number in order]), strict=True))
     _count(types, done.values())
     made = ros2_library.seen_in(node for number in range(len(jobs)) for node in done[number][0][0])
-    more = list(_more(types, made)) if wanted is None else []
+    more = list(_more(types, made)) if requested is None else []
     brought = share([partial(_worked, types, job) for job in more], [job.group for job in more])
     _count(types, brought)
     if keeper is not None:
-        keeping.hand_on(keeper, key, old, [each for _, fresh, _ in (*done.values(), *brought) for each in fresh])
+        keeping.hand_on(keeper, key, old, [item for _, fresh, _ in (*done.values(), *brought) for item in fresh])
     present.remember(types, (fresh for _, fresh, _ in (*done.values(), *brought)))
     results = (done[number][0] for number in range(len(jobs)))
     other_results = (done[number][0] for number in range(len(jobs), len(every)))
     completion = Completion(workspace, builds, types)
-    for item, each in opened:
-        followed = list(islice(results, len(each.jobs)))
-        problems.update(dict.fromkeys(problem for _, said in followed for problem in said))
+    for item, other_opened in opened:
+        followed = list(islice(results, len(other_opened.jobs)))
+        problems.update(dict.fromkeys(problem for _, report in followed for problem in report))
         configurations.append(
-            _configuration(completion, item, each, followed, list(islice(other_results, len(each.others))))
+            _configuration(
+                completion, item, other_opened, followed, list(islice(other_results, len(other_opened.others)))
+            )
         )
-    alone = zip(results, jobs[sum(len(each.jobs) for _, each in opened) :], strict=True)
-    configurations += unstarted.configurations(alone, problems, {each.name for each in configurations})
+    alone = zip(results, jobs[sum(len(opened.jobs) for _, opened in opened) :], strict=True)
+    configurations += unstarted.configurations(
+        alone, problems, {configuration.name for configuration in configurations}
+    )
     for ((nodes, _), *_), job in zip(brought, more, strict=True):
         if nodes[0].kind != system.PROGRAM and ros2_library.tells(nodes, made):
             own = f"{nodes[0].package}/{nodes[0].type.removeprefix(f'{nodes[0].package}/')}"
@@ -281,8 +289,8 @@ def linked(
         if name not in items:
             return None
         item = replace(items[name], arguments={**items[name].arguments, **assignment})
-        each = open_(types, workspace, load, ros2, item, defaults.over(item.environment, environment), trees)
-        return _configuration(completion, item, each, [job.follow() for job in each.jobs], ())
+        opened = open_(types, workspace, load, ros2, item, defaults.over(item.environment, environment), trees)
+        return _configuration(completion, item, opened, [job.follow() for job in opened.jobs], ())
 
     found = Architecture(
         configurations=tuple(configurations),
@@ -293,29 +301,29 @@ def linked(
 
 
 def _configuration(
-    completion: Completion, item: Wanted, each: Opened, followed: Sequence[Result], others: Sequence[Result]
+    completion: Completion, item: Requested, opened: Opened, followed: Sequence[Result], others: Sequence[Result]
 ) -> Configuration:
     """The configuration *item* of what its jobs have given."""
-    done = (*zip(each.jobs, followed, strict=True), *zip(each.others, others, strict=True))
+    done = (*zip(opened.jobs, followed, strict=True), *zip(opened.others, others, strict=True))
     files = dict.fromkeys(fact for job, (nodes, _) in done for fact in completion.given(job, nodes))
     nodes = tuple(node for nodes, _ in followed for node in nodes)
-    for complete in each.completes:
+    for complete in opened.completes:
         nodes = complete(nodes)
     return Configuration(
         name=item.name,
         launch=tuple(path_name(completion.workspace, path) for path in item.launch),
         nodes=nodes,
-        parameters=(*each.parameters, *_given(each.jobs, followed)),
-        arguments=tuple((name, str(value)) for name, value in each.arguments),
+        parameters=(*opened.parameters, *_environment(opened.jobs, followed)),
+        arguments=tuple((name, str(value)) for name, value in opened.arguments),
         user_data=item.user_data,
         closed=item.closed,
-        launch_facts=(*completion.completed(each.facts), *files),
+        launch_facts=(*completion.completed(opened.facts), *files),
         alternatives=tuple(node for nodes, _ in others for node in nodes),
-        alternative_parameters=(*each.other_parameters, *_given(each.others, others)),
+        alternative_parameters=(*opened.other_parameters, *_environment(opened.others, others)),
     )
 
 
-def _given(jobs: Sequence[Job], results: Sequence[Result]) -> tuple[Parameter, ...]:
+def _environment(jobs: Sequence[Job], results: Sequence[Result]) -> tuple[Parameter, ...]:
     return ros2_system.given_parameters(
         (node, job.parameters)
         for job, (nodes, _) in zip(jobs, results, strict=True)
@@ -340,6 +348,6 @@ def _count(types: Types, done: Iterable[Worked]) -> None:
 
 def _more(types: Types, made: Seen) -> Iterator[Job]:
     """Classes for the nodes of others, and plug-ins that others load, which make what none of the workspace's nodes has *made*."""
-    for each in (*ros2_library_classes.libraries(types, made), *ros2_library_modules.libraries(types, made)):
-        yield ros2_library.job(types, each)
+    for library in (*ros2_library_classes.libraries(types, made), *ros2_library_modules.libraries(types, made)):
+        yield ros2_library.job(types, library)
     yield from loaded_elsewhere.jobs(types, made)

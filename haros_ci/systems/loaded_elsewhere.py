@@ -13,12 +13,12 @@ from functools import partial
 
 from haros_ci import syntax
 from haros_ci.follow import activation, callbacks, construct, methods
-from haros_ci.follow.call_arguments import Argument
+from haros_ci.follow.call_arguments import PassedArgument
 from haros_ci.follow.follow import Entry
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries.given_away import BEGINNING
 from haros_ci.follow.ros.ends import endpoints
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.graph.parameters import ParameterServer, Perhaps
 from haros_ci.graph.ros2_process import GIVEN, Parameters, RosNode
 from haros_ci.index.index import Source, is_test
@@ -81,7 +81,7 @@ def jobs(types: Types, seen: Seen) -> Iterator[Job]:
         if id(plugin.definition) not in known and not is_test(plugin.source.path) and _is_new(types, seen, plugin):
             known.add(id(plugin.definition))
             found[described.package, described.name] = plugin
-    for (package, _), plugin in sorted(found.items(), key=lambda each: each[0])[:MOST]:
+    for (package, _), plugin in sorted(found.items(), key=lambda item: item[0])[:MOST]:
         yield _ros2(types, plugin) if types.versions.get(package) == 2 else _ros1(types, plugin)
 
 
@@ -110,7 +110,9 @@ def _is_new(types: Types, seen: Seen, plugin: Plugin) -> bool:
     makes = False
     for where, function in _methods(index.functions, plugin):
         lines = sorted(
-            each.line for each in where.program.functions if each.line > function.line and each.kind != "lambda"
+            other_function.line
+            for other_function in where.program.functions
+            if other_function.line > function.line and other_function.kind != "lambda"
         )
         if seen.between(where.path, function.line, lines[0] if lines else float("inf")):
             return False
@@ -121,7 +123,9 @@ def _is_new(types: Types, seen: Seen, plugin: Plugin) -> bool:
 def _methods(functions: dict[str, list[tuple[Source, Function]]], plugin: Plugin) -> Iterator[tuple[Source, Function]]:
     """The methods of a class that have a body."""
     separator, name = plugin.source.separator, plugin.definition.name
-    short = {each.name for path in (plugin.source,) for each in path.program.functions if each.owner == name}
+    short = {
+        function.name for path in (plugin.source,) for function in path.program.functions if function.owner == name
+    }
     for full in sorted(short):
         if full.startswith(f"{name}{separator}"):
             for where, function in functions.get(full, ()):
@@ -132,10 +136,10 @@ def _methods(functions: dict[str, list[tuple[Source, Function]]], plugin: Plugin
 def _ros1(types: Types, plugin: Plugin) -> Job:
     node, entry, place = _parts(plugin, 1)
     server = ParameterServer(())
-    given = Perhaps("whoever loads it may set it")
+    provided = Perhaps("whoever loads it may set it")
 
     def parameter(full: str) -> Value | None:
-        return given if "?" in full else server.get(full)
+        return provided if "?" in full else server.get(full)
 
     def follow() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
         followed = run_node(types, entry, plugin.files, Instance("/?", "/", None, {}, "/?"), parameter)
@@ -177,59 +181,61 @@ def _parts(plugin: Plugin, ros: int) -> tuple[Node, Entry, Location]:
     return replace(node, class_name=kind, ros=ros), entry, place
 
 
-def _begin(plugin: Plugin, ros: int, run: Run, frame: Frame) -> None:
+def _begin(plugin: Plugin, ros: int, run: Walk, frame: Frame) -> None:
     """Construct the class, initialise it, and let the rest be called later."""
     source, definition = plugin.source, plugin.definition
     location = Location(source.path, definition.line)
     this = Object(definition.name, (), (source, definition), location=location)
     outside = next(iter(methods.library_bases(run, source, definition)), None)
     if outside is not None and outside != "object":
-        said = f"the base class {outside} is not in the workspace: what it makes and calls is not known"
-        run.gaps.setdefault(said, location)
-    given = _node(run, source, location) if ros == 2 else None
+        message = f"the base class {outside} is not in the workspace: what it makes and calls is not known"
+        run.gaps.setdefault(message, location)
+    provided = _node(run, source, location) if ros == 2 else None
     if source.separator == ".":
-        context = Object("(context)", fields={"node": Cell(given)}) if given is not None else Opaque(OWN, location)
-        construct.python_construct(run, frame, this, (Argument(context),), location)
+        context = (
+            Object("(context)", fields={"node": Cell(provided)}) if provided is not None else Opaque(OWN, location)
+        )
+        construct.python_construct(run, frame, this, (PassedArgument(context),), location)
         return
-    for name in MEMBERS if given is not None else ():
-        this.fields[name] = Cell(given)
+    for name in MEMBERS if provided is not None else ():
+        this.fields[name] = Cell(provided)
     construct.initialise(run, frame, this, (source, definition), {}, (), location)
     callbacks.framework_entries(run, this)
-    if given is not None:
-        _give(run, this, given)
-    _call(run, frame, plugin, this, given)
+    if provided is not None:
+        _give(run, this, provided)
+    _call(run, frame, plugin, this, provided)
 
 
-def _give(run: Run, this: Object, given: Object) -> None:
+def _give(run: Walk, this: Object, provided: Object) -> None:
     """The node for the members of base classes in the workspace, which others set."""
     for name in MEMBERS:
         cell = this.fields.get(name)
         if cell is not None and cell.type is not None and _class(pointee(cell.type)) in NODES:
-            run.state.write(cell, given)
+            run.state.write(cell, provided)
 
 
-def _call(run: Run, frame: Frame, plugin: Plugin, this: Object, given: Object | None) -> None:
+def _call(run: Walk, frame: Frame, plugin: Plugin, this: Object, provided: Object | None) -> None:
     """Initialise the plug-in, and let its other methods be called back."""
     location = Location(plugin.source.path, plugin.definition.line)
-    for name in sorted(_overridden(run, plugin), key=lambda each: each not in BEGINNING):
+    for name in sorted(_overridden(run, plugin), key=lambda item: item not in BEGINNING):
         found = methods.method_of(run, this, name)
         if found is None or not run.relevance.makes(found.function, found.source):
             continue
-        arguments = _arguments(run, found.function, found.source, given, location)
+        arguments = _arguments(run, found.function, found.source, provided, location)
         if name in BEGINNING:
             activation.invoke(run, frame, found, arguments)
         else:
-            callbacks.register(run, replace(found, bound=(*found.bound, *(each.value for each in arguments))))
+            callbacks.register(run, replace(found, bound=(*found.bound, *(argument.value for argument in arguments))))
 
 
-def _node(run: Run, source: Source, location: Location) -> Object:
+def _node(run: Walk, source: Source, location: Location) -> Object:
     """The node of whoever loads the plug-in."""
     node = RosNode("/?", "/", "/", GIVEN, "", location, why=(HOST, location))
     run.nodes.append(node)
     return Object(NODE if source.separator == "::" else "rclpy.node.Node", node=node)
 
 
-def _overridden(run: Run, plugin: Plugin) -> list[str]:
+def _overridden(run: Walk, plugin: Plugin) -> list[str]:
     """The last parts of the names of methods that are called from outside: the virtual ones, and those that no method of the class calls."""
     own = list(_methods(run.index.functions, plugin))
     called = {name.lstrip(".") for where, function in own for name in run.relevance.calls_of(function, where)}
@@ -244,22 +250,24 @@ def _overridden(run: Run, plugin: Plugin) -> list[str]:
 
 
 def _arguments(
-    run: Run, function: Function, source: Source, given: Object | None, location: Location
-) -> tuple[Argument, ...]:
+    run: Walk, function: Function, source: Source, provided: Object | None, location: Location
+) -> tuple[PassedArgument, ...]:
     """The node for the parameters that take one; what else is given is not known."""
     inner = Frame(source, function.owner, function)
     found = []
-    for each in function.parameters:
-        kind = pointee(run.type_in(each.type, inner))
+    for parameter in function.parameters:
+        kind = pointee(run.type_in(parameter.type, inner))
         name = _class(kind)
         if name == HANDLE:
             space = Text(("/", Opaque(OWN, location)))
-            found.append(Argument(Object(HANDLE, namespace=space), None, syntax.Type(HANDLE), each.name))
-        elif name in NODES and given is not None:
-            found.append(Argument(given, None, syntax.Type(NODE), each.name))
+            found.append(PassedArgument(Object(HANDLE, namespace=space), None, syntax.Type(HANDLE), parameter.name))
+        elif name in NODES and provided is not None:
+            found.append(PassedArgument(provided, None, syntax.Type(NODE), parameter.name))
         else:
             found.append(
-                Argument(run.opaque("what a plug-in is given", inner, function.line, kind), None, kind, each.name)
+                PassedArgument(
+                    run.opaque("what a plug-in is given", inner, function.line, kind), None, kind, parameter.name
+                )
             )
     return tuple(found)
 

@@ -14,7 +14,7 @@ from haros_ci.index.behavior_tree_files import TreeFiles
 from haros_ci.index.build import build_index
 from haros_ci.index.index import BEHAVIOR_TREE_NODE, Source
 from haros_ci.index.relevance import Relevance
-from haros_ci.index.xml_files import Reader
+from haros_ci.index.xml_files import XmlFileReader
 from haros_ci.model.api import Row
 from haros_ci.model.build import Build
 from haros_ci.model.launch import LaunchFile
@@ -40,7 +40,7 @@ def types_of(
     by_path = {source.path: source for source in sorted(sources, key=lambda s: s.path)}
     cpp = build_index(s for s in by_path.values() if s.program.language != "python")
     python = build_index(s for s in by_path.values() if s.program.language == "python")
-    python.interfaces = frozenset(each.name for build in builds.values() for each in build.interfaces)
+    python.interfaces = frozenset(interface.name for build in builds.values() for interface in build.interfaces)
     cpp.defined = {build.package: build.defined for build in builds.values() if build.defined}
     python.packages = frozenset(package.name for package in workspace.packages)
     programs = Programs(cpp, python, by_path, builds)
@@ -64,7 +64,7 @@ def types_of(
         for version, table in tables.items()
     }
     files = files_of(workspace)
-    reader, xml = yaml_reader(files), Reader(load, files)
+    reader, xml = yaml_reader(files), XmlFileReader(load, files)
     tree_libraries = behavior_tree_files.library_files(cpp, builds)
     versions = {package.name: package.ros for package in workspace.packages}
     ordinary = of_version(executables(programs), versions, 1)

@@ -24,7 +24,7 @@ from haros_ci.systems.ros2_implicit import implicit
 from haros_ci.values.abstract import Known, Value, data_of, opaque_of
 
 if TYPE_CHECKING:
-    from haros_ci.graph.ros2_process import Parameters, Rule
+    from haros_ci.graph.ros2_process import Parameters, RemappingRule
     from haros_ci.model.launch import LaunchedNode
     from haros_ci.systems.following import Types
 
@@ -67,8 +67,8 @@ def as_data(value: Value | None) -> object | None:
         return data
     reason = opaque_of(value)
     field = "presence" if isinstance(value, Perhaps) else "value"
-    said = reason.reason if reason else "it is not plain data"
-    return Unknown(field, said, reason.location if reason else None)
+    message = reason.reason if reason else "it is not plain data"
+    return Unknown(field, message, reason.location if reason else None)
 
 
 def look_up(node: Node) -> str:
@@ -87,8 +87,8 @@ def why(programs: Programs, package: str, name: str, nodelet: str | None) -> str
             return f"the code of {name} is not in the workspace"
         return f"{name} is in the workspace, but what calls it is not: it is not followed"
     if nodelet is not None:
-        described_ones = (each for made in programs.builds.values() for each in made.plugins)
-        types = [each.type.strip() for each in described_ones if each.name == nodelet]
+        described_ones = (plugin for made in programs.builds.values() for plugin in made.plugins)
+        types = [plugin.type.strip() for plugin in described_ones if plugin.name == nodelet]
         if types:
             return f"the class {types[0]} of the nodelet {what} was not found in the workspace"
         if build is None:
@@ -103,13 +103,15 @@ def why(programs: Programs, package: str, name: str, nodelet: str | None) -> str
     return f"package {package} is in the workspace, but no C++ or Python program called {name} was found in it"
 
 
-def ros2_described(node: Node, types: Types, started: LaunchedNode, rules: tuple[Rule, ...], given: Parameters) -> Node:
+def ros2_described(
+    node: Node, types: Types, started: LaunchedNode, rules: tuple[RemappingRule, ...], provided: Parameters
+) -> Node:
     """A ROS 2 *node* whose code is not in the workspace: with what is known of its type, if anything is."""
     known = types.known(node.package, node.type, 2)
     if known is None:
         reason = why(types.programs, node.package, node.type, None)
         unknowns = [*node.unknowns, Unknown("endpoints", reason, node.location)]
-        if "?" in node.name and not any(each.field == "name" for each in unknowns):
+        if "?" in node.name and not any(unknown.field == "name" for unknown in unknowns):
             unknowns.append(Unknown("name", UNNAMED, node.location))
         return replace(node, unknowns=tuple(unknowns))
     last = started.name or known.node_name or "?"
@@ -120,12 +122,12 @@ def ros2_described(node: Node, types: Types, started: LaunchedNode, rules: tuple
 
     def data(name: str) -> object | None:
         own, _, inner = name.partition(":")
-        return as_data(given.get(own, inner, under=node.conditions))
+        return as_data(provided.get(own, inner, under=node.conditions))
 
     def below(prefix: str) -> tuple[str, ...] | Unknown:
-        if given.unread is not None:
-            return Unknown("presence", reason_of(given.unread), given.unread.location)
-        return tuple(name for name in given.of(full) if name.startswith(prefix))
+        if provided.unread is not None:
+            return Unknown("presence", reason_of(provided.unread), provided.unread.location)
+        return tuple(name for name in provided.of(full) if name.startswith(prefix))
 
     def file(path: str) -> object | None:
         value = types.read_yaml(path)
@@ -143,14 +145,14 @@ def ros2_described(node: Node, types: Types, started: LaunchedNode, rules: tuple
         below=below,
         file=file,
     )
-    sim = given.get(full, "use_sim_time")
+    sim = provided.get(full, "use_sim_time")
     # A controller has no services for its life cycle: controller_interface_base.cpp.
     options = {MANAGED: False} if known.plugin else {}
     added = implicit(full, kind, options, sim.value if isinstance(sim, Known) else None, node.location, ())
     there = {(end.kind, end.name) for end in ends}
     extra = tuple(replace(end, source="known-node") for end in added if (end.kind, end.name) not in there)
     unknowns = list(node.unknowns)
-    if "?" in full and not any(each.field == "name" for each in unknowns):
+    if "?" in full and not any(unknown.field == "name" for unknown in unknowns):
         unknowns.append(Unknown("name", UNNAMED, node.location))
     return replace(
         node, name=full, kind=kind, process=node.container or full, endpoints=(*ends, *extra), unknowns=tuple(unknowns)

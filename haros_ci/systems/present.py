@@ -23,20 +23,24 @@ from haros_ci.systems.system import Job
 def launched(types: Types, found: Launched) -> Iterator[Job]:
     """The alternatives of a ROS 1 launch file, each with the parameters that are set where it is there."""
     servers: dict[Presence, ParameterServer] = {}
-    for each in found.alternatives:
-        if each.is_test:
+    for alternative in found.alternatives:
+        if alternative.is_test:
             continue
-        if each.presence not in servers:
-            servers[each.presence] = ParameterServer(_parameters(found, each.presence))
-        yield system.launched(types, each, servers[each.presence])
+        if alternative.presence not in servers:
+            servers[alternative.presence] = ParameterServer(_parameters(found, alternative.presence))
+        yield system.launched(types, alternative, servers[alternative.presence])
 
 
 def _parameters(found: Launched, presence: Presence) -> Iterable[Parameter]:
     """What is set with the launch arguments that *presence* asks for: others override what is set without them."""
-    added = {each.name: each for each in found.alternative_parameters if together(presence, each.presence) == presence}
-    for each in found.parameters:
-        if each.name not in added and together(presence, each.presence) is not None:
-            yield replace(each, presence=()) if each.presence else each
+    added = {
+        parameter.name: parameter
+        for parameter in found.alternative_parameters
+        if together(presence, parameter.presence) == presence
+    }
+    for parameter in found.parameters:
+        if parameter.name not in added and together(presence, parameter.presence) is not None:
+            yield replace(parameter, presence=()) if parameter.presence else parameter
     yield from added.values()
 
 
@@ -54,20 +58,22 @@ def ros2_launched(
         return
     count = len(with_controllers(found.nodes, rules_of, managers))
     by_name: dict[str, list[LaunchedNode]] = {}
-    for each in (*found.alternatives, *found.nodes):
-        if each.name is not None:
-            by_name.setdefault(clean(f"{each.namespace or '/'}/{each.name}"), []).append(each)
+    for alternative in (*found.alternatives, *found.nodes):
+        if alternative.name is not None:
+            by_name.setdefault(clean(f"{alternative.namespace or '/'}/{alternative.name}"), []).append(alternative)
     for node in with_controllers((*found.nodes, *found.alternatives), rules_of, managers)[count:]:
         fitting = [
-            each for each in by_name.get(node.container or "", ()) if together(node.presence, each.presence) is not None
+            other_node
+            for other_node in by_name.get(node.container or "", ())
+            if together(node.presence, other_node.presence) is not None
         ]
         yield ros2_system.launched(types, node, {node.container or "": fitting[0]} if fitting else {})
 
 
 def remember(types: Types, fresh: Iterable[Sequence[tuple[Any, Followed]]]) -> None:
     """What other processes have followed, where nodes are looked up in this one."""
-    for each in fresh:
-        for key, followed in each:
+    for item in fresh:
+        for key, followed in item:
             kept = types.followed.setdefault(key, [])
             if not any(followed is other for other in kept):
                 kept.append(followed)

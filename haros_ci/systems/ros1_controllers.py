@@ -13,11 +13,11 @@ from functools import partial
 
 from haros_ci import syntax
 from haros_ci.follow import activation, callbacks, construct, methods
-from haros_ci.follow.call_arguments import Argument
+from haros_ci.follow.call_arguments import PassedArgument
 from haros_ci.follow.follow import Entry
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros.ends import endpoints
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.graph.parameters import ParameterServer, Perhaps
 from haros_ci.index.index import Source
 from haros_ci.model.architecture import Node, Unknown
@@ -62,7 +62,7 @@ def jobs(types: Types) -> Iterator[Job]:
             begin = partial(_begin, source, definition, base)
             entry = Entry(source, definition=definition, begin=begin, label="(ros_control)")
             found[plugin.package, plugin.name] = entry, plugin.type.strip(), files
-    for (package, name), (entry, kind, files) in sorted(found.items(), key=lambda each: each[0]):
+    for (package, name), (entry, kind, files) in sorted(found.items(), key=lambda item: item[0]):
         yield _job(types, entry, files, package, name, kind)
 
 
@@ -94,16 +94,21 @@ def _job(types: Types, entry: Entry, files: frozenset[str], package: str, name: 
     return Job(node, id(entry), follow, size_of(types, files), label=PLUGINS, is_loaded=True)
 
 
-def _begin(source: Source, definition: Class, base: str, run: Run, frame: Frame) -> None:
+def _begin(source: Source, definition: Class, base: str, run: Walk, frame: Frame) -> None:
     """Construct the class, hand it its node handles, and let the rest be called later."""
     location = Location(source.path, definition.line)
     this = Object(definition.name, (), (source, definition), location=location)
     outside = next(
-        (each for each in methods.library_bases(run, source, definition) if not each.startswith(PLAIN)), None
+        (
+            library_base
+            for library_base in methods.library_bases(run, source, definition)
+            if not library_base.startswith(PLAIN)
+        ),
+        None,
     )
     if outside is not None:
-        said = f"the base class {outside} is not in the workspace: what it makes and calls is not known"
-        run.gaps.setdefault(said, location)
+        message = f"the base class {outside} is not in the workspace: what it makes and calls is not known"
+        run.gaps.setdefault(message, location)
     construct.initialise(run, frame, this, (source, definition), {}, (), location)
     for name in FIRST:
         for where, function in _overloads(run, this, name):
@@ -115,7 +120,7 @@ def _begin(source: Source, definition: Class, base: str, run: Run, frame: Frame)
             callbacks.register(run, found)
 
 
-def _overloads(run: Run, this: Object, name: str) -> list[tuple[Source, Function]]:
+def _overloads(run: Walk, this: Object, name: str) -> list[tuple[Source, Function]]:
     """The methods of that name that take node handles, those with fewer of them first, as they are called."""
     first = methods.method_of(run, this, name)
     if first is None:
@@ -128,22 +133,26 @@ def _overloads(run: Run, this: Object, name: str) -> list[tuple[Source, Function
     return [kinds[count] for count in sorted(kinds)]
 
 
-def _handles(run: Run, function: Function, source: Source) -> list[int]:
+def _handles(run: Walk, function: Function, source: Source) -> list[int]:
     """The numbers of the parameters that are node handles."""
     inner = Frame(source, function.owner, function)
-    return [number for number, each in enumerate(function.parameters) if run.type_in(each.type, inner).name == HANDLE]
+    return [
+        number
+        for number, parameter in enumerate(function.parameters)
+        if run.type_in(parameter.type, inner).name == HANDLE
+    ]
 
 
-def _arguments(run: Run, function: Function, source: Source, location: Location) -> tuple[Argument, ...]:
+def _arguments(run: Walk, function: Function, source: Source, location: Location) -> tuple[PassedArgument, ...]:
     """The last node handle is below the plug-in's own name, one before it the manager's; what else is given is not known."""
     handles = _handles(run, function, source)
     inner = Frame(source, function.owner, function)
     found = []
-    for number, each in enumerate(function.parameters):
-        kind = run.type_in(each.type, inner)
+    for number, parameter in enumerate(function.parameters):
+        kind = run.type_in(parameter.type, inner)
         if number in handles:
             space: Value = Text(("/", Opaque(OWN, location))) if number == handles[-1] else Known("/")
-            found.append(Argument(Object(HANDLE, namespace=space), None, syntax.Type(HANDLE)))
+            found.append(PassedArgument(Object(HANDLE, namespace=space), None, syntax.Type(HANDLE)))
         else:
-            found.append(Argument(run.opaque("what a plug-in is given", inner, function.line, kind), None, kind))
+            found.append(PassedArgument(run.opaque("what a plug-in is given", inner, function.line, kind), None, kind))
     return tuple(found)

@@ -14,12 +14,12 @@ from functools import partial
 
 from haros_ci import syntax
 from haros_ci.follow import activation, callbacks, construct, methods
-from haros_ci.follow.call_arguments import Argument
+from haros_ci.follow.call_arguments import PassedArgument
 from haros_ci.follow.follow import Entry
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.ros import api_rows, ros2_nodes
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.graph.ros2_process import Parameters
 from haros_ci.index.index import Source
 from haros_ci.model.architecture import Node
@@ -39,7 +39,7 @@ CONTROLLERS = frozenset(
     ("controller_interface::ControllerInterface", "controller_interface::ChainableControllerInterface")
 )
 CONTROLLER = "controller_interface::ControllerInterfaceBase"
-COMPONENTS = frozenset(f"hardware_interface::{each}Interface" for each in ("System", "Actuator", "Sensor"))
+COMPONENTS = frozenset(f"hardware_interface::{item}Interface" for item in ("System", "Actuator", "Sensor"))
 HARDWARE = "hardware_interface::HardwareComponentInterface"
 #: The field that holds the node there, and what stands for the declarations that come before ``on_init``.
 NODE, DECLARED = "ros2_control_node", f"{CONTROLLER}::declared_before_on_init"
@@ -100,39 +100,39 @@ def _base(plugin: PluginClass) -> str:
 def jobs(types: Types, launched: Iterable[Job]) -> Iterator[Job]:
     """The classes that none of the *launched* is, each by itself."""
     running = {id(types.controllers[job.node.type].entry) for job in launched if job.is_loaded}
-    for _, each in sorted(types.controllers.items()):
-        if id(each.entry) not in running:
-            running.add(id(each.entry))
-            yield _alone(types, each)
+    for _, controller in sorted(types.controllers.items()):
+        if id(controller.entry) not in running:
+            running.add(id(controller.entry))
+            yield _alone(types, controller)
 
 
-def _alone(types: Types, each: Controller) -> Job:
-    definition = each.entry.definition
+def _alone(types: Types, controller: Controller) -> Job:
+    definition = controller.entry.definition
     assert definition is not None
-    place = Location(each.entry.source.path, definition.line)
+    place = Location(controller.entry.source.path, definition.line)
     node = Node(
         name="/?",
         kind="node",
-        package=each.package,
-        type=each.name,
+        package=controller.package,
+        type=controller.name,
         location=place,
         process="/?",
-        class_name=each.type,
+        class_name=controller.type,
         ros=2,
     )
     started = Started((), Parameters(()), (), is_component=True)
 
     def follow() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
-        nodes, problems = ros2_system.nodes_of(types, each.entry, each.files, node, started, False)
-        if not each.is_controller:  # whose node most releases do not have
+        nodes, problems = ros2_system.nodes_of(types, controller.entry, controller.files, node, started, False)
+        if not controller.is_controller:  # whose node most releases do not have
             nodes = tuple(one for one in nodes if one.name != "/?" or any(not end.implicit for end in one.endpoints))
         return nodes or (replace(node, kind=PROGRAM),), problems
 
-    size = ros2_system.size_of(types, each.files)
-    return Job(node, id(each.entry), follow, size, label=ros2_system.PLUGINS, is_loaded=True)
+    size = ros2_system.size_of(types, controller.files)
+    return Job(node, id(controller.entry), follow, size, label=ros2_system.PLUGINS, is_loaded=True)
 
 
-def _begin(source: Source, definition: Class, base: str, run: Run, frame: Frame) -> None:
+def _begin(source: Source, definition: Class, base: str, run: Walk, frame: Frame) -> None:
     """Construct the class, give it its node, and call what the manager calls."""
     location = Location(source.path, definition.line)
     this = Object(definition.name, (), (source, definition), location=location)
@@ -143,7 +143,7 @@ def _begin(source: Source, definition: Class, base: str, run: Run, frame: Frame)
     construct.initialise(run, frame, this, (source, definition), {}, (), location)
     _give(run, this, node, base)
     if base in CONTROLLERS:
-        rate = Argument(Opaque(RATE, location, syntax.Type("int")))
+        rate = PassedArgument(Opaque(RATE, location, syntax.Type("int")))
         api_rows.call(run, frame, DECLARED, this, (rate,), (), location)
     begins = methods.method_of(run, this, "on_init") or methods.method_of(run, this, "init")
     if begins is not None:
@@ -154,11 +154,11 @@ def _begin(source: Source, definition: Class, base: str, run: Run, frame: Frame)
             callbacks.register(run, method, (), name in callbacks.TEARDOWN, name in callbacks.SETUP)
 
 
-def _node(run: Run, is_controller: bool, location: Location) -> Object:
+def _node(run: Walk, is_controller: bool, location: Location) -> Object:
     """The node of a controller or hardware component, under the name that it is loaded by."""
     options = ros2_nodes.options_for(run)
-    for each in ros2_nodes.MAY_DECLARE:
-        options.fields[each] = Cell(Opaque("whether it is set depends on the release", location))
+    for item in ros2_nodes.MAY_DECLARE:
+        options.fields[item] = Cell(Opaque("whether it is set depends on the release", location))
     node = Object("rclcpp_lifecycle::LifecycleNode" if is_controller else "rclcpp::Node", location=location)
     node.fields[ros2_nodes.GIVEN] = Cell(options)
     name = Opaque(CALLED if is_controller else COMPONENT, location)
@@ -167,19 +167,19 @@ def _node(run: Run, is_controller: bool, location: Location) -> Object:
     return node
 
 
-def _know_base(run: Run, this: Object, base: str, location: Location) -> None:
+def _know_base(run: Walk, this: Object, base: str, location: Location) -> None:
     """What the plug-in description says of a class that inherits from classes of other packages."""
     owners = library_objects.owners(run, this)
-    outside = next((each for each in owners if not each.startswith(PLAIN)), None)
+    outside = next((owner for owner in owners if not owner.startswith(PLAIN)), None)
     if outside is not None:
-        said = f"the base class {outside} is not in the workspace: what it makes and calls is not known"
-        run.gaps.setdefault(said, location)
+        message = f"the base class {outside} is not in the workspace: what it makes and calls is not known"
+        run.gaps.setdefault(message, location)
     framework = CONTROLLER if base in CONTROLLERS else HARDWARE
     if outside is not None and framework not in owners:
         owners.append(framework)
 
 
-def _give(run: Run, this: Object, node: Object, base: str) -> None:
+def _give(run: Walk, this: Object, node: Object, base: str) -> None:
     """The node for the members of the framework's own class, where that is in the workspace."""
     framework = CONTROLLER if base in CONTROLLERS else HARDWARE
     if framework not in run.index.classes:

@@ -86,7 +86,7 @@ def programs_of(programs: Programs, components: Mapping[tuple[str, str], Found])
     """All executables by package and name: with a ``main``, of a component, Python scripts and console scripts."""
     found = dict(executables(programs))
     for package, build in sorted(programs.builds.items()):
-        installed = {each.path for each in build.installed if each.kind == "program"}
+        installed = {installed.path for installed in build.installed if installed.kind == "program"}
         for path in {point.path for point in build.entry_points} - installed:  # a module, in spite of its shebang
             found.pop((package, posixpath.basename(path)), None)
         for target in build.targets:

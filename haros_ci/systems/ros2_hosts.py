@@ -16,7 +16,7 @@ from haros_ci.systems.system import Job
 def hosts(types: Types) -> Iterable[Job]:
     """The executables of packages with a pluginlib loader for plug-ins of the workspace, once more with all of these.
 
-    What a plug-in makes that no configuration loads is told there, and is not told of the node as it is started. Of several
+    What a plug-in that no configuration loads makes is modelled there, and not at the node as it is started. Of several
     executables the one that has the loaders of the others, too, stands for them; of those alike the one of most files,
     a component before a program.
     """
@@ -28,11 +28,13 @@ def hosts(types: Types) -> Iterable[Job]:
         if package not in packages or id(entry) in seen or entry.source.separator != "::":
             continue
         seen.add(id(entry))
-        reached = {each for path in (entry.source.path, *files) for each in (path, *types.programs.cpp.reach(path))}
+        reached = {item for path in (entry.source.path, *files) for item in (path, *types.programs.cpp.reach(path))}
         own = frozenset(base for path in reached & loading.keys() for base in loading[path])
         candidates.append((own, len(files), entry.definition is None, (package, name)))
     chosen: list[frozenset[str]] = []
-    for own, _, _, (package, name) in sorted(candidates, key=lambda each: (-len(each[0]), -each[1], *each[2:])):
+    for own, _, _, (package, name) in sorted(
+        candidates, key=lambda candidate: (-len(candidate[0]), -candidate[1], *candidate[2:])
+    ):
         if own and not any(own <= other for other in chosen):
             chosen.append(own)
             yield alone(types, package, name, label=PLUGINS)
@@ -59,8 +61,8 @@ def _loaders(types: Types) -> tuple[dict[str, set[str]], set[str | None]]:
     for found in types.programs.cpp.classes.values():
         for source, definition in found:
             for member in definition.fields:
-                wanted = f"::{_loaded_base(member.type)}"
-                base = next((each for each in types.of_base if f"::{each}".endswith(wanted)), None)
+                expected = f"::{_loaded_base(member.type)}"
+                base = next((item for item in types.of_base if f"::{item}".endswith(expected)), None)
                 if base is not None:
                     loading.setdefault(source.path, set()).add(base)
                     packages.add(source.package)

@@ -14,11 +14,11 @@ from functools import partial
 
 from haros_ci import syntax
 from haros_ci.follow import activation, callbacks, construct, methods
-from haros_ci.follow.call_arguments import Argument
+from haros_ci.follow.call_arguments import PassedArgument
 from haros_ci.follow.follow import Entry
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import ros2_nodes
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.graph.ros2_process import GIVEN, Parameters, RosNode
 from haros_ci.index.index import Source
 from haros_ci.index.types import pointee
@@ -97,85 +97,97 @@ def tells(nodes: Iterable[Node], seen: Seen) -> bool:
     )
 
 
-def job(types: Types, each: Library) -> Job:
+def job(types: Types, library: Library) -> Job:
     """The class by itself, in the node of whoever uses it."""
-    place = Location(each.source.path, each.definition.line)
-    name = f"{each.source.module}.{each.definition.name}" if each.source.module else each.definition.name
+    place = Location(library.source.path, library.definition.line)
+    name = f"{library.source.module}.{library.definition.name}" if library.source.module else library.definition.name
     node = Node(
-        name="/?", kind=LIBRARY, package=each.package, type=name, location=place, process="/?", class_name=name, ros=2
+        name="/?",
+        kind=LIBRARY,
+        package=library.package,
+        type=name,
+        location=place,
+        process="/?",
+        class_name=name,
+        ros=2,
     )
-    entry, started = _entry(each), Started((), Parameters(()), (), False)
+    entry, started = _entry(library), Started((), Parameters(()), (), False)
 
     def follow() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
-        nodes, problems = ros2_system.nodes_of(types, entry, each.files, node, started, False)
+        nodes, problems = ros2_system.nodes_of(types, entry, library.files, node, started, False)
         if nodes[0].kind == PROGRAM:
             return nodes, problems
         first, *others = nodes
-        if not each.nodes and (first.location == place or first.location is None or first.location.line is None):
+        if not library.nodes and (first.location == place or first.location is None or first.location.line is None):
             return (replace(node, kind=PROGRAM),), problems  # what it makes is on a node that it gets from elsewhere
-        own = tuple(end for end in first.endpoints if not (each.nodes and end.implicit and end.location == place))
-        more = (Unknown("endpoints", METHODS, place),) if each.may_make_more(seen_in(nodes)) else ()
+        own = tuple(end for end in first.endpoints if not (library.nodes and end.implicit and end.location == place))
+        more = (Unknown("endpoints", METHODS, place),) if library.may_make_more(seen_in(nodes)) else ()
         first = replace(first, endpoints=own, unknowns=(*first.unknowns, *more))
         return tuple(replace(one, kind=LIBRARY) for one in (first, *others)), problems
 
     sources = types.programs.sources
-    size = sum(len(sources[path].program.functions) for path in each.files if path in sources)
+    size = sum(len(sources[path].program.functions) for path in library.files if path in sources)
     return Job(node, (id(entry), name), follow, size, label=LIBRARY)
 
 
-def _entry(each: Library) -> Entry:
-    count = len(each.constructor.parameters) if each.constructor is not None else 0
-    numbers = ",".join(str(number) for number in sorted(each.nodes))
-    method = each.method.name if each.method is not None else ""
+def _entry(library: Library) -> Entry:
+    count = len(library.constructor.parameters) if library.constructor is not None else 0
+    numbers = ",".join(str(number) for number in sorted(library.nodes))
+    method = library.method.name if library.method is not None else ""
     label = f"(library) {count} {numbers} {method}"
-    return Entry(each.source, definition=each.definition, begin=partial(_begin, each), label=label)
+    return Entry(library.source, definition=library.definition, begin=partial(_begin, library), label=label)
 
 
-def _begin(each: Library, run: Run, frame: Frame) -> None:
+def _begin(library: Library, run: Walk, frame: Frame) -> None:
     """Construct the class with a node, where it takes one; of what else it is given only default arguments are known."""
-    source, definition = each.source, each.definition
+    source, definition = library.source, library.definition
     location = Location(source.path, definition.line)
-    given = None
-    if each.nodes:
-        given = RosNode("/?", "/", "/", GIVEN, "", location, why=(USER, location))
-        run.nodes.append(given)
-    found = methods.with_body(run, [(source, each.constructor)]) if each.constructor is not None else None
-    arguments = _arguments(run, each, found[1], given if each.method is None else None) if found is not None else ()
-    templates = _templates(each, found[1] if found is not None else None)
+    provided = None
+    if library.nodes:
+        provided = RosNode("/?", "/", "/", GIVEN, "", location, why=(USER, location))
+        run.nodes.append(provided)
+    found = methods.with_body(run, [(source, library.constructor)]) if library.constructor is not None else None
+    arguments = (
+        _arguments(run, library, found[1], provided if library.method is None else None) if found is not None else ()
+    )
+    templates = _templates(library, found[1] if found is not None else None)
     this = Object(definition.name, (), (source, definition), location=location, templates=templates)
     if source.separator == ".":
         construct.python_construct(run, frame, this, arguments, location)
     else:
         construct.initialise(run, frame, this, (source, definition), templates, arguments, location, chosen=found)
         callbacks.framework_entries(run, this)
-    if each.method is not None:
-        where, function = methods.with_body(run, [(source, each.method)])
-        activation.invoke(run, frame, Callable(where, function, this), _arguments(run, each, function, given))
+    if library.method is not None:
+        where, function = methods.with_body(run, [(source, library.method)])
+        activation.invoke(run, frame, Callable(where, function, this), _arguments(run, library, function, provided))
 
 
-def _templates(each: Library, constructor: Function | None) -> dict[str, syntax.Argument]:
+def _templates(library: Library, constructor: Function | None) -> dict[str, syntax.Argument]:
     """What template parameters stand for: the node's for a node, all others for nothing that is known."""
     own = constructor.templates if constructor is not None else ()
-    found: dict[str, syntax.Argument] = {name: syntax.Type(name) for name in (*each.definition.templates, *own)}
-    taking = each.method or constructor
-    for number, kind in each.nodes.items():
+    found: dict[str, syntax.Argument] = {name: syntax.Type(name) for name in (*library.definition.templates, *own)}
+    taking = library.method or constructor
+    for number, kind in library.nodes.items():
         name = pointee(taking.parameters[number].type).name if taking is not None else ""
         if name in found:
             found[name] = kind
     return found
 
 
-def _arguments(run: Run, each: Library, function: Function, given: RosNode | None) -> tuple[Argument, ...]:
+def _arguments(run: Walk, library: Library, function: Function, provided: RosNode | None) -> tuple[PassedArgument, ...]:
     """The node for the parameters that take it, and options as a node by itself has them; by the names of parameters."""
     found = []
     for number, parameter in enumerate(function.parameters):
-        kind = each.nodes.get(number) if given is not None else None
+        kind = library.nodes.get(number) if provided is not None else None
         if kind is not None:
             found.append(
-                Argument(
-                    Object(kind.name, (), run.class_of(kind.name, each.source), node=given), None, kind, parameter.name
+                PassedArgument(
+                    Object(kind.name, (), run.class_of(kind.name, library.source), node=provided),
+                    None,
+                    kind,
+                    parameter.name,
                 )
             )
         elif parameter.type.name.rpartition("::")[2] == "NodeOptions":
-            found.append(Argument(ros2_nodes.options_for(run), None, syntax.Type(OPTIONS), parameter.name))
+            found.append(PassedArgument(ros2_nodes.options_for(run), None, syntax.Type(OPTIONS), parameter.name))
     return tuple(found)

@@ -167,26 +167,30 @@ class _View:
         tail = "::".join(function.name.split("::")[-2:])
         every = [*self.index.functions.get(function.name, ()), *self.index.by_tail.get(tail, ())]
         return [
-            (where, each)
-            for where, each in every
-            if each.body is not None
-            and len(each.parameters) == len(function.parameters)
-            and (each.owner == function.owner or f"::{function.owner}".endswith(f"::{each.owner}"))
+            (where, item)
+            for where, item in every
+            if item.body is not None
+            and len(item.parameters) == len(function.parameters)
+            and (item.owner == function.owner or f"::{function.owner}".endswith(f"::{item.owner}"))
             and (where.path == source.path or where.path in self.files or where.path.endswith(HEADERS))
         ]
 
     def _is_new(self, function: Function, source: Source) -> bool:
         """Whether a function may make something where no process of the workspace has, by itself or by code of its own files.
 
-        What it makes by way of other classes is told of these.
+        What it makes by way of other classes is modelled for these.
         """
         bodies = self._bodies(function, source)
-        if any(self._is_made_in(self.seen, each, where) for where, each in bodies):
+        if any(self._is_made_in(self.seen, body, where) for where, body in bodies):
             return False
         short = function.name.rpartition("::")[2]
-        if any(init.name.rpartition("::")[2] == short for _, each in bodies for init in each.inits):  # to another one
-            others = [each for where, each in self.index.functions.get(function.name, ()) if where.path == source.path]
-            bodies = [*bodies, *(body for each in others for body in self._bodies(each, source))]
+        if any(init.name.rpartition("::")[2] == short for _, body in bodies for init in body.inits):  # to another one
+            others = [
+                other_function
+                for where, other_function in self.index.functions.get(function.name, ())
+                if where.path == source.path
+            ]
+            bodies = [*bodies, *(body for other in others for body in self._bodies(other, source))]
         return self._reaches_new(bodies, source, (self.seen,))
 
     def _reaches_new(self, bodies: list[tuple[Source, Function]], source: Source, known: tuple[Seen, ...]) -> bool:
@@ -198,17 +202,17 @@ class _View:
         def counts(item: Function, where: Source) -> bool:
             return not any(self._is_made_in(seen, item, where) for seen in known)
 
-        return any(relevance.reaches(each, where, counts) for where, each in bodies)
+        return any(relevance.reaches(body, where, counts) for where, body in bodies)
 
     def _may_make_more(self, source: Source, definition: Class, own: Seen) -> bool:
         """Whether a method, which whoever uses the class may call, makes something that has not been made."""
         short = definition.name.rpartition("::")[2]
         methods = (
-            each
-            for each in source.program.functions
-            if each.owner == definition.name and each.name.rpartition("::")[2].lstrip("~") != short
+            function
+            for function in source.program.functions
+            if function.owner == definition.name and function.name.rpartition("::")[2].lstrip("~") != short
         )
-        return any(self._reaches_new(self._bodies(each, source), source, (self.seen, own)) for each in methods)
+        return any(self._reaches_new(self._bodies(method, source), source, (self.seen, own)) for method in methods)
 
     def _is_private(self, path: str, source: Source) -> bool:
         return self.index.sources[path].package == source.package and "include" not in path.split("/")
@@ -228,7 +232,9 @@ class _View:
     def _end(self, function: Function, source: Source) -> float:
         lines = self.lines.get(source.path)
         if lines is None:
-            lines = sorted({each.line for each in source.program.functions if each.kind != "lambda"})
+            lines = sorted(
+                {other_function.line for other_function in source.program.functions if other_function.kind != "lambda"}
+            )
             self.lines[source.path] = lines
         at = bisect_right(lines, function.line)
         return lines[at] if at < len(lines) else float("inf")

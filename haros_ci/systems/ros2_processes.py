@@ -11,7 +11,7 @@ from haros_ci.follow.context import Context
 from haros_ci.follow.follow import Entry
 from haros_ci.follow.ros import behavior_trees
 from haros_ci.graph.names import clean
-from haros_ci.graph.ros2_process import Parameters, Process, Rule
+from haros_ci.graph.ros2_process import Parameters, Process, RemappingRule
 from haros_ci.keeping.kept import Followed, digest_of
 from haros_ci.model.architecture import Node, RemapRule
 from haros_ci.model.workspace import Problem
@@ -30,14 +30,14 @@ TOO_OFTEN = "the program is large and started with many different parameters: it
 class Started:
     """A process or component as it is started: its remapping rules, parameters, words of its command line."""
 
-    rules: tuple[Rule, ...]
+    rules: tuple[RemappingRule, ...]
     parameters: Parameters
     words: tuple[str, ...]
     is_component: bool
     #: The remapping rules of launch files, with the places they stand at.
     written: tuple[RemapRule, ...] = ()
     #: The rules of the container that a component is loaded into.
-    around: tuple[Rule, ...] = ()
+    around: tuple[RemappingRule, ...] = ()
     #: Whether every plug-in that it could load is followed.
     has_plugins: bool = False
     #: Whether, of a behaviour tree that is not known, the nodes of every tree of the workspace are.
@@ -68,7 +68,7 @@ def _shared(
     started: Started,
     node: Node,
     names: Mapping[str, str],
-    instead: Mapping[Rule, Rule],
+    instead: Mapping[RemappingRule, RemappingRule],
     *,
     is_exact: bool = False,
 ) -> Followed | None:
@@ -98,17 +98,17 @@ def _shared(
             return _put_under(types, done, names, instead, parameter)
     if is_over:
         return Followed((), (Problem(entry.source.path, TOO_OFTEN),), (), {}, {})
-    asked: dict[str, Value | None] = {}
-    given: dict[str, Value | None] = {}
+    requested: dict[str, Value | None] = {}
+    provided: dict[str, Value | None] = {}
 
     def ask(name: str) -> Value | None:
         if PARAMETER in name and not name.partition(":")[2].startswith("qos_overrides."):
             name = marks.looked_at(name)
-        if name not in asked:
+        if name not in requested:
             value = parameter(marks.real(name))
-            asked[name] = value
-            given[name] = value if is_exact else marks.given(name, f"p{len(asked) - 1}", value)
-        return given[name]
+            requested[name] = value
+            provided[name] = value if is_exact else marks.given(name, f"p{len(requested) - 1}", value)
+        return provided[name]
 
     is_component = started.is_component
     words = None if any("?" in word for word in started.words) else started.words
@@ -129,7 +129,7 @@ def _shared(
             rules=started.around if is_component else started.rules, component=started.rules if is_component else None
         ),
     )
-    done = followed_in(types, entry, files, context, asked, key)
+    done = followed_in(types, entry, files, context, requested, key)
     earlier.append(done)
     counted[_digest(key, done)] = done.steps
     return _put_under(types, done, names, instead, parameter)
@@ -139,7 +139,7 @@ def _put_under(
     types: Types,
     done: Followed,
     names: Mapping[str, str],
-    instead: Mapping[Rule, Rule],
+    instead: Mapping[RemappingRule, RemappingRule],
     parameter: Callable[[str], Value | None],
 ) -> Followed | None:
     """``sharing.put_under``, once for the same names, rules and values."""

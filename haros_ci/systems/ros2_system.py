@@ -7,13 +7,13 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
 from haros_ci.follow.follow import Entry
-from haros_ci.follow.made import Made
+from haros_ci.follow.made import MadeEntity
 from haros_ci.follow.ros.ends import endpoints
 from haros_ci.follow.ros.ros2_nodes import ALONE, SIM_TIME, UNDECLARED
 from haros_ci.graph.names import clean
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.graph.remap_rules import of_ros2_node, ros2_rules
-from haros_ci.graph.ros2_process import InContainer, Parameters, RosNode, Rule, ros_arguments, rule_of, schemed
+from haros_ci.graph.ros2_process import InContainer, Parameters, RemappingRule, RosNode, ros_arguments, rule_of, schemed
 from haros_ci.graph.words import shell_words
 from haros_ci.keeping.kept import Followed
 from haros_ci.model.architecture import KINDS, Endpoint, Node, Parameter, Unknown
@@ -98,26 +98,26 @@ def _basic(node: LaunchedNode, controller: Controller | None) -> Node:
 
 def started_by(node: LaunchedNode) -> Started:
     """The rules, parameters and words that a launched node begins with."""
-    said = ros_arguments(_words(node.ros_arguments, "--ros-args"))
+    message = ros_arguments(_words(node.ros_arguments, "--ros-args"))
     more = ros_arguments(_words(node.arguments))
-    naming: list[Rule] = []
+    naming: list[RemappingRule] = []
     if node.name is not None:
-        naming.append(Rule("", "__node", node.name))
+        naming.append(RemappingRule("", "__node", node.name))
     if node.namespace is not None:
-        naming.append(Rule("", "__ns", node.namespace))
+        naming.append(RemappingRule("", "__ns", node.namespace))
     remaps = [rule for source, target, _ in node.remaps if (rule := rule_of(f"{source}:={target}")) is not None]
-    rules = (*more.rules, *said.rules, *naming, *remaps)
-    around: tuple[Rule, ...] = ()
+    rules = (*more.rules, *message.rules, *naming, *remaps)
+    around: tuple[RemappingRule, ...] = ()
     if node.kind == "component" and node.container is not None:
         around = _naming(node.container)
-    written = ros2_rules((*more.rules, *said.rules), node.rules, node.location)
+    written = ros2_rules((*more.rules, *message.rules), node.rules, node.location)
     return Started(rules, Parameters(node.parameters), more.rest, node.kind == "component", written, around)
 
 
-def _naming(full: str) -> tuple[Rule, ...]:
+def _naming(full: str) -> tuple[RemappingRule, ...]:
     """The rules that a launch file gives a process whose node is to have that name; none where it is not known."""
     space, _, name = full.rpartition("/")
-    return () if "?" in full else (Rule("", "__node", name), Rule("", "__ns", space or "/"))
+    return () if "?" in full else (RemappingRule("", "__node", name), RemappingRule("", "__ns", space or "/"))
 
 
 def _words(text: str, first: str = "") -> list[str]:
@@ -165,7 +165,7 @@ def plugin(types: Types, package: str, name: str) -> Job:
 
     def follow() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
         nodes, problems = nodes_of(types, entry, files, node, started, False)
-        makes = any(not end.implicit for each in nodes for end in each.endpoints)
+        makes = any(not end.implicit for node in nodes for end in node.endpoints)
         return (nodes if makes else (replace(node, kind=PROGRAM),)), problems
 
     return Job(node, id(entry), follow, size_of(types, files))
@@ -191,30 +191,30 @@ def nodes_of(
     ends_of = _ends(types, followed)
     main = followed.nodes[0]
     twins = {twin.name: (twin.first, twin.second) for twin in followed.twins}
-    for each in followed.nodes:
-        if each is not main and each.name in (other.name for other in found):
+    for other_node in followed.nodes:
+        if other_node is not main and other_node.name in (other.name for other in found):
             continue  # the same node on another way
-        own = [] if each is not main else list(unknowns)
-        if each.why is not None:
-            own.append(Unknown("name", each.why[0], each.why[1] or each.location))
-        kind = "lifecycle" if each.kind == "lifecycle" else node.kind if each is main else "node"
-        ends = ends_of.get(each.name, ())
+        own = [] if other_node is not main else list(unknowns)
+        if other_node.why is not None:
+            own.append(Unknown("name", other_node.why[0], other_node.why[1] or other_node.location))
+        kind = "lifecycle" if other_node.kind == "lifecycle" else node.kind if other_node is main else "node"
+        ends = ends_of.get(other_node.name, ())
         found.append(
             replace(
                 node,
-                name=each.name,
+                name=other_node.name,
                 kind=kind,
                 process=node.container or main.name,
-                class_name=node.class_name if each is main and node.class_name else _class_name(each),
-                remaps=_remaps(each, ends),
-                rules=of_ros2_node(started.written, each.whole),
-                conditions=(*node.conditions, *each.conditions),
-                location=node.location if node.source == "launch" and each is main else each.location,
-                source=node.source if each is main else "source",
+                class_name=node.class_name if other_node is main and node.class_name else _class_name(other_node),
+                remaps=_remaps(other_node, ends),
+                rules=of_ros2_node(started.written, other_node.whole),
+                conditions=(*node.conditions, *other_node.conditions),
+                location=node.location if node.source == "launch" and other_node is main else other_node.location,
+                source=node.source if other_node is main else "source",
                 unknowns=tuple(own),
-                twins=twins.get(each.name, ()),
-                takes_undeclared=each.options.get(UNDECLARED, False),
-                endpoints=_sorted((*ends, *_implicit(each, kind, started, ends))),
+                twins=twins.get(other_node.name, ()),
+                takes_undeclared=other_node.options.get(UNDECLARED, False),
+                endpoints=_sorted((*ends, *_implicit(other_node, kind, started, ends))),
             )
         )
     return tuple(found), followed.problems
@@ -252,16 +252,16 @@ def _sorted(ends: Iterable[Endpoint]) -> tuple[Endpoint, ...]:
     )
 
 
-def grouped(followed: Followed) -> Mapping[str, tuple[Made, ...]]:
+def grouped(followed: Followed) -> Mapping[str, tuple[MadeEntity, ...]]:
     """What was made, by the full name of the node that has it; what has none is the first node's."""
     first = followed.nodes[0].name
-    found: dict[str, list[Made]] = {}
+    found: dict[str, list[MadeEntity]] = {}
     for item in followed.made:
         found.setdefault(item.node.name if item.node is not None else first, []).append(item)
     return {name: tuple(items) for name, items in found.items()}
 
 
-def final(item: Made) -> str:
+def final(item: MadeEntity) -> str:
     """The name of what is made after remapping; parameters are not remapped."""
     if item.node is None or item.kind in ("getters", "setters", "parameters") or "?" in item.name:
         return item.name

@@ -12,10 +12,10 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
-from haros_ci.follow.made import Made
+from haros_ci.follow.made import MadeEntity
 from haros_ci.follow.twins import Twin
 from haros_ci.graph.names import clean
-from haros_ci.graph.ros2_process import NAMES, SPACES, RosNode, Rule
+from haros_ci.graph.ros2_process import NAMES, SPACES, RemappingRule, RosNode
 from haros_ci.keeping.kept import Followed
 from haros_ci.systems.following import same
 from haros_ci.values.abstract import Known, Value
@@ -25,16 +25,16 @@ from haros_ci.values.marks import BEGIN, END, PARAMETER, filled
 _NAME = re.compile(r"[A-Za-z]\w{0,100}", re.ASCII)
 _SPACE = re.compile(r"/|/?[A-Za-z][\w/]{0,100}", re.ASCII)
 
-Rules = tuple[Rule, ...]
+Rules = tuple[RemappingRule, ...]
 
 
-def without_names(*groups: Rules) -> tuple[tuple[Rules, ...], dict[str, str], dict[Rule, Rule]]:
+def without_names(*groups: Rules) -> tuple[tuple[Rules, ...], dict[str, str], dict[RemappingRule, RemappingRule]]:
     """Rules with marks for the names that they give, the text of each mark's key, and the rule that each new one is for.
 
     Where a rule is for one node alone all stay as they are: which one that is depends on the names.
     """
     texts: dict[str, str] = {}
-    instead: dict[Rule, Rule] = {}
+    instead: dict[RemappingRule, RemappingRule] = {}
     if any(rule.node for group in groups for rule in group):
         return groups, texts, instead
     found = []
@@ -57,10 +57,10 @@ def without_names(*groups: Rules) -> tuple[tuple[Rules, ...], dict[str, str], di
 Give = Callable[[str], "Value | None"]
 
 
-def fits(followed: Followed, names: Mapping[str, str], given: Give) -> bool:
+def fits(followed: Followed, names: Mapping[str, str], provided: Give) -> bool:
     """Whether a result is that for *names* and what is *given*: what was looked at is the same, what was not is of the same shape and has the same answers."""
     texts, values = dict(names), dict[str, Any]()
-    for name, now, before in _asked(followed, texts, given):
+    for name, now, before in _asked(followed, texts, provided):
         if isinstance(before, Unseen):
             if shape(now) != before.shape:
                 return False
@@ -70,30 +70,32 @@ def fits(followed: Followed, names: Mapping[str, str], given: Give) -> bool:
     return all(answer.holds(texts, values.get) for answer in followed.answers)
 
 
-def _asked(followed: Followed, texts: dict[str, str], given: Give) -> Iterator[tuple[str, Value | None, Any]]:
+def _asked(followed: Followed, texts: dict[str, str], provided: Give) -> Iterator[tuple[str, Value | None, Any]]:
     """The names of the parameters that were asked for, what they are given now and what they were; *texts* get those that are texts."""
     for number, (name, before) in enumerate(followed.asked.items()):
-        now = given(filled(name, texts) if PARAMETER in name else name)
+        now = provided(filled(name, texts) if PARAMETER in name else name)
         if isinstance(now, Known) and isinstance(now.value, str):
             texts[f"p{number}"] = now.value
         yield name, now, before
 
 
-def unseen(followed: Followed, names: Mapping[str, str], given: Give) -> tuple[Any, ...]:
+def unseen(followed: Followed, names: Mapping[str, str], provided: Give) -> tuple[Any, ...]:
     """What is *given* for the parameters that were not looked at, in order."""
-    found = _asked(followed, dict(names), given)
+    found = _asked(followed, dict(names), provided)
     return tuple(
         (now.kind, now.value) for _, now, before in found if isinstance(before, Unseen) and isinstance(now, Known)
     )
 
 
-def put_under(followed: Followed, names: Mapping[str, str], rules: Mapping[Rule, Rule], given: Give) -> Followed | None:
+def put_under(
+    followed: Followed, names: Mapping[str, str], rules: Mapping[RemappingRule, RemappingRule], keywords: Give
+) -> Followed | None:
     """*followed* with *names* for their keys, *rules* for those with marks and the parameters that are *given*.
 
     None if two things that were made, or two parameters that were asked for, are one then.
     """
     texts = dict(names)
-    values = {name: now for name, now, _ in _asked(followed, texts, given)}
+    values = {name: now for name, now, _ in _asked(followed, texts, keywords)}
     if len({filled(name, texts) if PARAMETER in name else name for name in values}) < len(values):
         return None
     nodes: dict[int, RosNode] = {}
@@ -120,7 +122,7 @@ def put_under(followed: Followed, names: Mapping[str, str], rules: Mapping[Rule,
             )
         return nodes[id(before)]
 
-    def made(before: Made) -> Made:
+    def made(before: MadeEntity) -> MadeEntity:
         effective: Any = before.effective
         if isinstance(effective, AsGiven):
             value = values.get(effective.key)
@@ -142,11 +144,11 @@ def put_under(followed: Followed, names: Mapping[str, str], rules: Mapping[Rule,
     return replace(
         followed,
         made=every,
-        gaps={text(said): where for said, where in followed.gaps.items()},
+        gaps={text(message): where for message, where in followed.gaps.items()},
         nodes=tuple(map(node, followed.nodes)),
         twins=tuple(Twin(name(twin.name), twin.first, twin.second) for twin in followed.twins),
     )
 
 
-def _number(made: Iterable[Made]) -> int:
+def _number(made: Iterable[MadeEntity]) -> int:
     return len({(m.kind, m.name, m.type, m.location, m.node and m.node.name) for m in made})

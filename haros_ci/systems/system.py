@@ -96,8 +96,8 @@ def launched(types: Types, started: Started, server: ParameterServer) -> Job:
 
     if found is None:
         known = types.known(node.package, outside.look_up(node), 1)
-        given = (namespace, words.rest, parameter, remaps)
-        return Job(node, None, lambda: ((outside.described(node, types.programs, known, *given),), ()))
+        provided = (namespace, words.rest, parameter, remaps)
+        return Job(node, None, lambda: ((outside.described(node, types.programs, known, *provided),), ()))
     entry, files = found
     arguments = None if any("?" in word for word in words.rest) else words.rest
     instance = Instance(started.name, namespace, arguments, remaps, process)

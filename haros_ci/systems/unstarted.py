@@ -21,7 +21,7 @@ def ros2_alone(types: Types, started: set[tuple[str, str]], launched: Iterable[J
     *launched* is what launch files start, *started* the packages and types of that.
     """
     tables = (types.components, types.ros2_programs)
-    running = {id(table[each][0]) for table in tables for each in started if each in table}
+    running = {id(table[pair][0]) for table in tables for pair in started if pair in table}
     for package, name in sorted(types.ros2_programs):
         entry = types.ros2_programs[package, name][0]
         if (package, name) not in started and id(entry) not in running:
@@ -42,14 +42,14 @@ def configurations(
     done: Iterable[tuple[tuple[tuple[Node, ...], Any], Job]], problems: dict[Problem, None], taken: set[str]
 ) -> Iterator[Configuration]:
     """A configuration for each of what was followed by itself; what went wrong is added to *problems*. *taken* are the names that there are."""
-    for (nodes, said), job in done:
+    for (nodes, report), job in done:
         node = nodes[0]
         own = f"{node.package}/"
         name = node.type if job.is_loaded and node.type.startswith(own) else f"{own}{node.type}"
         if job.is_loaded:
             if node.kind == system.PROGRAM:
                 continue
-            problems.update(dict.fromkeys(said))
+            problems.update(dict.fromkeys(report))
             name = f"{name} ({job.label})"
         elif job.label:
             reason = library_yaml.ANY if job.label == ros2_system.PLUGINS else behavior_trees.ANY
@@ -59,7 +59,7 @@ def configurations(
         elif node.kind == system.PROGRAM:
             continue
         else:
-            problems.update(dict.fromkeys(said))
+            problems.update(dict.fromkeys(report))
             name = f"{name} (nodelet)" if node.kind == "nodelet" and name in taken else name
         taken.add(name)
         yield Configuration(name=name, nodes=nodes)

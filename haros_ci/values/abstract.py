@@ -19,7 +19,7 @@ from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Function, Type
 from haros_ci.values.questions import QUESTIONS
 
-#: More possible values than this are not kept apart.
+#: More possible values than this are joined to an unknown one.
 CHOICES = 8
 #: Attributes of Python objects that are set on some paths only: to read them on others is an error, but where a base class outside may set them.
 UNSET = "the attribute is not set before"
@@ -226,7 +226,7 @@ def _is_error(unset: Opaque, other: Value) -> bool:
 
 
 def same(one: Any, other: Any) -> bool:
-    """Equality that keeps True, 1 and 1.0 apart."""
+    """Equality that distinguishes True, 1 and 1.0."""
     return type(one) is type(other) and bool(one == other)
 
 

@@ -101,12 +101,12 @@ class Given(Known):
 
     def joined(self, values: tuple[Value, ...], show: Callable[[Any], str | Opaque] | None) -> Value:
         """The text of *values*, of which some are ``Given``: one itself, if all of it is known."""
-        given = [value for value in values if isinstance(value, Given)]
-        for value in given:
+        parameters = [value for value in values if isinstance(value, Given)]
+        for value in parameters:
             if value.mark is None:
                 value.looks.seen.update(value.cells)
         whole = concatenate(tuple(Known(v.held) if isinstance(v, Given) else v for v in values), show)
-        marked = [value for value in given if value.mark is not None]
+        marked = [value for value in parameters if value.mark is not None]
         if not marked:
             return whole
         if isinstance(whole, Known):
@@ -236,12 +236,14 @@ class Marks:
 
     def answers(self) -> tuple[Answer, ...]:
         """What was asked of that which does not count as it is."""
-        return tuple(asked for asked, cells in self.looks.answers.items() if not self.looks.seen.issuperset(cells))
+        return tuple(
+            requested for requested, cells in self.looks.answers.items() if not self.looks.seen.issuperset(cells)
+        )
 
-    def settled(self, asked: Mapping[str, Value | None]) -> dict[str, Any]:
+    def settled(self, requested: Mapping[str, Value | None]) -> dict[str, Any]:
         """*asked* as it has to be again: as it is, or only its type; and the names that were looked at."""
         found: dict[str, Any] = {}
-        for name, value in asked.items():
+        for name, value in requested.items():
             kind = shape(value) if name in self.held and name not in self.looks.seen else None
             found[name] = value if kind is None else Unseen(kind)
         return found | {

@@ -27,7 +27,7 @@ def at(container: Sequence | Mapped, position: int) -> Object:
 
 
 def found(container: Mapped, key: Value) -> Object | None:
-    """``m.find(key)`` in a map that is known; None if that cannot be told."""
+    """``m.find(key)`` in a map that is known; None if that is not known."""
     pairs: Any = container.content.value
     if not isinstance(pairs, dict) or not isinstance(key, Known) or not isinstance(key.value, (str, int)):
         return None
@@ -53,8 +53,8 @@ def pointed(value: Object) -> Cell | None:
 def kind(value: Object) -> Type | None:
     """The type of the elements that an iterator goes through; None if that is not known."""
     container = value.fields["[of]"].value
-    told = container.type if isinstance(container, Sequence) else None
-    return told.of(0) if told is not None else None
+    result = container.type if isinstance(container, Sequence) else None
+    return result.of(0) if result is not None else None
 
 
 def _one_of(container: Value) -> Cell | None:
@@ -63,7 +63,7 @@ def _one_of(container: Value) -> Cell | None:
     if not isinstance(content, Partial):
         return None
     every = dict.fromkeys(option for cell in (*content.some, *content.others) for option in options(cell.value))
-    if not every or not all(isinstance(each, Object) and each.definition is not None for each in every):
+    if not every or not all(isinstance(value, Object) and value.definition is not None for value in every):
         return None
     return Cell(Choice(tuple(every)) if len(every) > 1 else next(iter(every)))
 

@@ -45,9 +45,9 @@ class Answer:
     answer: Any
     place: int | None = None
 
-    def holds(self, texts: dict[str, str], given: Callable[[str], Any]) -> bool:
+    def holds(self, texts: dict[str, str], provided: Callable[[str], Any]) -> bool:
         """Whether the answer is the same where marks stand for *texts*, and parameters are *given*."""
-        data = filled(self.of, texts) if self.is_text else given(self.of)
+        data = filled(self.of, texts) if self.is_text else provided(self.of)
         operand = self.operand
         if isinstance(operand, str) and BEGIN in operand:
             operand = filled(operand, texts)

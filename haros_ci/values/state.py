@@ -131,13 +131,13 @@ def joined(one: Any, other: Any) -> Any:
 
 def _entry(one: Any, other: Any) -> Any:
     """What is held under one key: of what a ROS 2 node declares, the value stays known where only one way has it."""
-    held = [each for each in (one, other) if isinstance(each, Held)]
+    held = [held for held in (one, other) if isinstance(held, Held)]
     if not held:
         return join(one, other)
-    told = [each for each in held if each.value != NONE]
-    if len(told) < 2:
-        return Held(told[0].value, False) if told else held[0]
-    return Held(join(told[0].value, told[1].value), told[0].is_certain and told[1].is_certain)
+    result = [held for held in held if held.value != NONE]
+    if len(result) < 2:
+        return Held(result[0].value, False) if result else held[0]
+    return Held(join(result[0].value, result[1].value), result[0].is_certain and result[1].is_certain)
 
 
 def certain(content: Any) -> tuple[Cell, ...]:
@@ -160,7 +160,7 @@ def last(content: Any) -> Cell | None:
 def partial(reason: str, one: Any, other: Any) -> Opaque:
     """The content of a sequence that has one or the other: what both have is in it, what one has may be."""
     first, second = certain(one), certain(other)
-    some = tuple(cell for cell in first if any(cell is each for each in second))
+    some = tuple(cell for cell in first if any(cell is other_cell for other_cell in second))
     rest = dict.fromkeys((*first, *possible(one), *second, *possible(other)))
     others = tuple(cell for cell in rest if isinstance(cell, Cell) and cell not in some)[-OTHERS:]
     return Partial(reason, some=some, others=others) if some or others else Opaque(reason)

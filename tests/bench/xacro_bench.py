@@ -18,7 +18,7 @@ import time
 from pathlib import Path
 from xml.etree import ElementTree
 
-from haros_ci.robot.sources import Sources, by_names
+from haros_ci.robot.sources import DescriptionSources, by_names
 from haros_ci.robot.urdf import read_robot
 from haros_ci.workspace.discover import discover
 
@@ -75,7 +75,7 @@ def main() -> int:
     spent = 0.0
     for root in given.repositories:
         workspace = discover(root.resolve(), (".",))
-        sources = Sources(workspace, by_names(workspace))
+        sources = DescriptionSources(workspace, by_names(workspace))
         packages = {name: str(root.resolve() / path) for name, path in sources.packages.items()}
         for file in workspace.files:
             if not file.path.endswith((".xacro", ".urdf", ".xml")) or "<robot" not in workspace.text(file.path):

@@ -21,8 +21,8 @@ from follow_kit import CMAKE, ROS2_CMAKE, ROS2_HEAD, ROS2_NODE, main, script, wo
 import haros_ci.systems.ros2_processes as ros2_processes
 from haros_ci.analysis.architecture import architecture
 from haros_ci.config.settings import Settings
-from haros_ci.follow.made import Made
-from haros_ci.graph.ros2_process import RosNode, Rule
+from haros_ci.follow.made import MadeEntity
+from haros_ci.graph.ros2_process import RemappingRule, RosNode
 from haros_ci.keeping import kept, kept_json
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
@@ -495,8 +495,8 @@ def test_planted_records_change_nothing(data: Any) -> None:
 
 
 HERE = Location("p/a.cpp", 1)
-NODE = RosNode("/n", "/", "/", "node", "N", HERE, rules=(Rule("", "a", "b"),))
-MADE = Made("publishers", "/t", "std_msgs/String", HERE, (), value=[1, {"a": (1.5, None)}])
+NODE = RosNode("/n", "/", "/", "node", "N", HERE, rules=(RemappingRule("", "a", "b"),))
+MADE = MadeEntity("publishers", "/t", "std_msgs/String", HERE, (), value=[1, {"a": (1.5, None)}])
 
 
 @pytest.mark.parametrize("value", (NODE, MADE, Known([True, 1, 1.0, "x"]), (1, [2, {"a": HERE}]), None))

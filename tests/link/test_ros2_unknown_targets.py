@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 
 from haros_ci.graph.names import resolve_target
-from haros_ci.graph.ros2_process import RosNode, Rule
+from haros_ci.graph.ros2_process import RemappingRule, RosNode
 from haros_ci.model.location import Location
 
 CASES = (
@@ -21,7 +21,7 @@ CASES = (
 
 @pytest.mark.parametrize(("target", "name"), (*CASES, ("~/a", "/s/n/a")))
 def test_targets(target: str, name: str) -> None:
-    rule = Rule("", "image", target)
+    rule = RemappingRule("", "image", target)
     node = RosNode("/s/n", "/s", "/s", "node", "rclcpp::Node", Location("n.cpp"), rules=(rule,))
     assert (node.remap("/s/image"), node.target(rule)) == (name, name)
     assert node.remap("/s/other") == "/s/other"

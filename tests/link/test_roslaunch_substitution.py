@@ -7,9 +7,9 @@ import pytest
 from roslaunch_kit import launch, told
 
 from haros_ci.substitutions.names import literal, unknown
-from haros_ci.substitutions.substitution import Sources, substitute
+from haros_ci.substitutions.substitution import SubstitutionSources, substitute
 
-SOURCES = Sources(
+SOURCES = SubstitutionSources(
     args={"one": literal("1"), "word": literal("x"), "yes": literal("true"), "f": literal("1.5"), "u": unknown("why")}
     | {"path": literal("$(find bot)/map.yaml"), "e": literal("shadowed"), "len": literal("9")},
     missing={"needed": 3},

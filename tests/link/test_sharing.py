@@ -8,17 +8,18 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-import haros_ci.systems.ros2_processes as ros2_processes
 import pytest
 from follow_kit import ROS2_HEAD, ROS2_NODE, ros2_files
+from test_kept import Cache, digested
+
+import haros_ci.systems.ros2_processes as ros2_processes
 from haros_ci.analysis.architecture import architecture
 from haros_ci.config.settings import Settings
 from haros_ci.report.model_json import render
 from haros_ci.systems import sharing
+from haros_ci.values.abstract import Known, Opaque
 from haros_ci.values.given import Marks, shape
 from haros_ci.values.marks import BEGIN, END, filled
-from haros_ci.values.abstract import Known, Opaque
-from test_kept import Cache, digested
 
 PYTHON = """\
 from launch import LaunchDescription

@@ -178,7 +178,7 @@ def test_a_query_is_asked_of_its_own_configuration_only() -> None:
 
 def test_only_wanted_queries_are_asked() -> None:
     project = of_rules(a=rule(scope="configuration"), b=rule(query="nodes[", scope="configuration"))
-    found = asked(project, wanted=lambda rule: rule.id == "user:a")
+    found = asked(project, is_selected=lambda rule: rule.id == "user:a")
     assert [result.rule for result in found.results] == ["user:a"]
     assert found.notifications == ()
     assert [one.id for one in found.rules] == ["user:a", "user:b"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from haros_ci.report.readme_tables import Row, is_ros_type, kinds_of, plain, rows, split_names
+from haros_ci.report.readme_tables import TableRow, is_ros_type, kinds_of, plain, rows, split_names
 
 TOPICS = ("publishers", "subscribers")
 ACTIONS = ("action_servers", "action_clients")
@@ -239,4 +239,4 @@ def test_hostile_pages_end_and_raise_nothing(text: str) -> None:
 
 
 def test_a_row_is_a_value() -> None:
-    assert Row(("servers",), ("a",), None, None, 1, 1) == Row(("servers",), ("a",), None, None, 1, 1)
+    assert TableRow(("servers",), ("a",), None, None, 1, 1) == TableRow(("servers",), ("a",), None, None, 1, 1)

@@ -10,7 +10,7 @@ import pytest
 from haros_ci.model.environment import Environment
 from haros_ci.model.robot import Robot
 from haros_ci.robot.expand import expand
-from haros_ci.robot.sources import Sources, by_names
+from haros_ci.robot.sources import DescriptionSources, by_names
 from haros_ci.robot.unknown import UNKNOWN
 from haros_ci.robot.urdf import read_robot
 from haros_ci.workspace.discover import discover
@@ -25,7 +25,7 @@ def read(root: Path, body: str, *, legacy: bool = False, given: dict[str, object
     for name, text in files.items():
         (root / name.replace("__", ".")).write_text(text)
     workspace = discover(root, (".",))
-    robot = read_robot(Sources(workspace, by_names(workspace)), "r.xacro", given, legacy=legacy)  # type: ignore[arg-type]
+    robot = read_robot(DescriptionSources(workspace, by_names(workspace)), "r.xacro", given, legacy=legacy)  # type: ignore[arg-type]
     assert robot is not None
     return robot
 
@@ -145,7 +145,7 @@ def test_an_argument_that_is_given_counts(tmp_path: Path) -> None:
 def test_environment_variables(tmp_path: Path, substitution: str) -> None:
     read(tmp_path, f"<link name='{substitution}'/>")
     workspace = discover(tmp_path, (".",))
-    sources = Sources(workspace, by_names(workspace))
+    sources = DescriptionSources(workspace, by_names(workspace))
     given = expand(sources, "r.xacro", environment={"SIDE": "right"})
     lost = expand(sources, "r.xacro", environment=Environment(lost={"SIDE": "a command makes it"}))
     assert given.root is not None and [child.given("name") for child in given.root.children] == ["right"]

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import pytest
-
 from in_memory import built, messages, names, only
 
 UNDECIDED = "find_package(X)\nif(X_FOUND)\n{}\nelse()\n{}\nendif()\n"

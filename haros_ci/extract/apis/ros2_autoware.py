@@ -62,8 +62,8 @@ ROWS: tuple[Mapping[str, object], ...] = (
     # autoware_utils_debug/time_keeper.hpp
     *({"class": f"{space}::ProcessingTimeDetail", "alias": message}
       for space, message in (
-          *((each, "autoware_internal_debug_msgs::msg::ProcessingTimeTree") for each in DEBUGGING[:1] + DEBUGGING[-1:]),
-          *((each, "tier4_debug_msgs::msg::ProcessingTimeTree") for each in DEBUGGING[1:-1]),
+          *((item, "autoware_internal_debug_msgs::msg::ProcessingTimeTree") for item in DEBUGGING[:1] + DEBUGGING[-1:]),
+          *((item, "tier4_debug_msgs::msg::ProcessingTimeTree") for item in DEBUGGING[1:-1]),
       )),
 
     # autoware_utils_rclcpp/parameter.hpp

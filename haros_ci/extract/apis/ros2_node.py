@@ -104,7 +104,7 @@ ROWS: tuple[Mapping[str, object], ...] = (
     {"call": "rclcpp::Node::create_sub_node", "args": [1],
      "makes": [{"kind": "node", "parent": "{this}", "namespace": "{0}"}], "returns": "rclcpp::Node"},
 
-    # rclcpp_lifecycle/lifecycle_node.hpp: as a node, with whether its services are offered; what it is told to do on
+    # rclcpp_lifecycle/lifecycle_node.hpp: as a node, with whether its services are offered; what it does on
     # transitions, a framework calls.
     {"class": "rclcpp_lifecycle::LifecycleNode",
      "bases": ["rclcpp::Node", "rclcpp_lifecycle::node_interfaces::LifecycleNodeInterface"],

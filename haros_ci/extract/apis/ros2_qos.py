@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Quality of service (ROS 2, C++): QoS objects and their chains of methods, overriding options, durations.
 
-What the members mean is told by ``haros_ci.follow.ros.qos``; ``default`` is the middleware's default.
+The members are described in ``haros_ci.follow.ros.qos``; ``default`` is the middleware's default.
 """
 
 from __future__ import annotations

@@ -131,7 +131,7 @@ ROWS: tuple[dict[str, object], ...] = (
     # Before ROS 2 Foxy.
     {"call": f"{NODE}.set_parameters_callback", "calls": ["0", "callback"]},
 
-    # rclpy/node.py: names. A name that is only expanded is not told.
+    # rclpy/node.py: names. A name that is only expanded makes nothing.
     {"call": f"{NODE}.get_name", "args": [0], "returns": "{node.base_name}"},
     {"call": f"{NODE}.get_namespace", "args": [0], "returns": "{node.namespace}"},
     {"call": f"{NODE}.get_fully_qualified_name", "args": [0], "returns": "{node.name}"},
@@ -253,7 +253,7 @@ ROWS: tuple[dict[str, object], ...] = (
 )
 # fmt: on
 
-#: Functions and methods that make, call and change nothing that is told here.
+#: Functions and methods that make, call and change nothing in the model.
 SILENT = {
     "rclpy": "init shutdown try_shutdown ok spin spin_once spin_until_future_complete",
     "rclpy.utilities": "ok shutdown try_shutdown",
@@ -297,7 +297,7 @@ NAMES = {
 
 def silent(names: Mapping[str, str]) -> tuple[dict[str, object], ...]:
     """A row that says nothing for each of these names of classes and modules."""
-    return tuple({"call": f"{owner}.{name}"} for owner, each in names.items() for name in each.split())
+    return tuple({"call": f"{owner}.{name}"} for owner, text in names.items() for name in text.split())
 
 
 def renamed(rows: tuple[dict[str, object], ...], names: Mapping[str, tuple[str, ...]]) -> tuple[dict[str, object], ...]:

@@ -34,7 +34,7 @@ SERVICES = (
 
 def lower(name: str) -> str:
     """``NavigateToPose`` as ``navigate_to_pose``."""
-    return "".join(f"_{each.lower()}" if each.isupper() else each for each in name).lstrip("_")
+    return "".join(f"_{text.lower()}" if text.isupper() else text for text in name).lstrip("_")
 
 
 def end(kind: str, name: str, type_: str, unsure: str) -> dict[str, object]:

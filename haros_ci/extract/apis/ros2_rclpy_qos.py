@@ -26,7 +26,7 @@ ROWS: tuple[dict[str, object], ...] = (
      "returns": "rclpy.qos_overriding_options.QoSOverridingOptions",
      "fills": {"policies": "history,depth,reliability", "id": "{entity_id?}"}, "calls": ["callback"]},
 
-    # A duration's own attribute nanoseconds is the whole of it, seconds included: that is not told.
+    # A duration's own attribute nanoseconds is the whole of it, seconds included: it is not modelled.
     {"call": "rclpy.duration.Duration", "fills": {"seconds": "{seconds?0}", "nanosec": "{nanoseconds?0}"}},
     {"call": "rclpy.duration.Duration.to_msg", "returns": "builtin_interfaces.msg.Duration"},
     {"call": "rclpy.time.Time"},

@@ -28,7 +28,7 @@ def call(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     children = node.children
     if len(children) != 2:
         return unit.opaque(node)
-    function, given = children
+    function, argument = children
     kind = function.kind_id
     chosen: tuple[syntax.Argument, ...] = ()
     callee: syntax.Expression
@@ -40,14 +40,14 @@ def call(unit: Unit, node: Node, depth: int) -> syntax.Expression:
         name, chosen = types.path(unit, function, depth)
         callee = syntax.Name(name)
         if name in _CASTS and len(chosen) == 1 and isinstance(chosen[0], syntax.Type):
-            values = expressions.arguments(unit, given, depth)
-            return syntax.Cast(chosen[0], values[0] if len(values) == 1 else unit.opaque(given))
+            values = expressions.arguments(unit, argument, depth)
+            return syntax.Cast(chosen[0], values[0] if len(values) == 1 else unit.opaque(argument))
     else:
         callee = expressions.expression(unit, function, depth)
         if isinstance(callee, syntax.TypeName):
             callee = syntax.Name(callee.type.name)
     line, column = unit.position(node)
-    return syntax.Call(callee, expressions.arguments(unit, given, depth), chosen, line, column)
+    return syntax.Call(callee, expressions.arguments(unit, argument, depth), chosen, line, column)
 
 
 def _member(unit: Unit, node: Node, depth: int) -> tuple[syntax.Expression, tuple[syntax.Argument, ...]]:
@@ -76,12 +76,12 @@ def new(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     type_node = node.child_by_field_id(_TYPE)
     if type_node is None:
         return unit.opaque(node)
-    given = node.child_by_field_id(_ARGUMENTS)
+    argument = node.child_by_field_id(_ARGUMENTS)
     made = types.plain_type(unit, type_node, depth)
     if node.child_by_field_id(_DECLARATOR) is not None:
         made = made.marked("*")
     line, column = unit.position(node)
-    return syntax.New(made, () if given is None else expressions.arguments(unit, given, depth), line, column)
+    return syntax.New(made, () if argument is None else expressions.arguments(unit, argument, depth), line, column)
 
 
 def braced(unit: Unit, node: Node, depth: int) -> syntax.Expression:

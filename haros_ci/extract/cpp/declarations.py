@@ -10,7 +10,7 @@ from tree_sitter import Node
 from haros_ci import syntax
 from haros_ci.extract.cpp import expansion, expressions, scopes, types
 from haros_ci.extract.cpp.grammar import ERROR, field, kinds
-from haros_ci.extract.cpp.unit import DEEPEST, TOO_DEEP, Scope, Unit
+from haros_ci.extract.cpp.unit import DEEPEST, TOO_DEEP, CppScope, Unit
 from haros_ci.syntax import Class, Field
 
 _NAME = field("name")
@@ -31,18 +31,18 @@ IGNORED = kinds("bitfield_clause attribute_specifier attribute_declaration gnu_a
 Variable = tuple["types.Declared", syntax.Init | None | str]
 
 
-def variables(unit: Unit, node: Node, scope: Scope, depth: int) -> Iterator[Variable]:
+def variables(unit: Unit, node: Node, scope: CppScope, depth: int) -> Iterator[Variable]:
     """The declarators of a declaration in a function: a function there is a variable unless it cannot be one."""
     before = before_declarators(unit, node, scope, depth)
     for declared, init in declarators(unit, before, depth):
         if init is None and declared.function is not None:
-            given = expansion.constructed(unit, declared.function, depth)
-            yield declared, "function" if given is None else syntax.Parentheses(given)
+            provided = expansion.constructed(unit, declared.function, depth)
+            yield declared, "function" if provided is None else syntax.Parentheses(provided)
         else:
             yield declared, init
 
 
-def before_declarators(unit: Unit, node: Node, scope: Scope, depth: int) -> types.Specifiers:
+def before_declarators(unit: Unit, node: Node, scope: CppScope, depth: int) -> types.Specifiers:
     """The specifiers of a declaration; a class or an enumeration among them is added to the unit."""
     before = types.specifiers(unit, node.children, depth)
     if before.node is None:
@@ -70,7 +70,7 @@ def declarators(
         return
     index = 0
     while index < len(rest):
-        each = node = rest[index]
+        other_node = node = rest[index]
         index += 1
         kind = node.kind_id
         if kind in _COMMA or kind in IGNORED or kind in _EQUALS:
@@ -81,8 +81,8 @@ def declarators(
         if kind in _INITIALIZER:
             children = node.children
             node, value = children[0], children[-1]
-            if expressions.is_damaged(each):
-                init = syntax.Equals(expressions.damaged(unit, each, children[1:], depth))
+            if expressions.is_damaged(other_node):
+                init = syntax.Equals(expressions.damaged(unit, other_node, children[1:], depth))
             else:
                 init = _initialiser(unit, value, any(child.kind_id in _EQUALS for child in children), depth)
         else:
@@ -116,7 +116,7 @@ def _initialiser(unit: Unit, value: Node, equals: bool, depth: int) -> syntax.In
     return None
 
 
-def class_of(unit: Unit, node: Node, scope: Scope, depth: int, is_used: bool = False, alias: str = "") -> str:
+def class_of(unit: Unit, node: Node, scope: CppScope, depth: int, is_used: bool = False, alias: str = "") -> str:
     """Add the class that *node* defines; its qualified name, "" where it only names one or is an anonymous part.
 
     An unnamed class takes the name of its typedef, *alias*, or where variables have it (*is_used*) one of its own.
@@ -137,25 +137,25 @@ def class_of(unit: Unit, node: Node, scope: Scope, depth: int, is_used: bool = F
         scopes.declare(unit, body.children, scope, depth)
         return ""
     bases = tuple(
-        types.plain_type(unit, each, depth)
+        types.plain_type(unit, other_node, depth)
         for child in node.children
         if child.kind_id in _BASES
-        for each in child.children
-        if each.kind_id in types.TYPE_KINDS
+        for other_node in child.children
+        if other_node.kind_id in types.TYPE_KINDS
     )
     slot = len(unit.found.classes)
     unit.found.classes.append(None)
     members: list[Field] = []
     around = unit.function, unit.owner
     unit.function = unit.owner = name
-    inside = Scope(name, scope.space, members, scope.guards)
+    inside = CppScope(name, scope.space, members, scope.guards)
     scopes.declare(unit, body.children, inside, depth)
     unit.function, unit.owner = around
     unit.found.classes[slot] = Class(name, bases, tuple(members), line, column, scope.templates)
     return name
 
 
-def enumeration(unit: Unit, node: Node, scope: Scope, depth: int, alias: str = "") -> None:
+def enumeration(unit: Unit, node: Node, scope: CppScope, depth: int, alias: str = "") -> None:
     """Add the constants of an enumeration, with their values where these are literal or counted."""
     body = node.child_by_field_id(_BODY)
     if body is None:
@@ -173,9 +173,9 @@ def enumeration(unit: Unit, node: Node, scope: Scope, depth: int, alias: str = "
         child_name = child.child_by_field_id(_NAME)
         if child_name is None:
             continue
-        given = child.child_by_field_id(_VALUE)
-        if given is not None:
-            start, count = expressions.expression(unit, given, depth), 0
+        argument = child.child_by_field_id(_VALUE)
+        if argument is not None:
+            start, count = expressions.expression(unit, argument, depth), 0
         if isinstance(start, syntax.Number):
             value: syntax.Expression = syntax.Number(start.value + count)
         else:

@@ -96,14 +96,14 @@ def requests(root: str, files: Iterable[ExactFile], headers: Sequence[str], batc
     *batch* files share a worker and its fate: what libclang does not survive takes their answers along. Starting a
     worker is cheap beside one file.
     """
-    asked = [f for f in sorted(files, key=lambda f: f.path) if f.calls]
+    requested = [f for f in sorted(files, key=lambda f: f.path) if f.calls]
     if not headers:
         return ()
     found = []
-    for start in range(0, len(asked), max(batch, 1)):
+    for start in range(0, len(requested), max(batch, 1)):
         group = [
             {"path": f.path, "flags": list(f.flags), "calls": sorted(set(f.calls))}
-            for f in asked[start : start + max(batch, 1)]
+            for f in requested[start : start + max(batch, 1)]
         ]
         found.append(json.dumps({"root": root, "files": group, "headers": list(headers)}, sort_keys=True))
     return tuple(found)

@@ -30,7 +30,7 @@ from haros_ci.extract.cpp.exact_values import DEEPEST, LIB, TYPE_NAMES, constant
 _POINTERS = {K.POINTER, K.MEMBERPOINTER, K.NULLPTR}
 _LITERALS = {CursorKind.INTEGER_LITERAL}
 _INT = re.compile(r"\bint\b")
-#: Calls told for one place (macros make many), arguments of one, errors in a unit.
+#: Calls reported for one place (macros make many), arguments of one, errors in a unit.
 CALLS, ARGUMENTS, ERRORS = 64, 64, 2000
 _KEEP_GOING = 0x200
 #: The bit in which clang keeps that a location is in a macro's expansion.
@@ -63,14 +63,14 @@ def read(path: str, flags: Sequence[str], unsaved: Sequence[tuple[str, str]]) ->
 
 def included(unit: TranslationUnit) -> set[str]:
     """The real paths of all files that were included."""
-    return {os.path.realpath(each.include.name) for each in unit.get_includes()}
+    return {os.path.realpath(include.include.name) for include in unit.get_includes()}
 
 
-def calls(unit: TranslationUnit, path: str, wanted: set[tuple[int, int]]) -> dict[str, list[dict[str, Any]]]:
+def calls(unit: TranslationUnit, path: str, requested: set[tuple[int, int]]) -> dict[str, list[dict[str, Any]]]:
     """``line:column`` of what is *wanted* -> the calls that begin there, outermost first."""
     with open(path, "rb") as stream:
         source = _Source(unit, path, stream.read())
-    lines = {line for line, _ in wanted}
+    lines = {line for line, _ in requested}
     found: dict[str, list[dict[str, Any]]] = {}
     doubts = _Doubts(unit)
     pending = [(c, False) for c in reversed(list(unit.cursor.get_children())) if source.is_main(c)]
@@ -84,13 +84,13 @@ def calls(unit: TranslationUnit, path: str, wanted: set[tuple[int, int]]) -> dic
         below = list(cursor.get_children())
         for call, location, kind in _made(cursor, below):
             line, column, is_macro = source.place(location)
-            if (line, column) in wanted:
-                told = found.setdefault(f"{line}:{column}", [])
-                entry = _describe(call, kind, doubts, is_rootless) if len(told) < CALLS else None
+            if (line, column) in requested:
+                result = found.setdefault(f"{line}:{column}", [])
+                entry = _describe(call, kind, doubts, is_rootless) if len(result) < CALLS else None
                 if entry is not None:
-                    told.append({**entry, "macro": is_macro})
+                    result.append({**entry, "macro": is_macro})
         pending += [(child, is_rootless) for child in reversed(below)]
-    return {place: told for place, told in found.items() if told}
+    return {place: result for place, result in found.items() if result}
 
 
 class _Source:
@@ -181,16 +181,16 @@ class _Doubts:
         """Whether a declaration in doubt has a part in *cursor*."""
         pending, seen = [cursor], 0
         while pending:
-            each = pending.pop()
+            item = pending.pop()
             seen += 1
             if seen > 4000:
                 return True
-            if each.kind.is_statement() and each.kind != CursorKind.DECL_STMT:
+            if item.kind.is_statement() and item.kind != CursorKind.DECL_STMT:
                 continue  # a lambda's body
-            target = each.referenced
-            if target is not None and target != each and self.declaration(target, depth + 1):
+            target = item.referenced
+            if target is not None and target != item and self.declaration(target, depth + 1):
                 return True
-            pending += each.get_children()
+            pending += item.get_children()
         return False
 
     def declaration(self, cursor: Cursor, depth: int = 0) -> bool:
@@ -262,11 +262,11 @@ def _describe(cursor: Cursor, kind: str, doubts: _Doubts, is_rootless: bool) -> 
     if callee is not None and callee.kind not in _CALLABLE:
         callee = None
     result = doubts.type(cursor)
-    given = [a for a in built.get_arguments() if a is not None and a.extent.start.file is not None] if callee else []
+    provided = [a for a in built.get_arguments() if a is not None and a.extent.start.file is not None] if callee else []
     if callee is None and built.kind == CursorKind.CALL_EXPR:
-        given = _unresolved(built)
+        provided = _unresolved(built)
     is_chosen = callee is not None and not doubts.overloads(callee)
-    arguments = [_argument(a, is_chosen, doubts) for a in given[:ARGUMENTS]]
+    arguments = [_argument(a, is_chosen, doubts) for a in provided[:ARGUMENTS]]
     name, templates = None, []
     if kind != "call":
         name = result.partition("<")[0] if result else None

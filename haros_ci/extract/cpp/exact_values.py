@@ -67,12 +67,12 @@ def constant(cursor: Cursor) -> str | bool | int | float | None:
     if not result:
         return None
     try:
-        told = LIB.clang_EvalResult_getKind(result)
-        if told == 1 and kind not in _FLOATS:
+        verdict = LIB.clang_EvalResult_getKind(result)
+        if verdict == 1 and kind not in _FLOATS:
             is_unsigned = LIB.clang_EvalResult_isUnsignedInt(result)
             number: int = getattr(LIB, f"clang_EvalResult_getAs{'Unsigned' if is_unsigned else 'LongLong'}")(result)
             return bool(number) if kind == K.BOOL else number
-        if told == 2 and kind in _FLOATS:
+        if verdict == 2 and kind in _FLOATS:
             real: float = LIB.clang_EvalResult_getAsDouble(result)
             return real if math.isfinite(real) else None
         return None
@@ -94,11 +94,11 @@ def _text(cursor: Cursor, depth: int) -> str | None:
         return _text(below[0], depth + 1) if len(below) == 1 else None
     if kind == CursorKind.CALL_EXPR and cursor.referenced is not None:
         callee = cursor.referenced
-        given = [a for a in cursor.get_arguments() if a is not None and a.extent.start.file is not None]
-        if callee.kind == CursorKind.CONSTRUCTOR and len(given) == 1:
-            return _text(given[0], depth + 1)
-        if callee.spelling == "operator+" and len(given) == 2 and qualified(callee) == "std::operator+":
-            left, right = _text(given[0], depth + 1), _text(given[1], depth + 1)
+        provided = [a for a in cursor.get_arguments() if a is not None and a.extent.start.file is not None]
+        if callee.kind == CursorKind.CONSTRUCTOR and len(provided) == 1:
+            return _text(provided[0], depth + 1)
+        if callee.spelling == "operator+" and len(provided) == 2 and qualified(callee) == "std::operator+":
+            left, right = _text(provided[0], depth + 1), _text(provided[1], depth + 1)
             return None if left is None or right is None else left + right
     return None
 

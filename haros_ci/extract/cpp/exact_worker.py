@@ -100,23 +100,23 @@ def answer(root: str, files: Sequence[object], headers: Sequence[str]) -> dict[s
             continue
         if not calls:
             continue
-        given = list(harmless(entry.get("flags"), [root, *prefixes, *SYSTEM_PREFIXES]))
-        standard = [] if any(f.startswith("-std=") for f in given) else ["-std=c++17"]
+        provided = list(harmless(entry.get("flags"), [root, *prefixes, *SYSTEM_PREFIXES]))
+        standard = [] if any(f.startswith("-std=") for f in provided) else ["-std=c++17"]
         limit_time()
         from haros_ci.extract.cpp import exact_clang
 
         try:
-            unknown = undecided([path], given)
-            unit = exact_clang.read(path, [*base, *standard, *unknown, *given, *system], unsaved)
+            unknown = undecided([path], provided)
+            unit = exact_clang.read(path, [*base, *standard, *unknown, *provided, *system], unsaved)
             # An #include may name any file. What came from outside must not show in an answer: the file then has none.
             seen = exact_clang.included(unit).difference(stub for stub, _ in unsaved)
             if not all(_is_inside(p, [root, *prefixes, *SYSTEM_PREFIXES]) for p in seen):
                 failed[name] = "includes a file from outside of the workspace and the installed headers"
                 continue
-            again = undecided([path, *(p for p in seen if _is_inside(p, [root]))], given)
+            again = undecided([path, *(p for p in seen if _is_inside(p, [root]))], provided)
             if again != unknown:
                 unit = None
-                unit = exact_clang.read(path, [*base, *standard, *again, *given, *system], unsaved)
+                unit = exact_clang.read(path, [*base, *standard, *again, *provided, *system], unsaved)
             found[name] = exact_clang.calls(unit, path, calls)
         except exact_clang.Unreadable as err:
             failed[name] = str(err)
@@ -130,7 +130,7 @@ def undecided(paths: Sequence[str], flags: Sequence[str]) -> list[str]:
 
     ``#ifndef X``, ``#define X value``, ``#endif``: X becomes an undeclared name, and with it whatever it is used for.
     """
-    given = {flag[2:].partition("=")[0] for flag in flags if flag.startswith(("-D", "-U"))}
+    keys = {flag[2:].partition("=")[0] for flag in flags if flag.startswith(("-D", "-U"))}
     names: set[str] = set()
     for path in paths:
         with contextlib.suppress(OSError), open(path, encoding="utf-8", errors="replace") as stream:
@@ -141,7 +141,7 @@ def undecided(paths: Sequence[str], flags: Sequence[str]) -> list[str]:
                     defined = second.partition("define")[2].split()
                     if len(defined) > 1 and defined[0] == (name[1] or name[2]):
                         names.add(defined[0])
-    return [f"-D{name}=_unknown_value_of_{name}" for name in sorted(names - given)]
+    return [f"-D{name}=_unknown_value_of_{name}" for name in sorted(names - keys)]
 
 
 def places(value: object) -> set[tuple[int, int]]:

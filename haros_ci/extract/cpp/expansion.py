@@ -43,15 +43,15 @@ def _block(text: str) -> Node | None:
 
 def expand(unit: Unit, call: Node, depth: int, out: list[syntax.Statement]) -> bool:
     """Lower a use of a macro of this file as its body, all of it at the use's position; False if it is not simple."""
-    function, given = call.child_by_field_id(_FUNCTION), call.child_by_field_id(_ARGUMENTS)
-    if function is None or given is None or function.kind_id not in _IDENTIFIER:
+    function, argument = call.child_by_field_id(_FUNCTION), call.child_by_field_id(_ARGUMENTS)
+    if function is None or argument is None or function.kind_id not in _IDENTIFIER:
         return False
     macro = unit.found.callable_macros.get(unit.cut(function))
     if macro is None or unit.level >= _DEEPEST or unit.found.expansions >= _MOST:
         return False
     unit.found.expansions += 1
     parameters, body = macro
-    texts = [unit.text[child.start_byte : child.end_byte] for child in given.children if child.is_named]
+    texts = [unit.text[child.start_byte : child.end_byte] for child in argument.children if child.is_named]
     text = _substituted(body.encode().decode("latin-1"), parameters, texts)
     if text is None or len(text) > _LONGEST:
         return False
@@ -131,7 +131,7 @@ def _reread(unit: Unit, listed: Node, depth: int) -> tuple[syntax.Expression, ..
         unit.found.reread.append((start, unit.shift + listed.end_byte))
         inner = replace(unit, text=f"{_HEAD}{text}}}", shift=start - len(_HEAD) - 1)
         for child in node.children:
-            given = child.children[0].child_by_field_id(_ARGUMENTS) if child.child_count else None
-            if given is not None:
-                return expressions.arguments(inner, given, depth)
+            argument = child.children[0].child_by_field_id(_ARGUMENTS) if child.child_count else None
+            if argument is not None:
+                return expressions.arguments(inner, argument, depth)
     return (unit.opaque(listed),)

@@ -59,13 +59,13 @@ def is_damaged(node: Node) -> bool:
 
 
 def damaged(unit: Unit, node: Node, nodes: list[Node], depth: int) -> syntax.Expression:
-    """What is around a syntax error: of unknown value, but with the calls that can be told."""
+    """What is around a syntax error: of unknown value, but with the calls that can be found."""
     inside = []
-    for each in nodes:
-        if each.kind_id in _HANDLERS:
-            inside.append(expression(unit, each, depth))
-        elif (each.kind_id in _LISTS or each.kind_id == ERROR) and depth < DEEPEST:
-            inside.append(damaged(unit, each, each.children, depth + 1))
+    for other_node in nodes:
+        if other_node.kind_id in _HANDLERS:
+            inside.append(expression(unit, other_node, depth))
+        elif (other_node.kind_id in _LISTS or other_node.kind_id == ERROR) and depth < DEEPEST:
+            inside.append(damaged(unit, other_node, other_node.children, depth + 1))
     return (
         syntax.Operation("?", (unit.opaque(node), syntax.ListLiteral(tuple(inside)))) if inside else unit.opaque(node)
     )

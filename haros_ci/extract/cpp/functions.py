@@ -10,7 +10,7 @@ from tree_sitter import Node
 from haros_ci import syntax
 from haros_ci.extract.cpp import expressions, statements, types
 from haros_ci.extract.cpp.grammar import ERROR, errors, field, kinds
-from haros_ci.extract.cpp.unit import Scope, Unit
+from haros_ci.extract.cpp.unit import CppScope, Unit
 from haros_ci.syntax import Function
 
 _ERRORS = 20
@@ -46,7 +46,7 @@ def template_names(unit: Unit, node: Node) -> tuple[str, ...]:
         if child.kind_id in _TEMPLATE_TEMPLATE:
             child = child.children[-1]
         if child.kind_id in _TYPE_PARAMETERS:
-            named = next((each for each in child.children if each.kind_id in _NAMES), None)
+            named = next((other_node for other_node in child.children if other_node.kind_id in _NAMES), None)
             found.append(unit.cut(named) if named is not None else "")
         elif child.kind_id in _VALUE_PARAMETERS:
             found.append(types.parameter(unit, child, 0).name.lstrip("*"))
@@ -64,7 +64,7 @@ def template_defaults(unit: Unit, node: Node) -> tuple[tuple[str, syntax.Type], 
     return tuple(found)
 
 
-def declare(unit: Unit, declared: types.Declared, before: types.Specifiers, scope: Scope, node: Node | None) -> None:
+def declare(unit: Unit, declared: types.Declared, before: types.Specifiers, scope: CppScope, node: Node | None) -> None:
     """Add the function that *declared* names; *node* is its ``function_definition``, None for a declaration."""
     head = declared.function
     assert head is not None
@@ -122,11 +122,11 @@ def _definition(unit: Unit, node: Node) -> tuple[syntax.Block | None, tuple[int,
             brace = unit.position(child)
             body = statements.block(unit, child.children, 0)
         elif kind in _TRY:
-            for each in child.children:
-                if each.kind_id in _INITS:
-                    inits = _initialisers(unit, each)
-                elif each.kind_id in _BODY:
-                    brace = unit.position(each)
+            for other_node in child.children:
+                if other_node.kind_id in _INITS:
+                    inits = _initialisers(unit, other_node)
+                elif other_node.kind_id in _BODY:
+                    brace = unit.position(other_node)
             body = statements.block(unit, [child], 0)
     if node.has_error:
         _note(unit, node)
@@ -150,9 +150,9 @@ def _initialisers(unit: Unit, node: Node) -> tuple[syntax.Initializer, ...]:
         children = child.children
         name, chosen = types.path(unit, children[0], 0)
         values: tuple[syntax.Expression, ...] = ()
-        for each in children[1:]:
-            if each.kind_id in _LISTS:
-                values = expressions.arguments(unit, each, 1)
+        for other_node in children[1:]:
+            if other_node.kind_id in _LISTS:
+                values = expressions.arguments(unit, other_node, 1)
         line, column = unit.position(child)
         found.append(syntax.Initializer(name, syntax.Type(name, chosen), values, line, column))
     return tuple(found)
@@ -174,11 +174,11 @@ def lambda_expression(unit: Unit, node: Node, depth: int) -> syntax.Lambda:
         if kind in _CAPTURES:
             captured, copied = _captures(unit, child, depth), _copied(unit, child)
         elif kind in _ABSTRACT_FUNCTION:
-            for each in child.children:
-                if each.kind_id in types.PARAMETER_LIST:
-                    parameters = types.parameters(unit, each, depth)
-                elif each.kind_id in _TRAILING:
-                    returns = types.descriptor(unit, each.children[-1], depth)
+            for other_node in child.children:
+                if other_node.kind_id in types.PARAMETER_LIST:
+                    parameters = types.parameters(unit, other_node, depth)
+                elif other_node.kind_id in _TRAILING:
+                    returns = types.descriptor(unit, other_node.children[-1], depth)
         elif kind in _TEMPLATE_PARAMETERS:
             templates = template_names(unit, child)
         elif kind in _BODY:
@@ -243,7 +243,7 @@ def _captures(unit: Unit, node: Node, depth: int) -> list[syntax.Statement]:
     for child in node.children:
         if child.kind_id in _CAPTURE_VALUE:
             children = child.children
-            named = next((each for each in children if each.kind_id in _NAMES), None)
+            named = next((other_node for other_node in children if other_node.kind_id in _NAMES), None)
             if named is not None and children[-1].kind_id != ERROR:
                 line, column = unit.position(named)
                 value = expressions.expression(unit, children[-1], depth)

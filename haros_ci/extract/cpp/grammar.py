@@ -21,9 +21,9 @@ _Handler = TypeVar("_Handler")
 
 def kinds(names: str) -> frozenset[int]:
     """The numbers of the node kinds called one of *names*: a kind may have several, for aliases and bare tokens."""
-    wanted = frozenset(names.split())
-    found = {i for i in range(LANGUAGE.node_kind_count) if LANGUAGE.node_kind_for_id(i) in wanted}
-    if "ERROR" in wanted:
+    requested = frozenset(names.split())
+    found = {i for i in range(LANGUAGE.node_kind_count) if LANGUAGE.node_kind_for_id(i) in requested}
+    if "ERROR" in requested:
         found.add(ERROR)
     return frozenset(found)
 

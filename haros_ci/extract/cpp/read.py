@@ -7,7 +7,7 @@ from tree_sitter import Node
 
 from haros_ci.extract.cpp import blanks, branches, scopes
 from haros_ci.extract.cpp.grammar import errors, missing, parse
-from haros_ci.extract.cpp.unit import Scope, Unit, unit_of
+from haros_ci.extract.cpp.unit import CppScope, Unit, unit_of
 from haros_ci.syntax import Program
 
 LARGEST = 4_000_000
@@ -27,7 +27,7 @@ def read_cpp(text: str) -> Program:
     if root is None:
         return Program("cpp", problems=((1, "too unlike C++ to parse in reasonable time: the file is not read"),))
     unit = unit_of(data)
-    scopes.declare(unit, [root], Scope(), 0)
+    scopes.declare(unit, [root], CppScope(), 0)
     return _program(unit)
 
 
@@ -56,8 +56,8 @@ def _program(unit: Unit) -> Program:
     found = unit.found
     return Program(
         "cpp",
-        functions=tuple(each for each in found.functions if each is not None),
-        classes=tuple(each for each in found.classes if each is not None),
+        functions=tuple(function for function in found.functions if function is not None),
+        classes=tuple(class_ for class_ in found.classes if class_ is not None),
         variables=tuple(found.variables),
         aliases=tuple(found.aliases),
         scopes=tuple(found.scopes),

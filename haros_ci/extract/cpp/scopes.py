@@ -11,7 +11,7 @@ from tree_sitter import Node
 from haros_ci import syntax
 from haros_ci.extract.cpp import declarations, functions, preprocessor, types
 from haros_ci.extract.cpp.grammar import ERROR, field, kinds, table
-from haros_ci.extract.cpp.unit import DEEPEST, TOO_DEEP, Scope, Unit
+from haros_ci.extract.cpp.unit import DEEPEST, TOO_DEEP, CppScope, Unit
 from haros_ci.syntax import Alias, Field
 
 _NAME = field("name")
@@ -36,10 +36,10 @@ _LOST = kinds(
 _WORD = re.compile(r"\w+")
 _CONTINUATION = re.compile(r"\\\r?\n")
 
-Handler = Callable[[Unit, Node, Scope, int], None]
+Handler = Callable[[Unit, Node, CppScope, int], None]
 
 
-def declare(unit: Unit, nodes: list[Node], scope: Scope, depth: int) -> None:
+def declare(unit: Unit, nodes: list[Node], scope: CppScope, depth: int) -> None:
     """Add what *nodes* declare in *scope* to the unit."""
     if depth > DEEPEST:
         if nodes:
@@ -51,7 +51,7 @@ def declare(unit: Unit, nodes: list[Node], scope: Scope, depth: int) -> None:
             handler(unit, node, scope, depth + 1)
 
 
-def _declaration(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+def _declaration(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
     before = declarations.before_declarators(unit, node, scope, depth)
     is_extern = any(unit.cut(child) == "extern" for child in node.children[:2])
     for declared, init in declarations.declarators(unit, before, depth):
@@ -69,7 +69,7 @@ def _declaration(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
             scope.members.append(Field(declared.name, declared.type, init, line, column, before.is_static))
 
 
-def _function(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+def _function(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
     before = declarations.before_declarators(unit, node, scope, depth)
     for child in before.rest:
         if child.is_named and child.kind_id not in declarations.IGNORED:
@@ -79,16 +79,16 @@ def _function(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
             return
 
 
-def _template(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+def _template(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
     names, defaults = scope.templates, scope.defaults
     for child in node.children:
         if child.kind_id in _TEMPLATE_PARAMETERS:
             names = (*names, *functions.template_names(unit, child))
             defaults = (*defaults, *functions.template_defaults(unit, child))
-    declare(unit, node.children, Scope(scope.name, scope.space, scope.members, scope.guards, names, defaults), depth)
+    declare(unit, node.children, CppScope(scope.name, scope.space, scope.members, scope.guards, names, defaults), depth)
 
 
-def _namespace(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+def _namespace(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
     """Unnamed and inline namespaces are as good as not there."""
     named = node.child_by_field_id(_NAME)
     body = node.child_by_field_id(_BODY)
@@ -96,43 +96,43 @@ def _namespace(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
     if named is not None and node.children[0].kind_id not in _INLINE:
         name = scope.qualified("".join(unit.cut(named).split()))
     if body is not None:
-        declare(unit, body.children, Scope(name, name, None, scope.guards), depth)
+        declare(unit, body.children, CppScope(name, name, None, scope.guards), depth)
 
 
-def _linkage(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+def _linkage(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
     body = node.child_by_field_id(_BODY)
     if body is not None:
         declare(unit, [body], scope, depth)
 
 
-def _inside(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+def _inside(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
     declare(unit, node.children, scope, depth)
 
 
-def _friend(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
-    declare(unit, node.children, Scope(scope.space, scope.space, None, scope.guards, scope.templates), depth)
+def _friend(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
+    declare(unit, node.children, CppScope(scope.space, scope.space, None, scope.guards, scope.templates), depth)
 
 
-def _error(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+def _error(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
     children = node.children
     if any(child.kind_id in _LOST for child in children):
         unit.problem(node, "syntax that is not understood: part of the file is not read")
     declare(unit, children, scope, depth)
 
 
-def _stray(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+def _stray(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
     unit.problem(node, "a statement outside of functions: braces that do not match hide part of the file")
 
 
-def _class(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+def _class(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
     declarations.class_of(unit, node, scope, depth)
 
 
-def _enum(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+def _enum(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
     declarations.enumeration(unit, node, scope, depth)
 
 
-def _typedef(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+def _typedef(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
     before = types.specifiers(unit, node.children, depth)
     base = before.type
     is_first = True
@@ -159,14 +159,14 @@ def _typedef(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
             unit.found.aliases.append(Alias(scope.qualified(declared.name), type_, scope.templates))
 
 
-def _alias(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+def _alias(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
     named, target = node.child_by_field_id(_NAME), node.child_by_field_id(_TYPE)
     if named is not None and target is not None:
         type_ = types.descriptor(unit, target, depth)
         unit.found.aliases.append(Alias(scope.qualified(unit.cut(named)), type_, scope.templates))
 
 
-def _using(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+def _using(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
     children = node.children
     is_directive = any(child.kind_id in _NAMESPACE for child in children)
     for child in children:
@@ -181,27 +181,27 @@ def _using(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
             unit.found.aliases.append(Alias(scope.qualified(last), syntax.Type(name)))
 
 
-def _namespace_alias(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+def _namespace_alias(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
     names = ["".join(unit.cut(child).split()) for child in node.children if child.kind_id in _NAMED]
     if len(names) == 2:
         unit.found.aliases.append(Alias(scope.qualified(names[0]), syntax.Type(names[1], (), "namespace")))
 
 
-def _include(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+def _include(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
     path = node.child_by_field_id(_PATH)
     if path is not None:
         unit.found.includes.append(unit.cut(path))
 
 
-def _macro(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
-    named, value, listed = (node.child_by_field_id(each) for each in (_NAME, _VALUE, _PARAMETERS))
+def _macro(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
+    named, value, listed = (node.child_by_field_id(number) for number in (_NAME, _VALUE, _PARAMETERS))
     if named is None:
         return
     body = "" if value is None else _CONTINUATION.sub(" ", unit.cut(value)).strip()
     parameters = None
     if listed is not None:
         inside = _CONTINUATION.sub(" ", unit.cut(listed))[1:-1].strip()
-        parameters = tuple(each.strip() for each in inside.split(",")) if inside else ()
+        parameters = tuple(part.strip() for part in inside.split(",")) if inside else ()
         if "(" in body:
             unit.found.callable_macros[unit.cut(named)] = (parameters, body)
     if scope.guards:
@@ -209,7 +209,7 @@ def _macro(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
     unit.found.macros.append((unit.cut(named), parameters, body))
 
 
-def _conditional(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+def _conditional(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
     found = preprocessor.branches(unit, node)
     is_guard = preprocessor.is_include_guard(unit, found)
     if is_guard:  # or a default, which the build may replace
@@ -218,22 +218,22 @@ def _conditional(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
     for index, (line, column, text, nodes) in enumerate(found):
         known, holds = len(unit.found.macros), preprocessor.holds(unit, text)
         guards = scope.guards if is_guard and index == 0 else (*scope.guards, (line, column, text))
-        declare(unit, nodes, Scope(scope.name, scope.space, scope.members, guards, scope.templates), depth)
+        declare(unit, nodes, CppScope(scope.name, scope.space, scope.members, guards, scope.templates), depth)
         if is_taken or holds is False:
             del unit.found.macros[known:]  # what they would be defined as is never meant
         is_taken = is_taken or bool(holds)
 
 
-def _registration(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+def _registration(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
     call = node.children[0] if node.child_count else node
     if call.kind_id not in _CALL:
         return
-    function, given = call.child_by_field_id(_FUNCTION), call.child_by_field_id(_ARGUMENTS)
-    if function is None or given is None or function.kind_id not in _IDENTIFIER:
+    function, argument = call.child_by_field_id(_FUNCTION), call.child_by_field_id(_ARGUMENTS)
+    if function is None or argument is None or function.kind_id not in _IDENTIFIER:
         return
     texts = tuple(
         unit.collapsed(child.start_byte, child.end_byte)
-        for child in given.children
+        for child in argument.children
         if child.is_named and child.kind_id != ERROR
     )
     unit.found.registered.append((unit.cut(function), texts, *unit.position(call)))

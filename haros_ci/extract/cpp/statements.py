@@ -10,7 +10,7 @@ from tree_sitter import Node
 from haros_ci import syntax
 from haros_ci.extract.cpp import declarations, expansion, expressions, preprocessor, scopes, types
 from haros_ci.extract.cpp.grammar import ERROR, field, kinds, table
-from haros_ci.extract.cpp.unit import DEEPEST, TOO_DEEP, Scope, Unit
+from haros_ci.extract.cpp.unit import DEEPEST, TOO_DEEP, CppScope, Unit
 
 _BLOCK = kinds("compound_statement")
 _CASE = kinds("case_statement")
@@ -70,20 +70,23 @@ def _bare(unit: Unit, node: Node, depth: int, out: Statements) -> None:
 
 
 def _declaration(unit: Unit, node: Node, depth: int, out: Statements) -> None:
-    scope = Scope(unit.function, unit.function)
+    scope = CppScope(unit.function, unit.function)
     is_static = any(unit.cut(child) == "static" for child in node.children if child.end_byte - child.start_byte == 6)
-    for each in declarations.variables(unit, node, scope, depth):
-        if each[0].is_parenthesized and each[1] is None:
+    for variable in declarations.variables(unit, node, scope, depth):
+        if variable[0].is_parenthesized and variable[1] is None:
             out.append(syntax.Do(unit.opaque(node)))
             continue
         start = len(out)
-        _variable(unit, each, depth, out)
+        _variable(unit, variable, depth, out)
         if is_static:
-            out[start:] = [syntax.Static(each) if isinstance(each, syntax.Variable) else each for each in out[start:]]
+            out[start:] = [
+                syntax.Static(statement) if isinstance(statement, syntax.Variable) else statement
+                for statement in out[start:]
+            ]
 
 
-def _variable(unit: Unit, each: declarations.Variable, depth: int, out: Statements) -> None:
-    declared, init = each
+def _variable(unit: Unit, variable: declarations.Variable, depth: int, out: Statements) -> None:
+    declared, init = variable
     if isinstance(init, str):
         return
     line, column = unit.position(declared.node)
@@ -238,8 +241,8 @@ def _try(unit: Unit, node: Node, depth: int, out: Statements) -> None:
         caught = child.child_by_field_id(_PARAMETERS)
         if caught is not None:
             text = unit.collapsed(caught.start_byte + 1, caught.end_byte - 1)
-            for each in types.parameters(unit, caught, depth):
-                name, type_ = each.name, each.type
+            for parameter in types.parameters(unit, caught, depth):
+                name, type_ = parameter.name, parameter.type
         handlers.append(
             syntax.Handler(line, column, text, name, type_, _body(unit, child.child_by_field_id(_BODY), depth))
         )
@@ -272,7 +275,7 @@ def _nested(unit: Unit, node: Node, depth: int, out: Statements) -> None:
 
 
 def _inside(unit: Unit, node: Node, depth: int, out: Statements) -> None:
-    """What stands behind labels and attributes, and what can be told within a syntax error."""
+    """What stands behind labels and attributes, and what can be read within a syntax error."""
     out.extend(block(unit, node.children, depth))
 
 
@@ -283,13 +286,13 @@ def _pre(unit: Unit, node: Node, depth: int, out: Statements) -> None:
 
 
 def _class(unit: Unit, node: Node, depth: int, out: Statements) -> None:
-    name = declarations.class_of(unit, node, Scope(unit.function, unit.function), depth)
+    name = declarations.class_of(unit, node, CppScope(unit.function, unit.function), depth)
     if name:
         out.append(syntax.NestedClass(name.rpartition("::")[2]))
 
 
 def _scoped(unit: Unit, node: Node, depth: int, out: Statements) -> None:
-    scopes.declare(unit, [node], Scope(unit.function, unit.function), depth)
+    scopes.declare(unit, [node], CppScope(unit.function, unit.function), depth)
 
 
 def _function(unit: Unit, node: Node, depth: int, out: Statements) -> None:

@@ -301,7 +301,7 @@ def function_type(unit: Unit, children: list[Node], returned: syntax.Type, depth
     found: tuple[syntax.Type, ...] = ()
     for child in children:
         if child.kind_id in PARAMETER_LIST:
-            found = tuple(each.type for each in parameters(unit, child, depth + 1))
+            found = tuple(other_parameter.type for other_parameter in parameters(unit, child, depth + 1))
         elif child.kind_id in _TRAILING:
             returned = descriptor(unit, child.children[-1], depth + 1)
     return syntax.Type("()", (returned, *found))

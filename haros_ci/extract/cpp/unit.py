@@ -96,7 +96,7 @@ class Unit:
 
 
 @dataclass(frozen=True, slots=True)
-class Scope:
+class CppScope:
     """Where declarations stand: *name* is qualified; *space* is the namespace around it, for friends.
 
     *members* collects the data members of a class.

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Any
 
-from haros_ci.bounded_yaml import MAX_NUMBER, TAG, Limits, YamlFault, nodes, scalar_value
+from haros_ci.bounded_yaml import MAX_NUMBER, TAG, YamlFault, YamlLimits, nodes, scalar_value
 from haros_ci.model.location import Location
 
-LIMITS = Limits(values=100_000)
+LIMITS = YamlLimits(values=100_000)
 
 
 @dataclass(frozen=True, slots=True)

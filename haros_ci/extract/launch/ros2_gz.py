@@ -22,12 +22,12 @@ def _including(file: str, names: str) -> Maker:
 
     def make(builder: Builder, entity: Entity) -> Action | None:
         builder.check(entity, tuple(names.split()))
-        given = builder.phrases(entity, {name: name for name in names.split()})
+        provided = builder.phrases(entity, {name: name for name in names.split()})
         return Action(
             kind="include",
             location=entity.location,
             phrases=(("file", (f"$(find-pkg-share {file}.launch.py",)),),
-            arguments=tuple(((name,), phrase) for name, phrase in given),
+            arguments=tuple(((name,), phrase) for name, phrase in provided),
             tests=builder.tests(entity),
         )
 

@@ -22,7 +22,7 @@ def read_ros2_yaml(text: str, path: str) -> Description:
 
     An element that launch refuses is left out, with a problem; the rest is kept.
     """
-    reader = _Reader(path)
+    reader = _LaunchYamlReader(path)
     try:
         root = compose(text)
         if root is None or root.id != "mapping" or len(root.value) != 1 or root.value[0][0].value != "launch":
@@ -37,7 +37,7 @@ def read_ros2_yaml(text: str, path: str) -> Description:
 
 
 @dataclass(slots=True)
-class _Reader:
+class _LaunchYamlReader:
     path: str
     builder: Builder = field(default_factory=Builder)
     entities: int = 0

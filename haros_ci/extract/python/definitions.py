@@ -9,12 +9,12 @@ from typing import Any
 
 from haros_ci.extract.python.annotations import NO_TYPE, dotted, type_of
 from haros_ci.extract.python.expressions import expression, parameters, this_within
-from haros_ci.extract.python.scope import Bindings, Scope, bound, qualified
+from haros_ci.extract.python.scope import Bindings, PythonScope, bound, qualified
 from haros_ci.extract.python.source import place
 from haros_ci.syntax import Block, Class, Expression, Function, Type
 
 #: Lowers statements in a scope; ``statements.block``.
-LowerBlock = Callable[[list[ast.stmt], Scope, int], Block]
+LowerBlock = Callable[[list[ast.stmt], PythonScope, int], Block]
 
 _KINDS = {"__init__": "constructor", "__del__": "destructor"}
 #: Class and static methods without a decorator (docs.python.org/3/reference/datamodel.html).
@@ -23,7 +23,9 @@ _STATIC = frozenset(("staticmethod", "abstractstaticmethod"))
 _OF_CLASS = frozenset(("classmethod", "abstractclassmethod"))
 
 
-def define_function(node: ast.FunctionDef | ast.AsyncFunctionDef, scope: Scope, depth: int, lower: LowerBlock) -> int:
+def define_function(
+    node: ast.FunctionDef | ast.AsyncFunctionDef, scope: PythonScope, depth: int, lower: LowerBlock
+) -> int:
     """Lower a function into ``scope.file.functions`` and give its index there."""
     file = scope.file
     index = len(file.functions)
@@ -48,7 +50,7 @@ def define_function(node: ast.FunctionDef | ast.AsyncFunctionDef, scope: Scope, 
         returns=annotation(node.returns, scope, depth),
         line=line,
         column=column,
-        body=lower(node.body, Scope(file, "function", name, this), depth),
+        body=lower(node.body, PythonScope(file, "function", name, this), depth),
         body_line=line,
         body_column=column,
         templates=_templates(node),
@@ -58,7 +60,7 @@ def define_function(node: ast.FunctionDef | ast.AsyncFunctionDef, scope: Scope, 
     return index
 
 
-def define_class(node: ast.ClassDef, scope: Scope, depth: int, lower: LowerBlock) -> str:
+def define_class(node: ast.ClassDef, scope: PythonScope, depth: int, lower: LowerBlock) -> str:
     """Lower a class into ``scope.file.classes`` and give its qualified name."""
     file = scope.file
     name = qualified(scope, node.name)
@@ -67,18 +69,18 @@ def define_class(node: ast.ClassDef, scope: Scope, depth: int, lower: LowerBlock
     bases = tuple([annotation(base, scope, depth) for base in node.bases])
     line, column = place(file.source, node)
     file.classes.append(Class(name, bases, (), line, column, _templates(node)))
-    lower(node.body, Scope(file, "class", name, None, bindings), depth)
+    lower(node.body, PythonScope(file, "class", name, None, bindings), depth)
     fields = bound(bindings, file.source, set())
     file.classes[index] = Class(name, bases, fields, line, column, _templates(node))
     return name
 
 
-def annotation(node: ast.expr | None, scope: Scope, depth: int) -> Type:
+def annotation(node: ast.expr | None, scope: PythonScope, depth: int) -> Type:
     """The type that an annotation or a base class says."""
     return NO_TYPE if node is None else type_of(node, lambda item: _value(item, scope, depth))
 
 
-def _value(node: ast.expr, scope: Scope, depth: int) -> Expression:
+def _value(node: ast.expr, scope: PythonScope, depth: int) -> Expression:
     return expression(node, scope, depth)
 
 

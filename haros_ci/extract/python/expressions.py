@@ -11,7 +11,7 @@ from typing import TypeVar, cast
 from haros_ci import syntax
 from haros_ci.extract.python import comprehensions
 from haros_ci.extract.python.annotations import NO_TYPE, type_of
-from haros_ci.extract.python.scope import DEEPEST, Scope, qualified, too_deep
+from haros_ci.extract.python.scope import DEEPEST, PythonScope, qualified, too_deep
 from haros_ci.extract.python.source import place, unknown
 from haros_ci.syntax import Block, Expression, Function, Parameter
 
@@ -49,7 +49,7 @@ _OPERATORS: dict[type[ast.AST], str] = {
 _WIDEST_INTEGER = 64  # bits; a JSON reader need not take more
 _STR_CONVERSION = ord("s")
 _Kind = TypeVar("_Kind", bound=ast.expr)
-_Lower = Callable[[ast.expr, Scope, int], Expression]
+_Lower = Callable[[ast.expr, PythonScope, int], Expression]
 
 
 def operator_text(node: ast.AST) -> str:
@@ -57,7 +57,7 @@ def operator_text(node: ast.AST) -> str:
     return _OPERATORS[type(node)]
 
 
-def expression(node: ast.expr, scope: Scope, depth: int) -> Expression:
+def expression(node: ast.expr, scope: PythonScope, depth: int) -> Expression:
     """Lower one expression; what has no words, or lies too deep, is unknown."""
     if depth > DEEPEST:
         too_deep(scope, node)
@@ -66,7 +66,7 @@ def expression(node: ast.expr, scope: Scope, depth: int) -> Expression:
     return lower(node, scope, depth + 1) if lower else unknown(scope.file.source, node)
 
 
-def parameters(arguments: ast.arguments, scope: Scope, depth: int) -> tuple[Parameter, ...]:
+def parameters(arguments: ast.arguments, scope: PythonScope, depth: int) -> tuple[Parameter, ...]:
     """All parameters in order; a bare ``*`` is one named ``*``, so that what follows is by keyword only."""
 
     def parameter(mark: str, found: ast.arg, default: ast.expr | None) -> Parameter:
@@ -91,19 +91,21 @@ def parameters(arguments: ast.arguments, scope: Scope, depth: int) -> tuple[Para
     return tuple(found)
 
 
-def this_within(scope: Scope, names: set[str]) -> str | None:
+def this_within(scope: PythonScope, names: set[str]) -> str | None:
     """What a function inside *scope* sees of its method's first parameter, unless it rebinds the name."""
     return None if scope.this in names else scope.this
 
 
-def anonymous(node: ast.expr, found: tuple[Parameter, ...], scope: Scope, body: Callable[[Scope], Block]) -> Expression:
+def anonymous(
+    node: ast.expr, found: tuple[Parameter, ...], scope: PythonScope, body: Callable[[PythonScope], Block]
+) -> Expression:
     """A function without a name that takes *found*, at the place of *node*; *body* lowers what it does."""
     file = scope.file
     index = len(file.functions)
     file.functions.append(None)
     name = qualified(scope, "<lambda>")
     names = {parameter.name.lstrip("*") for parameter in found}
-    inner = Scope(file, "function", name, this_within(scope, names))
+    inner = PythonScope(file, "function", name, this_within(scope, names))
     line, column = place(file.source, node)
     file.functions[index] = Function(
         name, "", "lambda", found, NO_TYPE, line, column, body(inner), body_line=line, body_column=column
@@ -111,16 +113,16 @@ def anonymous(node: ast.expr, found: tuple[Parameter, ...], scope: Scope, body: 
     return syntax.Lambda(index)
 
 
-def _plain_lambda(node: ast.Lambda, scope: Scope, depth: int) -> Expression:
+def _plain_lambda(node: ast.Lambda, scope: PythonScope, depth: int) -> Expression:
     found = parameters(node.args, scope, depth)
     return anonymous(node, found, scope, lambda inner: (syntax.Return(expression(node.body, inner, depth)),))
 
 
-def _comprehension(node: comprehensions.Comprehension, scope: Scope, depth: int) -> Expression:
+def _comprehension(node: comprehensions.Comprehension, scope: PythonScope, depth: int) -> Expression:
     return comprehensions.comprehension(node, scope, depth)
 
 
-def _constant(node: ast.Constant, scope: Scope, depth: int) -> Expression:
+def _constant(node: ast.Constant, scope: PythonScope, depth: int) -> Expression:
     value = node.value
     if value is None:
         return syntax.Null()
@@ -135,19 +137,19 @@ def _constant(node: ast.Constant, scope: Scope, depth: int) -> Expression:
     return unknown(scope.file.source, node)
 
 
-def _name(node: ast.Name, scope: Scope, depth: int) -> Expression:
+def _name(node: ast.Name, scope: PythonScope, depth: int) -> Expression:
     return syntax.This() if node.id == scope.this else syntax.Name(node.id)
 
 
-def _attribute(node: ast.Attribute, scope: Scope, depth: int) -> Expression:
+def _attribute(node: ast.Attribute, scope: PythonScope, depth: int) -> Expression:
     return syntax.Member(expression(node.value, scope, depth), node.attr)
 
 
-def _subscript(node: ast.Subscript, scope: Scope, depth: int) -> Expression:
+def _subscript(node: ast.Subscript, scope: PythonScope, depth: int) -> Expression:
     return syntax.Subscript(expression(node.value, scope, depth), expression(node.slice, scope, depth))
 
 
-def _slice(node: ast.Slice, scope: Scope, depth: int) -> Expression:
+def _slice(node: ast.Slice, scope: PythonScope, depth: int) -> Expression:
     """``a:b:c`` is ``[slice](a, b, c)``, None for what is not written."""
     parts = [
         syntax.Null() if part is None else expression(part, scope, depth)
@@ -156,7 +158,7 @@ def _slice(node: ast.Slice, scope: Scope, depth: int) -> Expression:
     return syntax.Call(syntax.Name("[slice]"), tuple(parts), (), *place(scope.file.source, node))
 
 
-def _call(node: ast.Call, scope: Scope, depth: int) -> Expression:
+def _call(node: ast.Call, scope: PythonScope, depth: int) -> Expression:
     callee = expression(node.func, scope, depth)
     arguments = [expression(item, scope, depth) for item in node.args]
     for keyword in node.keywords:
@@ -165,11 +167,11 @@ def _call(node: ast.Call, scope: Scope, depth: int) -> Expression:
     return syntax.Call(callee, tuple(arguments), (), *place(scope.file.source, node))
 
 
-def _unary(node: ast.UnaryOp, scope: Scope, depth: int) -> Expression:
+def _unary(node: ast.UnaryOp, scope: PythonScope, depth: int) -> Expression:
     return syntax.Operation(_OPERATORS[type(node.op)], (expression(node.operand, scope, depth),))
 
 
-def _binary(node: ast.BinOp, scope: Scope, depth: int) -> Expression:
+def _binary(node: ast.BinOp, scope: PythonScope, depth: int) -> Expression:
     if isinstance(node.op, ast.Mod) and isinstance(node.right, (ast.List, ast.Set)):
         return unknown(scope.file.source, node)  # the whole list is formatted, where a tuple's elements are
     return syntax.Operation(
@@ -178,7 +180,7 @@ def _binary(node: ast.BinOp, scope: Scope, depth: int) -> Expression:
     )
 
 
-def _all_of(operator: str, parts: list[Expression], node: ast.expr, scope: Scope, depth: int) -> Expression:
+def _all_of(operator: str, parts: list[Expression], node: ast.expr, scope: PythonScope, depth: int) -> Expression:
     if depth + len(parts) > DEEPEST:
         too_deep(scope, node)
         return unknown(scope.file.source, node)
@@ -188,13 +190,13 @@ def _all_of(operator: str, parts: list[Expression], node: ast.expr, scope: Scope
     return joined
 
 
-def _boolean(node: ast.BoolOp, scope: Scope, depth: int) -> Expression:
+def _boolean(node: ast.BoolOp, scope: PythonScope, depth: int) -> Expression:
     inner = depth + len(node.values)
     parts = [expression(value, scope, inner) for value in node.values]
     return _all_of(_OPERATORS[type(node.op)], parts, node, scope, depth)
 
 
-def _compare(node: ast.Compare, scope: Scope, depth: int) -> Expression:
+def _compare(node: ast.Compare, scope: PythonScope, depth: int) -> Expression:
     """``a < b < c`` is ``a < b && b < c``."""
     inner = depth + len(node.ops)
     sides = [expression(side, scope, inner) for side in (node.left, *node.comparators)]
@@ -205,16 +207,16 @@ def _compare(node: ast.Compare, scope: Scope, depth: int) -> Expression:
     return _all_of("&&", parts, node, scope, depth)
 
 
-def _conditional(node: ast.IfExp, scope: Scope, depth: int) -> Expression:
+def _conditional(node: ast.IfExp, scope: PythonScope, depth: int) -> Expression:
     parts = [expression(part, scope, depth) for part in (node.test, node.body, node.orelse)]
     return syntax.Conditional(*parts)
 
 
-def _list(node: ast.List | ast.Tuple | ast.Set, scope: Scope, depth: int) -> Expression:
+def _list(node: ast.List | ast.Tuple | ast.Set, scope: PythonScope, depth: int) -> Expression:
     return syntax.ListLiteral(tuple([expression(item, scope, depth) for item in node.elts]))
 
 
-def _dict(node: ast.Dict, scope: Scope, depth: int) -> Expression:
+def _dict(node: ast.Dict, scope: PythonScope, depth: int) -> Expression:
     """``**other`` in it is a starstar as key, with an unknown value."""
     pairs: list[tuple[Expression, Expression]] = []
     for key, value in zip(node.keys, node.values, strict=True):
@@ -227,7 +229,7 @@ def _dict(node: ast.Dict, scope: Scope, depth: int) -> Expression:
     return syntax.DictLiteral(tuple(pairs))
 
 
-def _format(node: ast.JoinedStr, scope: Scope, depth: int) -> Expression:
+def _format(node: ast.JoinedStr, scope: PythonScope, depth: int) -> Expression:
     """A part with a conversion or a format is ``"{!r:>3}".format(x)``; unknown where the format is computed."""
     parts: list[Expression] = []
     for part in node.values:
@@ -257,20 +259,20 @@ def _format_text(node: ast.expr | None) -> str | None:
     return text if len(texts) == len(parts) and text.isascii() and not set("{}") & set(text) else None
 
 
-def _walrus(node: ast.NamedExpr, scope: Scope, depth: int) -> Expression:
+def _walrus(node: ast.NamedExpr, scope: PythonScope, depth: int) -> Expression:
     scope.file.rebound.add(node.target.id)
     return syntax.Assignment("=", expression(node.target, scope, depth), expression(node.value, scope, depth))
 
 
-def _starred(node: ast.Starred, scope: Scope, depth: int) -> Expression:
+def _starred(node: ast.Starred, scope: PythonScope, depth: int) -> Expression:
     return syntax.Star(expression(node.value, scope, depth))
 
 
-def _inner(node: ast.Await | ast.Yield | ast.YieldFrom, scope: Scope, depth: int) -> Expression:
+def _inner(node: ast.Await | ast.Yield | ast.YieldFrom, scope: PythonScope, depth: int) -> Expression:
     return syntax.Null() if node.value is None else expression(node.value, scope, depth)
 
 
-def _on(kind: type[_Kind], lower: Callable[[_Kind, Scope, int], Expression]) -> tuple[type[ast.AST], _Lower]:
+def _on(kind: type[_Kind], lower: Callable[[_Kind, PythonScope, int], Expression]) -> tuple[type[ast.AST], _Lower]:
     """*lower* for expressions of *kind*, and for no others."""
     return kind, cast("_Lower", lower)
 

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 
 from haros_ci.extract.python.annotations import NO_TYPE
 from haros_ci.extract.python.python2 import repair
-from haros_ci.extract.python.scope import Bindings, Collected, Scope, bound
+from haros_ci.extract.python.scope import Bindings, Collected, PythonScope, bound
 from haros_ci.extract.python.source import Edit, Source, source_of
 from haros_ci.extract.python.statements import block
 from haros_ci.extract.python.tokens import longest_chain
@@ -84,7 +84,7 @@ def _parse(text: str) -> ast.Module:
 def _program(tree: ast.Module, file: Collected) -> Program:
     bindings = Bindings()
     file.functions.append(None)
-    body = block(tree.body, Scope(file, "module", bindings=bindings), 0)
+    body = block(tree.body, PythonScope(file, "module", bindings=bindings), 0)
     file.functions[0] = Function("", "", "module", (), NO_TYPE, 1, 1, body, body_line=1, body_column=1)
     return Program(
         language=LANGUAGE,

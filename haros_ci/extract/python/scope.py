@@ -38,7 +38,7 @@ class Collected:
 
 
 @dataclass(frozen=True, slots=True)
-class Scope:
+class PythonScope:
     """*name* is qualified; *this* the name of the method's first parameter; *bindings* are a module's or class's."""
 
     file: Collected
@@ -49,17 +49,19 @@ class Scope:
     conditional: bool = False
 
 
-def qualified(scope: Scope, name: str) -> str:
+def qualified(scope: PythonScope, name: str) -> str:
     """*name* within *scope*, joined by a dot; cut where no one would write it so long."""
     return (f"{scope.name}.{name}" if scope.name else name)[:_LONGEST_NAME]
 
 
-def conditionally(scope: Scope) -> Scope:
+def conditionally(scope: PythonScope) -> PythonScope:
     """The same scope inside a statement that may not run, or more than once."""
     return scope if scope.bindings is None or scope.conditional else replace(scope, conditional=True)
 
 
-def bind(scope: Scope, name: str, type_: Type, value: Expression | None, node: ast.AST, place: tuple[int, int]) -> None:
+def bind(
+    scope: PythonScope, name: str, type_: Type, value: Expression | None, node: ast.AST, place: tuple[int, int]
+) -> None:
     """Note a binding of *name* in a module or class; *value* None where a statement says only the type."""
     bindings = scope.bindings
     if bindings is None:
@@ -80,13 +82,13 @@ def bound(bindings: Bindings, source: Source, elsewhere: set[str]) -> tuple[Fiel
     )
 
 
-def rebind(scope: Scope, *names: str) -> None:
+def rebind(scope: PythonScope, *names: str) -> None:
     """Note that a module or class binds *names* in a way that has no value to show."""
     if scope.bindings is not None:
         scope.bindings.uncertain.update(names)
 
 
-def too_deep(scope: Scope, node: ast.AST) -> None:
+def too_deep(scope: PythonScope, node: ast.AST) -> None:
     """Note once per file that it is nested deeper than is read."""
     message = f"nested deeper than {DEEPEST} levels: what lies deeper is unknown; split the statement or function"
     if all(text != message for _, text in scope.file.problems):

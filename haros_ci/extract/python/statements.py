@@ -13,17 +13,17 @@ from haros_ci.extract.python.annotations import NO_TYPE
 from haros_ci.extract.python.definitions import annotation, define_class, define_function
 from haros_ci.extract.python.expressions import expression, operator_text
 from haros_ci.extract.python.imports import imported
-from haros_ci.extract.python.scope import DEEPEST, Scope, bind, conditionally, rebind, too_deep
+from haros_ci.extract.python.scope import DEEPEST, PythonScope, bind, conditionally, rebind, too_deep
 from haros_ci.extract.python.source import column, condition, place, unknown
 from haros_ci.syntax import Alias, Block, Expression, Statement
 
 _ELSE = re.compile(r"[ \t\f]*(else)\b")
 _LEAVES = (syntax.Break, syntax.Continue, syntax.Return, syntax.Throw)
 _Kind = TypeVar("_Kind", bound=ast.stmt)
-_Lower = Callable[[ast.stmt, Scope, int], Block]
+_Lower = Callable[[ast.stmt, PythonScope, int], Block]
 
 
-def block(nodes: list[ast.stmt], scope: Scope, depth: int) -> Block:
+def block(nodes: list[ast.stmt], scope: PythonScope, depth: int) -> Block:
     """Lower statements one after the other; what lies too deep is unknown."""
     if depth > DEEPEST and nodes:
         too_deep(scope, nodes[0])
@@ -38,25 +38,27 @@ def block(nodes: list[ast.stmt], scope: Scope, depth: int) -> Block:
     return tuple(lowered)
 
 
-def _nothing(node: ast.stmt, scope: Scope, depth: int) -> Block:
+def _nothing(node: ast.stmt, scope: PythonScope, depth: int) -> Block:
     return ()
 
 
-def _globals(node: ast.Global, scope: Scope, depth: int) -> Block:
+def _globals(node: ast.Global, scope: PythonScope, depth: int) -> Block:
     scope.file.rebound.update(node.names)
     return (syntax.Global(tuple(node.names)),)
 
 
-def _nonlocals(node: ast.Nonlocal, scope: Scope, depth: int) -> Block:
+def _nonlocals(node: ast.Nonlocal, scope: PythonScope, depth: int) -> Block:
     return (syntax.Nonlocal(tuple(node.names)),)
 
 
-def _plain(node: ast.Expr, scope: Scope, depth: int) -> Block:
+def _plain(node: ast.Expr, scope: PythonScope, depth: int) -> Block:
     """Docstrings and other literals that stand alone say nothing."""
     return () if isinstance(node.value, ast.Constant) else (syntax.Do(expression(node.value, scope, depth)),)
 
 
-def _bind(target: ast.expr, value: ast.expr | None, lowered: Expression | None, scope: Scope, node: ast.stmt) -> None:
+def _bind(
+    target: ast.expr, value: ast.expr | None, lowered: Expression | None, scope: PythonScope, node: ast.stmt
+) -> None:
     """Note what an assignment, loop or import binds in a module or class; *lowered* None for an unknown value."""
     if scope.bindings is None:
         return
@@ -74,7 +76,7 @@ def _bind(target: ast.expr, value: ast.expr | None, lowered: Expression | None, 
             _bind(inner, None, item, scope, node)
 
 
-def _assign(node: ast.Assign, scope: Scope, depth: int) -> Block:
+def _assign(node: ast.Assign, scope: PythonScope, depth: int) -> Block:
     if depth + len(node.targets) > DEEPEST:
         too_deep(scope, node)
         return (syntax.Do(unknown(scope.file.source, node)),)
@@ -86,7 +88,7 @@ def _assign(node: ast.Assign, scope: Scope, depth: int) -> Block:
     return (syntax.Do(value),)
 
 
-def _annotated(node: ast.AnnAssign, scope: Scope, depth: int) -> Block:
+def _annotated(node: ast.AnnAssign, scope: PythonScope, depth: int) -> Block:
     value = None if node.value is None else expression(node.value, scope, depth)
     if isinstance(node.target, ast.Name):
         where = place(scope.file.source, node.target)
@@ -96,7 +98,7 @@ def _annotated(node: ast.AnnAssign, scope: Scope, depth: int) -> Block:
     return () if value is None else (syntax.Do(syntax.Assignment("=", expression(node.target, scope, depth), value)),)
 
 
-def _augmented(node: ast.AugAssign, scope: Scope, depth: int) -> Block:
+def _augmented(node: ast.AugAssign, scope: PythonScope, depth: int) -> Block:
     _bind(node.target, None, None, scope, node)
     if isinstance(node.target, ast.Name):
         rebind(scope, node.target.id)
@@ -104,16 +106,16 @@ def _augmented(node: ast.AugAssign, scope: Scope, depth: int) -> Block:
     return (syntax.Do(syntax.Assignment(operator_text(node.op) + "=", target, value)),)
 
 
-def _delete(node: ast.Delete, scope: Scope, depth: int) -> Block:
+def _delete(node: ast.Delete, scope: PythonScope, depth: int) -> Block:
     rebind(scope, *(target.id for target in node.targets if isinstance(target, ast.Name)))
     return (syntax.Do(unknown(scope.file.source, node)),)
 
 
-def _assert(node: ast.Assert, scope: Scope, depth: int) -> Block:
+def _assert(node: ast.Assert, scope: PythonScope, depth: int) -> Block:
     return (syntax.Do(expression(node.test, scope, depth)),)
 
 
-def _if(node: ast.If, scope: Scope, depth: int) -> Block:
+def _if(node: ast.If, scope: PythonScope, depth: int) -> Block:
     source = scope.file.source
     inner = conditionally(scope)
     test = expression(node.test, scope, depth)
@@ -123,7 +125,7 @@ def _if(node: ast.If, scope: Scope, depth: int) -> Block:
     return (syntax.If(*place(source, node), text, test, body, *where, other),)
 
 
-def _else(body: list[ast.stmt], orelse: list[ast.stmt], scope: Scope) -> tuple[int, int]:
+def _else(body: list[ast.stmt], orelse: list[ast.stmt], scope: PythonScope) -> tuple[int, int]:
     """Where ``else`` or ``elif`` stands: ast places only an elif; between it and the body are no other statements."""
     if not orelse:
         return (0, 0)
@@ -134,7 +136,7 @@ def _else(body: list[ast.stmt], orelse: list[ast.stmt], scope: Scope) -> tuple[i
     return place(source, first)
 
 
-def _while(node: ast.While, scope: Scope, depth: int) -> Block:
+def _while(node: ast.While, scope: PythonScope, depth: int) -> Block:
     source = scope.file.source
     test = expression(node.test, scope, depth)
     body = block(node.body, conditionally(scope), depth)
@@ -142,8 +144,8 @@ def _while(node: ast.While, scope: Scope, depth: int) -> Block:
     return (syntax.Loop("while", *place(source, node), text, (), test, body), *_after_loop(node, scope, depth))
 
 
-def _for(node: ast.For | ast.AsyncFor, scope: Scope, depth: int) -> Block:
-    """A pattern is taken apart by a first statement of the body, from the nameless item."""
+def _for(node: ast.For | ast.AsyncFor, scope: PythonScope, depth: int) -> Block:
+    """The first statement of the body assigns the parts of a pattern from the nameless item."""
     source = scope.file.source
     inner = conditionally(scope)
     items = expression(node.iter, scope, depth)
@@ -154,11 +156,11 @@ def _for(node: ast.For | ast.AsyncFor, scope: Scope, depth: int) -> Block:
     if not name:
         body = (syntax.Do(syntax.Assignment("=", target, syntax.Name(""))), *body)
     text = condition(source, node.target, node.iter)
-    each = syntax.Each(*place(source, node), text, name, NO_TYPE, items, body)
-    return (each, *_after_loop(node, scope, depth))
+    item = syntax.Each(*place(source, node), text, name, NO_TYPE, items, body)
+    return (item, *_after_loop(node, scope, depth))
 
 
-def _after_loop(node: ast.For | ast.AsyncFor | ast.While, scope: Scope, depth: int) -> Block:
+def _after_loop(node: ast.For | ast.AsyncFor | ast.While, scope: PythonScope, depth: int) -> Block:
     """A loop's else runs unless the loop was left by break: then it hangs on a condition nobody wrote."""
     if not node.orelse:
         return ()
@@ -168,7 +170,7 @@ def _after_loop(node: ast.For | ast.AsyncFor | ast.While, scope: Scope, depth: i
     return (syntax.If(*_else(node.body, node.orelse, scope), "else", syntax.Unknown("else"), body, 0, 0, ()),)
 
 
-def _with(node: ast.With | ast.AsyncWith, scope: Scope, depth: int) -> Block:
+def _with(node: ast.With | ast.AsyncWith, scope: PythonScope, depth: int) -> Block:
     """The body follows in the same block: Python has no scope there."""
     entered: list[Statement] = []
     for item in node.items:
@@ -190,7 +192,7 @@ class _Tried(Protocol):
     finalbody: list[ast.stmt]
 
 
-def _try(node: _Tried, scope: Scope, depth: int) -> Block:
+def _try(node: _Tried, scope: PythonScope, depth: int) -> Block:
     """What else says belongs to the tried block, what finally says comes after all of it."""
     inner = conditionally(scope)
     tried = block(node.body, inner, depth) + block(node.orelse, inner, depth)
@@ -198,7 +200,7 @@ def _try(node: _Tried, scope: Scope, depth: int) -> Block:
     return (syntax.Try(tried, handlers), *block(node.finalbody, scope, depth))
 
 
-def _handler(node: ast.ExceptHandler, scope: Scope, depth: int) -> syntax.Handler:
+def _handler(node: ast.ExceptHandler, scope: PythonScope, depth: int) -> syntax.Handler:
     text = condition(scope.file.source, node.type, node.type) if node.type else ""
     if node.name:
         text = f"{text} as {node.name}"
@@ -207,7 +209,7 @@ def _handler(node: ast.ExceptHandler, scope: Scope, depth: int) -> syntax.Handle
     return syntax.Handler(*place(scope.file.source, node), text, node.name or "", type_, block(node.body, scope, depth))
 
 
-def _match(node: ast.Match, scope: Scope, depth: int) -> Block:
+def _match(node: ast.Match, scope: PythonScope, depth: int) -> Block:
     """Alternatives are cases that fall through; a pattern that is no value, or has a guard, is unknown text."""
     source = scope.file.source
     inner = conditionally(scope)
@@ -226,7 +228,7 @@ def _match(node: ast.Match, scope: Scope, depth: int) -> Block:
     return (syntax.Switch(*place(source, node), text, expression(node.subject, scope, depth), tuple(cases)),)
 
 
-def _captured(pattern: ast.pattern, scope: Scope) -> Block:
+def _captured(pattern: ast.pattern, scope: PythonScope) -> Block:
     """Names that a pattern binds have unknown values."""
     names = [getattr(part, "name", None) or getattr(part, "rest", None) for part in ast.walk(pattern)]
     found = sorted({name for name in names if name})
@@ -235,7 +237,7 @@ def _captured(pattern: ast.pattern, scope: Scope) -> Block:
     return tuple([syntax.Do(syntax.Assignment("=", syntax.Name(name), value)) for name in found])
 
 
-def _pattern(pattern: ast.pattern, scope: Scope, depth: int) -> Expression | None:
+def _pattern(pattern: ast.pattern, scope: PythonScope, depth: int) -> Expression | None:
     if isinstance(pattern, ast.MatchValue):
         return expression(pattern.value, scope, depth)
     if isinstance(pattern, ast.MatchSingleton):
@@ -245,27 +247,27 @@ def _pattern(pattern: ast.pattern, scope: Scope, depth: int) -> Expression | Non
     return unknown(scope.file.source, pattern)
 
 
-def _return(node: ast.Return, scope: Scope, depth: int) -> Block:
+def _return(node: ast.Return, scope: PythonScope, depth: int) -> Block:
     return (syntax.Return(None if node.value is None else expression(node.value, scope, depth)),)
 
 
-def _raise(node: ast.Raise, scope: Scope, depth: int) -> Block:
+def _raise(node: ast.Raise, scope: PythonScope, depth: int) -> Block:
     return (syntax.Throw(None if node.exc is None else expression(node.exc, scope, depth)),)
 
 
-def _function(node: ast.FunctionDef | ast.AsyncFunctionDef, scope: Scope, depth: int) -> Block:
+def _function(node: ast.FunctionDef | ast.AsyncFunctionDef, scope: PythonScope, depth: int) -> Block:
     rebind(scope, node.name)
     index = define_function(node, scope, depth, block)
     return (syntax.NestedFunction(node.name, index),) if scope.kind == "function" else ()
 
 
-def _class(node: ast.ClassDef, scope: Scope, depth: int) -> Block:
+def _class(node: ast.ClassDef, scope: PythonScope, depth: int) -> Block:
     rebind(scope, node.name)
     name = define_class(node, scope, depth, block)
     return (syntax.NestedClass(name),) if scope.kind != "class" else ()
 
 
-def _import(node: ast.Import | ast.ImportFrom, scope: Scope, depth: int) -> Block:
+def _import(node: ast.Import | ast.ImportFrom, scope: PythonScope, depth: int) -> Block:
     found = imported(node)
     rebind(scope, *(name for name, _ in found))
     if scope.kind == "module":
@@ -274,13 +276,13 @@ def _import(node: ast.Import | ast.ImportFrom, scope: Scope, depth: int) -> Bloc
     return tuple([syntax.Import(name, target) for name, target in found])
 
 
-def _type_alias(node: Any, scope: Scope, depth: int) -> Block:
+def _type_alias(node: Any, scope: PythonScope, depth: int) -> Block:
     if scope.kind == "module":
         scope.file.aliases[Alias(node.name.id, annotation(node.value, scope, depth))] = None
     return ()
 
 
-def _on(kind: type[_Kind], lower: Callable[[_Kind, Scope, int], Block]) -> tuple[type[ast.AST], _Lower]:
+def _on(kind: type[_Kind], lower: Callable[[_Kind, PythonScope, int], Block]) -> tuple[type[ast.AST], _Lower]:
     """*lower* for statements of *kind*, and for no others."""
     return kind, cast("_Lower", lower)
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from haros_ci.follow import activation, call_arguments
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.values import iterators
 from haros_ci.values.abstract import (
     NONE,
@@ -30,7 +30,7 @@ from haros_ci.values.abstract import (
 )
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 BOOST = ("boost::", "boost::algorithm::")
 #: Single characters become single characters: what is known of a text stays so, whatever stands beside it.
@@ -43,8 +43,8 @@ SOUGHT = 64
 SPACES = " \t\n\v\f\r"
 
 
-def rewritten(run: Run, name: str, args: tuple[Argument, ...]) -> Value | None:
-    """What the function returns, with the text that it is given rewritten; None if that cannot be told."""
+def rewritten(run: Walk, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+    """What the function returns, with its text argument rewritten; None if that is not known."""
     if name in ("std::replace", "std::transform") and len(args) == 4:
         return _ranged(run, name, args)
     tail = next((name[len(space) :] for space in reversed(BOOST) if name.startswith(space)), "")
@@ -63,7 +63,7 @@ def rewritten(run: Run, name: str, args: tuple[Argument, ...]) -> Value | None:
     return NONE
 
 
-def found(run: Run, frame: Frame, args: tuple[Argument, ...]) -> Value | None:
+def found(run: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value | None:
     """``std::find`` and ``std::find_if`` from a list's ``begin()`` to its ``end()``: a pointer to the element, or the end.
 
     None if that depends on what is not known.
@@ -87,7 +87,7 @@ def found(run: Run, frame: Frame, args: tuple[Argument, ...]) -> Value | None:
     return every.end
 
 
-def for_each(run: Run, frame: Frame, args: tuple[Argument, ...]) -> Value | None:
+def for_each(run: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value | None:
     """``std::for_each`` over a list from its ``begin()`` to its ``end()``; None if its elements are not known."""
     start, end = args[0].value, args[1].value
     of = start.fields.get("[of]") if isinstance(start, Object) else None
@@ -97,24 +97,24 @@ def for_each(run: Run, frame: Frame, args: tuple[Argument, ...]) -> Value | None
         return None
     place = iterators.position(start)
     for cell in cells[place:] if place is not None else ():
-        activation.invoke(run, frame, args[2].value, (call_arguments.Argument(cell.value, cell, cell.type),))
+        activation.invoke(run, frame, args[2].value, (call_arguments.PassedArgument(cell.value, cell, cell.type),))
     return args[2].value if place is not None else None
 
 
-def _fits(run: Run, frame: Frame, wanted: Value, cell: Cell) -> bool | None:
+def _fits(run: Walk, frame: Frame, expected: Value, cell: Cell) -> bool | None:
     """Whether the element in *cell* is what is *wanted*, a value or a predicate; None if that is not known."""
-    if not isinstance(wanted, Callable):
-        known = isinstance(wanted, Known) and isinstance(cell.value, Known)
-        return bool(wanted.value == cell.value.value) if known and isinstance(wanted, Known) else None
+    if not isinstance(expected, Callable):
+        known = isinstance(expected, Known) and isinstance(cell.value, Known)
+        return bool(expected.value == cell.value.value) if known and isinstance(expected, Known) else None
     mark = run.state.mark()
-    given = call_arguments.Argument(cell.value, cell, cell.type)
-    verdict = activation.invoke(run, frame, wanted, (given,))
+    argument = call_arguments.PassedArgument(cell.value, cell, cell.type)
+    verdict = activation.invoke(run, frame, expected, (argument,))
     changes = run.state.undo(mark)
-    told = isinstance(verdict, Known) and issubclass(verdict.kind, (bool, int)) and not changes
-    return bool(verdict.value) if told and isinstance(verdict, Known) else None
+    result = isinstance(verdict, Known) and issubclass(verdict.kind, (bool, int)) and not changes
+    return bool(verdict.value) if result and isinstance(verdict, Known) else None
 
 
-def _ranged(run: Run, name: str, args: tuple[Argument, ...]) -> Value | None:
+def _ranged(run: Walk, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """The algorithm on a whole text, from its ``begin()`` to its ``end()``."""
     cells = [_text_of(argument.value) for argument in args[: 2 if name == "std::replace" else 3]]
     if cells[0] is None or any(cell is not cells[0] for cell in cells):

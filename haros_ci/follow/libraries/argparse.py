@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any, NoReturn
 
 from haros_ci.follow import comprehensions, slices
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.values.abstract import Cell, Known, Library, Object, Opaque, Sequence, Value, data_of
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 PARSER = "argparse.ArgumentParser"
 #: The member of a parser that holds its options, and what they are kept as.
@@ -29,14 +29,14 @@ TYPES: dict[str, Any] = {"int": int, "float": float, "str": str}
 MOST, OPEN = 64, 3
 
 
-def parser(args: tuple[Argument, ...]) -> Object:
+def parser(args: tuple[PassedArgument, ...]) -> Object:
     """What ``argparse.ArgumentParser(...)`` makes; its options are not known if words are read in another way."""
     is_plain = all(argument.keyword in PLAIN for argument in args)
     options: Any = () if is_plain else Opaque("the parser has rules of its own")
     return Object(PARSER, fields={DECLARED: Cell(Sequence(Cell(options)))})
 
 
-def method(run: Run, frame: Frame, this: Object, name: str, args: tuple[Argument, ...]) -> Value | None:
+def method(run: Walk, frame: Frame, this: Object, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """A method of a parser: options are declared, the command line is read; anything else makes the options unknown."""
     declared = this.fields[DECLARED].value
     assert isinstance(declared, Sequence)
@@ -56,7 +56,7 @@ def method(run: Run, frame: Frame, this: Object, name: str, args: tuple[Argument
     return None
 
 
-def _parsed(options: Any, args: tuple[Argument, ...], is_partly: bool) -> Value | None:
+def _parsed(options: Any, args: tuple[PassedArgument, ...], is_partly: bool) -> Value | None:
     """The options as an object; None if the words, or what they mean, are not known.
 
     Without words they are ``sys.argv``, to which roslaunch adds some that no program declares.
@@ -100,33 +100,33 @@ def _read(options: tuple[Cell, ...], words: list[str]) -> tuple[dict[str, Any], 
     is_open = 0
     for cell in options:
         members = cell.value.fields
-        given = {key: member.value for key, member in members.items() if not key.isdigit()}
+        provided = {key: member.value for key, member in members.items() if not key.isdigit()}
         flags = [_data(members[key].value) for key in members if key.isdigit()]
-        action = _data(given["action"]) if "action" in given else "store"
+        action = _data(provided["action"]) if "action" in provided else "store"
         if action not in ACTIONS:
             if action in ("help", "version"):
                 continue
             raise ValueError("an action of its own")
-        wanted: dict[str, Any] = {"action": action}
+        requested: dict[str, Any] = {"action": action}
         for key in ("dest", "nargs", "const", "required"):
-            if key in given:
-                wanted[key] = _data(given[key])
-        count = wanted.get("nargs")
+            if key in provided:
+                requested[key] = _data(provided[key])
+        count = requested.get("nargs")
         if isinstance(count, int) and not 0 < count <= MOST:
             raise ValueError("a number of words that no command line has")
         is_open += isinstance(count, str) and not flags[0].startswith("-")
         if is_open > OPEN:
             raise ValueError("too many ways to share the words")
-        if "type" in given:
-            kind = given["type"]
-            wanted["type"] = TYPES[kind.name if isinstance(kind, Library) else ""]
-        if "default" in given:
-            known, data = data_of(given["default"])
+        if "type" in provided:
+            kind = provided["type"]
+            requested["type"] = TYPES[kind.name if isinstance(kind, Library) else ""]
+        if "default" in provided:
+            known, data = data_of(provided["default"])
             if not known:
                 data = object()
-                kept[id(data)] = given["default"]
-            wanted["default"] = data
-        reader.add_argument(*flags, **wanted)
+                kept[id(data)] = provided["default"]
+            requested["default"] = data
+        reader.add_argument(*flags, **requested)
     space, rest = reader.parse_known_args(words)
     for key, data in list(vars(space).items()):
         if id(data) not in kept and not isinstance(data, (str, int, float, bool, list, type(None))):

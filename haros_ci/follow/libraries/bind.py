@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 from haros_ci.values.abstract import Callable, Library, Object, Pointer, Value
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 
-def bind(args: tuple[Argument, ...]) -> Value:
+def bind(args: tuple[PassedArgument, ...]) -> Value:
     """``bind(&C::m, this, _1, x)``: what is bound keeps its place, placeholders are open."""
     function = args[0].value
     if isinstance(function, Pointer):

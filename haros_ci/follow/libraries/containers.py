@@ -9,7 +9,7 @@ from haros_ci import syntax
 from haros_ci.follow import alternatives, assignments, construct, conversions
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import tuples
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
 from haros_ci.values import iterators
@@ -30,7 +30,7 @@ from haros_ci.values.abstract import (
 from haros_ci.values.state import certain, last, possible
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 
 #: Methods of maps that add an entry.
@@ -40,9 +40,9 @@ ADDING = frozenset(("insert", "emplace"))
 
 
 def _added(
-    run: Run, receiver: Sequence, name: str, args: tuple[Argument, ...], inner: Type | None
+    run: Walk, receiver: Sequence, name: str, args: tuple[PassedArgument, ...], inner: Type | None
 ) -> tuple[Cell, ...] | Opaque | None:
-    """A set's content with one more element, or a list's or set's with those of a range; None if that is not told."""
+    """A set's content with one more element, or a list's or set's with those of a range; None if that is not known."""
     cells: Any = receiver.content.value
     is_set = receiver.type is not None and receiver.type.name == "std::set"
     held = certain(cells)
@@ -51,43 +51,45 @@ def _added(
         new = [conversions.converted(values[0], inner) if inner is not None else values[0]]
     elif len(args) == (2 if is_set else 3) and name == "insert" and (is_set or values[0] is receiver.end):
         found = _range(values[-2], values[-1])
-        if found is None or (is_set and not all(isinstance(each, Known) for each in found)):
+        if found is None or (is_set and not all(isinstance(value, Known) for value in found)):
             return None
         new = found
     else:
         return None
     if is_set:
         there = [cell.value.value for cell in held if isinstance(cell.value, Known)]
-        new = [each for each in dict.fromkeys(new) if isinstance(each, Known) and each.value not in there]
+        new = [fromkey for fromkey in dict.fromkeys(new) if isinstance(fromkey, Known) and fromkey.value not in there]
     if len(held) + len(new) > LIST_LIMIT:
         return None
-    whole = (*held, *(Cell(each, inner) for each in new))
+    whole = (*held, *(Cell(value, inner) for value in new))
     return whole if isinstance(cells, tuple) else Partial(cells.reason, cells.location, cells.type, whole)
 
 
-def _grown(run: Run, frame: Frame, cells: Any, name: str, args: tuple[Argument, ...], inner: Type | None) -> Opaque:
+def _grown(
+    run: Walk, frame: Frame, cells: Any, name: str, args: tuple[PassedArgument, ...], inner: Type | None
+) -> Opaque:
     """The content of a list that is not known with one more element: what is added behind the others is the last."""
-    told = run.opaque("the list is built in a way that is not followed", frame)
+    result = run.opaque("the list is built in a way that is not followed", frame)
     some, end = certain(cells), None
     if not isinstance(cells, tuple) and name in ("push_back", "emplace_back") and len(args) == 1:
         end = Cell(conversions.converted(construct.copied(run, args[0].value, inner), inner), inner)
         some = (*some, end)[-LIST_LIMIT:]
     others = possible(cells)
-    return Partial(told.reason, told.location, told.type, some, others, end) if some or others else told
+    return Partial(result.reason, result.location, result.type, some, others, end) if some or others else result
 
 
 def _range(first: Value, end: Value) -> list[Value] | None:
     """The elements from the beginning to the end of one list or set."""
     if not isinstance(first, Object) or not isinstance(end, Object) or end.name != iterators.END:
         return None
-    owners = [each.fields["[of]"].value for each in (first, end) if "[of]" in each.fields]
+    owners = [object_.fields["[of]"].value for object_ in (first, end) if "[of]" in object_.fields]
     content = owners[0].content.value if len(owners) == 2 and isinstance(owners[0], Sequence) else None
     if owners[0] is not owners[-1] or not isinstance(content, tuple) or iterators.position(first):
         return None
     return [cell.value for cell in content]
 
 
-def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[Argument, ...]) -> Value | None:
+def sequence(run: Walk, frame: Frame, receiver: Sequence, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     cells: Any = receiver.content.value
     known = isinstance(cells, tuple)
     inner = receiver.type.of(0) if receiver.type is not None else None
@@ -109,8 +111,8 @@ def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[
         return NONE
     if name in ("resize", "assign"):
         if args and isinstance(args[0].value, Known) and isinstance(args[0].value.value, int) and name == "resize":
-            wanted = args[0].value.value
-            if known and 0 <= wanted <= 1000:
+            expected = args[0].value.value
+            if known and 0 <= expected <= 1000:
                 kind, place = inner or syntax.Type(""), Location(frame.source.path)
                 made = [
                     Cell(
@@ -119,13 +121,13 @@ def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[
                         else construct.of_template(run, frame, kind, (), place),
                         inner,
                     )
-                    for _ in range(wanted - len(cells))
+                    for _ in range(expected - len(cells))
                 ]
-                run.state.write(receiver.content, (*cells[:wanted], *made))
+                run.state.write(receiver.content, (*cells[:expected], *made))
                 return NONE
-            if 0 <= wanted <= 1000:  # so many, whatever they are
+            if 0 <= expected <= 1000:  # so many, whatever they are
                 unknown = run.opaque("an element that is not known", frame, None, inner)
-                run.state.write(receiver.content, tuple(Cell(unknown, inner) for _ in range(wanted)))
+                run.state.write(receiver.content, tuple(Cell(unknown, inner) for _ in range(expected)))
                 return NONE
         run.state.write(receiver.content, run.opaque("a list of unknown length", frame))
         return NONE
@@ -169,7 +171,7 @@ def _parts(value: Value) -> list[Value]:
     return [cell.value for cell in cells] if isinstance(cells, tuple) else []
 
 
-def _entry(run: Run, args: tuple[Argument, ...]) -> tuple[Any, Value] | None:
+def _entry(run: Walk, args: tuple[PassedArgument, ...]) -> tuple[Any, Value] | None:
     """The key and the value of an entry that a map is given; None if they are not known, nested braces, or one of several plug-ins."""
     values = _parts(args[0].value) if len(args) == 1 else [argument.value for argument in args]
     if len(values) != 2 or not isinstance(values[0], Known) or not issubclass(values[0].kind, (str, int)):
@@ -179,7 +181,7 @@ def _entry(run: Run, args: tuple[Argument, ...]) -> tuple[Any, Value] | None:
     return None if is_braces or is_any else (values[0].value, values[1])
 
 
-def mapped(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Argument, ...]) -> Value | None:
+def mapped(run: Walk, frame: Frame, receiver: Mapped, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     pairs: Any = receiver.content.value
     if name in ("size", "empty", "count") and isinstance(pairs, dict):
         if name == "count":
@@ -207,12 +209,12 @@ def mapped(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Argu
     if name == "at" and args:
         cell = assignments.element(run, frame, receiver, args[0].value)
         if cell is None and not isinstance(args[0].value, Known) and isinstance(pairs, dict) and pairs:
-            return assignments.any_of(each.value for each in pairs.values())
+            return assignments.any_of(pair.value for pair in pairs.values())
         return cell.value if cell is not None else run.opaque("an entry that is not known", frame)
     return None
 
 
-def swapped(run: Run, args: tuple[Argument, ...]) -> Value | None:
+def swapped(run: Walk, args: tuple[PassedArgument, ...]) -> Value | None:
     """``swap(a, b)`` of texts, numbers and whole containers; None for all else."""
     one, other = args[0].cell, args[1].cell
     plain = (Known, Text, Choice, Opaque)

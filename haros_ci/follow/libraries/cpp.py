@@ -24,7 +24,7 @@ from haros_ci.follow.libraries import numbers as library_numbers
 from haros_ci.follow.libraries import xml as library_xml
 from haros_ci.follow.libraries import yaml as library_yaml
 from haros_ci.follow.ros import loaders, ros2_selectors
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.mentions import LOADERS
 from haros_ci.index.types import STRINGS, pointee
 from haros_ci.model.location import Location
@@ -48,7 +48,7 @@ from haros_ci.values.abstract import (
 )
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 XMLRPC = "XmlRpc::XmlRpcValue"
 STREAMS = frozenset(
@@ -74,7 +74,7 @@ TRANSPARENT = frozenset(
 )
 
 
-def instance(run: Run, frame: Frame, kind: Type, args: tuple[Argument, ...]) -> Value | None:
+def instance(run: Walk, frame: Frame, kind: Type, args: tuple[PassedArgument, ...]) -> Value | None:
     """An instance of a modelled class."""
     name = kind.name
     if name in STREAMS:
@@ -84,7 +84,7 @@ def instance(run: Run, frame: Frame, kind: Type, args: tuple[Argument, ...]) -> 
         return stream
     if name == DESCRIPTOR and not args and run.context.process is not None:
         flag = {"read_only": Cell(FALSE, syntax.Type("bool"))}
-        ranges = {each: Cell(Sequence(Cell(()))) for each in ("floating_point_range", "integer_range")}
+        ranges = {item: Cell(Sequence(Cell(()))) for item in ("floating_point_range", "integer_range")}
         return Object(name, fields={**flag, **ranges})
     if name in FILES:
         return Object(name, fields={"[path]": Cell(args[0].value if args else NONE)})
@@ -106,10 +106,10 @@ def instance(run: Run, frame: Frame, kind: Type, args: tuple[Argument, ...]) -> 
 
 
 def function(
-    run: Run,
+    run: Walk,
     frame: Frame,
     name: str,
-    args: tuple[Argument, ...],
+    args: tuple[PassedArgument, ...],
     targs: tuple[syntax.Argument, ...],
     location: Location,
 ) -> Value | None:
@@ -145,9 +145,9 @@ def function(
         if name in ("std::string", "string"):
             return texts.constructed(args)
         if name == "boost::lexical_cast" and targs and isinstance(targs[0], syntax.Type):
-            wanted = run.type_in(targs[0], frame)
-            if wanted.name not in STRINGS:
-                return conversions.converted(_number(value), wanted)
+            expected = run.type_in(targs[0], frame)
+            if expected.name not in STRINGS:
+                return conversions.converted(_number(value), expected)
             if isinstance(value, Known) and issubclass(value.kind, float):
                 is_double = args[0].type is not None and args[0].type.name == "double"
                 return Known(f"{value.value:.17g}") if is_double else run.opaque("its digits are not known", frame)
@@ -176,7 +176,7 @@ def function(
 
 
 def _put_together(
-    run: Run, frame: Frame, name: str, args: tuple[Argument, ...], targs: tuple[syntax.Argument, ...]
+    run: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...], targs: tuple[syntax.Argument, ...]
 ) -> Value | None:
     """Functions that make tuples and texts, or go through a list."""
     if name == "std::for_each" and len(args) == 3:
@@ -193,7 +193,7 @@ def _put_together(
     return None
 
 
-def protected(run: Run, this: Object, name: str) -> Cell | None:
+def protected(run: Walk, this: Object, name: str) -> Cell | None:
     """A data member that a library's class gives to the workspace's classes derived from it."""
     if name == "_value" and this.definition is not None and XMLRPC in methods.library_bases(run, *this.definition):
         cell = this.fields[name] = Cell(Object("[any]"))
@@ -211,12 +211,12 @@ def _number(value: Value) -> Value:
 
 
 def method(
-    run: Run,
+    run: Walk,
     frame: Frame,
     receiver: Value,
     cell: Cell | None,
     name: str,
-    args: tuple[Argument, ...],
+    args: tuple[PassedArgument, ...],
     location: Location,
     targs: tuple[syntax.Argument, ...] = (),
 ) -> Value | None:
@@ -230,9 +230,9 @@ def method(
     if is_text and name == "append" and cell is None and args:  # of a temporary
         return concatenate((receiver, texts.constructed(args)))
     if name == "get_type" and not args and run.context.process is not None:  # of what a parameter holds
-        told = ros2_selectors.type_constant(receiver)
-        if told is not None or isinstance(receiver, (Known, Text, Sequence)):
-            return told or run.opaque("the type of a parameter is not known", frame, location.line)
+        result = ros2_selectors.type_constant(receiver)
+        if result is not None or isinstance(receiver, (Known, Text, Sequence)):
+            return result or run.opaque("the type of a parameter is not known", frame, location.line)
     if isinstance(receiver, Known):
         return cpp_data.of_known(run, frame, receiver, cell, name, args)
     if isinstance(receiver, (Text, Choice)) and name in ("c_str", "str", "data"):
@@ -273,7 +273,7 @@ def _is_filled(cell: Cell | None) -> bool:
 
 
 def _of_loader(
-    run: Run, frame: Frame, loader: Object, name: str, args: tuple[Argument, ...], location: Location
+    run: Walk, frame: Frame, loader: Object, name: str, args: tuple[PassedArgument, ...], location: Location
 ) -> Value | None:
     """Methods of pluginlib's loaders: instances by name, and which names there are."""
     if name == "getDeclaredClasses":
@@ -299,11 +299,11 @@ _OF_CLASS: dict[str, Callable[..., Value | None]] = {
 
 
 def _object(
-    run: Run,
+    run: Walk,
     frame: Frame,
     receiver: Object,
     name: str,
-    args: tuple[Argument, ...],
+    args: tuple[PassedArgument, ...],
     location: Location,
     targs: tuple[syntax.Argument, ...],
 ) -> Value | None:

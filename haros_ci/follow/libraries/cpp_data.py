@@ -9,7 +9,7 @@ from haros_ci.follow.conversions import NPOS
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import text_methods, texts
 from haros_ci.follow.libraries import xml as library_xml
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.types import SEQUENCES
 from haros_ci.values.abstract import (
     LIST_LIMIT,
@@ -26,10 +26,10 @@ from haros_ci.values.abstract import (
 from haros_ci.values.given import beginning, letter
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 
-def _of_list(run: Run, data: list[Any], cell: Cell, name: str, args: tuple[Argument, ...]) -> Value | None:
+def _of_list(run: Walk, data: list[Any], cell: Cell, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """Methods of a vector that holds a parameter's list."""
     if name == "empty":
         return Known(not data)
@@ -57,7 +57,7 @@ def _asked_alone(text: Known, name: str) -> Value | None:
     return texts.number(letter(text, 0 if name == "front" else -1)) if name in ("front", "back") else None
 
 
-def _asked(text: Known, name: str, args: tuple[Argument, ...]) -> Value | None:
+def _asked(text: Known, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """What a method of a text that is given from outside says of it, where it need not be looked at any further for that."""
     if not args:
         return _asked_alone(text, name)
@@ -81,7 +81,7 @@ PARTS = frozenset(("path", "string", "filename", "extension", "stem", "parent_pa
 
 
 def of_known(
-    run: Run, frame: Frame, receiver: Known, cell: Cell | None, name: str, args: tuple[Argument, ...]
+    run: Walk, frame: Frame, receiver: Known, cell: Cell | None, name: str, args: tuple[PassedArgument, ...]
 ) -> Value | None:
     if name == "has_value" and not args and receiver.kind is bool:
         return receiver  # what BT::TreeNode::getInput says
@@ -151,9 +151,9 @@ def of_known(
     if name in ("size",) and isinstance(data, (list, dict)):
         return Known(len(data))
     if isinstance(data, list) and cell is not None and cell.type is not None and cell.type.name in SEQUENCES:
-        told = _of_list(run, data, cell, name, args)
-        if told is not None:
-            return told
+        result = _of_list(run, data, cell, name, args)
+        if result is not None:
+            return result
     if name in ("FindValue", "hasMember") and args and isinstance(args[0].value, Known):
         inside = isinstance(data, dict) and args[0].value.value in data
         if name == "hasMember":
@@ -170,7 +170,7 @@ def of_known(
         }
         return Known(kinds[name])
     if name == "getType":
-        for kind, said in (
+        for kind, message in (
             (bool, "TypeBoolean"),
             (int, "TypeInt"),
             (float, "TypeDouble"),
@@ -179,5 +179,5 @@ def of_known(
             (dict, "TypeStruct"),
         ):
             if isinstance(data, kind):
-                return Library(f"XmlRpc::XmlRpcValue::{said}")
+                return Library(f"XmlRpc::XmlRpcValue::{message}")
     return None

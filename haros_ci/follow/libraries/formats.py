@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from haros_ci import syntax
 from haros_ci.follow import members
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.model.digits import whole_number
 from haros_ci.values.abstract import (
     NONE,
@@ -30,7 +30,7 @@ from haros_ci.values.abstract import (
 )
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 _SPECIFIER = re.compile(r"%(?:\((\w+)\))?([-#0 +]{0,3}\d{0,2}(?:\.\d{1,2})?)([diouxXeEfFgGcras%])")
 _SPECIFICATION = re.compile(r"(?:.?[<>=^])?[-+ ]?#?0?\d{0,2}(?:\.\d{1,2})?[bdeEfFgGosxX%]?")
@@ -50,19 +50,19 @@ def of_path(name: str, text: str) -> Value:
     return Sequence(Cell(tuple(Cell(Known(item)) for item in made))) if isinstance(made, tuple) else Known(made)
 
 
-def percent(run: Run, frame: Frame, text: str, right: Value) -> Value:
+def percent(run: Walk, frame: Frame, text: str, right: Value) -> Value:
     """Python's ``%`` with a tuple, a value or a dictionary
     (docs.python.org/3/library/stdtypes.html#printf-style-string-formatting)."""
     pieces = _SPECIFIER.split(text)
     specifiers = list(zip(pieces[1::4], pieces[2::4], pieces[3::4], strict=True))
     if any("%" in piece for piece in pieces[::4]) or any(flags and kind == "%" for _, flags, kind in specifiers):
         return run.opaque("its format is not understood", frame)
-    given = _given(right, [name for name, _, kind in specifiers if kind != "%"])
-    if given is None:
+    provided = _format_arguments(right, [name for name, _, kind in specifiers if kind != "%"])
+    if provided is None:
         return run.opaque("it is formatted from what is not known, or does not fit", frame)
     values: list[Value] = [Known(pieces[0])]
     for (_, flags, kind), piece in zip(specifiers, pieces[4::4], strict=True):
-        values += [Known("%") if kind == "%" else _shown(given.pop(0), flags, kind), Known(piece)]
+        values += [Known("%") if kind == "%" else _shown(provided.pop(0), flags, kind), Known(piece)]
     return concatenate(tuple(values), printed)
 
 
@@ -72,12 +72,14 @@ FMT = frozenset(("fmt::format", "std::format"))
 _LENGTH = re.compile(r"(%[-#0 +]{0,3}\d{0,2}(?:\.\d{1,2})?)(?:hh|ll|[hljztL])(?=[diouxXeEfFgG])")
 
 
-def fmt(run: Run, frame: Frame, args: tuple[Argument, ...]) -> Value:
+def fmt(run: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value:
     """``fmt::format``; flags and characters are written as C++ does."""
     form = args[0].value
     if not isinstance(form, Known) or not issubclass(form.kind, str):
         return run.opaque("its format is not known", frame, None, syntax.Type("std::string"))
-    return braces(run, frame, form.value, tuple(replace(each, value=_of_cpp(each.value)) for each in args[1:]))
+    return braces(
+        run, frame, form.value, tuple(replace(argument, value=_of_cpp(argument.value)) for argument in args[1:])
+    )
 
 
 def _of_cpp(value: Value) -> Value:
@@ -86,13 +88,13 @@ def _of_cpp(value: Value) -> Value:
     return value
 
 
-def printf(run: Run, frame: Frame, args: tuple[Argument, ...], is_cut: bool) -> Value:
+def printf(run: Walk, frame: Frame, args: tuple[PassedArgument, ...], is_cut: bool) -> Value:
     """The text that ``sprintf`` writes; *is_cut* is ``snprintf``, of which the first of *args* is the size.
 
     A size that is not known (``sizeof``) is taken to be enough.
     """
     size = args[0].value.value if is_cut and args and isinstance(args[0].value, Known) else None
-    form, *values = [each.value for each in args[is_cut:]] or [NONE]
+    form, *values = [argument.value for argument in args[is_cut:]] or [NONE]
     if not isinstance(form, Known) or not issubclass(form.kind, str):
         return run.opaque("it is formatted by sprintf", frame, None, syntax.Type("std::string"))
     text = percent(run, frame, _LENGTH.sub(r"\1", form.value), Sequence(Cell(tuple(map(Cell, values)))))
@@ -101,7 +103,7 @@ def printf(run: Run, frame: Frame, args: tuple[Argument, ...], is_cut: bool) -> 
     return text
 
 
-def _given(right: Value, names: list[str | None]) -> list[Value] | None:
+def _format_arguments(right: Value, names: list[str | None]) -> list[Value] | None:
     """What is formatted, one value for each specifier; None if that is not known or they do not fit."""
     if any(names):
         if not all(names) or not isinstance(right, (Mapped, Known)):
@@ -136,7 +138,7 @@ def _shown(value: Value, flags: str, kind: str) -> Value:
         return Opaque("it cannot be formatted so")
 
 
-def braces(run: Run, frame: Frame, text: str, args: tuple[Argument, ...]) -> Value:
+def braces(run: Walk, frame: Frame, text: str, args: tuple[PassedArgument, ...]) -> Value:
     """``str.format``, see docs.python.org/3/library/string.html#format-string-syntax."""
     positional = [a.value for a in args if not a.keyword]
     named = {a.keyword: a.value for a in args if a.keyword}
@@ -173,7 +175,7 @@ def braces(run: Run, frame: Frame, text: str, args: tuple[Argument, ...]) -> Val
     return concatenate(tuple(parts), printed)
 
 
-def _step(run: Run, frame: Frame, value: Value, step: str) -> Value | None:
+def _step(run: Walk, frame: Frame, value: Value, step: str) -> Value | None:
     """An attribute ``.x`` or an entry ``[k]`` of a value that is formatted."""
     if step.startswith("."):
         if isinstance(value, Object) and value.definition is not None:
@@ -210,7 +212,7 @@ def _formatted(value: Value, specifier: str, conversion: str | None) -> Value:
         return Opaque("it cannot be formatted so")
 
 
-def path(run: Run, frame: Frame, args: tuple[Argument, ...]) -> Value:
+def path(run: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value:
     """``os.path.join``: an absolute part begins anew, a slash at the end of a part is not doubled."""
     parts: list[Value] = []
     for argument in args:

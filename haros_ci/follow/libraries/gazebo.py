@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.graph.names import resolve
 from haros_ci.index.types import STRINGS
 from haros_ci.values.abstract import FALSE, TRUE, Cell, Known, Object, Opaque, Text, Value
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 ELEMENT, PARAM, PARENT, HELPER = "sdf::Element", "sdf::Param", "gazebo::physics::Base", "gazebo::GazeboRos"
 CLASSES = frozenset((ELEMENT, PARAM, PARENT, HELPER))
@@ -42,7 +42,7 @@ class Sdf:
     certain: bool = True
 
     def child(self, name: str) -> Sdf | None:
-        return next((each for each in self.children if each.tag == name), None)
+        return next((child for child in self.children if child.tag == name), None)
 
 
 def element(sdf: Sdf) -> Object:
@@ -57,7 +57,7 @@ def parent(name: str | None) -> Object:
     )
 
 
-def instance(kind: str, args: tuple[Argument, ...]) -> Value | None:
+def instance(kind: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """``GazeboRos(parent, sdf, name)``; None for another class."""
     if kind.rpartition("::")[2] != "GazeboRos" or len(args) < 2:
         return None
@@ -66,11 +66,11 @@ def instance(kind: str, args: tuple[Argument, ...]) -> Value | None:
 
 
 def _namespace(model: Value, sdf: Value) -> Value:
-    told = _sdf_of(sdf)
-    given = told.child(SPACE) if told is not None else None
-    if given is not None and given.text is not None and given.text.strip():
-        return Known(resolve(given.text.strip(), "/", "/"))
-    if told is None or (given is not None and given.text is None):
+    result = _sdf_of(sdf)
+    provided = result.child(SPACE) if result is not None else None
+    if provided is not None and provided.text is not None and provided.text.strip():
+        return Known(resolve(provided.text.strip(), "/", "/"))
+    if result is None or (provided is not None and provided.text is None):
         return Text(("/", Opaque(f"<{SPACE}> of the plug-in: {UNREAD}")))
     name = model.fields.get(SELF) if isinstance(model, Object) and model.name == PARENT else None
     if name is not None and isinstance(name.value, Known):
@@ -84,7 +84,12 @@ def _sdf_of(value: Value) -> Sdf | None:
 
 
 def method(
-    run: Run, frame: Frame, receiver: Object, name: str, args: tuple[Argument, ...], targs: tuple[syntax.Argument, ...]
+    run: Walk,
+    frame: Frame,
+    receiver: Object,
+    name: str,
+    args: tuple[PassedArgument, ...],
+    targs: tuple[syntax.Argument, ...],
 ) -> Value | None:
     """A method of an object of these classes; None if there is no model of it."""
     if receiver.fields.keys().isdisjoint(OWN):
@@ -102,7 +107,9 @@ def method(
     return _of_element(sdf, name, args, targs) if sdf is not None else None
 
 
-def _of_element(sdf: Sdf, name: str, args: tuple[Argument, ...], targs: tuple[syntax.Argument, ...]) -> Value | None:
+def _of_element(
+    sdf: Sdf, name: str, args: tuple[PassedArgument, ...], targs: tuple[syntax.Argument, ...]
+) -> Value | None:
     if not args:
         return _of_itself(sdf, name, targs)
     key = args[0].value.value if isinstance(args[0].value, Known) else None
@@ -130,7 +137,7 @@ def _of_itself(sdf: Sdf, name: str, targs: tuple[syntax.Argument, ...]) -> Value
 
 
 def _value(
-    sdf: Sdf, child: Sdf | None, key: str, args: tuple[Argument, ...], targs: tuple[syntax.Argument, ...]
+    sdf: Sdf, child: Sdf | None, key: str, args: tuple[PassedArgument, ...], targs: tuple[syntax.Argument, ...]
 ) -> Value | None:
     """``Get<T>(key)``, and ``Get<T>(key, default)``, which is a pair."""
     if key in sdf.attributes:

@@ -10,13 +10,13 @@ from haros_ci import syntax
 from haros_ci.follow import callbacks, construct, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import ros2_nodes
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import ClassValue, Object, Pointer
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 #: What frameworks commonly call first; other methods are known to be called from outside by ``virtual`` or ``override`` alone.
 BEGINNING = frozenset("init initialize onInit onInitialize setup configure load start".split())
@@ -37,7 +37,7 @@ KNOWN = (
 )
 
 
-def taken(run: Run, frame: Frame, name: str, args: Iterable[Argument]) -> None:
+def taken(run: Walk, frame: Frame, name: str, args: Iterable[PassedArgument]) -> None:
     """Follow what the function or method *name* may do with the classes of nodes, and with the objects, among *args*."""
     for argument in args:
         value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
@@ -47,7 +47,7 @@ def taken(run: Run, frame: Frame, name: str, args: Iterable[Argument]) -> None:
             _called(run, name, value)
 
 
-def _made(run: Run, frame: Frame, name: str, value: ClassValue) -> None:
+def _made(run: Walk, frame: Frame, name: str, value: ClassValue) -> None:
     """A node's class is for nothing else than to be made (``process.spin(Driver)``); how often, and whether, is not known."""
     owner = (value.source, value.definition)
     key = ("made elsewhere", id(value.definition))
@@ -58,7 +58,7 @@ def _made(run: Run, frame: Frame, name: str, value: ClassValue) -> None:
         construct.instance(run, frame, owner, (), (), Location(value.source.path, value.definition.line))
 
 
-def _called(run: Run, name: str, this: Object) -> None:
+def _called(run: Walk, name: str, this: Object) -> None:
     """An object whose base class is not in the workspace is called by the library that has that class."""
     assert this.definition is not None
     source, definition = this.definition
@@ -75,15 +75,19 @@ def _called(run: Run, name: str, this: Object) -> None:
             callbacks.register(run, found, doubt=doubt)
 
 
-def _callable(run: Run, source: Source, definition: syntax.Class) -> list[str]:
+def _callable(run: Walk, source: Source, definition: syntax.Class) -> list[str]:
     """The last parts of the names of the methods that a library may call of a class's objects, in their order."""
     bases = methods.library_bases(run, source, definition)
     if not bases or any(base in run.rows or base.startswith(KNOWN) for base in bases):
         return []
     names: dict[str, None] = {}
-    for where, each in run.index.classes.get(definition.name, ()):
+    for where, class_ in run.index.classes.get(definition.name, ()):
         for function in where.program.functions:
             last = function.name.rpartition("::")[2]
-            if function.owner == each.name and (function.is_virtual or last in BEGINNING) and not last.startswith("~"):
+            if (
+                function.owner == class_.name
+                and (function.is_virtual or last in BEGINNING)
+                and not last.startswith("~")
+            ):
                 names[last] = None
     return list(names)

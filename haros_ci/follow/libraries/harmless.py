@@ -152,4 +152,4 @@ def is_harmless(name: str, is_python: bool) -> bool:
 
 def are_ends(handlers: tuple[syntax.Handler, ...]) -> bool:
     """Whether all that the handlers of a ``try`` catch is that the program is to end."""
-    return all(any(word in f"{each.text} {each.type}" for word in ENDS) for each in handlers)
+    return all(any(word in f"{handler.text} {handler.type}" for word in ENDS) for handler in handlers)

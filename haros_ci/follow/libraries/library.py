@@ -6,24 +6,24 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import callbacks, havoc, methods
+from haros_ci.follow import callbacks, methods, unknown_calls
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import cpp as library_cpp
 from haros_ci.follow.libraries import given_away, harmless
 from haros_ci.follow.libraries import python as library_python
 from haros_ci.follow.ros import ros2_nodes
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
 from haros_ci.values.abstract import NONE, Cell, Known, Mapped, Object, Opaque, Sequence, Text, Value
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 POINTER_METHODS = frozenset(("reset", "get", "release", "use_count", "unique", "swap"))
 
 
-def pointer_method(run: Run, cell: Cell, name: str, args: tuple[Argument, ...]) -> Value:
+def pointer_method(run: Walk, cell: Cell, name: str, args: tuple[PassedArgument, ...]) -> Value:
     """A method of a smart pointer itself; its value is the object that it points to."""
     if name == "reset":
         run.state.write(cell, args[0].value if args else NONE)
@@ -33,7 +33,7 @@ def pointer_method(run: Run, cell: Cell, name: str, args: tuple[Argument, ...]) 
     return Opaque("the state of a smart pointer")
 
 
-def _pointed_to(run: Run, receiver: Object) -> Value | None:
+def _pointed_to(run: Walk, receiver: Object) -> Value | None:
     """What ``get()`` of ``auto`` gives that a smart pointer was made for: the object itself, if it has no such method."""
     if receiver.definition is None and receiver.node is None:
         return None
@@ -41,12 +41,12 @@ def _pointed_to(run: Run, receiver: Object) -> Value | None:
 
 
 def method(
-    run: Run,
+    run: Walk,
     frame: Frame,
     receiver: Value,
     cell: Cell | None,
     name: str,
-    args: tuple[Argument, ...],
+    args: tuple[PassedArgument, ...],
     location: Location,
     targs: tuple[syntax.Argument, ...] = (),
 ) -> Value | None:
@@ -61,14 +61,14 @@ def method(
         return found
     if isinstance(receiver, Known) and not issubclass(receiver.kind, (str, list, dict)):
         return None
-    return havoc.method(run, frame, receiver, cell, name, args)
+    return unknown_calls.method(run, frame, receiver, cell, name, args)
 
 
 def function(
-    run: Run,
+    run: Walk,
     frame: Frame,
     name: str,
-    args: tuple[Argument, ...],
+    args: tuple[PassedArgument, ...],
     targs: tuple[syntax.Argument, ...],
     location: Location,
 ) -> Value | None:
@@ -78,7 +78,7 @@ def function(
     return library_cpp.function(run, frame, name, args, targs, location)
 
 
-def instance(run: Run, frame: Frame, kind: Type, args: tuple[Argument, ...]) -> Value | None:
+def instance(run: Walk, frame: Frame, kind: Type, args: tuple[PassedArgument, ...]) -> Value | None:
     """A modelled class's instance; None if there is no model of it."""
     if frame.source.program.language == "python":
         return None
@@ -86,14 +86,14 @@ def instance(run: Run, frame: Frame, kind: Type, args: tuple[Argument, ...]) -> 
 
 
 def unknown_call(
-    run: Run, frame: Frame, name: str, args: tuple[Argument, ...], receiver: Opaque | None = None
+    run: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...], receiver: Opaque | None = None
 ) -> Value:
     """A call of which nothing is known: what it is given by address or reference is not known afterwards, functions
     that it is given may be called, and so is its result."""
     for argument in args:
         callbacks.register(run, argument.value, args)
-    havoc.called(run, frame, name, args)
-    havoc.given(run, frame, name, args)
+    unknown_calls.called(run, frame, name, args)
+    unknown_calls.forget_passed(run, frame, name, args)
     if not harmless.is_harmless(name, frame.source.program.language == "python"):
         ros2_nodes.handed(run, name, (argument.value for argument in args))
         given_away.taken(run, frame, name, args)

@@ -10,20 +10,20 @@ from haros_ci.follow import call_arguments, callbacks, copies, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import library
 from haros_ci.follow.ros import api_rows, ros2_nodes
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
 from haros_ci.values.abstract import Callable, Object, Opaque, Value
 
 
-def summary_object(run: Run, owner: Any, kind: Type, receiver: Opaque) -> Object:
+def summary_object(run: Walk, owner: Any, kind: Type, receiver: Opaque) -> Object:
     """Some object of a class, of which only the class is known."""
     source, definition = owner
     templates = dict(zip(definition.templates, kind.arguments, strict=False))
     return Object(definition.name, kind.arguments, owner, location=receiver.location, templates=templates)
 
 
-def owners(run: Run, value: Object) -> list[str]:
+def owners(run: Walk, value: Object) -> list[str]:
     """The class names under which rows may know an object's methods: its own, then its libraries' bases."""
     key = (
         "owners",
@@ -45,7 +45,7 @@ def owners(run: Run, value: Object) -> list[str]:
 
 
 def library_object(
-    run: Run, frame: Frame, kind: Type, args: tuple[call_arguments.Argument, ...], location: Location
+    run: Walk, frame: Frame, kind: Type, args: tuple[call_arguments.PassedArgument, ...], location: Location
 ) -> Value:
     """An instance of a library's class."""
     modelled = library.instance(run, frame, kind, args)
@@ -67,20 +67,29 @@ def library_object(
     return this
 
 
-def _hidden(run: Run, frame: Frame, kind: Type, args: tuple[call_arguments.Argument, ...], location: Location) -> None:
+def _hidden(
+    run: Walk, frame: Frame, kind: Type, args: tuple[call_arguments.PassedArgument, ...], location: Location
+) -> None:
     """A library's template over a class of the workspace may be, or have, one: it is given the class's node handle."""
-    handles = [each for each in args if isinstance(each.value, Object) and each.value.namespace is not None]
+    handles = [
+        argument for argument in args if isinstance(argument.value, Object) and argument.value.namespace is not None
+    ]
     if run.quiet or not handles or kind.name in run.rows:
         return
     for inner in kind.arguments:
         owner = run.class_of(inner.name, frame.source) if isinstance(inner, syntax.Type) else None
         if owner is not None and run.relevance.named(owner[1].name):
-            said = f"{kind.name} is given class {owner[1].name} and a node handle: whether it makes one is not seen"
-            run.gaps.setdefault(said, location)
+            message = f"{kind.name} is given class {owner[1].name} and a node handle: whether it makes one is not seen"
+            run.gaps.setdefault(message, location)
 
 
 def construct_library(
-    run: Run, frame: Frame, this: Object, kind: Type, args: tuple[call_arguments.Argument, ...], location: Location
+    run: Walk,
+    frame: Frame,
+    this: Object,
+    kind: Type,
+    args: tuple[call_arguments.PassedArgument, ...],
+    location: Location,
 ) -> None:
     """What the constructor of a library's class makes, on *this*."""
     api_rows.construct(run, frame, this, kind, args, location)

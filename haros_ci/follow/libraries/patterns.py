@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from haros_ci.values.abstract import Known, Value
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 NAMES = frozenset(("fnmatch", "std::fnmatch"))
 #: What it gives where the text does not match: FNM_NOMATCH of glibc.
@@ -18,7 +18,7 @@ NO_MATCH = 1
 LONGEST = 200
 
 
-def matched(args: tuple[Argument, ...]) -> Value | None:
+def matched(args: tuple[PassedArgument, ...]) -> Value | None:
     """0 for a match and FNM_NOMATCH for none; None where the flags decide, or the pattern has brackets or escapes."""
     if len(args) != 3:
         return None

@@ -20,7 +20,7 @@ from haros_ci.follow.libraries import (
 from haros_ci.follow.libraries import (
     yaml as library_yaml,
 )
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.values.abstract import (
     LIST_LIMIT,
     NONE,
@@ -39,14 +39,14 @@ from haros_ci.values.abstract import (
 )
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 #: What makes a dictionary; ``[dict]`` is the one of a comprehension.
 DICTS = frozenset(("dict", "[dict]", "collections.OrderedDict"))
 YAML = frozenset(("yaml.load", "yaml.safe_load", "yaml.full_load"))
 
 
-def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> Value | None:
+def function(run: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """A modelled function."""
     first = args[0].value if args else None
     if name == "str" and first is not None:
@@ -149,7 +149,7 @@ def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> V
     return None
 
 
-def argv(run: Run, is_own: bool = False) -> Value:
+def argv(run: Walk, is_own: bool = False) -> Value:
     """The command line of the launch file, with the two words that roslaunch adds (wiki.ros.org/roslaunch/XML/node).
 
     ``rospy.myargv`` is without them, and without all other remappings.
@@ -168,7 +168,7 @@ def _may_be_text(value: Value) -> bool:
     return not isinstance(value, Known) or issubclass(value.kind, str)
 
 
-def method(run: Run, frame: Frame, receiver: Value, name: str, args: tuple[Argument, ...]) -> Value | None:
+def method(run: Walk, frame: Frame, receiver: Value, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """A modelled method."""
     if isinstance(receiver, Known) and issubclass(receiver.kind, str):
         if name == "format":
@@ -218,7 +218,7 @@ def method(run: Run, frame: Frame, receiver: Value, name: str, args: tuple[Argum
             return dispatch.entry(receiver, args[1].value if len(args) > 1 else NONE)
         return _dictionary(run, frame, receiver.content.value, name, args)
     if isinstance(receiver, ClassValue) and name == "__subclasses__" and not args:
-        return Sequence(Cell(tuple(Cell(each) for each in dispatch.subclasses(run, receiver))))
+        return Sequence(Cell(tuple(Cell(subclass) for subclass in dispatch.subclasses(run, receiver))))
     if isinstance(receiver, Object) and receiver.name == command_lines.PARSER:
         return command_lines.method(run, frame, receiver, name, args)
     if isinstance(receiver, Object) and receiver.name == "rospkg.RosPack" and name == "get_path":
@@ -228,7 +228,7 @@ def method(run: Run, frame: Frame, receiver: Value, name: str, args: tuple[Argum
     return None
 
 
-def _changed(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Argument, ...]) -> Value | None:
+def _changed(run: Walk, frame: Frame, receiver: Mapped, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """A method that changes a dictionary."""
     pairs: Any = receiver.content.value
     if name == "clear":
@@ -263,7 +263,7 @@ def _changed(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Ar
     return run.opaque("an entry that is not known", frame)
 
 
-def _dictionary(run: Run, frame: Frame, pairs: Any, name: str, args: tuple[Argument, ...]) -> Value | None:
+def _dictionary(run: Walk, frame: Frame, pairs: Any, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     if name in ("keys", "iterkeys"):
         return Known(list(pairs))
     if name in ("values", "itervalues"):

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from haros_ci.values.abstract import NONE, Known, Library, Mapped, Sequence, Value
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 #: The types of plain data, and the built-in ones that each is a kind of; ``basestring`` is of Python 2.
 KINDS = {
@@ -22,19 +22,19 @@ KINDS = {
     "set": frozenset(("set", "object")),
     "frozenset": frozenset(("frozenset", "object")),
 }
-#: The types that a test may be for and that are told apart.
+#: The types that ``isinstance`` tests can distinguish.
 TOLD = frozenset(KINDS) | {"basestring", "object"}
 
 
-def is_instance(args: tuple[Argument, ...]) -> Value | None:
+def is_instance(args: tuple[PassedArgument, ...]) -> Value | None:
     """What ``isinstance(value, type)``, also of several types, gives; None where it is not known."""
     if len(args) != 2:
         return None
-    own, asked = _kinds(args[0].value), _asked(args[1].value)
-    if not own or not asked or not asked <= TOLD:
+    own, requested = _kinds(args[0].value), _type_names(args[1].value)
+    if not own or not requested or not requested <= TOLD:
         return None
-    told = {not KINDS[each].isdisjoint(asked) for each in own}
-    return Known(told.pop()) if len(told) == 1 else None
+    reported = {not KINDS[item].isdisjoint(requested) for item in own}
+    return Known(reported.pop()) if len(reported) == 1 else None
 
 
 def type_of(value: Value) -> Value | None:
@@ -60,11 +60,11 @@ def _kinds(value: Value) -> tuple[str, ...]:
     return ("list", "tuple", "set", "frozenset") if isinstance(value, Sequence) else ()
 
 
-def _asked(value: Value) -> frozenset[str]:
+def _type_names(value: Value) -> frozenset[str]:
     """The names of the types that are asked for; empty if they are not known."""
     if isinstance(value, Library):
         return frozenset((value.name,))
     if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
-        every = [_asked(cell.value) for cell in value.content.value]
+        every = [_type_names(cell.value) for cell in value.content.value]
         return frozenset().union(*every) if all(every) else frozenset()
     return frozenset()

@@ -15,9 +15,9 @@ from haros_ci.follow import comprehensions
 from haros_ci.values.abstract import LIST_LIMIT, NONE, Cell, Known, Sequence, Value, same
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
     from haros_ci.follow.frames import Frame
-    from haros_ci.follow.run import Run
+    from haros_ci.follow.run import Walk
 
 SET = syntax.Type("set")
 #: What the methods of sets compute, as operators write it; those that change the set itself after ``=``.
@@ -69,7 +69,7 @@ def _once(items: list[Value]) -> list[Value]:
 
 def combined(symbol: str, left: Value, right: Value) -> Sequence | None:
     """``a | b`` and its kin of two sets or views of keys; None if that cannot be told."""
-    if symbol not in OPERATORS or not all(isinstance(each, Sequence) or _is_list(each) for each in (left, right)):
+    if symbol not in OPERATORS or not all(isinstance(value, Sequence) or _is_list(value) for value in (left, right)):
         return None
     one, other = comprehensions.items(left), comprehensions.items(right)
     if one is None or other is None or len(one) + len(other) > LIST_LIMIT:
@@ -97,7 +97,7 @@ def _data(items: list[Value]) -> list[Any] | None:
     return found if len(found) == len(items) else None
 
 
-def method(run: Run, receiver: Sequence, name: str, args: tuple[Argument, ...]) -> Value | None:
+def method(run: Walk, receiver: Sequence, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """A method of a set, or one that puts a list's elements elsewhere; None if it cannot be told what it does."""
     cells: Any = receiver.content.value
     if name == "clear":
@@ -117,7 +117,7 @@ def method(run: Run, receiver: Sequence, name: str, args: tuple[Argument, ...]) 
     return None if is_set(receiver) else _at_place(run, receiver, cells, name, args)
 
 
-def _combining(run: Run, receiver: Sequence, name: str, args: tuple[Argument, ...]) -> Value | None:
+def _combining(run: Walk, receiver: Sequence, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """A method of a set that takes others: a new set, or the same with other elements."""
     found: Value | None = receiver
     for argument in args:
@@ -129,18 +129,18 @@ def _combining(run: Run, receiver: Sequence, name: str, args: tuple[Argument, ..
     return NONE
 
 
-def _removed(run: Run, receiver: Sequence, cells: tuple[Cell, ...], wanted: Value) -> Value | None:
+def _removed(run: Walk, receiver: Sequence, cells: tuple[Cell, ...], expected: Value) -> Value | None:
     data = _data([cell.value for cell in cells])
-    if data is None or not isinstance(wanted, Known):
+    if data is None or not isinstance(expected, Known):
         return None
-    if wanted.value in data:
-        place = data.index(wanted.value)
+    if expected.value in data:
+        place = data.index(expected.value)
         run.state.write(receiver.content, (*cells[:place], *cells[place + 1 :]))
     return NONE
 
 
 def _at_place(
-    run: Run, receiver: Sequence, cells: tuple[Cell, ...], name: str, args: tuple[Argument, ...]
+    run: Walk, receiver: Sequence, cells: tuple[Cell, ...], name: str, args: tuple[PassedArgument, ...]
 ) -> Value | None:
     """``insert`` and ``pop`` of a list at a place that is known."""
     place = args[0].value.value if args and isinstance(args[0].value, Known) else None
@@ -157,7 +157,7 @@ def _at_place(
     return None
 
 
-def changed(run: Run, frame: Frame, held: Sequence, symbol: str, value: Value) -> Value:
+def changed(run: Walk, frame: Frame, held: Sequence, symbol: str, value: Value) -> Value:
     """``l += m``, ``s |= t``: the list or set itself has other elements."""
     cells: Any = held.content.value
     items = comprehensions.items(value) if isinstance(value, Sequence) or _is_list(value) else None
@@ -173,7 +173,7 @@ def changed(run: Run, frame: Frame, held: Sequence, symbol: str, value: Value) -
     return held
 
 
-def function(name: str, args: tuple[Argument, ...]) -> Value | None:
+def function(name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """``set``, and the functions of itertools that put lists together; None if it is none, or what it is given is not known."""
     if name not in ("set", "frozenset", "itertools.chain", "itertools.product") or any(a.keyword for a in args):
         return None

@@ -8,7 +8,7 @@ import sys
 from collections.abc import Iterable
 
 from haros_ci.follow import lookup
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.common_messages import COMMON
 from haros_ci.index.index import Source
 from haros_ci.values.abstract import Library, Module, Value
@@ -17,7 +17,7 @@ from haros_ci.values.abstract import Library, Module, Value
 _GENERATED = frozenset(("msg", "srv", "action", "cfg"))
 
 
-def bound(run: Run, module: str) -> Value | None:
+def bound(run: Walk, module: str) -> Value | None:
     """What a package's ``__init__.py`` binds to the name of its submodule *module*; None if the name is the submodule.
 
     Python asks the package first (docs.python.org/3/reference/import.html, the from clause and submodules).
@@ -32,7 +32,7 @@ def bound(run: Run, module: str) -> Value | None:
     return None
 
 
-def imported(run: Run, first: Iterable[Source]) -> set[str]:
+def imported(run: Walk, first: Iterable[Source]) -> set[str]:
     """The paths of *first* and of all that they import, by way of others too, with each package's ``__init__.py``."""
     waiting = list(first)
     found = {source.path for source in waiting}
@@ -74,7 +74,7 @@ def absolute(source: Source, target: str) -> str:
     return ".".join((*base[: len(base) - dots + 1], *filter(None, (target[dots:],))))
 
 
-def placed(run: Run, source: Source, target: str) -> tuple[Source, list[str]] | None:
+def placed(run: Walk, source: Source, target: str) -> tuple[Source, list[str]] | None:
     """The module that *target* means by where it lies, and the names in it that are left.
 
     That is beside the script that is run, as its directory comes first in ``sys.path`` (docs.python.org/3/library/sys_path_init.html), and, of relative
@@ -100,7 +100,7 @@ def placed(run: Run, source: Source, target: str) -> tuple[Source, list[str]] | 
     return None
 
 
-def beside(run: Run, source: Source, target: str) -> str | None:
+def beside(run: Walk, source: Source, target: str) -> str | None:
     """The module or content of a module beside *source* in its package that ``import`` without dots means in Python 2.
 
     Python 3 finds nothing there (PEP 328); libraries that are known go first.
@@ -112,7 +112,7 @@ def beside(run: Run, source: Source, target: str) -> str | None:
     return None if head in _libraries(run) else f"{package}.{target}"
 
 
-def _libraries(run: Run) -> frozenset[str]:
+def _libraries(run: Walk) -> frozenset[str]:
     """The modules of Python itself and of libraries that the API rows have."""
     known = run.found.get(("heads",))
     if known is None:

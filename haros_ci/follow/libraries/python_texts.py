@@ -7,11 +7,11 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.values.abstract import TEXT_LIMIT, Cell, Known, Opaque, Sequence, Value, data_of
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 #: Methods of texts that give a text, a number, a flag or texts.
 METHODS = frozenset(
@@ -24,21 +24,21 @@ NUMBERS: dict[str, Callable[..., Any]] = {"abs": abs, "max": max, "min": min, "s
 FLAGS: dict[str, Callable[..., Any]] = {"any": any, "all": all}
 
 
-def method(run: Run, frame: Frame, text: str, name: str, args: tuple[Argument, ...]) -> Value | None:
+def method(run: Walk, frame: Frame, text: str, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """What ``text.name(*args)`` gives (docs.python.org/3/library/stdtypes.html#string-methods); None if not known."""
     if name not in METHODS or any(argument.keyword for argument in args):
         return None
-    given: list[Any] = []
+    provided: list[Any] = []
     for argument in args:
         known, data = data_of(argument.value)
         if not known or not isinstance(data, (str, int, list, type(None))) or _is_large(data):
             return None
-        given.append(tuple(data) if isinstance(data, list) else data)
-    longest = max((len(item) for item in given if isinstance(item, str)), default=0)
+        provided.append(tuple(data) if isinstance(data, list) else data)
+    longest = max((len(item) for item in provided if isinstance(item, str)), default=0)
     if name == "replace" and longest * (len(text) + 1) > 100 * TEXT_LIMIT:
         return run.opaque("it is a long text", frame)
     try:
-        made = getattr(text, name)(*given)
+        made = getattr(text, name)(*provided)
     except (TypeError, ValueError, AttributeError, OverflowError):
         return run.opaque(f"{name} fails with what it is given", frame)
     if isinstance(made, tuple):
@@ -50,14 +50,14 @@ def _is_large(data: Any) -> bool:
     return isinstance(data, int) and abs(data) > TEXT_LIMIT
 
 
-def computed(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> Value | None:
+def computed(run: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """What a built-in function of plain data gives; None if it is no such function, or its arguments are not known."""
     if name not in NUMBERS and name not in FLAGS and name not in ("chr", "repr"):
         return None
-    given = [data_of(argument.value) for argument in args]
-    if not given or not all(known for known, _ in given) or any(argument.keyword for argument in args):
+    provided = [data_of(argument.value) for argument in args]
+    if not provided or not all(known for known, _ in provided) or any(argument.keyword for argument in args):
         return None
-    data = [item for _, item in given]
+    data = [item for _, item in provided]
     try:
         if name == "chr":
             return Known(chr(data[0])) if len(data) == 1 else None

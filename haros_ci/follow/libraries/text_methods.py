@@ -11,7 +11,7 @@ from haros_ci.follow.libraries import texts
 from haros_ci.values.abstract import TEXT_LIMIT, Character, Known, Object, Pointer, Value
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
     from haros_ci.syntax import Expression
 
 #: Searches for one of several characters: whether from the end, whether for one that is none of them.
@@ -23,7 +23,7 @@ OF = {
 }
 
 
-def changed(text: str, name: str, args: tuple[Argument, ...]) -> str | None:
+def changed(text: str, name: str, args: tuple[PassedArgument, ...]) -> str | None:
     """*text* after ``erase``, ``insert``, ``replace`` or ``resize`` with positions; None for all other forms."""
     data: list[Any] = [argument.value.value if isinstance(argument.value, Known) else None for argument in args]
     if not all(_is_count(item) or isinstance(item, (str, Character)) for item in data):
@@ -44,26 +44,26 @@ def changed(text: str, name: str, args: tuple[Argument, ...]) -> str | None:
     return None
 
 
-def found(text: str, name: str, args: tuple[Argument, ...]) -> Value | None:
+def found(text: str, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """Where a text or character is, or one of several characters: from a position on, if one is given; None if not known."""
     data: list[Any] = [argument.value.value if isinstance(argument.value, Known) else None for argument in args]
     if not 1 <= len(data) <= 2 or not isinstance(data[0], (str, Character)):
         return None
-    wanted = chr(data[0]) if isinstance(data[0], Character) else data[0]
+    expected = chr(data[0]) if isinstance(data[0], Character) else data[0]
     if len(data) > 1 and not _is_count(data[1]):
         return None
     if name in OF:
         is_last, is_other = OF[name]
-        places = [number for number, each in enumerate(text) if (each in wanted) != is_other]
+        places = [number for number, item in enumerate(text) if (item in expected) != is_other]
         if len(data) > 1:
             places = [number for number in places if (number <= data[1] if is_last else number >= data[1])]
         return Known((places[-1] if is_last else places[0]) if places else conversions.NPOS)
     if name not in ("find", "rfind"):
         return None
     if name == "find":
-        place = text.find(wanted, data[1] if len(data) > 1 else 0)
+        place = text.find(expected, data[1] if len(data) > 1 else 0)
     else:
-        place = text.rfind(wanted, 0, data[1] + len(wanted) if len(data) > 1 else len(text))
+        place = text.rfind(expected, 0, data[1] + len(expected) if len(data) > 1 else len(text))
     return Known(conversions.NPOS if place < 0 else place)
 
 

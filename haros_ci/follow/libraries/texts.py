@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.types import STRINGS
 from haros_ci.values.abstract import (
     FALSE,
@@ -25,7 +25,7 @@ from haros_ci.values.abstract import (
 )
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 #: What is written for a manipulator that is no setting.
 ENDS = {"std::endl": "\n", "endl": "\n", "std::flush": "", "flush": "", "std::ends": "\0"}
@@ -35,7 +35,7 @@ AT_START = "[at the start]"
 IS_SET = "[set]"
 
 
-def constructed(args: tuple[Argument, ...]) -> Value:
+def constructed(args: tuple[PassedArgument, ...]) -> Value:
     """``std::string(s)``, ``(s, n)``, ``(s, pos, n)``, ``(n, c)``; ``append`` and ``assign`` take the same."""
     kind = syntax.Type("std::string")
     values = [argument.value for argument in args]
@@ -50,21 +50,21 @@ def constructed(args: tuple[Argument, ...]) -> Value:
         return Opaque("its length is not known", None, kind)
     if isinstance(data[0], str) and all(isinstance(item, int) and item >= 0 for item in data[1:]):
         numbers = [item for item in data[1:] if isinstance(item, int)]
-        given = args[0].type
+        type_ = args[0].type
         if len(numbers) == 2 and numbers[0] <= len(data[0]):
             return Known(data[0][numbers[0] : numbers[0] + numbers[1]])
         if len(numbers) == 1 and numbers[0] <= len(data[0]):
             is_object = (
-                args[0].cell is not None and given is not None and given.name in STRINGS and "*" not in given.marks
+                args[0].cell is not None and type_ is not None and type_.name in STRINGS and "*" not in type_.marks
             )
             if is_object:
                 return Known(data[0][numbers[0] :])
-            if args[0].cell is None or (given is not None and "*" in given.marks):
+            if args[0].cell is None or (type_ is not None and "*" in type_.marks):
                 return Known(data[0][: numbers[0]])
     return Opaque("a part of a text that is not known", None, kind)
 
 
-def insert(run: Run, frame: Frame, stream: Object, value: Value) -> None:
+def insert(run: Walk, frame: Frame, stream: Object, value: Value) -> None:
     """``stream << value``; after a manipulator that sets something, what is written is not known."""
     text = stream.fields["[text]"]
     if isinstance(value, Library):
@@ -81,12 +81,12 @@ def insert(run: Run, frame: Frame, stream: Object, value: Value) -> None:
     run.state.write(text, concatenate((text.value, value)))
 
 
-def change(run: Run, stream: Object) -> None:
+def change(run: Walk, stream: Object) -> None:
     """The stream has other settings from now on."""
     run.state.write(stream.fields.setdefault(IS_SET, Cell(FALSE)), TRUE)
 
 
-def start(run: Run, stream: Object, value: Value) -> None:
+def start(run: Walk, stream: Object, value: Value) -> None:
     """``stream.str(value)``: what is written next goes over it."""
     run.state.write(stream.fields["[text]"], value)
     run.state.write(stream.fields.setdefault(AT_START, Cell(FALSE)), FALSE if value == Known("") else TRUE)

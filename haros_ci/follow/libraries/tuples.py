@@ -10,7 +10,7 @@ from haros_ci.follow import call_arguments
 from haros_ci.values.abstract import Cell, Object, Sequence, Value
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 PAIR = "std::pair"
 #: Its elements have no value before they are set, where they are numbers.
@@ -32,7 +32,7 @@ def part(value: Object, number: Any) -> Cell | None:
     return value.fields.get(names[number]) if 0 <= number < len(names) else None
 
 
-def got(targs: tuple[syntax.Argument, ...], args: tuple[Argument, ...]) -> Value | None:
+def got(targs: tuple[syntax.Argument, ...], args: tuple[PassedArgument, ...]) -> Value | None:
     """``std::get<0>(t)`` of a tuple or pair; None for all else."""
     number = targs[0].value if len(targs) == 1 and isinstance(targs[0], syntax.Number) else None
     if len(args) != 1 or type(number) is not int:
@@ -45,16 +45,16 @@ def got(targs: tuple[syntax.Argument, ...], args: tuple[Argument, ...]) -> Value
     return cells[number].value if isinstance(cells, tuple) and 0 <= number < len(cells) else None
 
 
-def made(args: tuple[Argument, ...]) -> Value:
+def made(args: tuple[PassedArgument, ...]) -> Value:
     """A tuple of *args*."""
     return Sequence(Cell(tuple(Cell(argument.value, argument.type) for argument in args)), TUPLE)
 
 
 def number_of(kind: syntax.Type, place: int) -> int | None:
     """The number among the template arguments of a type (``std::array<T, 2>``), if it is one."""
-    given = kind.arguments[place] if place < len(kind.arguments) else None
-    if isinstance(given, syntax.Number) and type(given.value) is int:
-        return given.value
+    provided = kind.arguments[place] if place < len(kind.arguments) else None
+    if isinstance(provided, syntax.Number) and type(provided.value) is int:
+        return provided.value
     return None
 
 

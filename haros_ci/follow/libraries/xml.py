@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.trace import XML_FILES
 from haros_ci.model.launch import LaunchElement
 from haros_ci.values.abstract import NONE, Cell, Known, Library, Object, Opaque, Sequence, Value
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 DOCUMENT, ELEMENT = "tinyxml2::XMLDocument", "tinyxml2::XMLElement"
 CLASSES = frozenset((DOCUMENT, ELEMENT))
@@ -26,11 +26,11 @@ MOST = 64
 
 
 def method(
-    run: Run,
+    run: Walk,
     frame: Frame,
     receiver: Object,
     name: str,
-    args: tuple[Argument, ...],
+    args: tuple[PassedArgument, ...],
     targs: tuple[syntax.Argument, ...] = (),
 ) -> Value | None:
     """A method of a document or element; None if there is no model of it."""
@@ -54,7 +54,7 @@ def method(
     return None
 
 
-def _document(run: Run, frame: Frame, document: Object, name: str, texts: list[object]) -> Value | None:
+def _document(run: Walk, frame: Frame, document: Object, name: str, texts: list[object]) -> Value | None:
     if name == "LoadFile" and len(texts) == 1:
         reader, path = run.context.xml, texts[0]
         if run.index.trace is not None:
@@ -92,7 +92,7 @@ def _first(elements: tuple[LaunchElement, ...], start: int, tag: object) -> Valu
     return NONE
 
 
-def directory(run: Run, value: Value) -> Value | None:
+def directory(run: Walk, value: Value) -> Value | None:
     """``directory_iterator(path)`` as a list of paths; None where these are not known, or too many."""
     reader = run.context.xml
     if reader is None or not isinstance(value, Known) or not issubclass(value.kind, str):

@@ -9,8 +9,8 @@ from functools import partial
 from haros_ci import syntax
 from haros_ci.follow import alternatives, construct, dynamic
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Run
-from haros_ci.index.plugins import Plugin
+from haros_ci.follow.run import Walk
+from haros_ci.index.plugins import PluginDescription
 from haros_ci.index.trace import YAML_FILES
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import NONE, Cell, Choice, Known, Object, Opaque, Sequence, Value, opaque_of
@@ -21,7 +21,7 @@ ANY = "which plug-ins are loaded is a matter of parameters"
 MOST = 32
 
 
-def plugin(run: Run, frame: Frame, loader: Object, name: Value, location: Location) -> Value:
+def plugin(run: Walk, frame: Frame, loader: Object, name: Value, location: Location) -> Value:
     """What pluginlib loads by that name; where a node is followed for its plug-ins, it may be any of that base class.
 
     These are loaded once at each place of the program for each base class, however often it is gone through.
@@ -40,10 +40,12 @@ def plugin(run: Run, frame: Frame, loader: Object, name: Value, location: Locati
     return named if not loaded else loaded[0] if len(loaded) == 1 else Choice(tuple(loaded))
 
 
-def _with_others(run: Run, frame: Frame, named: Value, plugins: Iterable[Plugin], location: Location) -> list[Value]:
+def _with_others(
+    run: Walk, frame: Frame, named: Value, plugins: Iterable[PluginDescription], location: Location
+) -> list[Value]:
     """The plug-in that is named, if it is known, and an instance of each of the other *plugins*."""
     loaded: list[Value] = [named] if isinstance(named, Object) else []
-    there = {(each.name, each.arguments) for each in loaded if isinstance(each, Object)}
+    there = {(value.name, value.arguments) for value in loaded if isinstance(value, Object)}
     for found in plugins:
         if (found.definition.name, found.arguments) not in there:
             run.gaps.setdefault(ANY, location)
@@ -63,7 +65,7 @@ def _base(loader: Object) -> syntax.Type | None:
     return found if isinstance(found, syntax.Type) else None
 
 
-def _named(run: Run, frame: Frame, loader: Object, name: Value, location: Location) -> Value:
+def _named(run: Walk, frame: Frame, loader: Object, name: Value, location: Location) -> Value:
     """An instance of the class that pluginlib loads by that name, where it is of the workspace (wiki.ros.org/pluginlib)."""
     base = _base(loader)
     if isinstance(name, Choice):
@@ -71,8 +73,8 @@ def _named(run: Run, frame: Frame, loader: Object, name: Value, location: Locati
         return run.either_way(ways, "it is one of several plug-ins")
     if not isinstance(name, Known) or not issubclass(name.kind, str):
         why = opaque_of(name)
-        said = why.reason if why is not None else "it is no text"
-        dynamic.plugin(run, None, f"its name is not known: {said}", location)
+        message = why.reason if why is not None else "it is no text"
+        dynamic.plugin(run, None, f"its name is not known: {message}", location)
         return run.opaque("the plug-in's name is not known", frame, location.line, base)
     found = run.context.plugins.get(name.value)
     if found is None:
@@ -81,11 +83,11 @@ def _named(run: Run, frame: Frame, loader: Object, name: Value, location: Locati
     return _instance(run, frame, found, location)
 
 
-def _instance(run: Run, frame: Frame, found: Plugin, location: Location) -> Value:
+def _instance(run: Walk, frame: Frame, found: PluginDescription, location: Location) -> Value:
     return construct.instance(run, frame, (found.source, found.definition), found.arguments, (), location)
 
 
-def declared(run: Run, loader: Object) -> Value | None:
+def declared(run: Walk, loader: Object) -> Value | None:
     """What ``getDeclaredClasses`` gives: the look-up names of the base class's plug-ins, if all are the workspace's."""
     base = _base_name(loader)
     names = run.context.declared.get(base)
@@ -98,7 +100,7 @@ def declared(run: Run, loader: Object) -> Value | None:
     return Sequence(Cell(tuple(Cell(value, text) for value in values)), syntax.Type("std::vector", (text,)))
 
 
-def is_declared(run: Run, loader: Object, name: Value) -> Value | None:
+def is_declared(run: Walk, loader: Object, name: Value) -> Value | None:
     """What ``isClassAvailable`` gives."""
     names = run.context.declared.get(_base_name(loader))
     if names is None or not isinstance(name, Known):
@@ -106,7 +108,7 @@ def is_declared(run: Run, loader: Object, name: Value) -> Value | None:
     return Known(name.value in names)
 
 
-def yaml_file(run: Run, path: Value) -> Value:
+def yaml_file(run: Walk, path: Value) -> Value:
     if isinstance(path, Known) and issubclass(path.kind, str):
         if run.index.trace is not None:
             run.index.trace.paths.add(YAML_FILES)
@@ -119,7 +121,7 @@ def yaml_file(run: Run, path: Value) -> Value:
     return Opaque("the name of the YAML file is not known")
 
 
-def yaml_stream(run: Run, stream: Value) -> Value:
+def yaml_stream(run: Walk, stream: Value) -> Value:
     if isinstance(stream, Object):
         if "[path]" in stream.fields:
             return yaml_file(run, stream.fields["[path]"].value)

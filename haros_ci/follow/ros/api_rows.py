@@ -14,7 +14,7 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.ros import behavior_tree_ports, behavior_trees, ros2_nodes, ros2_selectors, selectors
 from haros_ci.follow.ros.emit import emit
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.graph.names import clean
 from haros_ci.index.ros_types import parameter_type
 from haros_ci.index.types import SEQUENCES, STRINGS, pointee
@@ -39,7 +39,7 @@ from haros_ci.values.abstract import (
 )
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 #: How the names of functions end that register what is called when parameters are set.
 UPDATES = frozenset(("_callback", "_set_callback"))
@@ -48,7 +48,7 @@ HANDLES = frozenset(("ros::NodeHandle",))
 UNMISTAKABLE = frozenset(("advertise", "advertiseService", "serviceClient"))
 
 
-def node_class(run: Run, name: str, separator: str) -> str:
+def node_class(run: Walk, name: str, separator: str) -> str:
     """The class that a method can only be of, whatever it is called on: a node handle's or, in ROS 2, a node's; else ""."""
     if run.context.process is not None:
         return ros2_nodes.NODE[separator] if name in ros2_nodes.UNMISTAKABLE else ""
@@ -56,11 +56,11 @@ def node_class(run: Run, name: str, separator: str) -> str:
 
 
 def call(
-    run: Run,
+    run: Walk,
     frame: Frame,
     name: str,
     receiver: Value | None,
-    args: tuple[Argument, ...],
+    args: tuple[PassedArgument, ...],
     targs: tuple[syntax.Argument, ...],
     location: Location,
     types: tuple[syntax.Argument, ...] | None = None,
@@ -113,7 +113,9 @@ def call(
     return run.opaque(f"what {name} returns", frame, location.line)
 
 
-def construct(run: Run, frame: Frame, this: Object, kind: Type, args: tuple[Argument, ...], location: Location) -> None:
+def construct(
+    run: Walk, frame: Frame, this: Object, kind: Type, args: tuple[PassedArgument, ...], location: Location
+) -> None:
     """What constructing a library's class makes; nothing if no row knows it."""
     row = select(run, kind.name, args)
     if row is not None:
@@ -123,23 +125,23 @@ def construct(run: Run, frame: Frame, this: Object, kind: Type, args: tuple[Argu
 
 
 def _filled(
-    run: Run, name: str, args: tuple[Argument, ...], types: tuple[syntax.Argument, ...], location: Location
-) -> tuple[tuple[Argument, ...], tuple[syntax.Argument, ...], bool]:
+    run: Walk, name: str, args: tuple[PassedArgument, ...], types: tuple[syntax.Argument, ...], location: Location
+) -> tuple[tuple[PassedArgument, ...], tuple[syntax.Argument, ...], bool]:
     """The arguments with what only the exact tier knows of them; what is known already stays as it is."""
     if run.exact is None or location.line is None or location.column is None:
         return args, types, False
-    told = run.exact(location.path, location.line, location.column, name.rpartition("::")[2], len(args))
-    if told is None:
+    result = run.exact(location.path, location.line, location.column, name.rpartition("::")[2], len(args))
+    if result is None:
         return args, types, False
     filled = []
-    for argument, (kind, value) in zip(args, told[0], strict=False):
+    for argument, (kind, value) in zip(args, result[0], strict=False):
         known = argument.value
         if isinstance(known, Opaque) and value is not None:
             known = Known(value)
         blank = argument.type is None or argument.type.name in ("", "auto")
         filled.append(replace(argument, value=known, type=syntax.Type(kind) if blank and kind else argument.type))
-    if not types and all(kind is not None for kind in told[1]):
-        types = tuple(syntax.Type(kind) for kind in told[1] if kind is not None)
+    if not types and all(kind is not None for kind in result[1]):
+        types = tuple(syntax.Type(kind) for kind in result[1] if kind is not None)
     return (*filled, *args[len(filled) :]), types, True
 
 
@@ -154,7 +156,7 @@ def names_of(row: Row) -> tuple[str, ...]:
     return tuple(name for name in names if "::" in name)
 
 
-def select(run: Run, name: str, args: tuple[Argument, ...]) -> Row | None:
+def select(run: Walk, name: str, args: tuple[PassedArgument, ...]) -> Row | None:
     """The first row for *name* whose conditions hold."""
     for row in run.rows.get(name, ()):
         if row.is_class or (row.args and len(args) not in row.args):
@@ -164,36 +166,36 @@ def select(run: Run, name: str, args: tuple[Argument, ...]) -> Row | None:
     return None
 
 
-def _has_type(argument: Argument | None, wanted: str, run: Run) -> bool:
+def _has_type(argument: PassedArgument | None, expected: str, run: Walk) -> bool:
     if argument is None:
         return False
     value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
     kind = conversions.value_type(value) or argument.type
     name = pointee(kind).name if kind is not None else ""
-    if wanted == "rclcpp::ParameterType" and isinstance(value, Library):
+    if expected == "rclcpp::ParameterType" and isinstance(value, Library):
         return value.name.rpartition("::")[2].startswith("PARAMETER_")
-    if wanted == "string":
+    if expected == "string":
         return (
             isinstance(value, Text)
             or (isinstance(value, Known) and issubclass(value.kind, str))
             or name in STRINGS
             or name == "char"
         )
-    if wanted == "function":
+    if expected == "function":
         return isinstance(value, (Callable,)) or name in ("boost::function", "std::function", "function")
-    if wanted == "list":
+    if expected == "list":
         return isinstance(value, Sequence) or name in SEQUENCES or name == "list"
-    if wanted == "bool":
+    if expected == "bool":
         return (isinstance(value, Known) and issubclass(value.kind, bool)) or name == "bool"
-    if wanted == "int":
+    if expected == "int":
         return parameter_type(kind) == "int"
-    if wanted == "double":
+    if expected == "double":
         return name in ("double", "float")
-    if isinstance(value, Library) and value.name.rpartition(".")[0] == wanted:
+    if isinstance(value, Library) and value.name.rpartition(".")[0] == expected:
         return True
     if isinstance(value, Object):
-        return value.name == wanted or wanted in library_objects.owners(run, value)
-    return name == wanted
+        return value.name == expected or expected in library_objects.owners(run, value)
+    return name == expected
 
 
 def _apply(applied: selectors.Applied, made: Object | None) -> Value | None:
@@ -262,7 +264,7 @@ def _items(applied: selectors.Applied, entry: Entry) -> list[Mapping[str, Any] |
     if inside is None:
         return []
     every = (selectors.select_value(applied, part) for part in inside[2].split("|"))
-    value = next((each for each in every if each is not None), None)
+    value = next((item for item in every if item is not None), None)
     if inside[1] == "items":
         return ros2_selectors.items(applied, value)
     if inside[1] == "keys":
@@ -273,8 +275,8 @@ def _items(applied: selectors.Applied, entry: Entry) -> list[Mapping[str, Any] |
     config = applied.run.configs.get(name)
     if config is None:
         if name:
-            said = f"the parameters of {name} are in a .cfg that is not in the workspace"
-            applied.run.gaps.setdefault(said, applied.location)
+            message = f"the parameters of {name} are in a .cfg that is not in the workspace"
+            applied.run.gaps.setdefault(message, applied.location)
         return []
     return [
         {"name": Known(p.name), "type": Known(p.type), "default": Known(p.default), "group": Known(p.group)}

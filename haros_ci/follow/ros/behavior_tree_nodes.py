@@ -9,9 +9,9 @@ from typing import Any
 from haros_ci import syntax
 from haros_ci.follow import activation, call_arguments, calls, construct, inert, methods
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.made import Made, Root
+from haros_ci.follow.made import MadeEntity, Root
 from haros_ci.follow.ros import behavior_tree_ports
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.behavior_tree_files import Tag
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import TRUE, Callable, Cell, Known, Object, Opaque, Value
@@ -20,14 +20,14 @@ from haros_ci.values.abstract import TRUE, Callable, Cell, Known, Object, Opaque
 TICKS = ("tick", "onStart", "onRunning", "onHalted")
 #: Why it is not known whether a node is made.
 SEVERAL = "one of several types of nodes of that name is registered"
-#: Nodes of one ID that are told apart by their ports.
+#: Nodes of one ID, distinguished by their ports.
 MOST = 12
 #: Kinds of what is no communication.
 PARAMETERS = frozenset(("getters", "setters", "parameters"))
 
 
 def construct_all(
-    run: Run, frame: Frame, factory: Object, board: Object, tags: tuple[Tag, ...], location: Location
+    run: Walk, frame: Frame, factory: Object, board: Object, tags: tuple[Tag, ...], location: Location
 ) -> None:
     """Construct the nodes of *tags*, those of the same ID and ports once."""
     steps = run.steps
@@ -35,14 +35,14 @@ def construct_all(
     for tag in tags:
         by_type.setdefault(tag.type, []).append(tag)
     for registered, name in _registered(run, factory):
-        for ports, own in _told_apart(name, by_type.get(name, [])):
+        for ports, own in _with_common_parts(name, by_type.get(name, [])):
             fields = {"blackboard": Cell(board), "name": Cell(own), **ports}
             _construct(run, frame, registered, Object(behavior_tree_ports.CONFIG, fields=fields), location)
     run.aside += run.steps - steps
 
 
 def construct_others(
-    run: Run, frame: Frame, factory: Object, board: Object, tags: Iterable[Tag], location: Location
+    run: Walk, frame: Frame, factory: Object, board: Object, tags: Iterable[Tag], location: Location
 ) -> None:
     """Construct the nodes that are registered and are not of *tags*.
 
@@ -61,7 +61,7 @@ def construct_others(
     run.aside += run.steps - steps
 
 
-def _registered(run: Run, factory: Object) -> Iterator[tuple[Object, str]]:
+def _registered(run: Walk, factory: Object) -> Iterator[tuple[Object, str]]:
     """What is registered, and the ID of its tags; if there are several of one ID, with a doubt."""
     for key, cell in list(factory.fields.items()):
         registered, name = cell.value, key.partition("\n")[0]
@@ -70,13 +70,13 @@ def _registered(run: Run, factory: Object) -> Iterator[tuple[Object, str]]:
                 yield registered, name
 
 
-def _makes_ends(run: Run, before: Mapping[Any, Made]) -> bool:
+def _makes_ends(run: Walk, before: Mapping[Any, MadeEntity]) -> bool:
     """Whether an endpoint but parameters was made since, also one that was known before."""
     new = (made for key, made in run.made.items() if before.get(key) is not made)
     return any(made.kind not in PARAMETERS for made in new)
 
 
-def _told_apart(name: str, tags: list[Tag]) -> list[tuple[dict[str, Cell], Value]]:
+def _with_common_parts(name: str, tags: list[Tag]) -> list[tuple[dict[str, Cell], Value]]:
     """The ports and the name of each node; of too many what they do not have in common is not known."""
     names: dict[tuple[tuple[str, str], ...], dict[str, None]] = {}
     for tag in tags:
@@ -99,24 +99,24 @@ def _told_apart(name: str, tags: list[Tag]) -> list[tuple[dict[str, Cell], Value
     ]
 
 
-def _construct(run: Run, frame: Frame, registered: Object, config: Object, location: Location) -> None:
+def _construct(run: Walk, frame: Frame, registered: Object, config: Object, location: Location) -> None:
     run.step()
-    name = call_arguments.Argument(config.fields["name"].value, None, syntax.Type("std::string"))
-    given = call_arguments.Argument(config, None, syntax.Type(config.name))
+    name = call_arguments.PassedArgument(config.fields["name"].value, None, syntax.Type("std::string"))
+    argument = call_arguments.PassedArgument(config, None, syntax.Type(config.name))
     built: Value | None = None
     if registered.name == "registerNodeType" and registered.arguments:
-        more = (call_arguments.Argument(cell.value) for cell in registered.fields.values())
+        more = (call_arguments.PassedArgument(cell.value) for cell in registered.fields.values())
         kind = registered.arguments[0]
         if isinstance(kind, syntax.Type):
-            built = construct.create(run, frame, kind.bare(), (name, given, *more), location)
+            built = construct.create(run, frame, kind.bare(), (name, argument, *more), location)
     elif "0" in registered.fields:
         builder = registered.fields["0"].value
         if registered.name != "registerBuilder":  # a function is what is ticked
             _tick(run, builder)
         elif isinstance(builder, Callable):
-            built = _built(run, frame, builder, (name, given))
+            built = _built(run, frame, builder, (name, argument))
         else:
-            built = calls.apply(run, frame, builder, (name, given), (), location, syntax.Unknown("a builder"))
+            built = calls.apply(run, frame, builder, (name, argument), (), location, syntax.Unknown("a builder"))
     if not isinstance(built, Object) or built.definition is None:
         return
     built.fields.setdefault(behavior_tree_ports.HELD, Cell(config))
@@ -126,13 +126,13 @@ def _construct(run: Run, frame: Frame, registered: Object, config: Object, locat
             _tick(run, method)
 
 
-def _tick(run: Run, function: Value) -> None:
+def _tick(run: Walk, function: Value) -> None:
     if isinstance(function, Callable):
         doubt = run.doubts[-1] if run.doubts else None
         run.roots.append(Root(function, tuple(run.conditions), is_tick=True, doubt=doubt))
 
 
-def _built(run: Run, frame: Frame, builder: Callable, args: tuple[call_arguments.Argument, ...]) -> Value:
+def _built(run: Walk, frame: Frame, builder: Callable, args: tuple[call_arguments.PassedArgument, ...]) -> Value:
     """What a builder returns, also where its node makes nothing before it is ticked."""
     definition = builder.function
     scope = definition.owner or definition.name.rpartition("::")[0]

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from haros_ci import syntax
 from haros_ci.follow import conversions, expressions, methods
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.types import INTEGERS, REALS, STRINGS
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression, Function, Type
@@ -21,7 +21,7 @@ from haros_ci.syntax.walk import Part, below
 from haros_ci.values.abstract import FALSE, NONE, TRUE, Cell, Known, Object, Opaque, Pointer, Value
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
     from haros_ci.index.index import Source
 
 #: The type of a node's configuration, what its field is called in the node; how the fields of it begin that are ports.
@@ -46,7 +46,7 @@ def text_of(value: Value | None) -> str | None:
     return value.value if isinstance(value, Known) and issubclass(value.kind, str) else None
 
 
-def configured(this: Object, args: tuple[Argument, ...]) -> None:
+def configured(this: Object, args: tuple[PassedArgument, ...]) -> None:
     """A base class of the library is constructed: it keeps the configuration."""
     for argument in args:
         if isinstance(argument.value, Object) and argument.value.name in CONFIGS:
@@ -54,7 +54,7 @@ def configured(this: Object, args: tuple[Argument, ...]) -> None:
 
 
 def call(
-    run: Run, frame: Frame, node: Object, name: str, args: tuple[Argument, ...], location: Location
+    run: Walk, frame: Frame, node: Object, name: str, args: tuple[PassedArgument, ...], location: Location
 ) -> Value | None:
     """What a method of a tree's node does and gives; None if there is no model of it."""
     held = node.fields.get(HELD)
@@ -72,8 +72,8 @@ def call(
         if len(args) > 1:
             cell = _target(args[1])
             if found is None and UNTOLD in config.fields and cell is not None and cell.value == Known(""):
-                said = "no behaviour tree of the workspace has the node: its ports are not known"
-                run.state.write(cell, run.opaque(said, frame, location.line, cell.type))
+                message = "no behaviour tree of the workspace has the node: its ports are not known"
+                run.state.write(cell, run.opaque(message, frame, location.line, cell.type))
             return stored(run, frame, args[1], found)
         if found is None or isinstance(found, Opaque):
             return NONE if found is None else found
@@ -84,7 +84,7 @@ def call(
     return None
 
 
-def stored(run: Run, frame: Frame, target: Argument, value: Value | None) -> Value:
+def stored(run: Walk, frame: Frame, target: PassedArgument, value: Value | None) -> Value:
     """Write what a port or entry gives through a reference, and say whether there is anything; None leaves it alone."""
     if value is None:
         return FALSE
@@ -95,11 +95,11 @@ def stored(run: Run, frame: Frame, target: Argument, value: Value | None) -> Val
     return run.opaque("whether it is set", frame) if isinstance(value, Opaque) else TRUE
 
 
-def _target(target: Argument) -> Cell | None:
+def _target(target: PassedArgument) -> Cell | None:
     return target.value.cell if isinstance(target.value, Pointer) else target.cell
 
 
-def _read_as(run: Run, frame: Frame, value: Value, kind: Type | None) -> Value:
+def _read_as(run: Walk, frame: Frame, value: Value, kind: Type | None) -> Value:
     """*value*, where it is a text, as BT::convertFromString reads it as a *kind*."""
     if not isinstance(value, Known) or not issubclass(value.kind, str) or kind is None:
         return conversions.converted(value, kind)
@@ -117,30 +117,30 @@ def _read_as(run: Run, frame: Frame, value: Value, kind: Type | None) -> Value:
     return run.opaque("it is read from a port's text", frame, None, kind)
 
 
-def _input(run: Run, frame: Frame, node: Object, config: Object, port: Value) -> Value | None:
+def _input(run: Walk, frame: Frame, node: Object, config: Object, port: Value) -> Value | None:
     """What a port gives; None if there is none of that name, or nothing in it."""
     name = text_of(port)
     if name is None:
         return run.opaque("the port's name is not known", frame)
-    given = config.fields.get(f"{PORT}{name}")
-    value = given.value if given is not None else _default(run, frame, node, name)
+    argument_value = config.fields.get(f"{PORT}{name}")
+    value = argument_value.value if argument_value is not None else _default(run, frame, node, name)
     text = (text_of(value) or "").strip()
     if text.startswith("{") and text.endswith("}"):
         return run.opaque(f"the blackboard's {text[1:-1]} is not known", frame)
     return value
 
 
-def _output(run: Run, frame: Frame, config: Object, port: Value) -> None:
+def _output(run: Walk, frame: Frame, config: Object, port: Value) -> None:
     """An output changes the entry that its port names."""
-    given = config.fields.get(f"{PORT}{text_of(port)}")
+    value = config.fields.get(f"{PORT}{text_of(port)}")
     board = config.fields["blackboard"].value
-    key = text_of(given.value) if given is not None else None
+    key = text_of(value.value) if value is not None else None
     cell = board.fields.get(key.strip("{} ")) if key is not None and isinstance(board, Object) else None
     if cell is not None:
         run.state.write(cell, run.opaque("a node of the tree sets it", frame))
 
 
-def _default(run: Run, frame: Frame, node: Object, name: str) -> Value | None:
+def _default(run: Walk, frame: Frame, node: Object, name: str) -> Value | None:
     """The default of a port that the tag does not have."""
     if node.definition is None:
         return None
@@ -154,7 +154,7 @@ def _default(run: Run, frame: Frame, node: Object, name: str) -> Value | None:
 Ports = dict[str, tuple[Frame, Expression] | None]
 
 
-def _declared(run: Run, node: Object) -> tuple[Ports, bool]:
+def _declared(run: Walk, node: Object) -> tuple[Ports, bool]:
     """The ports that a class's ``providedPorts`` declares by name, with their defaults; and whether these are all."""
     key = ("ports", id(node.definition[1]))
     if key not in run.found:
@@ -167,7 +167,7 @@ def _declared(run: Run, node: Object) -> tuple[Ports, bool]:
     return known[0], known[1]
 
 
-def _declare(run: Run, ports: Ports, source: Source, function: Function, node: Object, depth: int) -> Iterator[bool]:
+def _declare(run: Walk, ports: Ports, source: Source, function: Function, node: Object, depth: int) -> Iterator[bool]:
     """Put what a function declares among *ports*; for each call in it, whether it is understood."""
     frame = Frame(source, function.owner, function, None, templates=node.templates)
     yield function.body is not None and depth < DEEPEST

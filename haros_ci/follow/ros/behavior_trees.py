@@ -13,15 +13,15 @@ from haros_ci.follow import activation
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import behavior_tree_nodes, behavior_tree_ports
 from haros_ci.follow.ros.behavior_tree_ports import text_of
-from haros_ci.follow.run import Run
-from haros_ci.index.behavior_tree_files import BUILT_IN, CREATING, LOADING, READING, REGISTERING, Tag, Trees
+from haros_ci.follow.run import Walk
+from haros_ci.index.behavior_tree_files import BUILT_IN, CREATING, LOADING, READING, REGISTERING, BehaviorTreeFile, Tag
 from haros_ci.index.trace import XML_FILES
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
 from haros_ci.values.abstract import NONE, TRUE, Callable, Cell, Choice, Known, Object, Opaque, Text, Value
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 #: How the library's names begin, and its classes.
 SPACE = "BT::"
@@ -35,11 +35,11 @@ UNKNOWN = "a behaviour tree is created that is not known, nor what its nodes mak
 
 
 def call(
-    run: Run,
+    run: Walk,
     frame: Frame,
     name: str,
     receiver: Value | None,
-    args: tuple[Argument, ...],
+    args: tuple[PassedArgument, ...],
     targs: tuple[syntax.Argument, ...],
     location: Location,
 ) -> Value | None:
@@ -55,16 +55,16 @@ def call(
 
 
 def _factory(
-    run: Run,
+    run: Walk,
     frame: Frame,
     factory: Object,
     name: str,
-    args: tuple[Argument, ...],
+    args: tuple[PassedArgument, ...],
     targs: tuple[syntax.Argument, ...],
     location: Location,
 ) -> Value | None:
     if name in REGISTERING and args:
-        types = tuple(run.type_in(each, frame) for each in targs if isinstance(each, syntax.Type))
+        types = tuple(run.type_in(targ, frame) for targ in targs if isinstance(targ, syntax.Type))
         _register(run, factory, name, args, types)
         return NONE
     if name in LOADING:
@@ -80,7 +80,7 @@ def _factory(
     return None
 
 
-def _register(run: Run, factory: Object, name: str, args: tuple[Argument, ...], types: tuple[Type, ...]) -> None:
+def _register(run: Walk, factory: Object, name: str, args: tuple[PassedArgument, ...], types: tuple[Type, ...]) -> None:
     """Keep the type of a node, or what builds it, and further arguments of its constructor by the ID of its tags."""
     name_of_tags = text_of(args[0].value)
     if name_of_tags is None:
@@ -101,13 +101,13 @@ def _is_same(one: Value, other: Object) -> bool:
     """Whether two registrations are of the same type, built by the same function."""
     if not isinstance(one, Object) or (one.name, one.arguments) != (other.name, other.arguments):
         return False
-    first, second = (each.fields["0"].value if "0" in each.fields else None for each in (one, other))
+    first, second = (object_.fields["0"].value if "0" in object_.fields else None for object_ in (one, other))
     if isinstance(first, Callable) and isinstance(second, Callable):
         return first.function is second.function
     return isinstance(first, Callable) == isinstance(second, Callable)
 
 
-def _load(run: Run, factory: Object, library: Value | None) -> None:
+def _load(run: Walk, factory: Object, library: Value | None) -> None:
     """Register what a plug-in's library has; one that is not known stands for all of the workspace."""
     if isinstance(library, Choice):
         for option in library.options:
@@ -120,7 +120,7 @@ def _load(run: Run, factory: Object, library: Value | None) -> None:
         registered_by(run, factory, name)
 
 
-def registered_by(run: Run, factory: Object, library: str | None) -> None:
+def registered_by(run: Walk, factory: Object, library: str | None) -> None:
     """Follow what registers the nodes of a library, or of all libraries of the workspace, with *factory*."""
     trees = run.context.trees
     if run.index.trace is not None and library is not None:
@@ -139,10 +139,12 @@ def _read(factory: Object, value: Value, is_text: bool) -> None:
         factory.fields.setdefault(f"{READ}{text}", Cell(Known(text)))
 
 
-def _create(run: Run, frame: Frame, factory: Object, name: str, args: tuple[Argument, ...], location: Location) -> None:
+def _create(
+    run: Walk, frame: Frame, factory: Object, name: str, args: tuple[PassedArgument, ...], location: Location
+) -> None:
     """Construct the nodes of a tree, once at each place for each blackboard."""
-    given = (argument.value for argument in args if isinstance(argument.value, Object))
-    board = next((each for each in given if each.name == BLACKBOARD), None)
+    provided = (argument.value for argument in args if isinstance(argument.value, Object))
+    board = next((object_ for object_ in provided if object_.name == BLACKBOARD), None)
     done = (location, factory, board, text_of(args[0].value))
     if done in run.offered:
         return
@@ -170,21 +172,26 @@ def _create(run: Run, frame: Frame, factory: Object, name: str, args: tuple[Argu
             behavior_tree_nodes.construct_others(run, frame, factory, board, (*tags, *every), location)
 
 
-def _tags(run: Run, factory: Object, name: str, value: Value) -> tuple[tuple[Tag, ...], bool]:
+def _tags(run: Walk, factory: Object, name: str, value: Value) -> tuple[tuple[Tag, ...], bool]:
     """The nodes of the tree that is created, as far as they are known; and whether these are all."""
-    files, said = run.context.trees, text_of(value)
-    if files is None or said is None:
+    files, message = run.context.trees, text_of(value)
+    if files is None or message is None:
         return (), False
     every = [files.read(key[len(READ) :]) for key in factory.fields if key.startswith(READ)]
-    before = [each for each in every if each is not None]
+    before = [trees for trees in every if trees is not None]
     if name == "createTree":
-        return Trees({}, said, {}).beside(before).of(said)
-    found = files.read(f"\n{said}" if name == "createTreeFromText" else said)
+        return BehaviorTreeFile({}, message, {}).beside(before).of(message)
+    found = files.read(f"\n{message}" if name == "createTreeFromText" else message)
     return found.beside(before).of(found.main) if found is not None else ((), False)
 
 
 def _blackboard(
-    run: Run, frame: Frame, board: Object, name: str, args: tuple[Argument, ...], targs: tuple[syntax.Argument, ...]
+    run: Walk,
+    frame: Frame,
+    board: Object,
+    name: str,
+    args: tuple[PassedArgument, ...],
+    targs: tuple[syntax.Argument, ...],
 ) -> Value | None:
     """``set`` and ``get`` of an entry by its key; of one that is not known nothing is."""
     if name == "rootBlackboard":
@@ -195,15 +202,15 @@ def _blackboard(
     cell = board.fields.get(key) if key is not None else None
     if name == "set" and len(args) == 2:
         if key is None:
-            for each in board.fields.values():
-                if isinstance(each.value, (Known, Text, Choice)):
-                    run.state.write(each, Opaque("it may be set under a key that is not known"))
+            for field in board.fields.values():
+                if isinstance(field.value, (Known, Text, Choice)):
+                    run.state.write(field, Opaque("it may be set under a key that is not known"))
             return NONE
         if cell is None:
             cell = board.fields[key] = Cell(Opaque(f"the blackboard's {key} is not set before"))
         run.state.write(cell, args[1].value)
         return NONE
     kind = run.type_in(targs[0], frame) if targs and isinstance(targs[0], syntax.Type) else None
-    said = f"the blackboard's {key or 'entry of a key that is not known'} is not known"
-    value = cell.value if cell is not None else run.opaque(said, frame, None, kind)
+    message = f"the blackboard's {key or 'entry of a key that is not known'} is not known"
+    value = cell.value if cell is not None else run.opaque(message, frame, None, kind)
     return value if len(args) == 1 else behavior_tree_ports.stored(run, frame, args[1], value)

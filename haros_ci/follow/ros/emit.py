@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From an entry of an API row to what it makes: names resolved, types told, what is unknown with its reason."""
+"""From an entry of an API row to what it makes: names resolved, types found, unknowns with their reasons."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
 from haros_ci.follow import thrown
-from haros_ci.follow.made import Made, make
+from haros_ci.follow.made import MadeEntity, make
 from haros_ci.follow.ros import ros2_emit
 from haros_ci.follow.ros.ends import UNNAMED
-from haros_ci.follow.run import Renamed, Run
+from haros_ci.follow.run import Renamed, Walk
 from haros_ci.graph.names import clean, pattern, resolve
 from haros_ci.index.common_messages import COMMON
 from haros_ci.index.ros_types import SERIALISED, WRAPPERS, data_type, message_type, parameter_type, ros2_type
@@ -53,7 +53,7 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
     unknowns: Unknowns = []
     name, written = _name(applied, entry, unknowns)
     if name == "" and not unknowns:
-        return None  # no name, no topic: a filter's subscriber that is to be told later
+        return None  # no name, no topic: a filter's subscriber that gets its topic later
     value, default = _value(applied, entry, unknowns)
     endpoint_type = _type(applied, entry, unknowns, default)
     if endpoint_type == "bool" and isinstance(value, str) and applied.frame.source.program.language != "python":
@@ -68,7 +68,7 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
     raises = bool(run.turning) and _raises(applied, entry, name, default)
     make(
         run,
-        Made(
+        MadeEntity(
             kind=entry.kind,
             name=name,
             type=endpoint_type,
@@ -241,7 +241,7 @@ def interface_type(applied: Applied, entry: Entry, unknowns: Unknowns) -> str | 
     return result
 
 
-def _meant(run: Run, kind: Type) -> Type:
+def _meant(run: Walk, kind: Type) -> Type:
     """*kind*, pointers looked through, or the type that it is another name of in a library (``alias`` of a row)."""
     inner = pointee(kind)
     alias = next((row.alias for row in run.rows.get(inner.name, ()) if row.alias), "")
@@ -296,7 +296,7 @@ def _value(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[Any, Val
     return None, found
 
 
-def _is_unnamed(run: Run, data: object) -> bool:
+def _is_unnamed(run: Walk, data: object) -> bool:
     """Whether a text is made of the node's own name, or its namespace, of which a part is not known."""
     if not isinstance(data, str) or "?" not in data:
         return False

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
-from haros_ci.follow.made import Made
+from haros_ci.follow.made import MadeEntity
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.index.ros_types import data_type
 from haros_ci.model.architecture import KINDS, Condition, Endpoint, Unknown
@@ -18,11 +18,11 @@ ANONYMOUS = "the node is anonymous: its name ends in a number of its own"
 
 
 def endpoints(
-    made: Iterable[Made], remap: Callable[[Made], str], server: ParameterServer, unnamed: str = UNNAMED
+    made: Iterable[MadeEntity], remap: Callable[[MadeEntity], str], server: ParameterServer, unnamed: str = UNNAMED
 ) -> tuple[Endpoint, ...]:
     """Endpoints with their final names, by kind and place; *unnamed* says why the node's own name is not known.
 
-    A getter whose variable has no type that can be told has the type of what the configuration sets.
+    A getter whose variable has no known type has the type of what the configuration sets.
     """
     order = {kind: number for number, kind in enumerate(KINDS)}
     found = [
@@ -48,7 +48,7 @@ def endpoints(
             source="exact-tier" if item.is_exact else "source",
             unknowns=(
                 *(Unknown(*unknown) for unknown in dict.fromkeys(item.unknowns)),
-                *_told_by_others(item, final, unnamed),
+                *_typed_by_others(item, final, unnamed),
             ),
         )
         for item, final in ((item, remap(item)) for item in made)
@@ -68,12 +68,12 @@ def endpoints(
     )
 
 
-def by(remaps: Mapping[str, str]) -> Callable[[Made], str]:
+def by(remaps: Mapping[str, str]) -> Callable[[MadeEntity], str]:
     """The final name of what is made under *remaps* of absolute names, as ROS 1 has them."""
     return lambda item: remaps.get(item.name, item.name)
 
 
-def _told_by_others(item: Made, final: str, unnamed: str) -> tuple[Unknown, ...]:
+def _typed_by_others(item: MadeEntity, final: str, unnamed: str) -> tuple[Unknown, ...]:
     if "?" in item.name and not any(field == "name" for field, _, _ in item.unknowns):
         return (Unknown("name", unnamed),)
     if "?" not in item.name and "?" in final:
@@ -91,17 +91,18 @@ def _typed(end: Endpoint, server: ParameterServer) -> Endpoint:
 
 def _typed_by_each_other(found: list[Endpoint]) -> list[Endpoint]:
     """A ROS 2 parameter has one type: what a declaration leaves open a reading tells, and the other way round."""
-    told: dict[str, set[str | None]] = {}
+    reported: dict[str, set[str | None]] = {}
     open_ = {
         end.name for end in found if end.kind in ("getters", "parameters") and end.type is None and ":" in end.name
     }
     for end in found if open_ else ():
         if end.name in open_ and end.kind in ("getters", "parameters") and end.type is not None:
-            told.setdefault(end.name, set()).add(end.type)
-    if not told:
+            reported.setdefault(end.name, set()).add(end.type)
+    if not reported:
         return found
     return [
-        _of_type(end, *told[end.name]) if _is_open(end) and len(told.get(end.name, ())) == 1 else end for end in found
+        _of_type(end, *reported[end.name]) if _is_open(end) and len(reported.get(end.name, ())) == 1 else end
+        for end in found
     ]
 
 
@@ -110,7 +111,7 @@ def _is_open(end: Endpoint) -> bool:
 
 
 def _of_type(end: Endpoint, kind: str | None) -> Endpoint:
-    return replace(end, type=kind, unknowns=tuple(each for each in end.unknowns if each.field != "type"))
+    return replace(end, type=kind, unknowns=tuple(unknown for unknown in end.unknowns if unknown.field != "type"))
 
 
 def _distinct(conditions: tuple[Condition, ...]) -> tuple[Condition, ...]:

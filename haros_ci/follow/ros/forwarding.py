@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from typing import TYPE_CHECKING
 
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.graph.names import UNKNOWN, pattern
 from haros_ci.index.types import STRINGS
 from haros_ci.model.location import Location
@@ -21,7 +21,7 @@ from haros_ci.values.abstract import Choice, Known, Library, Opaque, Text
 from haros_ci.values.given import marked
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 #: Functions of rclcpp and rclpy that are given a name, and what wrappers of them are called besides.
 NAMES = frozenset(
@@ -32,12 +32,12 @@ NAMES = frozenset(
     "declareParameter declare_param getParameter getParam get_param readParameter read_parameter".split()
 )
 
-#: Around what is followed inside a wrapper, or is none.
+#: The context in which the body of a wrapper is followed; a no-op context for calls that are not the outermost wrapper.
 INSIDE = nullcontext()
 
 
 def through(
-    run: Run, function: Function, args: tuple[Argument, ...], location: Location
+    run: Walk, function: Function, args: tuple[PassedArgument, ...], location: Location
 ) -> AbstractContextManager[None]:
     """While *function* is followed that is called at *location*: the outermost wrapper's call counts."""
     is_outermost = run.context.process is not None and run.outer is None and _is_wrapper(function)
@@ -45,9 +45,9 @@ def through(
 
 
 @contextmanager
-def _outermost(run: Run, args: tuple[Argument, ...], location: Location) -> Iterator[None]:
-    values = [each.value for each in args if isinstance(each.value, (Known, Text, Choice, Opaque, Library))]
-    texts = [pattern(marked(each))[0] for value in values for each in (value, *iterators.options(value))]
+def _outermost(run: Walk, args: tuple[PassedArgument, ...], location: Location) -> Iterator[None]:
+    values = [argument.value for argument in args if isinstance(argument.value, (Known, Text, Choice, Opaque, Library))]
+    texts = [pattern(marked(option))[0] for value in values for option in (value, *iterators.options(value))]
     run.outer = location, frozenset(text or UNKNOWN for text in texts)
     try:
         yield
@@ -55,7 +55,7 @@ def _outermost(run: Run, args: tuple[Argument, ...], location: Location) -> Iter
         run.outer = None
 
 
-def place(run: Run, name: str, location: Location) -> Location:
+def place(run: Walk, name: str, location: Location) -> Location:
     """Where an endpoint of that *name* stands that the call at *location* makes."""
     if run.outer is None:
         return location
@@ -69,4 +69,6 @@ def place(run: Run, name: str, location: Location) -> Location:
 
 def _is_wrapper(function: Function) -> bool:
     name = function.name.rpartition("::")[2].rpartition(".")[2]
-    return name in NAMES and any(each.type.name in STRINGS or not each.type.name for each in function.parameters)
+    return name in NAMES and any(
+        parameter.type.name in STRINGS or not parameter.type.name for parameter in function.parameters
+    )

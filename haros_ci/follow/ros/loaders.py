@@ -8,25 +8,25 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.made import Made, make
-from haros_ci.follow.run import Run
+from haros_ci.follow.made import MadeEntity, make
+from haros_ci.follow.run import Walk
 from haros_ci.graph.names import clean, pattern, resolve
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import NONE, TRUE, Cell, Choice, Known, Mapped, Opaque, Value
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 #: Nodelets that one node loads.
 MOST = 64
 
 
-def remappings(run: Run) -> Value:
+def remappings(run: Walk) -> Value:
     """``ros::names::getRemappings()``: what the node's own command line remaps."""
     return Mapped(Cell({source: Cell(Known(target)) for source, target in sorted(run.context.remaps.items())}))
 
 
-def nodelet(run: Run, frame: Frame, args: tuple[Argument, ...], location: Location) -> Value:
+def nodelet(run: Walk, frame: Frame, args: tuple[PassedArgument, ...], location: Location) -> Value:
     """``nodelet::Loader::load(name, type, remappings, my_argv)``: the nodelet is a part of the node, under that name.
 
     Its private namespace is the name, its namespace the one above; its remappings go before the node's own (nodelet.h).
@@ -42,7 +42,7 @@ def nodelet(run: Run, frame: Frame, args: tuple[Argument, ...], location: Locati
     return TRUE if len(options) == 1 else run.opaque("whether a nodelet is loaded", frame, location.line)
 
 
-def _load(run: Run, name: Value, kind: Value, renames: Mapping[str, Value] | None, location: Location) -> None:
+def _load(run: Walk, name: Value, kind: Value, renames: Mapping[str, Value] | None, location: Location) -> None:
     if not isinstance(kind, Known) or not issubclass(kind.kind, str):
         run.gaps.setdefault("it loads a nodelet of which the type is not known", location)
         return
@@ -59,8 +59,8 @@ def _load(run: Run, name: Value, kind: Value, renames: Mapping[str, Value] | Non
         run.gaps.setdefault(f"it loads the nodelet {kind.value}, which is not in the workspace", location)
         return
     made, gaps = found
-    for said, place in gaps.items():
-        run.gaps.setdefault(said, place)
+    for message, place in gaps.items():
+        run.gaps.setdefault(message, place)
     named = None if renames is None else _absolute(renames, full)
     for item in made:
         unknowns = item.unknowns
@@ -91,7 +91,7 @@ def _absolute(renames: Mapping[str, Value], full: str) -> dict[str, Value]:
     return found
 
 
-def _renamed(item: Made, renames: Mapping[str, Value] | None, location: Location) -> Made:
+def _renamed(item: MadeEntity, renames: Mapping[str, Value] | None, location: Location) -> MadeEntity:
     if renames is None:
         unknown = ("name", "the remappings of the nodelet are not known", location)
         return item if item.implicit else replace(item, name="/?", unknowns=(*item.unknowns, unknown))
@@ -104,7 +104,7 @@ def _renamed(item: Made, renames: Mapping[str, Value] | None, location: Location
     return replace(item, name="/?", unknowns=(*item.unknowns, ("name", why, where or location)))
 
 
-def _was_set(run: Run, name: str, location: Location) -> None:
+def _was_set(run: Walk, name: str, location: Location) -> None:
     """The node finds what the nodelet has set, if not to what."""
     own: Any = run.server.value
     if isinstance(own, dict):

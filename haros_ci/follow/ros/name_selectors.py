@@ -43,12 +43,14 @@ def _full(applied: selectors.Applied, value: Any, flag: str) -> Value:
             pieces += ([unknown] if number else []) + ([piece] if piece else [])
         return Text(tuple(pieces)) if "?" in full else unknown
     name = _remap(applied, full)
-    given = selectors.given(applied.args, flag) if flag else None
+    argument = selectors.given(applied.args, flag) if flag else None
     remaps, expands = (TRUE, FALSE) if applied.run.context.process is None else (FALSE, TRUE)  # ROS 2: only_expand
     known = applied.run.context.marks.known
-    if given is None or name == full or given.value == remaps:
+    if argument is None or name == full or argument.value == remaps:
         return known(name)
-    return known(full) if given.value == expands else applied.run.opaque("whether the name is remapped", applied.frame)
+    return (
+        known(full) if argument.value == expands else applied.run.opaque("whether the name is remapped", applied.frame)
+    )
 
 
 def remapped(applied: selectors.Applied, selector: str) -> Value:
@@ -100,7 +102,7 @@ def _above(value: Value) -> Value:
 def expanded(applied: selectors.Applied, name: str, node: str, space: str) -> Value:
     """A name as rclcpp::expand_topic_or_service_name gives it for a node's name and namespace, without remapping."""
     found = [_first(applied, where) for where in (name, node, space)]
-    texts = [each.value if isinstance(each, Known) and issubclass(each.kind, str) else None for each in found]
+    texts = [value.value if isinstance(value, Known) and issubclass(value.kind, str) else None for value in found]
     if isinstance(found[0], Text) and str(found[0].parts[0])[:1] == "/":
         return found[0]
     if texts[0] is None or "{" in texts[0] or (texts[0][:1] != "/" and (texts[1] is None or texts[2] is None)):

@@ -27,7 +27,7 @@ from haros_ci.values.abstract import (
 )
 
 Why = tuple[str, Location | None]
-POLICIES = tuple(each.name for each in fields(Qos))
+POLICIES = tuple(field.name for field in fields(Qos))
 DURATIONS = frozenset(("deadline", "lifespan", "lease"))
 #: Times that are no limit: those of rmw's ``RMW_DURATION_INFINITE`` and beyond, in seconds.
 ENDLESS = 9_223_372_036.0
@@ -38,7 +38,7 @@ SEVERAL = "it may be one of several qualities of service"
 def qos_of(value: Value) -> tuple[Qos, Why | None]:
     """The quality of service that *value* stands for: a number, a profile, a constant, or an object of a QoS class.
 
-    A policy that is not known is ``?``, and the reason of the first such one is told (rclcpp/qos.hpp, rclpy/qos.py,
+    A policy that is not known is ``?``, and the reason of the first such one is returned (rclcpp/qos.hpp, rclpy/qos.py,
     rmw/qos_profiles.h). Of a value of which nothing is known the policies with defaults are ``?``.
     """
     if isinstance(value, Pointer):
@@ -89,10 +89,10 @@ def overridden(qos: Qos, rules: Mapping[str, Any]) -> Qos:
     Values are ``Value`` or plain data: words for policies, times in nanoseconds (rclcpp/detail/qos_parameters.hpp).
     """
     changed: dict[str, Any] = {}
-    for name, given in rules.items():
+    for name, provided in rules.items():
         policy = "lease" if name in ("liveliness_lease_duration", "lease") else name
         if policy in POLICIES:
-            value = given if isinstance(given, (Known, Opaque, Text, Choice, Object)) else Known(given)
+            value = provided if isinstance(provided, (Known, Opaque, Text, Choice, Object)) else Known(provided)
             changed[policy] = _policy(policy, value)[0]
     return _sane(replace(qos, **changed))
 
@@ -175,9 +175,9 @@ def _of_text(value: Text) -> tuple[Qos, Why | None]:
 def _of_several(found: tuple[tuple[Qos, Why | None], ...]) -> tuple[Qos, Why | None]:
     whole, why = found[0]
     for other, reason in found[1:]:
-        apart = [policy for policy in POLICIES if getattr(other, policy) != getattr(whole, policy)]
-        why = why or reason or ((SEVERAL, None) if apart else None)
-        whole = replace(whole, **{policy: "?" for policy in apart})
+        differing = [policy for policy in POLICIES if getattr(other, policy) != getattr(whole, policy)]
+        why = why or reason or ((SEVERAL, None) if differing else None)
+        whole = replace(whole, **{policy: "?" for policy in differing})
     return whole, why
 
 
@@ -214,7 +214,7 @@ def _policy(policy: str, value: Value) -> tuple[Any, Why | None]:
         value = value.cell.value
     if isinstance(value, Choice):
         found = [_policy(policy, option) for option in value.options]
-        same = all(each[0] == found[0][0] for each in found)
+        same = all(item[0] == found[0][0] for item in found)
         return found[0] if same else ("?", (SEVERAL, None))
     if isinstance(value, Library) and (profile := _profile(value.name)) is not None:
         return getattr(profile, policy), None
@@ -260,7 +260,7 @@ def _enumerator(name: str) -> int | None:
     policy, word = (found[1].lower(), found[2].lower()) if found is not None else ("", "")
     if word not in WORDS.get(policy, ()):
         return None
-    return next((number for number, each in NUMBERS[policy].items() if each == WORDS[policy][word]), None)
+    return next((number for number, item in NUMBERS[policy].items() if item == WORDS[policy][word]), None)
 
 
 def _duration(value: Value) -> Any:

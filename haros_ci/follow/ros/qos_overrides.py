@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.follow.made import Made, make
+from haros_ci.follow.made import MadeEntity, make
 from haros_ci.follow.ros.qos import DURATIONS, overridden, override_id, override_policies
 from haros_ci.follow.ros.ros2_nodes import remapped
 from haros_ci.graph.parameters import Perhaps
@@ -51,9 +51,9 @@ def apply(
         return qos, []
     head = f"qos_overrides.{final}.{ENDS[kind]}"
     if policies is None or suffix is None:
-        given = tuple(policy for policy in USUAL if _given(applied, node, f"{head}.{policy}") is not None)
-        blank = replace(qos, **dict.fromkeys(given, "?"))
-        return blank, [("qos", UNTOLD, applied.location)] if given else []
+        provided = tuple(policy for policy in USUAL if _current_value(applied, node, f"{head}.{policy}") is not None)
+        blank = replace(qos, **dict.fromkeys(provided, "?"))
+        return blank, [("qos", UNTOLD, applied.location)] if provided else []
     head += f"_{suffix}" if suffix else ""
     chosen = {"lease" if policy == LEASE else policy for policy in policies}
     unknowns: list[tuple[str, str, Location | None]] = []
@@ -63,7 +63,7 @@ def apply(
         if policy in chosen:
             full = f"{head}.{LEASE if policy == 'lease' else policy}"
             default = _default(policy, getattr(qos, policy))
-            value = _given(applied, node, full)
+            value = _current_value(applied, node, full)
             if value is not None:
                 rules[policy] = value
             held[f"{node.whole.name}:{full}"] = _declare(applied, node, full, policy, default, value, place)
@@ -79,7 +79,7 @@ def apply(
     return changed, unknowns
 
 
-def _given(applied: Applied, node: RosNode, name: str) -> Value | None:
+def _current_value(applied: Applied, node: RosNode, name: str) -> Value | None:
     """What the parameter has by now: what another end has declared it with, else what the node is given; None for nothing."""
     from haros_ci.follow.ros.ros2_parameters import parameter
 
@@ -109,7 +109,7 @@ def _declare(
         unknowns.append(("effective", effective.reason, effective.location or applied.location))
     make(
         run,
-        Made(
+        MadeEntity(
             kind="parameters",
             name=f"{node.whole.name}:{name}",
             type="int" if policy in DURATIONS or policy == "depth" else "str",

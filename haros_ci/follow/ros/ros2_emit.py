@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
 from haros_ci.follow import conversions, thrown
-from haros_ci.follow.made import Made, make
+from haros_ci.follow.made import MadeEntity, make
 from haros_ci.follow.ros import forwarding, qos_overrides, ros2_nodes, ros2_parameters, ros2_selectors
 from haros_ci.graph.names import UNKNOWN, pattern
 from haros_ci.graph.ros2_process import GIVEN, NO_DEFAULT, NO_NAME, RosNode
@@ -54,31 +54,31 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
     node, why_not = ros2_nodes.of_entry(applied, entry)
     if why_not == ros2_nodes.NO_NODE:
         return None
-    given = value_of(applied, entry.values["name"]) if "name" in entry.values else None
-    if isinstance(given, Choice) and entry.kind not in PARAMETERS:
-        names = [option for option in given.options if option != Known("")]
+    provided = value_of(applied, entry.values["name"]) if "name" in entry.values else None
+    if isinstance(provided, Choice) and entry.kind not in PARAMETERS:
+        names = [option for option in provided.options if option != Known("")]
         if any(isinstance(option, Known) for option in names):
             for option in names:
                 with run.doubted(ONE_OF_NAMES):
                     _named(applied, entry, option, node, why_not)
             return None
-    return _named(applied, entry, given, node, why_not)
+    return _named(applied, entry, provided, node, why_not)
 
 
-def _named(applied: Applied, entry: Entry, given: Any, node: RosNode | None, why_not: str) -> Value | None:
+def _named(applied: Applied, entry: Entry, provided: Any, node: RosNode | None, why_not: str) -> Value | None:
     """Make the endpoint that has the name *given*."""
     from haros_ci.follow.ros.emit import interface_type
     from haros_ci.follow.ros.selectors import value_of
 
     run = applied.run
     unknowns: Unknowns = []
-    told = given if given is not None else Opaque("it is not given", applied.location)
-    text, why, where = pattern(told if entry.kind in PARAMETERS else marked(told))
+    result = provided if provided is not None else Opaque("it is not given", applied.location)
+    text, why, where = pattern(result if entry.kind in PARAMETERS else marked(result))
     if entry.kind in PARAMETERS and entry.each is not None:
         text = text.removeprefix(".")
     if why is None and not text and entry.kind not in PARAMETERS:
-        if given != Known("") or not (run.dead or applied.frame.is_dead):
-            return None  # no name, no topic: a filter's subscriber that is to be told later
+        if provided != Known("") or not (run.dead or applied.frame.is_dead):
+            return None  # no name, no topic: a filter's subscriber that gets its topic later
         text, why, where = UNKNOWN, NOT_EMPTY, applied.location
     if entry.kind in PARAMETERS:
         return _parameter(applied, entry, node, why_not, (text, why, where))
@@ -90,7 +90,7 @@ def _named(applied: Applied, entry: Entry, given: Any, node: RosNode | None, why
         name = text if text.startswith("/") else f"/?/{text.removeprefix('~/')}"
     else:
         is_open = (
-            why is not None and text.startswith("?") and not isinstance(given, Choice)
+            why is not None and text.startswith("?") and not isinstance(provided, Choice)
         )  # it may begin with a slash
         name = node.expand(f"/{text}" if is_open else text)
         if "?" in name and why is None and node.why is not None:
@@ -101,9 +101,9 @@ def _named(applied: Applied, entry: Entry, given: Any, node: RosNode | None, why
         if profile is not None:
             from haros_ci.follow.ros.qos import qos_of
 
-            qos, said = qos_of(profile)
-            if said is not None:
-                unknowns.append(("qos", said[0], said[1] or applied.location))
+            qos, messages = qos_of(profile)
+            if messages is not None:
+                unknowns.append(("qos", messages[0], messages[1] or applied.location))
     place = forwarding.place(run, text, applied.location)
     if qos is not None and node is not None and "options" in entry.values and entry.kind in qos_overrides.ENDS:
         options = value_of(applied, entry.values["options"])
@@ -114,7 +114,7 @@ def _named(applied: Applied, entry: Entry, given: Any, node: RosNode | None, why
         unknowns.append(("conditions", entry.unsure, applied.location))
     make(
         run,
-        Made(
+        MadeEntity(
             kind=entry.kind,
             name=name,
             type=endpoint_type,
@@ -166,8 +166,8 @@ def _parameter(
         known, data = data_of(default)
         if not known:
             reason = opaque_of(default)
-            said = reason.reason if reason else "it is not plain data"
-            unknowns.append(("value", said, (reason and reason.location) or applied.location))
+            message = reason.reason if reason else "it is not plain data"
+            unknowns.append(("value", message, (reason and reason.location) or applied.location))
             data = None
     kind = value_of(applied, entry.values["type"]) if "type" in entry.values else None
     declared = kind_told
@@ -190,8 +190,8 @@ def _parameter(
     read_only, limits = _descriptor(applied, entry, unknowns)
     if entry.kind == "parameters" and effective is None and value is not None and value != NONE:
         why_not_known = opaque_of(value)
-        said = why_not_known.reason if why_not_known else "it is not plain data"
-        unknowns.append(("effective", said, (why_not_known and why_not_known.location) or applied.location))
+        message = why_not_known.reason if why_not_known else "it is not plain data"
+        unknowns.append(("effective", message, (why_not_known and why_not_known.location) or applied.location))
     if declared == "double" and isinstance(data, int) and not isinstance(data, bool):
         data = float(data)
     if entry.unsure:
@@ -199,7 +199,7 @@ def _parameter(
     raises = bool(run.turning) and _raises(applied, entry, node, full, value is not None)
     make(
         run,
-        Made(
+        MadeEntity(
             kind=entry.kind,
             name=full,
             type=declared,

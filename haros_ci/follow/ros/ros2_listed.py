@@ -25,14 +25,14 @@ def listed(applied: Applied, prefixes: Value | None, depth: Value | None, what: 
     node_parameters.cpp: ``list_parameters``). The names are sorted.
     """
     node = ros2_nodes.of_value(applied.run, applied.receiver)
-    wanted = _texts(prefixes)
+    requested = _texts(prefixes)
     levels = depth.value if isinstance(depth, Known) else None
-    if node is None or wanted is None or not isinstance(levels, int):
+    if node is None or requested is None or not isinstance(levels, int):
         return applied.run.opaque("which parameters are listed", applied.frame, applied.location.line, _TEXTS)
     names = _names(applied, node)
     if isinstance(names, Opaque):
         return Opaque(names.reason, names.location, _TEXTS)
-    chosen = [name for name in sorted(names) if _is_below(name, wanted, levels)]
+    chosen = [name for name in sorted(names) if _is_below(name, requested, levels)]
     if what == "prefixes":
         chosen = list(dict.fromkeys(name.rpartition(".")[0] for name in chosen if "." in name))
     return Sequence(Cell(tuple(Cell(Known(name)) for name in chosen)), _TEXTS)
@@ -59,10 +59,10 @@ def _names(applied: Applied, node: RosNode) -> Iterable[str] | Opaque:
     head = f"{whole.name}:"
     found = {name.removeprefix(head) for name, value in own.items() if name.startswith(head) and value != NONE}
     if whole.options.get("automatically_declare_parameters_from_overrides"):
-        given = run.context.parameter(f"{head}{EVERY}")
-        if isinstance(given, Opaque):
-            return given
-        outside = given.value if isinstance(given, Known) else ()
+        argument_value = run.context.parameter(f"{head}{EVERY}")
+        if isinstance(argument_value, Opaque):
+            return argument_value
+        outside = argument_value.value if isinstance(argument_value, Known) else ()
         found |= {*whole.given, *outside}
     return found
 

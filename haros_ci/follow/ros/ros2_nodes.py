@@ -10,7 +10,15 @@ from typing import TYPE_CHECKING, Any
 from haros_ci.follow import twins
 from haros_ci.graph.names import clean, pattern
 from haros_ci.graph.parameters import Perhaps
-from haros_ci.graph.ros2_process import Arguments, Parameters, RosNode, Rule, from_arguments, named, ros_arguments
+from haros_ci.graph.ros2_process import (
+    Parameters,
+    RemappingRule,
+    RosArguments,
+    RosNode,
+    from_arguments,
+    named,
+    ros_arguments,
+)
 from haros_ci.model.api import Entry
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import NONE, Cell, Choice, Known, Mapped, Object, Opaque, Pointer, Sequence, Value
@@ -18,7 +26,7 @@ from haros_ci.values.given import marked
 
 if TYPE_CHECKING:
     from haros_ci.follow.ros.selectors import Applied
-    from haros_ci.follow.run import Run
+    from haros_ci.follow.run import Walk
 
 #: The class of a node in the client libraries, by language's separator.
 NODE = {"::": "rclcpp::Node", ".": "rclpy.node.Node"}
@@ -108,7 +116,7 @@ def construct(applied: Applied, entry: Entry, target: Object) -> None:
 
 
 def made(
-    run: Run,
+    run: Walk,
     target: Object,
     name: Value | None,
     space: Value | None,
@@ -122,13 +130,13 @@ def made(
     text, why, where = pattern(name) if name is not None else ("?", "the code does not tell its name", location)
     options = options.cell.value if isinstance(options, Pointer) else options
     if options == HIDDEN:  # its options rename it to its own name, whatever the process is given
-        options = Object(NODE_OPTIONS, fields={each: Cell(Known(False)) for each in HIDES})
-        local, is_open, why = Arguments((Rule("", "__node", text),)), False, why or UNIQUE
+        options = Object(NODE_OPTIONS, fields={hide: Cell(Known(False)) for hide in HIDES})
+        local, is_open, why = RosArguments((RemappingRule("", "__node", text),)), False, why or UNIQUE
     else:
         if process.component is not None and not run.nodes and _may_be_given(space, options):
             space = None if options is None else space
             options = options_for(run)
-            options.fields.update((each, Cell(Opaque("it may be set"))) for each in MAY_DECLARE)
+            options.fields.update((item, Cell(Opaque("it may be set"))) for item in MAY_DECLARE)
         local, is_open = _arguments(options)
     above, space_why, space_where = pattern(space) if space is not None and space != NONE else ("", None, None)
     is_contained = process.component is not None and (isinstance(options, Opaque) or _flag(options, CONTAINED) is True)
@@ -144,11 +152,11 @@ def made(
     if not is_contained and not is_global:
         switches[ALONE] = True
     if isinstance(options, Opaque) or any(
-        _field(options, each) not in (None, NONE, Known(False)) for each in MAY_DECLARE
+        _field(options, item) not in (None, NONE, Known(False)) for item in MAY_DECLARE
     ):
         switches[UNDECLARED] = True
-    given = {**_parameters(local, full, location), **_overrides(options)}
-    sim_time = given.get(SIM_TIME)
+    provided = {**_parameters(local, full, location), **_overrides(options)}
+    sim_time = provided.get(SIM_TIME)
     if isinstance(sim_time, Known) and issubclass(sim_time.kind, bool):
         switches[SIM_TIME] = sim_time.value
     node = RosNode(
@@ -160,7 +168,7 @@ def made(
         location=location,
         conditions=tuple(run.conditions),
         rules=rules,
-        given=given,
+        given=provided,
         why=unknown,
         options=switches,
     )
@@ -178,7 +186,7 @@ def _may_be_given(space: Value | None, options: Any) -> bool:
     return isinstance(options, Opaque) or (options is None and isinstance(space, Opaque))
 
 
-def options_for(run: Run) -> Object:
+def options_for(run: Walk) -> Object:
     """The NodeOptions that a component is constructed with: what the container, or launch, gives it."""
     process = run.context.process
     words: list[str] = ["--ros-args"]
@@ -194,7 +202,7 @@ def options_for(run: Run) -> Object:
     return Object(NODE_OPTIONS, fields=fields)
 
 
-def options_of(run: Run, node: Value | None) -> Value | None:
+def options_of(run: Walk, node: Value | None) -> Value | None:
     """A copy of the options that a node was constructed with (``rclcpp::Node::get_node_options``); None if not known."""
     held = _field(node.cell.value if isinstance(node, Pointer) else node, GIVEN)
     return copied(held) if isinstance(held, Object) else None
@@ -223,25 +231,25 @@ def _flag(options: Any, name: str) -> bool | None:
     return held.value if isinstance(held, Known) and issubclass(held.kind, bool) else None
 
 
-def _arguments(options: Any) -> tuple[Arguments, bool]:
+def _arguments(options: Any) -> tuple[RosArguments, bool]:
     """The arguments in a node's options, and whether there may be others."""
     held = _field(options, "arguments")
     if held is None or held == NONE:
-        return Arguments(), False
+        return RosArguments(), False
     words: list[str] = []
     if isinstance(held, Known) and issubclass(held.kind, list):
         words = [str(word) for word in held.value]
     elif isinstance(held, Sequence) and isinstance(held.content.value, tuple):
         words = [pattern(marked(cell.value))[0] for cell in held.content.value]
     else:
-        return Arguments(), True
+        return RosArguments(), True
     return ros_arguments(words), False
 
 
-def _parameters(local: Arguments, node: str, location: Location) -> dict[str, Value]:
+def _parameters(local: RosArguments, node: str, location: Location) -> dict[str, Value]:
     """What the arguments in a node's own options give it; ``?`` stands for what files may say."""
-    given = Parameters(from_arguments(local, location))
-    found: dict[str, Value] = {name: given.get(node, name) or NONE for name in given.of(node)}
+    provided = Parameters(from_arguments(local, location))
+    found: dict[str, Value] = {name: provided.get(node, name) or NONE for name in provided.of(node)}
     if local.files:
         found["?"] = Perhaps("a parameter file in the node's options may set it", location)
     return found
@@ -270,7 +278,7 @@ def _overrides(options: Any) -> dict[str, Value]:
     return found
 
 
-def of_value(run: Run, value: Any, depth: int = 0) -> RosNode | None:
+def of_value(run: Walk, value: Any, depth: int = 0) -> RosNode | None:
     """The node that a value is, or has; None if that is not known."""
     if isinstance(value, Pointer):
         value = value.cell.value
@@ -287,7 +295,7 @@ def of_value(run: Run, value: Any, depth: int = 0) -> RosNode | None:
     return None
 
 
-def handed(run: Run, name: str, values: Iterable[Value]) -> None:
+def handed(run: Walk, name: str, values: Iterable[Value]) -> None:
     """Nodes among *values* are handed to the function or class *name*, which is not seen and may declare parameters on them."""
     if run.context.process is not None and not name.startswith(DECLARING_NOTHING):
         for value in values:
@@ -297,21 +305,21 @@ def handed(run: Run, name: str, values: Iterable[Value]) -> None:
                     node.options[UNDECLARED] = True
 
 
-def remapped(run: Run, node: RosNode, name: str) -> str:
+def remapped(run: Walk, node: RosNode, name: str) -> str:
     """What the absolute *name*, with marks, is remapped to; where marks hide which rule is for it, it depends on what they stand for."""
     marks = run.context.marks
     found = node.remap(name)
     whole = marks.real(name)
     if whole == name and marks.real(node.name) == node.name:
         return found
-    told = _as_named(run, node).remap(clean(whole))
-    if told == clean(marks.real(found)):
+    message = _as_named(run, node).remap(clean(whole))
+    if message == clean(marks.real(found)):
         return found
     marks.looked_at(name + node.name)
-    return told
+    return message
 
 
-def _as_named(run: Run, node: RosNode) -> RosNode:
+def _as_named(run: Walk, node: RosNode) -> RosNode:
     """*node* with the names that it is given instead of their marks."""
     real = run.context.marks.real
     name, own, space = (clean(real(text)) for text in (node.name, node.own, node.space))
@@ -332,7 +340,7 @@ def of_entry(applied: Applied, entry: Entry) -> tuple[RosNode | None, str]:
     chosen = value_of(applied, entry.values["namespace"]) if "namespace" in entry.values else applied.receiver
     if isinstance(chosen, Choice):
         every = [of_value(run, option) for option in chosen.options]
-        if every and every[0] is not None and all(each is every[0] for each in every):
+        if every and every[0] is not None and all(node is every[0] for node in every):
             return every[0], ""
         return None, "it belongs to one of several nodes"
     found = of_value(run, chosen)

@@ -17,7 +17,7 @@ from haros_ci.values.state import Held
 
 if TYPE_CHECKING:
     from haros_ci.follow.ros.selectors import Applied
-    from haros_ci.follow.run import Run
+    from haros_ci.follow.run import Walk
 
 #: The type that a parameter has which is read so (rclcpp/parameter.hpp), or by that member (rcl_interfaces/ParameterValue).
 READ_AS = {
@@ -72,21 +72,21 @@ def is_telling(name: str) -> bool:
 def _has_like(own: Mapping[str, Held], node: RosNode, name: str) -> bool:
     """Whether the node has declared or set a parameter of a known name that may be the one of which parts are known."""
     whole = f"{node.whole.name}:"
-    told = (full[len(whole) :] for full in own if full.startswith(whole))
-    return any("?" not in each and fits(each, name) for each in told)
+    result = (full[len(whole) :] for full in own if full.startswith(whole))
+    return any("?" not in item and fits(item, name) for item in result)
 
 
 def given(applied: Applied, node: RosNode, name: str) -> Value | None:
     """What *node* is given for a parameter from outside; ``use_sim_time`` is false where nobody sets it (rclcpp/time_source.cpp)."""
-    found = _given(applied, node, name)
+    found = _set_outside(applied, node, name)
     return Known(False) if found is None and name == ros2_nodes.SIM_TIME else found
 
 
-def _given(applied: Applied, node: RosNode, name: str) -> Value | None:
+def _set_outside(applied: Applied, node: RosNode, name: str) -> Value | None:
     own = node.whole.given
     if name in own and name != "?":
         return own[name]
-    if "?" in name and any(fits(each, name) for each in own):
+    if "?" in name and any(fits(item, name) for item in own):
         return Opaque(NO_NAME, node.location)
     is_alone = node.whole.options.get(ros2_nodes.ALONE)
     found = None if is_alone else applied.run.context.parameter(f"{node.whole.name}:{name}")
@@ -133,7 +133,7 @@ def remember(applied: Applied, full: str, value: Value) -> None:
     run.state.write(run.server, {**own, full: Held(value)})
 
 
-def read_as(run: Run, parameter: Value, name: str, kinds: tuple[syntax.Argument, ...] = ()) -> None:
+def read_as(run: Walk, parameter: Value, name: str, kinds: tuple[syntax.Argument, ...] = ()) -> None:
     """What ``get_parameter`` has returned is read by *name*, as a template argument if that says so: that is its type."""
     kind = READ_AS.get(name)
     if kind is None and name in READ_BY and kinds and isinstance(kinds[0], syntax.Type):

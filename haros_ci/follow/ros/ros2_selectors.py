@@ -74,8 +74,8 @@ def known_text(applied: Applied, text: str, node: RosNode) -> Value:
 
 def keywords(applied: Applied) -> Object:
     """The keyword arguments of a call as an object's members."""
-    given = {arg.keyword: Cell(arg.value) for arg in applied.args if arg.keyword and arg.keyword[0] != "*"}
-    return Object("keywords", fields={_OPTIONS.get(name, name): cell for name, cell in given.items()})
+    provided = {arg.keyword: Cell(arg.value) for arg in applied.args if arg.keyword and arg.keyword[0] != "*"}
+    return Object("keywords", fields={_OPTIONS.get(name, name): cell for name, cell in provided.items()})
 
 
 def items(applied: Applied, value: Any) -> list[Mapping[str, Any] | None]:
@@ -140,5 +140,5 @@ def type_constant(value: Any) -> Library | None:
         return None
     known, data = data_of(value)
     word = (ros2_data_type(data) if known else None) or ros2_parameter_type(conversions.value_type(value))
-    constant = next((name for name, each in TYPES.items() if each == word), None)
+    constant = next((name for name, type_name in TYPES.items() if type_name == word), None)
     return Library(f"rclcpp::ParameterType::PARAMETER_{constant}") if constant is not None else None

@@ -12,7 +12,7 @@ from haros_ci import syntax
 from haros_ci.follow import conversions, handles, members, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import name_selectors, ros2_listed, ros2_nodes, ros2_selectors
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.index.ros_types import parameter_type
 from haros_ci.model.api import Row, Template
 from haros_ci.model.location import Location
@@ -20,7 +20,7 @@ from haros_ci.syntax import Type
 from haros_ci.values.abstract import Callable, ClassValue, Known, Library, Object, Opaque, Pointer, Value, concatenate
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,11 +34,11 @@ class TypeValue:
 class Applied:
     """A row at one call: what its templates may select from."""
 
-    run: Run
+    run: Walk
     frame: Frame
     row: Row
     receiver: Value | None
-    args: tuple[Argument, ...]
+    args: tuple[PassedArgument, ...]
     types: tuple[syntax.Argument, ...]
     location: Location
     item: Mapping[str, Any] | None = None
@@ -47,14 +47,14 @@ class Applied:
     is_exact: bool = False
 
 
-def given(args: tuple[Argument, ...], where: str) -> Argument | None:
+def given(args: tuple[PassedArgument, ...], where: str) -> PassedArgument | None:
     if where.isdigit():
         positional = [argument for argument in args if not argument.keyword]
         return positional[int(where)] if int(where) < len(positional) else None
     return next((argument for argument in args if argument.keyword == where), None)
 
 
-def config_name(value: Any, run: Run) -> str:
+def config_name(value: Any, run: Walk) -> str:
     """``pkg::NameConfig`` of a dynamic_reconfigure type, in C++ and in Python (``pkg.cfg.NameConfig``).
 
     A name without its package (its header is included by another) is the one of that name in the workspace.
@@ -232,7 +232,7 @@ def _template_argument(types: tuple[syntax.Argument, ...], index: int) -> TypeVa
     return TypeValue(found) if isinstance(found, syntax.Type) else None
 
 
-def _callback_type(run: Run, argument: Argument, index: int) -> TypeValue | None:
+def _callback_type(run: Walk, argument: PassedArgument, index: int) -> TypeValue | None:
     """The type of a callback's parameter that is not bound."""
     value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
     if isinstance(value, Object) and value.definition is not None:

@@ -46,7 +46,7 @@ def is_constant(test: Test) -> bool:
 def _is_constant(phrase: Phrase) -> bool:
     return bool(phrase) and all(
         isinstance(part, str)
-        or (part.kind in _PURE and bool(part.arguments) and all(_is_constant(each) for each in part.arguments))
+        or (part.kind in _PURE and bool(part.arguments) and all(_is_constant(argument) for argument in part.arguments))
         for part in phrase
     )
 
@@ -83,8 +83,12 @@ def _in_expression(phrase: Phrase, values: Mapping[str, Mapping[str, None]]) -> 
     found = [(match[1], match[2], match[3], match[5]) for match in _LEFT.finditer(text)]
     found += [(match[4], match[5], match[3], match[2]) for match in _RIGHT.finditer(text)]
     for quote, slot, sign, right in found:
-        asked = slots[int(slot)] if int(slot) < len(slots) else None
-        name = _literal(asked.arguments[0]) if asked is not None and asked.kind == "var" and asked.arguments else None
+        requested = slots[int(slot)] if int(slot) < len(slots) else None
+        name = (
+            _literal(requested.arguments[0])
+            if requested is not None and requested.kind == "var" and requested.arguments
+            else None
+        )
         if name is not None and len(right) < 200:
             yield Comparison(f"$(var {name})", right, _known(values.get(name)), sign, bool(quote))
 

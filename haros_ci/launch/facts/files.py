@@ -78,7 +78,7 @@ class Finder:
             inner=known.inner,
             path=known.path,
             is_found=known.is_found,
-            similar=tuple(each for each in known.similar if posixpath.normpath(f"{start}/{each}") not in above),
+            similar=tuple(path for path in known.similar if posixpath.normpath(f"{start}/{path}") not in above),
         )
 
     def _look_up(self, use: FileUse) -> FileUse:

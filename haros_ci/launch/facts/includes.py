@@ -59,7 +59,7 @@ def followed(
     missing: list[str],
 ) -> None:
     """An include of the file *path* with the names *passed*; *missing* are arguments that launch asks for in vain."""
-    said = statics.closure(path)
+    entry = statics.closure(path)
     names = [name for name in passed if name.known]
     ros2.note(
         context,
@@ -68,10 +68,10 @@ def followed(
         text=file.shown,
         path=path,
         passed=tuple(PassedArgument(name.raw, action.location) for name in names),
-        declared=tuple(sorted(said.declared)),
-        read=tuple(sorted(said.read | said.mentioned)),
+        declared=tuple(sorted(entry.declared)),
+        read=tuple(sorted(entry.read | entry.mentioned)),
         missing=tuple(missing),
-        is_whole=said.is_whole,
+        is_whole=entry.is_whole,
     )
 
 

@@ -65,13 +65,15 @@ class Programs:
     def _is_described(self, name: str) -> bool:
         """Whether some package describes a nodelet of this look-up name: what stands before the slash need not be that package (pluginlib)."""
         return any(
-            each.name == name and each.base == _NODELET for build in self.builds.values() for each in build.plugins
+            plugin.name == name and plugin.base == _NODELET
+            for build in self.builds.values()
+            for plugin in build.plugins
         )
 
     def _is_library(self, use: ProgramUse, build: Build, start: str) -> bool:
         """Whether the package builds a library of this name, and nothing else of it: targets of CMake have one kind (add_library(7))."""
-        targets = [each for each in build.targets if use.program in (each.name, each.output)]
-        if not targets or any(each.kind != "library" or each.is_conditional for each in targets):
+        targets = [target for target in build.targets if use.program in (target.name, target.output)]
+        if not targets or any(target.kind != "library" or target.is_conditional for target in targets):
             return False
         if self.finder.steps < 0 or self.finder.is_doubled(use.package):
             return False
@@ -85,13 +87,21 @@ class Programs:
 
     def _classes(self, build: Build, use: ProgramUse) -> set[str]:
         if use.kind == "nodelet":
-            return {each.name for each in build.plugins if each.base == _NODELET}
-        return {each.type for each in build.plugins if each.base in _LOADED or "NodeFactory" in each.base}
+            return {plugin.name for plugin in build.plugins if plugin.base == _NODELET}
+        return {plugin.type for plugin in build.plugins if plugin.base in _LOADED or "NodeFactory" in plugin.base}
 
     def _executables(self, build: Build) -> set[str]:
-        names = {each.output or each.name for each in build.targets if each.kind == "executable"}
-        names |= {each.name or posixpath.basename(each.path) for each in build.installed if each.kind == "program"}
-        return names | {each.name for each in build.entry_points} | {posixpath.basename(path) for path in build.scripts}
+        names = {target.output or target.name for target in build.targets if target.kind == "executable"}
+        names |= {
+            installed.name or posixpath.basename(installed.path)
+            for installed in build.installed
+            if installed.kind == "program"
+        }
+        return (
+            names
+            | {entry_point.name for entry_point in build.entry_points}
+            | {posixpath.basename(path) for path in build.scripts}
+        )
 
     def _may_be_made(self, use: ProgramUse, start: str) -> bool:
         """Whether the package may have it in a way that is not known: its build or a file names it, or makes names."""
@@ -114,7 +124,11 @@ class Programs:
 
 def _running(build: Build, library: str) -> tuple[str, ...]:
     """The programs of the package that are linked with *library*, or that a component of it is registered as."""
-    programs = [each for each in build.targets if each.kind == "executable" and not each.is_test]
-    classes = {each.type for each in build.plugins if each.library == library}
-    linked = [each for each in programs if library in each.links or (each.component and each.component in classes)]
-    return tuple(sorted({each.output or each.name for each in linked}))[:3]
+    programs = [target for target in build.targets if target.kind == "executable" and not target.is_test]
+    classes = {plugin.type for plugin in build.plugins if plugin.library == library}
+    linked = [
+        program
+        for program in programs
+        if library in program.links or (program.component and program.component in classes)
+    ]
+    return tuple(sorted({target.output or target.name for target in linked}))[:3]

@@ -30,8 +30,8 @@ from haros_ci.model.location import Location
 from haros_ci.substitutions.names import Text
 
 if TYPE_CHECKING:
-    from haros_ci.launch.ros1.scope import Scope
-    from haros_ci.launch.ros1.state import State
+    from haros_ci.launch.ros1.scope import LoaderScope
+    from haros_ci.launch.ros1.state import RoslaunchState
     from haros_ci.model.launch import LaunchElement, LaunchFile, Started
 
 #: What the attributes of tags name, by tag and attribute.
@@ -55,18 +55,20 @@ _COMPARED = re.compile(
 )
 
 
-def note(state: State, scope: Scope, fact: type[LaunchFact], location: Location, /, **values: Any) -> None:
+def note(
+    state: RoslaunchState, scope: LoaderScope, fact: type[LaunchFact], location: Location, /, **values: Any
+) -> None:
     """Record a *fact* of this kind as it is here."""
     if not getattr(state, "is_asking", False):
         presence = getattr(scope, "presence", ())
         state.facts.add(fact(location=location, presence=presence, included=scope.includes, ros=1, **values))
 
 
-def place(scope: Scope, tag: LaunchElement) -> Location:
+def place(scope: LoaderScope, tag: LaunchElement) -> Location:
     return Location(scope.path, tag.line, tag.column)
 
 
-def attribute(state: State, scope: Scope, tag: LaunchElement, name: str, text: Text) -> None:
+def attribute(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, name: str, text: Text) -> None:
     """Files, packages and absolute paths that an attribute of *tag* names."""
     kind = _KINDS.get((tag.tag, name))
     if kind is None or ("/" not in text.raw and "$(" not in text.raw and not text.raw.startswith("~")):
@@ -87,12 +89,12 @@ def attribute(state: State, scope: Scope, tag: LaunchElement, name: str, text: T
         note(state, scope, PathUse, at, kind=how, text=path, name=called)
 
 
-def command(state: State, scope: Scope, tag: LaunchElement, text: Text) -> None:
+def command(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, text: Text) -> None:
     """A command whose output becomes a parameter."""
     note(state, scope, CommandUse, place(scope, tag), text=text.shown)
 
 
-def undeclared(state: State, scope: Scope, tag: LaunchElement, raw: str) -> None:
+def undeclared(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, raw: str) -> None:
     """Each ``$(arg x)`` in *raw* that is not declared above it: roslaunch stops there."""
     for match in _ARG.finditer(raw):
         name = match[1]
@@ -102,7 +104,7 @@ def undeclared(state: State, scope: Scope, tag: LaunchElement, raw: str) -> None
             note(state, scope, ArgumentRead, place(scope, tag), name=name, similar=similar)
 
 
-def declared(state: State, scope: Scope, tag: LaunchElement, name: str) -> None:
+def declared(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, name: str) -> None:
     """An ``<arg>``; it is used if its file reads it, as args are not seen in other files."""
     default = tag.get("default") if tag.get("default") is not None else tag.get("value")
     note(
@@ -117,7 +119,7 @@ def declared(state: State, scope: Scope, tag: LaunchElement, name: str) -> None:
     )
 
 
-def _is_used(state: State, path: str, name: str) -> bool | None:
+def _is_used(state: RoslaunchState, path: str, name: str) -> bool | None:
     texts = state.facts.texts
     if path not in texts:
         text = state.files.workspace.text(path)
@@ -129,7 +131,9 @@ def _is_used(state: State, path: str, name: str) -> bool | None:
     return None if doubtful else False
 
 
-def tested(state: State, scope: Scope, tag: LaunchElement, statement: str, text: Text, holds: bool | None) -> None:
+def tested(
+    state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, statement: str, text: Text, holds: bool | None
+) -> None:
     """The ``if`` or ``unless`` of *tag*."""
     raw = tag.get(statement) or ""
     found = []
@@ -154,8 +158,8 @@ def tested(state: State, scope: Scope, tag: LaunchElement, statement: str, text:
 
 
 def included(
-    state: State,
-    scope: Scope,
+    state: RoslaunchState,
+    scope: LoaderScope,
     tag: LaunchElement,
     file: Text,
     path: str | None = None,
@@ -181,7 +185,7 @@ def included(
     )
 
 
-def started(state: State, scope: Scope, made: Started) -> None:
+def started(state: RoslaunchState, scope: LoaderScope, made: Started) -> None:
     """A ``<node>`` or ``<test>``."""
     if "?" in made.package or "?" in made.type:
         return
@@ -194,7 +198,7 @@ def started(state: State, scope: Scope, made: Started) -> None:
             note(state, scope, ProgramUse, made.location, kind="nodelet", package=package, program=words[1])
 
 
-def foreign(state: State, scope: Scope | None, path: str, launch: LaunchFile) -> None:
+def foreign(state: RoslaunchState, scope: LoaderScope | None, path: str, launch: LaunchFile) -> None:
     """Constructs of ROS 2 in the file at *path*; of ROS 1, if its package is of ROS 2. *scope* is that of its include."""
     included = scope.includes if scope is not None else ()
     owner = max(

@@ -73,13 +73,15 @@ def declared(context: Context, action: Action, name: str, default: Text | None) 
     phrase = action.get("default")
     choices = tuple(
         dict.fromkeys(
-            "".join(part for part in each if isinstance(part, str)) for key, each in action.phrases if key == "choices"
+            "".join(part for part in phrase if isinstance(part, str))
+            for key, phrase in action.phrases
+            if key == "choices"
         )
     )
     if default is not None:
         named(context, default, action.location, "default", name)
-    for each in (default, context.scope.configurations.get(name), *(Text(choice) for choice in choices)):
-        given(context, name, each)
+    for value in (default, context.scope.configurations.get(name), *(Text(choice) for choice in choices)):
+        given(context, name, value)
     if getattr(context, "is_asking", False):
         return
     fact = ArgumentDeclaration(
@@ -136,7 +138,9 @@ def started(context: Context, made: LaunchedNode) -> LaunchedNode:
     place = made.location
     name = None if made.name is None or "?" in made.name else f"{(made.namespace or '').rstrip('/')}/{made.name}"
     program = (made.package, made.type)
-    files = tuple(replace(each, node=name, program=program) for each in context.facts.taken())
+    files = tuple(
+        replace(parameter_file_use, node=name, program=program) for parameter_file_use in context.facts.taken()
+    )
     if "?" not in made.package and made.package:
         kind = "component" if made.kind == "component" else "node"
         note(context, PackageUse, place, kind=kind, package=made.package, is_here=False)

@@ -55,6 +55,6 @@ def _lines(places: Places, file: str) -> Mapping[str, tuple[int, ...]]:
             line += text.count("\n", last, match.start(2))
             last = match.start(2)
             found.setdefault(match[2], []).append(line)
-        known = places.remembered["keys", file] = {key: tuple(each) for key, each in found.items()}
+        known = places.remembered["keys", file] = {key: tuple(item) for key, item in found.items()}
     lines: Mapping[str, tuple[int, ...]] = known
     return lines

@@ -19,7 +19,7 @@ MAX_FILES = 500
 
 
 @dataclass(frozen=True, slots=True)
-class Said:
+class FileFacts:
     """Of one launch file: names *declared* and *read*, those *mentioned* in Python elsewhere than where they are declared.
 
     *includes* are paths of launch files. All of it is certain only if *is_whole*.
@@ -38,35 +38,35 @@ class Statics:
 
     load: Callable[[str], Description | None]
     places: Places
-    known: dict[str, Said] = field(default_factory=dict)
-    closures: dict[str, Said] = field(default_factory=dict)
+    known: dict[str, FileFacts] = field(default_factory=dict)
+    closures: dict[str, FileFacts] = field(default_factory=dict)
 
-    def of(self, path: str) -> Said:
+    def of(self, path: str) -> FileFacts:
         """What the file at *path* says itself."""
         if path not in self.known:
             description = self.load(path)
             if description is None:
-                self.known[path] = Said(frozenset(), frozenset(), frozenset(), (), False)
+                self.known[path] = FileFacts(frozenset(), frozenset(), frozenset(), (), False)
             else:
-                self.known[path] = _Walk(path, self.places).said(description)
+                self.known[path] = _Walk(path, self.places).description(description)
         return self.known[path]
 
-    def closure(self, path: str) -> Said:
+    def closure(self, path: str) -> FileFacts:
         """What the file at *path* and all that it includes say: configurations are inherited by what is included."""
         if path not in self.closures:
             seen: dict[str, None] = {path: None}
             todo = [path]
             is_whole = True
             while todo and len(seen) < MAX_FILES:
-                said = self.of(todo.pop())
-                is_whole = is_whole and said.is_whole
-                todo += [each for each in said.includes if each not in seen]
-                seen.update(dict.fromkeys(said.includes))
-            every = [self.of(each) for each in seen]
-            self.closures[path] = Said(
-                frozenset().union(*(said.declared for said in every)),
-                frozenset().union(*(said.read for said in every)),
-                frozenset().union(*(said.mentioned for said in every)),
+                entry = self.of(todo.pop())
+                is_whole = is_whole and entry.is_whole
+                todo += [include for include in entry.includes if include not in seen]
+                seen.update(dict.fromkeys(entry.includes))
+            every = [self.of(item) for item in seen]
+            self.closures[path] = FileFacts(
+                frozenset().union(*(entry.declared for entry in every)),
+                frozenset().union(*(entry.read for entry in every)),
+                frozenset().union(*(entry.mentioned for entry in every)),
                 tuple(seen),
                 is_whole and not todo,
             )
@@ -75,8 +75,8 @@ class Statics:
     def is_used(self, name: str, path: str) -> bool | None:
         """Whether the argument *name* that the file at *path* declares is read by what sees it; None if that is not known."""
         whole = self.closure(path)
-        inner = [self.of(each) for each in whole.includes if each != path]
-        if name in whole.read or any(name in said.declared for said in inner):
+        inner = [self.of(include) for include in whole.includes if include != path]
+        if name in whole.read or any(name in entry.declared for entry in inner):
             return True
         return False if whole.is_whole and name not in whole.mentioned else None
 
@@ -90,7 +90,7 @@ class _Walk:
     includes: dict[str, None] = field(default_factory=dict)
     is_whole: bool = True
 
-    def said(self, description: Description) -> Said:
+    def description(self, description: Description) -> FileFacts:
         text = self.places.workspace.text(self.path)
         mentioned: frozenset[str] = frozenset()
         if description.problems:
@@ -101,7 +101,7 @@ class _Walk:
             mentioned = frozenset(_mentioned(text))
         else:
             self.scan(text)
-        return Said(frozenset(self.declared), frozenset(self.read), mentioned, tuple(self.includes), self.is_whole)
+        return FileFacts(frozenset(self.declared), frozenset(self.read), mentioned, tuple(self.includes), self.is_whole)
 
     def scan(self, text: str) -> None:
         """All ``$(var x)`` in a text, whatever attribute it is in."""
@@ -120,7 +120,7 @@ class _Walk:
             self.include(action)
         for _, phrase in action.phrases:
             self.phrase(phrase)
-        for pair in (*action.arguments, *action.environment, *(each[:2] for each in action.remaps)):
+        for pair in (*action.arguments, *action.environment, *(remap[:2] for remap in action.remaps)):
             for phrase in pair:
                 self.phrase(phrase)
         for source in action.parameters:
@@ -192,15 +192,15 @@ def constant_path(phrase: Phrase, file: str) -> str | None:
             parts.append(part)
             continue
         inner = [constant_path(argument, file) for argument in part.arguments]
-        if any(each is None for each in inner):
+        if any(item is None for item in inner):
             return None
-        known = [each for each in inner if each is not None]
+        known = [item for item in inner if item is not None]
         if part.kind == "find-pkg-share" and len(known) == 1:
             parts.append(SHARE.format(known[0]))
         elif part.kind == "dirname":
             parts.append(WORKSPACE.format(posixpath.dirname(file) or "."))
         elif part.kind == "join":
-            parts.append("/".join(each.rstrip("/") for each in known))
+            parts.append("/".join(item.rstrip("/") for item in known))
         else:
             return None
     return "".join(parts)

@@ -7,18 +7,18 @@ import ast
 from typing import Any
 
 from haros_ci.launch.python.contexts import set_configuration
-from haros_ci.launch.python.run import Run
+from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.sequences import items_of
 from haros_ci.launch.python.values import (
     Choice,
-    Class,
     Configurations,
-    Instance,
+    LaunchObject,
     Library,
-    Made,
     Module,
     Rest,
-    Scope,
+    ScriptClass,
+    ScriptInstance,
+    ScriptScope,
     Unknown,
     Value,
     holes,
@@ -27,7 +27,7 @@ from haros_ci.launch.python.values import (
 )
 
 
-def assign(run: Run, scope: Scope, target: ast.expr, value: Value) -> None:
+def assign(run: ScriptEvaluation, scope: ScriptScope, target: ast.expr, value: Value) -> None:
     """``target = value``; what is assigned to something that is not known is lost."""
     run.budget.step()
     if isinstance(target, ast.Name):
@@ -36,10 +36,10 @@ def assign(run: Run, scope: Scope, target: ast.expr, value: Value) -> None:
         unpack(run, scope, target, value)
     elif isinstance(target, ast.Attribute):
         owner = run.evaluate(run, scope, target.value)
-        if isinstance(owner, (Instance, Class, Module)):
+        if isinstance(owner, (ScriptInstance, ScriptClass, Module)):
             run.heap.touch(owner.variables)
             owner.variables[target.attr] = value
-        elif isinstance(owner, Made):
+        elif isinstance(owner, LaunchObject):
             run.heap.touch(owner.fields)
             owner.fields[target.attr] = value
     elif isinstance(target, ast.Subscript):
@@ -52,13 +52,13 @@ def assign(run: Run, scope: Scope, target: ast.expr, value: Value) -> None:
         set_item(run, owner, key, value)
 
 
-def set_name(run: Run, scope: Scope, name: str, value: Value) -> None:
+def set_name(run: ScriptEvaluation, scope: ScriptScope, name: str, value: Value) -> None:
     home = scope.outer_names.get(name, scope)
     run.heap.touch(home.variables)
     home.variables[name] = value
 
 
-def unpack(run: Run, scope: Scope, target: ast.Tuple | ast.List, value: Value) -> None:
+def unpack(run: ScriptEvaluation, scope: ScriptScope, target: ast.Tuple | ast.List, value: Value) -> None:
     """``a, *b = value``."""
     place = scope.source.place(target)
     items = items_of(run, value, place)
@@ -82,7 +82,7 @@ def unpack(run: Run, scope: Scope, target: ast.Tuple | ast.List, value: Value) -
         assign(run, scope, item.value if isinstance(item, ast.Starred) else item, part)
 
 
-def set_item(run: Run, owner: Value, key: Value, value: Value) -> None:
+def set_item(run: ScriptEvaluation, owner: Value, key: Value, value: Value) -> None:
     """``owner[key] = value``; with a key that is not known, any item may have been replaced."""
     if isinstance(owner, Configurations):
         set_configuration(run, owner.context, key, value)
@@ -132,7 +132,7 @@ def forget_items(owner: Any, reason: str, location: Any) -> None:
         owner.add(lost)
 
 
-def delete(run: Run, scope: Scope, target: ast.expr) -> None:
+def delete(run: ScriptEvaluation, scope: ScriptScope, target: ast.expr) -> None:
     """``del target``."""
     if isinstance(target, ast.Name):
         run.heap.touch(scope.variables)

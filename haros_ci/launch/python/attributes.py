@@ -13,25 +13,25 @@ from haros_ci.launch.python.forks import fork
 from haros_ci.launch.python.imports import module
 from haros_ci.launch.python.made_attributes import made_attribute
 from haros_ci.launch.python.path_methods import path_attribute, read_opened
-from haros_ci.launch.python.run import Run
+from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.text_methods import text_method
 from haros_ci.launch.python.values import (
     Absent,
-    Call,
     Choice,
-    Class,
     Configurations,
     Context,
-    Function,
-    Instance,
+    LaunchObject,
     Library,
-    Made,
+    LibraryCall,
     Module,
     Native,
     Opened,
+    PartialText,
     PathValue,
+    ScriptClass,
+    ScriptFunction,
+    ScriptInstance,
     Sub,
-    Text,
     Unknown,
     Value,
     present,
@@ -58,7 +58,7 @@ CONSTANTS: dict[str, Value] = {
 }
 
 
-def attribute(run: Run, value: Value, name: str, place: Location) -> Value:
+def attribute(run: ScriptEvaluation, value: Value, name: str, place: Location) -> Value:
     """The attribute *name*; methods of data are bound to it."""
     if isinstance(value, Library):
         dotted = f"{value.dotted}.{name}"
@@ -67,11 +67,11 @@ def attribute(run: Run, value: Value, name: str, place: Location) -> Value:
         return Native(name, lambda run, call: on_each(run, value, name, call))
     if isinstance(value, Unknown):
         return Unknown(value.reason, value.location)
-    if isinstance(value, (str, Text)):
+    if isinstance(value, (str, PartialText)):
         return Native(name, lambda run, call: text_method(run, value, name, call))
     if isinstance(value, (list, tuple, dict, set)):
         return Native(name, lambda run, call: container_method(run, value, name, call))
-    if isinstance(value, (Instance, Class)):
+    if isinstance(value, (ScriptInstance, ScriptClass)):
         return member(run, value, name, place)
     if isinstance(value, Module):
         if name in value.variables:
@@ -88,14 +88,14 @@ def attribute(run: Run, value: Value, name: str, place: Location) -> Value:
         return configurations_attribute(run, value, name, place)
     if isinstance(value, Opened):
         return opened(run, value, name, place)
-    if isinstance(value, Made):
+    if isinstance(value, LaunchObject):
         return made_attribute(run, value, name, place)
-    if isinstance(value, Function) and name == "__name__":
+    if isinstance(value, ScriptFunction) and name == "__name__":
         return value.name
     return run.unknown(why(value), place)
 
 
-def on_each(run: Run, value: Choice, name: str, call: Call) -> Value:
+def on_each(run: ScriptEvaluation, value: Choice, name: str, call: LibraryCall) -> Value:
     """A method of one of several objects: what it does counts for each under its test, what it gives is not known."""
     for tests, option in value.options:
         if isinstance(option, Unknown) or not tests:
@@ -105,33 +105,33 @@ def on_each(run: Run, value: Choice, name: str, call: Call) -> Value:
     return Unknown(value.reason, value.location)
 
 
-def call_on(run: Run, option: Value, name: str, call: Call) -> None:
+def call_on(run: ScriptEvaluation, option: Value, name: str, call: LibraryCall) -> None:
     run.call(run, attribute(run, option, name, call.location), call)
 
 
-def member(run: Run, value: Instance | Class, name: str, place: Location) -> Value:
+def member(run: ScriptEvaluation, value: ScriptInstance | ScriptClass, name: str, place: Location) -> Value:
     """An attribute of an object or a class of the file."""
-    if name in value.variables and isinstance(value, Instance):
+    if name in value.variables and isinstance(value, ScriptInstance):
         kept = value.variables[name]
         inherited = value.type.find(name)
         if inherited is None or not isinstance(kept, Choice):
             return present(kept)
         options = tuple((tests, inherited if isinstance(item, Absent) else item) for tests, item in kept.options)
         return Choice(kept.reason, kept.location, options)
-    made = value.type if isinstance(value, Instance) else value
-    if name == "__class__" and isinstance(value, Instance):
+    made = value.type if isinstance(value, ScriptInstance) else value
+    if name == "__class__" and isinstance(value, ScriptInstance):
         return made
     if name == "__name__":
         return made.name
     found = made.find(name)
-    if isinstance(found, Function):
+    if isinstance(found, ScriptFunction):
         return method_of(run, found, value, made, place)
     if found is not None or any(name in item.variables for item in (made, *made.bases)):
         return found
     return run.unknown(f"`{made.name}` has no `{name}` that is known", place)
 
 
-def opened(run: Run, value: Opened, name: str, place: Location) -> Value:
+def opened(run: ScriptEvaluation, value: Opened, name: str, place: Location) -> Value:
     if name == "read":
         return Native(name, lambda run, call: read_opened(run, value, call.location))
     if name == "readlines":
@@ -141,6 +141,6 @@ def opened(run: Run, value: Opened, name: str, place: Location) -> Value:
     return run.unknown(f"file.{name} is not followed", place)
 
 
-def lines(run: Run, value: Opened, place: Location) -> Value:
+def lines(run: ScriptEvaluation, value: Opened, place: Location) -> Value:
     text = read_opened(run, value, place)
     return text.splitlines(keepends=True) if isinstance(text, str) else text

@@ -12,20 +12,20 @@ from haros_ci.launch.python.files import json_load, open_file, yaml_load
 from haros_ci.launch.python.formats import as_text, formatted_value, plain
 from haros_ci.launch.python.heap import LARGEST
 from haros_ci.launch.python.operators import binary
-from haros_ci.launch.python.run import Run
+from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.sequences import certain, items_of
 from haros_ci.launch.python.text_methods import count, number_of, text
 from haros_ci.launch.python.truth import truth
 from haros_ci.launch.python.types import deep_copy, is_instance, parent_class, shallow
 from haros_ci.launch.python.values import (
     Bound,
-    Call,
-    Class,
-    Function,
-    Instance,
+    LibraryCall,
     Maybe,
     Native,
     Rest,
+    ScriptClass,
+    ScriptFunction,
+    ScriptInstance,
     Unknown,
     Value,
     holes,
@@ -33,16 +33,16 @@ from haros_ci.launch.python.values import (
     why,
 )
 
-Summary = Callable[[Run, Call], Value]
+Summary = Callable[[ScriptEvaluation, LibraryCall], Value]
 
 
-def nothing(run: Run, call: Call) -> Value:
+def nothing(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """A call that launches nothing."""
     return None
 
 
 def sequence(kind: type) -> Summary:
-    def summary(run: Run, call: Call) -> Value:
+    def summary(run: ScriptEvaluation, call: LibraryCall) -> Value:
         if not call.args:
             return kind()
         items = items_of(run, call.args[0], call.location)
@@ -55,13 +55,13 @@ def sequence(kind: type) -> Summary:
     return summary
 
 
-def dictionary(run: Run, call: Call) -> Value:
+def dictionary(run: ScriptEvaluation, call: LibraryCall) -> Value:
     result: dict[Any, Value] = {}
     update(run, result, call)
     return run.made(result, call.location)
 
 
-def enumerated(run: Run, call: Call) -> Value:
+def enumerated(run: ScriptEvaluation, call: LibraryCall) -> Value:
     bound = call.bind("iterable start")
     items = certain(run, bound.get("iterable"), call.location)
     start = bound.get("start", 0)
@@ -70,7 +70,7 @@ def enumerated(run: Run, call: Call) -> Value:
     return list(enumerate(items, start))
 
 
-def zipped(run: Run, call: Call) -> Value:
+def zipped(run: ScriptEvaluation, call: LibraryCall) -> Value:
     columns = [certain(run, item, call.location) for item in call.args]
     doubt = next((item for item in columns if isinstance(item, Unknown)), None)
     if doubt is not None:
@@ -78,7 +78,7 @@ def zipped(run: Run, call: Call) -> Value:
     return list(zip(*(item for item in columns if isinstance(item, list)), strict=False))
 
 
-def number_range(run: Run, call: Call) -> Value:
+def number_range(run: ScriptEvaluation, call: LibraryCall) -> Value:
     if not all(isinstance(item, int) for item in call.args):
         return run.unknown(next((why(item) for item in call.args if not isinstance(item, int)), ""), call.location)
     made = range(*call.args)
@@ -89,7 +89,7 @@ def number_range(run: Run, call: Call) -> Value:
     return made if size <= LARGEST else run.unknown("the range is too large", call.location)
 
 
-def mapped(run: Run, call: Call) -> Value:
+def mapped(run: ScriptEvaluation, call: LibraryCall) -> Value:
     if len(call.args) != 2:
         return run.unknown("map of several sequences is not followed", call.location)
     items = items_of(run, call.args[1], call.location)
@@ -105,7 +105,7 @@ def mapped(run: Run, call: Call) -> Value:
     ]
 
 
-def filtered(run: Run, call: Call) -> Value:
+def filtered(run: ScriptEvaluation, call: LibraryCall) -> Value:
     items = certain(run, call.args[1] if len(call.args) > 1 else None, call.location)
     if isinstance(items, Unknown):
         return run.unknown(items.reason, items.location)
@@ -120,7 +120,7 @@ def filtered(run: Run, call: Call) -> Value:
 
 
 def quantified(stop: bool) -> Summary:
-    def summary(run: Run, call: Call) -> Value:
+    def summary(run: ScriptEvaluation, call: LibraryCall) -> Value:
         items = items_of(run, call.args[0] if call.args else None, call.location)
         if isinstance(items, Unknown):
             return run.unknown(items.reason, items.location)
@@ -136,49 +136,49 @@ def quantified(stop: bool) -> Summary:
     return summary
 
 
-def extreme(run: Run, call: Call) -> Value:
+def extreme(run: ScriptEvaluation, call: LibraryCall) -> Value:
     values = call.args if len(call.args) > 1 else tuple(as_items(run, call))
     if values and all(isinstance(item, (bool, int, float)) for item in values) and "key" not in call.keywords:
         return max(values) if call.name.endswith("max") else min(values)
     return run.unknown(f"{call.name.split('.')[-1]}() of values that are not known", call.location)
 
 
-def as_items(run: Run, call: Call) -> list[Value]:
+def as_items(run: ScriptEvaluation, call: LibraryCall) -> list[Value]:
     items = items_of(run, call.args[0] if call.args else None, call.location)
     return [Rest(items.reason, items.location)] if isinstance(items, Unknown) else items
 
 
-def total(run: Run, call: Call) -> Value:
+def total(run: ScriptEvaluation, call: LibraryCall) -> Value:
     result: Value = call.args[1] if len(call.args) > 1 else call.keywords.get("start", 0)
     for item in as_items(run, call):
         result = binary(run, ast.Add(), result, item, call.location)
     return result
 
 
-def reversed_(run: Run, call: Call) -> Value:
+def reversed_(run: ScriptEvaluation, call: LibraryCall) -> Value:
     return as_items(run, call)[::-1]
 
 
-def boolean(run: Run, call: Call) -> Value:
+def boolean(run: ScriptEvaluation, call: LibraryCall) -> Value:
     return truth(run, call.args[0]) if call.args else False
 
 
-def absolute(run: Run, call: Call) -> Value:
+def absolute(run: ScriptEvaluation, call: LibraryCall) -> Value:
     value = call.args[0]
     return abs(value) if isinstance(value, (bool, int, float)) else run.unknown(why(value), call.location)
 
 
-def rounded(run: Run, call: Call) -> Value:
+def rounded(run: ScriptEvaluation, call: LibraryCall) -> Value:
     if all(isinstance(item, (bool, int, float)) for item in call.args):
         return round(*call.args)
     return run.unknown(why(call.args[0]), call.location)
 
 
-def represented(run: Run, call: Call) -> Value:
+def represented(run: ScriptEvaluation, call: LibraryCall) -> Value:
     return formatted_value(run, call.args[0], "r", "", call.location)
 
 
-def next_(run: Run, call: Call) -> Value:
+def next_(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``next(iterator, default)``: the first item; an iterator that is used twice is not followed."""
     items = call.args[0] if call.args else None
     if not isinstance(items, list):
@@ -191,25 +191,25 @@ def next_(run: Run, call: Call) -> Value:
     return run.unknown("the next item is not known", call.location)
 
 
-def attribute(run: Run, call: Call) -> Value:
+def attribute(run: ScriptEvaluation, call: LibraryCall) -> Value:
     if len(call.args) < 2 or not isinstance(call.args[1], str):
         return run.unknown("the name of an attribute is not known", call.location)
     found = run.attribute(run, call.args[0], call.args[1], call.location)
-    if isinstance(found, Unknown) and len(call.args) > 2 and isinstance(call.args[0], Instance):
+    if isinstance(found, Unknown) and len(call.args) > 2 and isinstance(call.args[0], ScriptInstance):
         return call.args[2]
     return found
 
 
-def is_callable(run: Run, call: Call) -> Value:
+def is_callable(run: ScriptEvaluation, call: LibraryCall) -> Value:
     value = call.args[0]
     return (
         run.unknown(why(value), call.location)
         if uncertain(value)
-        else isinstance(value, (Function, Bound, Class, Native))
+        else isinstance(value, (ScriptFunction, Bound, ScriptClass, Native))
     )
 
 
-def chained(run: Run, call: Call) -> Value:
+def chained(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``itertools.chain(a, b)`` and ``chain.from_iterable(x)``."""
     sources = as_items(run, call) if call.name.endswith("from_iterable") else call.args
     result: list[Value] = []
@@ -219,7 +219,7 @@ def chained(run: Run, call: Call) -> Value:
     return run.made(result, call.location)
 
 
-def product(run: Run, call: Call) -> Value:
+def product(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``itertools.product(a, b)`` of a few items."""
     rows: list[Value] = [()]
     for item in call.args:
@@ -231,7 +231,7 @@ def product(run: Run, call: Call) -> Value:
     return rows
 
 
-def dumped(run: Run, call: Call) -> Value:
+def dumped(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``yaml.dump``/``json.dumps``: a text that is not made."""
     value = call.args[0] if call.args else None
     if call.name.startswith("json") and plain(value):
@@ -241,12 +241,12 @@ def dumped(run: Run, call: Call) -> Value:
     return run.unknown(f"what {call.name} gives is not followed", call.location)
 
 
-def default_dict(run: Run, call: Call) -> Value:
+def default_dict(run: ScriptEvaluation, call: LibraryCall) -> Value:
     lost = Rest("defaults of a defaultdict are not followed", call.location)
     return {lost: lost}
 
 
-def pattern(run: Run, call: Call) -> Value:
+def pattern(run: ScriptEvaluation, call: LibraryCall) -> Value:
     return run.unknown("regular expressions are not followed", call.location)
 
 

@@ -9,15 +9,15 @@ from typing import Any
 
 from haros_ci.launch.python.assignments import assign
 from haros_ci.launch.python.heap import LOOP
-from haros_ci.launch.python.run import Run, condition
+from haros_ci.launch.python.run import ScriptEvaluation, condition
 from haros_ci.launch.python.sequences import items_of
 from haros_ci.launch.python.truth import truth
-from haros_ci.launch.python.values import Maybe, Rest, Scope, Unknown, Value
+from haros_ci.launch.python.values import Maybe, Rest, ScriptScope, Unknown, Value
 
 
-def comprehension(run: Run, scope: Scope, node: Any) -> Value:
+def comprehension(run: ScriptEvaluation, scope: ScriptScope, node: Any) -> Value:
     """A list, set, dictionary or generator made by ``for``; generators are made at once."""
-    inner = Scope({}, scope, scope.source)
+    inner = ScriptScope({}, scope, scope.source)
     run.heap.born(inner.variables)
     place = scope.source.place(node)
     found: list[Value] = []
@@ -41,7 +41,9 @@ def comprehension(run: Run, scope: Scope, node: Any) -> Value:
     return run.made(set(found) if isinstance(node, ast.SetComp) else found, place)
 
 
-def passes(run: Run, scope: Scope, generators: list[ast.comprehension], depth: int) -> Iterator[tuple[Any, ...]]:
+def passes(
+    run: ScriptEvaluation, scope: ScriptScope, generators: list[ast.comprehension], depth: int
+) -> Iterator[tuple[Any, ...]]:
     """Set the variables of each turn; the tests under which there is such a turn are given."""
     if depth == len(generators):
         yield ()

@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 from haros_ci.launch.python.builtin_functions import Summary
-from haros_ci.launch.python.run import Run
-from haros_ci.launch.python.values import Call, Choice, Made, Unknown, Value, phrase, why
+from haros_ci.launch.python.run import ScriptEvaluation
+from haros_ci.launch.python.values import Choice, LaunchObject, LibraryCall, Unknown, Value, phrase, why
 from haros_ci.model.launch_actions import Test
 from haros_ci.model.location import Location
 
 
 def boolean(kind: str) -> Summary:
-    def summary(run: Run, call: Call) -> Value:
+    def summary(run: ScriptEvaluation, call: LibraryCall) -> Value:
         bound = call.bind("predicate_expression")
         if "predicate_expression" not in bound:
             return run.unknown("the condition has no expression", call.location)
@@ -20,36 +20,36 @@ def boolean(kind: str) -> Summary:
             test = Test(kind="?", text=call.text, location=call.location, reason=value.reason)
         else:
             test = Test(kind=kind, phrases=(phrase(value),), text=call.text, location=call.location)
-        return Made(call.name, call.location, {"test": test})
+        return LaunchObject(call.name, call.location, {"test": test})
 
     return summary
 
 
 def configuration(kind: str) -> Summary:
-    def summary(run: Run, call: Call) -> Value:
+    def summary(run: ScriptEvaluation, call: LibraryCall) -> Value:
         bound = call.bind("launch_configuration_name expected_value")
-        name, wanted = bound.get("launch_configuration_name"), bound.get("expected_value")
-        test = Test(kind=kind, phrases=(phrase(name), phrase(wanted)), text=call.text, location=call.location)
-        if wanted is None or isinstance(name, Unknown):
-            reason = "whether a launch configuration is not set is not followed" if wanted is None else why(name)
+        name, expected = bound.get("launch_configuration_name"), bound.get("expected_value")
+        test = Test(kind=kind, phrases=(phrase(name), phrase(expected)), text=call.text, location=call.location)
+        if expected is None or isinstance(name, Unknown):
+            reason = "whether a launch configuration is not set is not followed" if expected is None else why(name)
             test = Test(kind="?", text=call.text, location=call.location, reason=reason)
-        return Made(call.name, call.location, {"test": test})
+        return LaunchObject(call.name, call.location, {"test": test})
 
     return summary
 
 
-def predicate(run: Run, call: Call) -> Value:
+def predicate(run: ScriptEvaluation, call: LibraryCall) -> Value:
     test = Test(kind="?", text=call.text, location=call.location, reason="a condition in Python is not followed")
-    return Made(call.name, call.location, {"test": test})
+    return LaunchObject(call.name, call.location, {"test": test})
 
 
 def tests_of(value: Value, place: Location) -> tuple[Test, ...]:
     """The tests of ``condition=value``; none for None."""
     if value is None:
         return ()
-    if isinstance(value, Made) and isinstance(value.fields.get("test"), Test):
+    if isinstance(value, LaunchObject) and isinstance(value.fields.get("test"), Test):
         return (value.fields["test"],)
-    if isinstance(value, Choice) and all(item is None or isinstance(item, Made) for _, item in value.options):
+    if isinstance(value, Choice) and all(item is None or isinstance(item, LaunchObject) for _, item in value.options):
         return (Test(kind="?", text="condition", location=place, reason=value.reason),)
     return (Test(kind="?", text="condition", location=place, reason=why(value)),)
 

@@ -7,31 +7,31 @@ from collections.abc import Callable
 from typing import Any
 
 from haros_ci.launch.python.assignments import forget_items, hashable
-from haros_ci.launch.python.run import Run
+from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.sequences import certain, items_of
 from haros_ci.launch.python.subscripts import item_of
 from haros_ci.launch.python.truth import equal
-from haros_ci.launch.python.values import Absent, Call, Choice, Rest, Unknown, Value, holes, uncertain, why
+from haros_ci.launch.python.values import Absent, Choice, LibraryCall, Rest, Unknown, Value, holes, uncertain, why
 
-Work = Callable[[Run, Any, Call], Value]
+Work = Callable[[ScriptEvaluation, Any, LibraryCall], Value]
 
 
-def argument(call: Call, index: int = 0) -> Value:
+def argument(call: LibraryCall, index: int = 0) -> Value:
     return call.args[index] if index < len(call.args) else None
 
 
-def append(run: Run, value: list[Value], call: Call) -> None:
+def append(run: ScriptEvaluation, value: list[Value], call: LibraryCall) -> None:
     run.budget.take(1)
     value.append(argument(call))
 
 
-def extend(run: Run, value: list[Value], call: Call) -> None:
+def extend(run: ScriptEvaluation, value: list[Value], call: LibraryCall) -> None:
     items = items_of(run, argument(call), call.location)
     value.extend([Rest(items.reason, items.location)] if isinstance(items, Unknown) else items)
     run.budget.take(0 if isinstance(items, Unknown) else len(items))
 
 
-def insert(run: Run, value: list[Value], call: Call) -> None:
+def insert(run: ScriptEvaluation, value: list[Value], call: LibraryCall) -> None:
     index = argument(call)
     if isinstance(index, int) and (holes(value) is None or index == 0):
         value.insert(index, argument(call, 1))
@@ -39,7 +39,7 @@ def insert(run: Run, value: list[Value], call: Call) -> None:
         forget_items(value, "where an item is put is not known", call.location)
 
 
-def pop(run: Run, value: list[Value], call: Call) -> Value:
+def pop(run: ScriptEvaluation, value: list[Value], call: LibraryCall) -> Value:
     index = argument(call) if call.args else -1
     if isinstance(index, int) and holes(value) is None and -len(value) <= index < len(value):
         return value.pop(index)
@@ -47,7 +47,7 @@ def pop(run: Run, value: list[Value], call: Call) -> Value:
     return run.unknown("which item is taken is not known", call.location)
 
 
-def remove(run: Run, value: list[Value], call: Call) -> None:
+def remove(run: ScriptEvaluation, value: list[Value], call: LibraryCall) -> None:
     for index, item in enumerate(value):
         found = equal(run, item, argument(call))
         if isinstance(found, Unknown):
@@ -58,15 +58,15 @@ def remove(run: Run, value: list[Value], call: Call) -> None:
             return
 
 
-def clear(run: Run, value: Any, call: Call) -> None:
+def clear(run: ScriptEvaluation, value: Any, call: LibraryCall) -> None:
     value.clear()
 
 
-def reverse(run: Run, value: list[Value], call: Call) -> None:
+def reverse(run: ScriptEvaluation, value: list[Value], call: LibraryCall) -> None:
     value.reverse()
 
 
-def sort(run: Run, value: list[Value], call: Call) -> None:
+def sort(run: ScriptEvaluation, value: list[Value], call: LibraryCall) -> None:
     done = ordered(run, value, call)
     if isinstance(done, Unknown):
         forget_items(value, done.reason, done.location)
@@ -74,7 +74,7 @@ def sort(run: Run, value: list[Value], call: Call) -> None:
         value[:] = done
 
 
-def ordered(run: Run, value: Value, call: Call) -> list[Value] | Unknown:
+def ordered(run: ScriptEvaluation, value: Value, call: LibraryCall) -> list[Value] | Unknown:
     """The items in order, if all keys can be compared; ``key`` and ``reverse`` are followed."""
     items = certain(run, value, call.location)
     if isinstance(items, Unknown):
@@ -90,7 +90,7 @@ def ordered(run: Run, value: Value, call: Call) -> list[Value] | Unknown:
     return [items[i] for i in sorted(range(len(items)), key=lambda i: keys[i], reverse=turn)]
 
 
-def index_of(run: Run, value: Any, call: Call) -> Value:
+def index_of(run: ScriptEvaluation, value: Any, call: LibraryCall) -> Value:
     for index, item in enumerate(value):
         found = equal(run, item, argument(call))
         if found is not False:
@@ -98,16 +98,16 @@ def index_of(run: Run, value: Any, call: Call) -> Value:
     return run.unknown("there is no such item", call.location)
 
 
-def count_of(run: Run, value: Any, call: Call) -> Value:
+def count_of(run: ScriptEvaluation, value: Any, call: LibraryCall) -> Value:
     found = [equal(run, item, argument(call)) for item in value]
     return next((item for item in found if isinstance(item, Unknown)), None) or found.count(True)
 
 
-def copied(run: Run, value: Any, call: Call) -> Value:
+def copied(run: ScriptEvaluation, value: Any, call: LibraryCall) -> Value:
     return run.made(value.copy(), call.location)
 
 
-def get(run: Run, value: dict[Any, Value], call: Call) -> Value:
+def get(run: ScriptEvaluation, value: dict[Any, Value], call: LibraryCall) -> Value:
     bound = call.bind("key default")
     key = bound.get("key")
     if uncertain(key) or not hashable(key):
@@ -123,7 +123,7 @@ def get(run: Run, value: dict[Any, Value], call: Call) -> Value:
 
 
 def views(kind: str) -> Work:
-    def work(run: Run, value: dict[Any, Value], call: Call) -> Value:
+    def work(run: ScriptEvaluation, value: dict[Any, Value], call: LibraryCall) -> Value:
         run.budget.take(len(value))
         result: list[Value] = []
         for key, item in value.items():
@@ -136,26 +136,26 @@ def views(kind: str) -> Work:
     return work
 
 
-def update(run: Run, value: dict[Any, Value], call: Call) -> None:
-    given = argument(call)
+def update(run: ScriptEvaluation, value: dict[Any, Value], call: LibraryCall) -> None:
+    provided = argument(call)
     run.budget.take(len(call.keywords))
-    if isinstance(given, dict):
-        run.budget.take(len(given))
-        if any(isinstance(key, Rest) for key in given):
+    if isinstance(provided, dict):
+        run.budget.take(len(provided))
+        if any(isinstance(key, Rest) for key in provided):
             forget_items(value, "what is added is not known", call.location)
-        value.update(given)
-    elif given is not None:
-        pairs = certain(run, given, call.location)
+        value.update(provided)
+    elif provided is not None:
+        pairs = certain(run, provided, call.location)
         if isinstance(pairs, list) and all(
             isinstance(p, (list, tuple)) and len(p) == 2 and hashable(p[0]) for p in pairs
         ):
             value.update({pair[0]: pair[1] for pair in pairs})
         else:
-            forget_items(value, f"what is added is not known: {why(given)}", call.location)
+            forget_items(value, f"what is added is not known: {why(provided)}", call.location)
     value.update(call.keywords)
 
 
-def set_default(run: Run, value: dict[Any, Value], call: Call) -> Value:
+def set_default(run: ScriptEvaluation, value: dict[Any, Value], call: LibraryCall) -> Value:
     key = argument(call)
     if uncertain(key) or not hashable(key):
         forget_items(value, why(key), call.location)
@@ -163,7 +163,7 @@ def set_default(run: Run, value: dict[Any, Value], call: Call) -> Value:
     return value.setdefault(key, argument(call, 1))
 
 
-def pop_key(run: Run, value: dict[Any, Value], call: Call) -> Value:
+def pop_key(run: ScriptEvaluation, value: dict[Any, Value], call: LibraryCall) -> Value:
     key = argument(call)
     if uncertain(key) or not hashable(key):
         forget_items(value, why(key), call.location)
@@ -175,12 +175,12 @@ def pop_key(run: Run, value: dict[Any, Value], call: Call) -> Value:
     return found
 
 
-def add(run: Run, value: set[Value], call: Call) -> None:
+def add(run: ScriptEvaluation, value: set[Value], call: LibraryCall) -> None:
     item = argument(call)
     value.add(item if hashable(item) else Rest(why(item), call.location))
 
 
-def discard(run: Run, value: set[Value], call: Call) -> None:
+def discard(run: ScriptEvaluation, value: set[Value], call: LibraryCall) -> None:
     item = argument(call)
     if uncertain(item) or not hashable(item):
         forget_items(value, why(item), call.location)
@@ -189,7 +189,7 @@ def discard(run: Run, value: set[Value], call: Call) -> None:
 
 
 def algebra(name: str) -> Work:
-    def work(run: Run, value: set[Value], call: Call) -> Value:
+    def work(run: ScriptEvaluation, value: set[Value], call: LibraryCall) -> Value:
         other = certain(run, argument(call), call.location)
         doubt = holes(value)
         if isinstance(other, Unknown) or doubt is not None or not all(hashable(item) for item in other):
@@ -228,12 +228,12 @@ ASKING: dict[type, dict[str, Work]] = {
 }
 
 
-def update_set(run: Run, value: set[Value], call: Call) -> None:
+def update_set(run: ScriptEvaluation, value: set[Value], call: LibraryCall) -> None:
     for item in (extra for one in call.args for extra in as_list(run, one, call)):
         value.add(item if hashable(item) else Rest(why(item), call.location))
 
 
-def as_list(run: Run, value: Value, call: Call) -> list[Value]:
+def as_list(run: ScriptEvaluation, value: Value, call: LibraryCall) -> list[Value]:
     items = items_of(run, value, call.location)
     return [Rest(items.reason, items.location)] if isinstance(items, Unknown) else items
 
@@ -241,7 +241,7 @@ def as_list(run: Run, value: Value, call: Call) -> list[Value]:
 CHANGING[set]["update"] = update_set
 
 
-def container_method(run: Run, value: Any, name: str, call: Call) -> Value:
+def container_method(run: ScriptEvaluation, value: Any, name: str, call: LibraryCall) -> Value:
     """``value.name(…)``."""
     kind = type(value)
     if (work := CHANGING.get(kind, {}).get(name)) is not None:

@@ -5,16 +5,16 @@ from __future__ import annotations
 
 from typing import Any
 
-from haros_ci.launch.python.run import Run
+from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.values import (
-    Call,
     Configurations,
     Context,
     Library,
+    LibraryCall,
     Maybe,
     Native,
+    PartialText,
     Sub,
-    Text,
     Unknown,
     Value,
     merged,
@@ -27,7 +27,7 @@ from haros_ci.model.launch_actions import PREFIX, SHARE, Action, Performed, Phra
 from haros_ci.model.location import Location
 
 
-def perform(run: Run, context: Value, text: Phrase, place: Location) -> Value:
+def perform(run: ScriptEvaluation, context: Value, text: Phrase, place: Location) -> Value:
     """*text* in *context* as a str value; the parts that are not known are so in it."""
     if not isinstance(context, Context):
         reason = why(context) if isinstance(context, Unknown) else "the launch context is not known"
@@ -46,17 +46,17 @@ def perform(run: Run, context: Value, text: Phrase, place: Location) -> Value:
     return run.made(text_of(merged(parts)), place)
 
 
-def configuration(run: Run, context: Context, name: Value, place: Location) -> Value:
+def configuration(run: ScriptEvaluation, context: Context, name: Value, place: Location) -> Value:
     """``context.launch_configurations[name]``."""
     if not isinstance(name, str):
         return run.unknown(why(name), place)
     found = context.launch.configuration(name)
     if found is None:
         return run.unknown(f"the launch configuration {name} is not set", place)
-    return found.text if found.known else Text((mystery(found.reason, found.location or place),))
+    return found.text if found.known else PartialText((mystery(found.reason, found.location or place),))
 
 
-def set_configuration(run: Run, context: Context, name: Value, value: Value) -> None:
+def set_configuration(run: ScriptEvaluation, context: Context, name: Value, value: Value) -> None:
     """``context.launch_configurations[name] = value``; under a condition that is not known the value is not known."""
     if not isinstance(name, str):
         context.launch.set_any_configuration()
@@ -73,7 +73,7 @@ def set_configuration(run: Run, context: Context, name: Value, value: Value) -> 
     context.launch.set_configuration(name, done)
 
 
-def holds(run: Run, context: Value, tests: tuple[Test, ...], place: Location) -> Value:
+def holds(run: ScriptEvaluation, context: Value, tests: tuple[Test, ...], place: Location) -> Value:
     """``condition.evaluate(context)``."""
     if not isinstance(context, Context):
         return run.unknown("the launch context is not known", place)
@@ -86,7 +86,7 @@ def holds(run: Run, context: Value, tests: tuple[Test, ...], place: Location) ->
     return True
 
 
-def context_attribute(run: Run, context: Context, name: str, place: Location) -> Value:
+def context_attribute(run: ScriptEvaluation, context: Context, name: str, place: Location) -> Value:
     """An attribute or a method of the context."""
     if name == "launch_configurations":
         return Configurations(context)
@@ -99,7 +99,7 @@ def context_attribute(run: Run, context: Context, name: str, place: Location) ->
     return run.unknown(f"context.{name} is not followed", place)
 
 
-def configurations_attribute(run: Run, value: Configurations, name: str, place: Location) -> Value:
+def configurations_attribute(run: ScriptEvaluation, value: Configurations, name: str, place: Location) -> Value:
     """``get`` of the launch configurations; what else there is to ask is not followed."""
     if name == "get":
         return Native(name, lambda run, call: get(run, value.context, call))
@@ -108,7 +108,7 @@ def configurations_attribute(run: Run, value: Configurations, name: str, place: 
     return run.unknown(f"launch_configurations.{name} is not followed", place)
 
 
-def get(run: Run, context: Context, call: Call) -> Value:
+def get(run: ScriptEvaluation, context: Context, call: LibraryCall) -> Value:
     bound = call.bind("key default")
     name = bound.get("key")
     if isinstance(name, str) and context.launch.configuration(name) is None:
@@ -116,23 +116,23 @@ def get(run: Run, context: Context, call: Call) -> Value:
     return configuration(run, context, name, call.location)
 
 
-def set_several(run: Run, context: Context, name: str, call: Call) -> Value:
+def set_several(run: ScriptEvaluation, context: Context, name: str, call: LibraryCall) -> Value:
     """``update`` and ``setdefault`` of the launch configurations."""
-    given = call.args[0] if call.args else {}
+    provided = call.args[0] if call.args else {}
     if name == "setdefault":
-        if not isinstance(given, str) or context.launch.configuration(given) is None:
-            set_configuration(run, context, given, call.args[1] if len(call.args) > 1 else None)
+        if not isinstance(provided, str) or context.launch.configuration(provided) is None:
+            set_configuration(run, context, provided, call.args[1] if len(call.args) > 1 else None)
         return run.unknown("what setdefault gives is not followed", call.location)
-    if not isinstance(given, dict) or call.unknown:
+    if not isinstance(provided, dict) or call.unknown:
         context.launch.set_any_configuration()
         return None
-    for key, value in (*given.items(), *call.keywords.items()):
+    for key, value in (*provided.items(), *call.keywords.items()):
         run.budget.step()
         set_configuration(run, context, key, value)
     return None
 
 
-def executed(run: Run, action: Action, call: Call) -> Value:
+def executed(run: ScriptEvaluation, action: Action, call: LibraryCall) -> Value:
     """``action.execute(context)`` or ``visit``: what is set counts; what else is done there is not followed."""
     context = call.args[0] if call.args else call.keywords.get("context")
     if isinstance(context, Context) and action.kind in ("let", "arg"):
@@ -148,13 +148,13 @@ def executed(run: Run, action: Action, call: Call) -> Value:
     return run.unknown(f"what an action '{action.kind}' does when it is executed is not followed", call.location)
 
 
-def perform_substitutions(run: Run, call: Call) -> Value:
+def perform_substitutions(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``launch.utilities.perform_substitutions(context, subs)``."""
     bound = call.bind("context subs")
     return perform(run, bound.get("context"), phrase(bound.get("subs")), call.location)
 
 
-def normalized(run: Run, call: Call) -> Value:
+def normalized(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``normalize_to_list_of_substitutions``."""
     value = call.args[0] if call.args else None
     if isinstance(value, (Unknown, Maybe)):
@@ -162,7 +162,7 @@ def normalized(run: Run, call: Call) -> Value:
     return [Sub((part,), "TextSubstitution" if isinstance(part, str) else "Substitution") for part in phrase(value)]
 
 
-def sub_attribute(run: Run, value: Sub, name: str, place: Location) -> Value:
+def sub_attribute(run: ScriptEvaluation, value: Sub, name: str, place: Location) -> Value:
     """An attribute or a method of a substitution."""
     if name == "perform":
         return Native(
@@ -177,7 +177,7 @@ def sub_attribute(run: Run, value: Sub, name: str, place: Location) -> Value:
     return run.unknown(f"{value.name}.{name} is not followed", place)
 
 
-def found_package(run: Run, value: Sub, call: Call) -> Value:
+def found_package(run: ScriptEvaluation, value: Sub, call: LibraryCall) -> Value:
     """``FindPackageShare(…).find(package)``: the directory of the package that is asked for."""
     package = call.bind("package_name").get("package_name")
     marker = SHARE if value.name == "FindPackageShare" else PREFIX

@@ -6,13 +6,13 @@ from __future__ import annotations
 from haros_ci.launch.python.builtin_functions import Summary
 from haros_ci.launch.python.entities import description
 from haros_ci.launch.python.moveit_launches import argument, configuration, library
-from haros_ci.launch.python.run import Run
-from haros_ci.launch.python.values import Call, Rest, Unknown, Value, why
+from haros_ci.launch.python.run import ScriptEvaluation
+from haros_ci.launch.python.values import LibraryCall, Rest, Unknown, Value, why
 
 NAME, UNLOAD = "controller_manager_name", "unload_on_kill"
 
 
-def _spawner(run: Run, call: Call, names: Value, files: Value, more: Value) -> Value:
+def _spawner(run: ScriptEvaluation, call: LibraryCall, names: Value, files: Value, more: Value) -> Value:
     """A spawner of the controllers, with two launch arguments; whether it unloads them when it ends makes no node."""
     if not isinstance(names, list):
         names = [Unknown(f"the controllers are not known: {why(names)}", call.location)]
@@ -40,7 +40,7 @@ def _spawner(run: Run, call: Call, names: Value, files: Value, more: Value) -> V
     )
 
 
-def controllers(run: Run, call: Call) -> Value:
+def controllers(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``(controller_names, controller_params_files, extra_spawner_args)``."""
     bound = call.bind("controller_names controller_params_files extra_spawner_args")
     return _spawner(
@@ -48,18 +48,18 @@ def controllers(run: Run, call: Call) -> Value:
     )
 
 
-def from_dictionary(run: Run, call: Call) -> Value:
+def from_dictionary(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``(controller_info_dict, extra_spawner_args)``: the parameter files of each controller by its name."""
     bound = call.bind("controller_info_dict extra_spawner_args")
     found = bound.get("controller_info_dict")
     if not isinstance(found, dict):
         return _spawner(run, call, found, None, bound.get("extra_spawner_args"))
-    given = [value for value in found.values() if value not in (None, "")]
-    files = [item for value in given for item in (value if isinstance(value, list) else [value])]
+    provided = [value for value in found.values() if value not in (None, "")]
+    files = [item for value in provided for item in (value if isinstance(value, list) else [value])]
     return _spawner(run, call, list(found), files, bound.get("extra_spawner_args"))
 
 
-def one(run: Run, call: Call) -> Value:
+def one(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``(controller_name, controller_params_file, extra_spawner_args)``; before, a type was the second argument."""
     bound = call.bind("controller_name controller_params_file extra_spawner_args")
     file, kind = bound.get("controller_params_file"), bound.get("controller_type")

@@ -9,16 +9,16 @@ from typing import Any
 from haros_ci.launch.python.assignments import set_name
 from haros_ci.launch.python.forks import settle
 from haros_ci.launch.python.heap import CALLS
-from haros_ci.launch.python.run import Frame, Run
+from haros_ci.launch.python.run import ScriptEvaluation, ScriptFrame
 from haros_ci.launch.python.values import (
     Bound,
-    Call,
     Choice,
-    Class,
-    Function,
-    Instance,
     Library,
-    Scope,
+    LibraryCall,
+    ScriptClass,
+    ScriptFunction,
+    ScriptInstance,
+    ScriptScope,
     Unknown,
     Value,
     why,
@@ -29,7 +29,7 @@ PLAIN_DECORATORS = ("launch_testing.", "pytest.", "functools.", "unittest.", "ty
 DATACLASS = "dataclasses.dataclass"
 
 
-def function_definition(run: Run, scope: Scope, node: Any) -> None:
+def function_definition(run: ScriptEvaluation, scope: ScriptScope, node: Any) -> None:
     """``def``: with its defaults, and the decorators that are followed."""
     if isinstance(node, ast.AsyncFunctionDef):
         set_name(run, scope, node.name, run.unknown("async functions are not followed", scope.source.place(node)))
@@ -45,19 +45,19 @@ def function_definition(run: Run, scope: Scope, node: Any) -> None:
             kind = dotted.split(".")[1]
         elif not dotted.startswith(PLAIN_DECORATORS):
             decorators.append(item)
-    made: Value = Function(node.name, node, scope, defaults, named, kind)
+    made: Value = ScriptFunction(node.name, node, scope, defaults, named, kind)
     for item in decorators:
         made = run.apply(run.evaluate(run, scope, item), (made,), scope.source.place(node))
     set_name(run, scope, node.name, made)
 
 
-def class_definition(run: Run, scope: Scope, node: ast.ClassDef) -> None:
+def class_definition(run: ScriptEvaluation, scope: ScriptScope, node: ast.ClassDef) -> None:
     """``class``: its body is done at once; with an unknown decorator it is not followed."""
     bases = [run.evaluate(run, scope, base) for base in node.bases]
     place = scope.source.place(node)
     library = next((base.dotted for base in bases if isinstance(base, Library)), "")
     fields: tuple[str, ...] = ()
-    known = all(isinstance(base, (Class, Library)) for base in bases)
+    known = all(isinstance(base, (ScriptClass, Library)) for base in bases)
     for item in node.decorator_list:
         value = run.evaluate(run, scope, item.func if isinstance(item, ast.Call) else item)
         if isinstance(value, Library) and value.dotted == DATACLASS:
@@ -68,26 +68,28 @@ def class_definition(run: Run, scope: Scope, node: ast.ClassDef) -> None:
             )
         else:
             known = False
-    inner = Scope({}, scope, scope.source, is_class=True)
+    inner = ScriptScope({}, scope, scope.source, is_class=True)
     run.block(run, inner, node.body)
     if not known:
         set_name(run, scope, node.name, run.unknown(f"the class `{node.name}` is not followed", place))
         return
-    made = Class(node.name, inner.variables, tuple(base for base in bases if isinstance(base, Class)), library, fields)
+    made = ScriptClass(
+        node.name, inner.variables, tuple(base for base in bases if isinstance(base, ScriptClass)), library, fields
+    )
     for key, value in list(inner.variables.items()):
-        if isinstance(value, Function):
-            inner.variables[key] = Function(
+        if isinstance(value, ScriptFunction):
+            inner.variables[key] = ScriptFunction(
                 value.name, value.node, value.scope, value.defaults, value.keyword_defaults, value.kind, made
             )
     set_name(run, scope, node.name, made)
 
 
-def call_function(run: Run, function: Function, call: Call) -> Value:
+def call_function(run: ScriptEvaluation, function: ScriptFunction, call: LibraryCall) -> Value:
     """The value that *function* returns; what it returns on several ways is a Choice."""
     budget = run.budget
     if budget.calls >= CALLS:
         return run.unknown("the functions call one another too deep", call.location)
-    scope = Scope({}, function.scope, function.scope.source)
+    scope = ScriptScope({}, function.scope, function.scope.source)
     run.heap.born(scope.variables)
     if function.owner is not None:
         scope.variables["__class__"] = function.owner
@@ -102,7 +104,7 @@ def call_function(run: Run, function: Function, call: Call) -> Value:
             return run.evaluate(run, scope, function.node.body)
         finally:
             budget.calls -= 1
-    frame = Frame(yields=[] if generates(function.node) else None)
+    frame = ScriptFrame(yields=[] if generates(function.node) else None)
     if frame.yields is not None:
         run.heap.born(frame.yields)
     run.frames.append(frame)
@@ -152,31 +154,31 @@ def generates(node: ast.FunctionDef) -> bool:
     return False
 
 
-def bind(run: Run, function: Function, call: Call, variables: dict[str, Value]) -> str:
+def bind(run: ScriptEvaluation, function: ScriptFunction, call: LibraryCall, variables: dict[str, Value]) -> str:
     """Give the parameters of *function* their values; what is wrong is returned."""
     arguments = function.node.args
     names = [item.arg for item in (*arguments.posonlyargs, *arguments.args)]
     keywords = dict(call.keywords)
-    given = list(call.args)
-    lost = next((item for item in given if isinstance(item, Unknown) and type(item).__name__ == "Rest"), None)
+    provided = list(call.args)
+    lost = next((item for item in provided if isinstance(item, Unknown) and type(item).__name__ == "Rest"), None)
     if lost is not None or call.unknown:
         for name in (*names, *(item.arg for item in arguments.kwonlyargs)):
             variables[name] = keywords.get(name, Unknown(call.unknown or why(lost), call.location))
-        for index, value in enumerate(given[: given.index(lost)] if lost is not None else given):
+        for index, value in enumerate(provided[: provided.index(lost)] if lost is not None else provided):
             if index < len(names):
                 variables[names[index]] = value
         return ""
-    for name, value in zip(names, given, strict=False):
+    for name, value in zip(names, provided, strict=False):
         variables[name] = value
     if arguments.vararg is not None:
-        variables[arguments.vararg.arg] = tuple(given[len(names) :])
-    elif len(given) > len(names):
+        variables[arguments.vararg.arg] = tuple(provided[len(names) :])
+    elif len(provided) > len(names):
         return f"`{function.name}` is given too many arguments"
     first_default = len(names) - len(function.defaults)
     for index, name in enumerate(names):
         if name in keywords:
             variables[name] = keywords.pop(name)
-        elif index >= len(given):
+        elif index >= len(provided):
             if index < first_default:
                 return f"`{function.name}` is not given `{name}`"
             variables[name] = function.defaults[index - first_default]
@@ -189,16 +191,16 @@ def bind(run: Run, function: Function, call: Call, variables: dict[str, Value]) 
     return ""
 
 
-def instantiate(run: Run, made: Class, call: Call) -> Value:
+def instantiate(run: ScriptEvaluation, made: ScriptClass, call: LibraryCall) -> Value:
     """A new object of a class of the file; what a library's class adds is not known."""
-    instance = Instance(made)
+    instance = ScriptInstance(made)
     run.heap.born(instance.variables)
     start = made.find("__init__")
-    if isinstance(start, Function):
+    if isinstance(start, ScriptFunction):
         done = call_function(
             run,
             start,
-            Call(
+            LibraryCall(
                 name=made.name,
                 location=call.location,
                 args=(instance, *call.args),
@@ -219,12 +221,12 @@ def instantiate(run: Run, made: Class, call: Call) -> Value:
     return instance
 
 
-def bound(run: Run, function: Value, owner: Value, call: Call) -> Value:
+def bound(run: ScriptEvaluation, function: Value, owner: Value, call: LibraryCall) -> Value:
     """Call a method of *owner*."""
     return run.call(
         run,
         function,
-        Call(
+        LibraryCall(
             name=call.name,
             location=call.location,
             args=(owner, *call.args),
@@ -234,14 +236,14 @@ def bound(run: Run, function: Value, owner: Value, call: Call) -> Value:
     )
 
 
-def method_of(run: Run, function: Function, owner: Value, made: Class, place: Any) -> Value:
+def method_of(run: ScriptEvaluation, function: ScriptFunction, owner: Value, made: ScriptClass, place: Any) -> Value:
     """A function of a class as an attribute of *owner*, which is an object or the class."""
     if function.kind == "staticmethod":
         return function
     if function.kind == "classmethod":
         return Bound(function, made)
-    if isinstance(owner, Class):
+    if isinstance(owner, ScriptClass):
         return function
     if function.kind == "property":
-        return call_function(run, function, Call(name=function.name, location=place, args=(owner,), keywords={}))
+        return call_function(run, function, LibraryCall(name=function.name, location=place, args=(owner,), keywords={}))
     return Bound(function, owner)

@@ -6,16 +6,16 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from haros_ci.launch.python.run import Run
+from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.sequences import items_of
 from haros_ci.launch.python.values import (
     Bound,
-    Call,
     Choice,
     Context,
-    Function,
-    Made,
+    LaunchObject,
+    LibraryCall,
     Maybe,
+    ScriptFunction,
     Unknown,
     Value,
     describe,
@@ -28,16 +28,16 @@ DESCRIPTION = "launch.LaunchDescription"
 HARMLESS_KINDS = ("shutdown", "log")
 
 
-def description(place: Location, entities: list[Value]) -> Made:
+def description(place: Location, entities: list[Value]) -> LaunchObject:
     """A LaunchDescription object."""
-    return Made(DESCRIPTION, place, {"entities": entities})
+    return LaunchObject(DESCRIPTION, place, {"entities": entities})
 
 
 def unknown_action(reason: str, place: Location, tests: tuple[Test, ...] = ()) -> Action:
     return Action(kind="?", location=place, reason=reason or "it is not known", tests=tests)
 
 
-def actions_of(run: Run, value: Value, place: Location, depth: int = 0) -> tuple[Action, ...]:
+def actions_of(run: ScriptEvaluation, value: Value, place: Location, depth: int = 0) -> tuple[Action, ...]:
     """The actions in order; what is not known is an action ``?``."""
     run.budget.step()
     if value is None:
@@ -54,7 +54,7 @@ def actions_of(run: Run, value: Value, place: Location, depth: int = 0) -> tuple
         return (unknown_action(value.reason, value.location or place),)
     if isinstance(value, (list, tuple)):
         return tuple(action for item in value for action in actions_of(run, item, place, depth + 1))
-    if isinstance(value, Made) and (value.action is not None or "entities" in value.fields):
+    if isinstance(value, LaunchObject) and (value.action is not None or "entities" in value.fields):
         return made_actions(run, value, depth)
     return (
         unknown_action(
@@ -63,7 +63,7 @@ def actions_of(run: Run, value: Value, place: Location, depth: int = 0) -> tuple
     )
 
 
-def doubted(run: Run, actions: tuple[Action, ...], place: Location) -> tuple[Action, ...]:
+def doubted(run: ScriptEvaluation, actions: tuple[Action, ...], place: Location) -> tuple[Action, ...]:
     """*actions*, all of them under what launch_ros must accept for any of them to be done."""
     if not run.doubts or not actions:
         return actions
@@ -75,7 +75,7 @@ def under(action: Action, tests: tuple[Test, ...]) -> Action:
     return replace(action, tests=(*tests, *action.tests)) if tests else action
 
 
-def made_actions(run: Run, value: Made, depth: int) -> tuple[Action, ...]:
+def made_actions(run: ScriptEvaluation, value: LaunchObject, depth: int) -> tuple[Action, ...]:
     if value.action is None:
         children = actions_of(run, value.fields["entities"], value.location, depth + 1)
         return (Action(kind="list", location=value.location, children=children),)
@@ -93,42 +93,44 @@ def made_actions(run: Run, value: Made, depth: int) -> tuple[Action, ...]:
     )
 
 
-def deferred_actions(run: Run, value: Value, place: Location, depth: int) -> tuple[Action, ...]:
+def deferred_actions(run: ScriptEvaluation, value: Value, place: Location, depth: int) -> tuple[Action, ...]:
     """What an event handler does: actions, or a function of the event and the context that gives some."""
-    if isinstance(value, (Function, Bound)):
+    if isinstance(value, (ScriptFunction, Bound)):
         lost: Any = Unknown("what an event carries is not known", place)
         value = run.apply(value, (lost, Unknown("the context of an event is not known", place)), place)
     return actions_of(run, value, place, depth + 1)
 
 
-def call_opaque(run: Run, call: Call, context: Context) -> tuple[Action, ...]:
+def call_opaque(run: ScriptEvaluation, call: LibraryCall, context: Context) -> tuple[Action, ...]:
     """The actions that an OpaqueFunction returns in *context*."""
     bound = call.bind("function * args kwargs")
-    given = bound.get("args")
-    args = tuple(given) if isinstance(given, (list, tuple)) else ()
+    provided = bound.get("args")
+    args = tuple(provided) if isinstance(provided, (list, tuple)) else ()
     keywords = bound.get("kwargs")
-    if not (given is None or isinstance(given, (list, tuple))) or not (keywords is None or isinstance(keywords, dict)):
+    if not (provided is None or isinstance(provided, (list, tuple))) or not (
+        keywords is None or isinstance(keywords, dict)
+    ):
         return (unknown_action("the arguments of an OpaqueFunction are not known", call.location),)
     value = run.call(
         run,
         bound.get("function"),
-        Call(
+        LibraryCall(
             name="OpaqueFunction",
             location=call.location,
             args=(context, *args),
             keywords={key: item for key, item in (keywords or {}).items() if isinstance(key, str)},
         ),
     )
-    if isinstance(value, Made) and "entities" in value.fields:
+    if isinstance(value, LaunchObject) and "entities" in value.fields:
         value = value.fields["entities"]
     return actions_of(run, value, call.location)
 
 
-def components(run: Run, value: Value, place: Location) -> tuple[Action, ...]:
+def components(run: ScriptEvaluation, value: Value, place: Location) -> tuple[Action, ...]:
     """The composable nodes of a list; one that is not known is an action ``?``."""
     if value is None:
         return ()
-    if isinstance(value, Made) and value.action is not None:
+    if isinstance(value, LaunchObject) and value.action is not None:
         value = [value]
     items = items_of(run, value, place)
     if isinstance(items, Unknown):
@@ -141,7 +143,7 @@ def component_actions(item: Value, place: Location) -> tuple[Action, ...]:
         return tuple(under(action, item.tests) for action in component_actions(item.value, place))
     if isinstance(item, Choice):
         return tuple(under(action, tests) for tests, one in item.options for action in component_actions(one, place))
-    if isinstance(item, Made) and item.action is not None and item.action.kind == "component":
+    if isinstance(item, LaunchObject) and item.action is not None and item.action.kind == "component":
         return (item.action,)
     if isinstance(item, (list, tuple)):
         return tuple(action for one in item for action in component_actions(one, place))

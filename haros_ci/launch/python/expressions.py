@@ -12,16 +12,16 @@ from haros_ci.launch.python.forks import fork
 from haros_ci.launch.python.formats import formatted_value
 from haros_ci.launch.python.heap import DEPTH, either
 from haros_ci.launch.python.operators import binary, compare, unary
-from haros_ci.launch.python.run import Run, condition
+from haros_ci.launch.python.run import ScriptEvaluation, condition
 from haros_ci.launch.python.sequences import items_of
 from haros_ci.launch.python.subscripts import subscript
 from haros_ci.launch.python.truth import truth
 from haros_ci.launch.python.values import (
-    Call,
-    Function,
     Library,
+    LibraryCall,
     Rest,
-    Scope,
+    ScriptFunction,
+    ScriptScope,
     Unknown,
     Value,
     merged,
@@ -31,7 +31,7 @@ from haros_ci.launch.python.values import (
 )
 
 
-def evaluate(run: Run, scope: Scope, node: ast.expr) -> Value:
+def evaluate(run: ScriptEvaluation, scope: ScriptScope, node: ast.expr) -> Value:
     """The value of *node*; an expression that is not supported, or too deep, is Unknown."""
     budget = run.budget
     budget.step()
@@ -50,17 +50,17 @@ def evaluate(run: Run, scope: Scope, node: ast.expr) -> Value:
         budget.depth -= 1
 
 
-def constant(run: Run, scope: Scope, node: ast.Constant) -> Value:
+def constant(run: ScriptEvaluation, scope: ScriptScope, node: ast.Constant) -> Value:
     return run.made(node.value, scope.source.place(node))
 
 
-def name(run: Run, scope: Scope, node: ast.Name) -> Value:
+def name(run: ScriptEvaluation, scope: ScriptScope, node: ast.Name) -> Value:
     return look_up(run, scope, node.id, node)
 
 
-def look_up(run: Run, scope: Scope, word: str, node: ast.AST) -> Value:
+def look_up(run: ScriptEvaluation, scope: ScriptScope, word: str, node: ast.AST) -> Value:
     """The value of a variable, of a star import or of a builtin."""
-    here: Scope | None = scope.outer_names.get(word, scope)
+    here: ScriptScope | None = scope.outer_names.get(word, scope)
     while here is not None:
         if word in here.variables and (here is scope or not here.is_class):
             return present(here.variables[word])
@@ -82,18 +82,18 @@ BUILTIN_NAMES = frozenset(
 )
 
 
-def attribute(run: Run, scope: Scope, node: ast.Attribute) -> Value:
+def attribute(run: ScriptEvaluation, scope: ScriptScope, node: ast.Attribute) -> Value:
     return run.attribute(run, evaluate(run, scope, node.value), node.attr, scope.source.place(node))
 
 
-def call(run: Run, scope: Scope, node: ast.Call) -> Value:
+def call(run: ScriptEvaluation, scope: ScriptScope, node: ast.Call) -> Value:
     """A call; ``super()`` is that of the class around the function."""
     place = scope.source.place(node)
     if isinstance(node.func, ast.Name) and node.func.id == "super" and not node.args:
         return run.call(
             run,
             Library("builtins.super"),
-            Call(
+            LibraryCall(
                 name="super",
                 location=place,
                 keywords={},
@@ -117,7 +117,7 @@ def call(run: Run, scope: Scope, node: ast.Call) -> Value:
     return run.call(
         run,
         function,
-        Call(
+        LibraryCall(
             name=scope.source.segment(node.func)[:80] if not isinstance(function, Library) else function.dotted,
             location=place,
             args=tuple(args),
@@ -128,7 +128,7 @@ def call(run: Run, scope: Scope, node: ast.Call) -> Value:
     )
 
 
-def spread(run: Run, scope: Scope, nodes: list[ast.expr]) -> tuple[list[Value], str]:
+def spread(run: ScriptEvaluation, scope: ScriptScope, nodes: list[ast.expr]) -> tuple[list[Value], str]:
     """The values of *nodes*, with starred ones in their place; and why there may be others."""
     result: list[Value] = []
     unknown = ""
@@ -145,7 +145,7 @@ def spread(run: Run, scope: Scope, nodes: list[ast.expr]) -> tuple[list[Value], 
     return result, unknown
 
 
-def sequence(run: Run, scope: Scope, node: ast.List | ast.Tuple | ast.Set) -> Value:
+def sequence(run: ScriptEvaluation, scope: ScriptScope, node: ast.List | ast.Tuple | ast.Set) -> Value:
     place = scope.source.place(node)
     items, _ = spread(run, scope, node.elts)
     if isinstance(node, ast.Set):
@@ -156,7 +156,7 @@ def sequence(run: Run, scope: Scope, node: ast.List | ast.Tuple | ast.Set) -> Va
     return value
 
 
-def dictionary(run: Run, scope: Scope, node: ast.Dict) -> Value:
+def dictionary(run: ScriptEvaluation, scope: ScriptScope, node: ast.Dict) -> Value:
     result: dict[Any, Value] = {}
     place = scope.source.place(node)
     for key, item in zip(node.keys, node.values, strict=True):
@@ -179,7 +179,7 @@ def dictionary(run: Run, scope: Scope, node: ast.Dict) -> Value:
     return run.made(result, place)
 
 
-def operation(run: Run, scope: Scope, node: ast.BinOp) -> Value:
+def operation(run: ScriptEvaluation, scope: ScriptScope, node: ast.BinOp) -> Value:
     """``a + b + c …``: chains are followed without depth."""
     chain: list[ast.BinOp] = []
     first: ast.expr = node
@@ -193,7 +193,7 @@ def operation(run: Run, scope: Scope, node: ast.BinOp) -> Value:
     return value
 
 
-def augmented(run: Run, scope: Scope, node: ast.AugAssign, old: Value) -> Value:
+def augmented(run: ScriptEvaluation, scope: ScriptScope, node: ast.AugAssign, old: Value) -> Value:
     """The new value of ``x += y``; a list is extended in place."""
     value = evaluate(run, scope, node.value)
     if isinstance(node.op, ast.Add) and isinstance(old, list):
@@ -204,11 +204,11 @@ def augmented(run: Run, scope: Scope, node: ast.AugAssign, old: Value) -> Value:
     return binary(run, node.op, old, value, scope.source.place(node))
 
 
-def negation(run: Run, scope: Scope, node: ast.UnaryOp) -> Value:
+def negation(run: ScriptEvaluation, scope: ScriptScope, node: ast.UnaryOp) -> Value:
     return unary(run, node.op, evaluate(run, scope, node.operand), scope.source.place(node))
 
 
-def logic(run: Run, scope: Scope, node: ast.BoolOp) -> Value:
+def logic(run: ScriptEvaluation, scope: ScriptScope, node: ast.BoolOp) -> Value:
     """``and``/``or``: what decides it, if what stands before is known."""
     stop = isinstance(node.op, ast.Or)
     value: Value = None
@@ -223,7 +223,7 @@ def logic(run: Run, scope: Scope, node: ast.BoolOp) -> Value:
     return value if doubt is None else doubt
 
 
-def comparison(run: Run, scope: Scope, node: ast.Compare) -> Value:
+def comparison(run: ScriptEvaluation, scope: ScriptScope, node: ast.Compare) -> Value:
     left = evaluate(run, scope, node.left)
     result: Value = True
     for op, right_node in zip(node.ops, node.comparators, strict=True):
@@ -235,7 +235,7 @@ def comparison(run: Run, scope: Scope, node: ast.Compare) -> Value:
     return result
 
 
-def ternary(run: Run, scope: Scope, node: ast.IfExp) -> Value:
+def ternary(run: ScriptEvaluation, scope: ScriptScope, node: ast.IfExp) -> Value:
     test = evaluate(run, scope, node.test)
     known = truth(run, test)
     if not isinstance(known, Unknown):
@@ -245,7 +245,7 @@ def ternary(run: Run, scope: Scope, node: ast.IfExp) -> Value:
     return either(one, other, tests)
 
 
-def interpolated(run: Run, scope: Scope, node: ast.JoinedStr) -> Value:
+def interpolated(run: ScriptEvaluation, scope: ScriptScope, node: ast.JoinedStr) -> Value:
     parts: list[Any] = []
     for item in node.values:
         if isinstance(item, ast.FormattedValue):
@@ -260,7 +260,7 @@ def interpolated(run: Run, scope: Scope, node: ast.JoinedStr) -> Value:
     return run.made(text_of(merged(parts)), scope.source.place(node))
 
 
-def indexed(run: Run, scope: Scope, node: ast.Subscript) -> Value:
+def indexed(run: ScriptEvaluation, scope: ScriptScope, node: ast.Subscript) -> Value:
     value = evaluate(run, scope, node.value)
     if isinstance(node.slice, ast.Slice):
         parts = [
@@ -273,20 +273,20 @@ def indexed(run: Run, scope: Scope, node: ast.Subscript) -> Value:
     return subscript(run, value, key, scope.source.place(node))
 
 
-def lambda_(run: Run, scope: Scope, node: ast.Lambda) -> Value:
+def lambda_(run: ScriptEvaluation, scope: ScriptScope, node: ast.Lambda) -> Value:
     defaults = tuple(evaluate(run, scope, item) for item in node.args.defaults)
     named = tuple(None if item is None else evaluate(run, scope, item) for item in node.args.kw_defaults)
-    return Function("lambda", node, scope, defaults, named)
+    return ScriptFunction("lambda", node, scope, defaults, named)
 
 
-def walrus(run: Run, scope: Scope, node: ast.NamedExpr) -> Value:
+def walrus(run: ScriptEvaluation, scope: ScriptScope, node: ast.NamedExpr) -> Value:
     value = evaluate(run, scope, node.value)
     run.heap.touch(scope.variables)
     scope.variables[node.target.id] = value
     return value
 
 
-def yielded(run: Run, scope: Scope, node: ast.Yield | ast.YieldFrom) -> Value:
+def yielded(run: ScriptEvaluation, scope: ScriptScope, node: ast.Yield | ast.YieldFrom) -> Value:
     frame = run.frames[-1] if run.frames else None
     value = None if node.value is None else evaluate(run, scope, node.value)
     if frame is None or frame.yields is None:
@@ -300,7 +300,7 @@ def yielded(run: Run, scope: Scope, node: ast.Yield | ast.YieldFrom) -> Value:
     return run.unknown("what a generator is sent is not known", scope.source.place(node))
 
 
-HANDLERS: dict[type, Callable[[Run, Scope, Any], Value]] = {
+HANDLERS: dict[type, Callable[[ScriptEvaluation, ScriptScope, Any], Value]] = {
     ast.Constant: constant,
     ast.Name: name,
     ast.Attribute: attribute,

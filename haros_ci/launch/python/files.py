@@ -6,17 +6,17 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from haros_ci.bounded_yaml import Limits, TooMuch, YamlFault, data
+from haros_ci.bounded_yaml import YamlFault, YamlLimits, YamlTooLarge, data
 from haros_ci.launch.python.heap import LARGEST
 from haros_ci.launch.python.paths import readable
-from haros_ci.launch.python.run import Run
-from haros_ci.launch.python.values import Call, Opened, PathValue, Text, Unknown, Value, why
+from haros_ci.launch.python.run import ScriptEvaluation
+from haros_ci.launch.python.values import LibraryCall, Opened, PartialText, PathValue, Unknown, Value, why
 
 DEEPEST = 40
-LIMITS = Limits(characters=100_000_000, depth=DEEPEST, values=50_000)
+LIMITS = YamlLimits(characters=100_000_000, depth=DEEPEST, values=50_000)
 
 
-def file_text(run: Run, path: str) -> str | None:
+def file_text(run: ScriptEvaluation, path: str) -> str | None:
     """The text of a file by a path that ``readable`` gave; each is read once."""
     if path not in run.texts:
         text = run.read(path)
@@ -27,7 +27,7 @@ def file_text(run: Run, path: str) -> str | None:
     return run.texts[path]
 
 
-def text_in(run: Run, value: Value, call: Call) -> str | Unknown:
+def text_in(run: ScriptEvaluation, value: Value, call: LibraryCall) -> str | Unknown:
     """The text of an opened file, or a text itself."""
     if isinstance(value, Opened):
         path = readable(value.path)
@@ -40,7 +40,7 @@ def text_in(run: Run, value: Value, call: Call) -> str | Unknown:
     return run.unknown(why(value), call.location)
 
 
-def yaml_load(run: Run, call: Call) -> Value:
+def yaml_load(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``yaml.safe_load`` of a file or a text, as data; what only Python can make of it is not known."""
     text = text_in(run, call.args[0] if call.args else call.keywords.get("stream"), call)
     if isinstance(text, Unknown):
@@ -48,22 +48,22 @@ def yaml_load(run: Run, call: Call) -> Value:
     return yaml_data(run, text, call)
 
 
-def yaml_file(run: Run, path: Value, call: Call) -> Value:
+def yaml_file(run: ScriptEvaluation, path: Value, call: LibraryCall) -> Value:
     """The data of a YAML file by its path."""
     text = text_in(run, Opened(path), call)
     return text if isinstance(text, Unknown) else yaml_data(run, text, call)
 
 
-def yaml_data(run: Run, text: str, call: Call) -> Value:
+def yaml_data(run: ScriptEvaluation, text: str, call: LibraryCall) -> Value:
     try:
         return own(run, data(text, LIMITS), call, 0)
-    except TooMuch:
+    except YamlTooLarge:
         return run.unknown("the YAML is too large", call.location)
     except (YamlFault, RecursionError):
         return run.unknown("the YAML is not well-formed", call.location)
 
 
-def own(run: Run, found: Any, call: Call, depth: int) -> Value:
+def own(run: ScriptEvaluation, found: Any, call: LibraryCall, depth: int) -> Value:
     """A copy of what was *found*, of the kinds that values have."""
     run.budget.take(1)
     if depth > DEEPEST:
@@ -80,7 +80,7 @@ def own(run: Run, found: Any, call: Call, depth: int) -> Value:
     return run.unknown(f"a {type(found).__name__} in YAML is not supported", call.location)
 
 
-def json_load(run: Run, call: Call) -> Value:
+def json_load(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``json.load`` and ``json.loads``."""
     text = text_in(run, call.args[0] if call.args else None, call)
     if isinstance(text, Unknown):
@@ -91,12 +91,12 @@ def json_load(run: Run, call: Call) -> Value:
         return run.unknown("the JSON is not well-formed", call.location)
 
 
-def open_file(run: Run, call: Call) -> Value:
+def open_file(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``open``: for reading a file that can be read, or Unknown."""
     bound = call.bind("file mode")
     if bound.get("mode", "r") not in ("r", "rt", "rb"):
         return run.unknown("a file that is written", call.location)
     path = bound.get("file")
-    if isinstance(path, (str, Text, PathValue)):
+    if isinstance(path, (str, PartialText, PathValue)):
         return Opened(path)
     return run.unknown(f"the path is not known: {why(path)}", call.location)

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 from haros_ci.launch.python.forks import fork
 from haros_ci.launch.python.heap import either
-from haros_ci.launch.python.run import Run
-from haros_ci.launch.python.values import Scope, Value
+from haros_ci.launch.python.run import ScriptEvaluation
+from haros_ci.launch.python.values import ScriptScope, Value
 from haros_ci.model.launch_actions import Test
 
 
@@ -22,8 +22,8 @@ class Flow:
 
 
 def ways(
-    run: Run,
-    scope: Scope,
+    run: ScriptEvaluation,
+    scope: ScriptScope,
     tests: tuple[Test, Test],
     first: Callable[[], Flow | None],
     second: Callable[[], Flow | None],
@@ -48,12 +48,12 @@ def ways(
             return Flow(one.kind, either(one.value, other.value, tests)) if one.kind == "return" else one
         leave(run, one, tests)
         return other
-    gone, stays = (one, tests) if one is not None else (other, (tests[1], tests[0]))
-    leave(run, gone, stays)
+    removed, stays = (one, tests) if one is not None else (other, (tests[1], tests[0]))
+    leave(run, removed, stays)
     return None
 
 
-def leave(run: Run, flow: Flow | None, tests: tuple[Test, Test]) -> None:
+def leave(run: ScriptEvaluation, flow: Flow | None, tests: tuple[Test, Test]) -> None:
     """Note that a way has left under the first test: what follows is under the second."""
     if flow is not None:
         frame = run.frames[-1]

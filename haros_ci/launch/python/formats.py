@@ -7,17 +7,28 @@ import re
 import string
 from typing import Any
 
-from haros_ci.launch.python.run import Run
-from haros_ci.launch.python.values import Maybe, PathValue, Text, Unknown, Value, merged, mystery, phrase, text_of, why
+from haros_ci.launch.python.run import ScriptEvaluation
+from haros_ci.launch.python.values import (
+    Maybe,
+    PartialText,
+    PathValue,
+    Unknown,
+    Value,
+    merged,
+    mystery,
+    phrase,
+    text_of,
+    why,
+)
 from haros_ci.model.location import Location
 
 SPEC = re.compile(r"[^0-9]?[<>=^]?[-+ ]?#?0?[0-9]{0,3}[,_]?(\.[0-9]{1,2})?[bcdeEfFgGnosxX%]?")
 PERCENT = re.compile(r"%(?:\((?P<key>[^()]*)\))?(?P<spec>[-+ #0]?[0-9]{0,3}(?:\.[0-9]{1,2})?)(?P<kind>[a-zA-Z%])")
 
 
-def as_text(run: Run, value: Value, place: Location, depth: int = 0) -> Value:
+def as_text(run: ScriptEvaluation, value: Value, place: Location, depth: int = 0) -> Value:
     """``str(value)``: a str, a Text, or Unknown for what has no text of its own."""
-    if isinstance(value, (str, Text)):
+    if isinstance(value, (str, PartialText)):
         return value
     if isinstance(value, PathValue):
         return value.text
@@ -27,8 +38,8 @@ def as_text(run: Run, value: Value, place: Location, depth: int = 0) -> Value:
         run.budget.step(len(value) + 1)
         return run.made(repr(value), place)
     if isinstance(value, (Unknown, Maybe)):
-        return Text((mystery(why(value), getattr(value, "location", None)),))
-    return Text((mystery(f"the text of {why(value)}", place),))
+        return PartialText((mystery(why(value), getattr(value, "location", None)),))
+    return PartialText((mystery(f"the text of {why(value)}", place),))
 
 
 def plain(value: Value, depth: int = 0) -> bool:
@@ -40,28 +51,30 @@ def plain(value: Value, depth: int = 0) -> bool:
     return value is None or isinstance(value, (bool, int, float)) or (isinstance(value, str) and len(value) < 2000)
 
 
-def formatted_value(run: Run, value: Value, conversion: str, spec: Value, place: Location) -> Value:
+def formatted_value(run: ScriptEvaluation, value: Value, conversion: str, spec: Value, place: Location) -> Value:
     """``{value!conversion:spec}``."""
     if not isinstance(spec, str):
-        return Text((mystery("the format is not known", place),))
+        return PartialText((mystery("the format is not known", place),))
     if conversion in ("r", "a"):
-        return repr(value) if plain(value) else Text((mystery(f"the text of {why(value)}", place),))
+        return repr(value) if plain(value) else PartialText((mystery(f"the text of {why(value)}", place),))
     if not spec or conversion == "s":
         text = as_text(run, value, place)
         if not spec or not isinstance(text, str):
             return text
         value = text
     if not SPEC.fullmatch(spec):
-        return Text((mystery("the format is not supported", place),))
+        return PartialText((mystery("the format is not supported", place),))
     if isinstance(value, (bool, int, float, str)):
         try:
             return format(value, spec)
         except (ValueError, TypeError, OverflowError):
-            return Text((mystery("the format does not fit", place),))
-    return Text((mystery(why(value), place),))
+            return PartialText((mystery("the format does not fit", place),))
+    return PartialText((mystery(why(value), place),))
 
 
-def str_format(run: Run, template: str, args: list[Value], keywords: dict[str, Value], place: Location) -> Value:
+def str_format(
+    run: ScriptEvaluation, template: str, args: list[Value], keywords: dict[str, Value], place: Location
+) -> Value:
     """``template.format(…)`` with names and indices; attributes and items are not supported."""
     parts: list[Any] = []
     turn = 0
@@ -86,10 +99,10 @@ def str_format(run: Run, template: str, args: list[Value], keywords: dict[str, V
     return run.made(text_of(merged(parts)), place)
 
 
-def percent(run: Run, template: Value, values: Value, place: Location) -> Value:
+def percent(run: ScriptEvaluation, template: Value, values: Value, place: Location) -> Value:
     """``template % values``."""
     if not isinstance(template, str):
-        return Text((mystery(why(template), place),))
+        return PartialText((mystery(why(template), place),))
     args = list(values) if isinstance(values, tuple) else [values]
     parts: list[Any] = []
     end = turn = 0

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from haros_ci.launch.python.builtin_functions import Summary
 from haros_ci.launch.python.conditions import tests_of
-from haros_ci.launch.python.run import Run
-from haros_ci.launch.python.values import Call, Made, Value, phrase
+from haros_ci.launch.python.run import ScriptEvaluation
+from haros_ci.launch.python.values import LaunchObject, LibraryCall, Value, phrase
 from haros_ci.launch.ros2.outside_gz import BRIDGE, SERVER, SPAWN
 from haros_ci.model.launch_actions import Action
 
@@ -19,17 +19,17 @@ _MODEL = "world file model_string topic entity_name allow_renaming x y z roll pi
 def including(file: str, names: str) -> Summary:
     """An action that includes the launch *file* with its arguments of these *names*."""
 
-    def summary(run: Run, call: Call) -> Value:
+    def summary(run: ScriptEvaluation, call: LibraryCall) -> Value:
         bound = call.bind(f"* {names}")
-        given = ((name, bound[name]) for name in names.split() if bound.get(name) is not None)
+        provided = ((name, bound[name]) for name in names.split() if bound.get(name) is not None)
         action = Action(
             kind="include",
             location=call.location,
             phrases=(("file", (f"{file}.py",)),),
-            arguments=tuple(((_OTHER.get(name, name),), phrase(value)) for name, value in given),
+            arguments=tuple(((_OTHER.get(name, name),), phrase(value)) for name, value in provided),
             tests=tests_of(bound.get("condition"), call.location),
         )
-        return Made(call.name, call.location, {}, action)
+        return LaunchObject(call.name, call.location, {}, action)
 
     return summary
 

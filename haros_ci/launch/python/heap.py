@@ -6,7 +6,17 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from haros_ci.launch.python.values import Absent, Choice, Instance, Made, Maybe, Rest, Text, Unknown, Value
+from haros_ci.launch.python.values import (
+    Absent,
+    Choice,
+    LaunchObject,
+    Maybe,
+    PartialText,
+    Rest,
+    ScriptInstance,
+    Unknown,
+    Value,
+)
 from haros_ci.model.launch_actions import Test
 
 STEPS = 100_000
@@ -17,7 +27,7 @@ CALLS = 16
 LOOP = 5_000
 
 
-class Exhausted(Exception):
+class ScriptBudgetExhausted(Exception):
     """The budget is used up."""
 
 
@@ -34,7 +44,7 @@ class Budget:
     def step(self, count: int = 1) -> None:
         if self.steps + count > STEPS:
             self.steps = STEPS
-            raise Exhausted("it takes too many steps")
+            raise ScriptBudgetExhausted("it takes too many steps")
         self.steps += count
 
     def restart(self) -> None:
@@ -43,7 +53,7 @@ class Budget:
 
     def take(self, count: int) -> None:
         if self.size + count > SIZE:
-            raise Exhausted("it makes too much data")
+            raise ScriptBudgetExhausted("it makes too much data")
         self.size += count
 
 
@@ -76,7 +86,7 @@ class Heap:
 
     def open(self) -> Journal:
         if len(self.journals) >= 40:
-            raise Exhausted("it has too many branches within one another")
+            raise ScriptBudgetExhausted("it has too many branches within one another")
         journal: Journal = {}
         self.journals.append(journal)
         self.births.append({})
@@ -177,7 +187,9 @@ def same(one: Value, other: Value) -> bool:
     """Whether two values are surely the same; data is not compared in depth."""
     if one is other:
         return True
-    if type(one) is not type(other) or isinstance(one, (Unknown, Text, Made, Instance, list, dict, set, tuple, Maybe)):
+    if type(one) is not type(other) or isinstance(
+        one, (Unknown, PartialText, LaunchObject, ScriptInstance, list, dict, set, tuple, Maybe)
+    ):
         return (
             isinstance(one, tuple)
             and isinstance(other, tuple)

@@ -8,8 +8,8 @@ import warnings
 
 from haros_ci.launch.python.assignments import set_name
 from haros_ci.launch.python.forks import settle
-from haros_ci.launch.python.run import Frame, Run
-from haros_ci.launch.python.values import Library, Module, Scope, Source, Value
+from haros_ci.launch.python.run import ScriptEvaluation, ScriptFrame
+from haros_ci.launch.python.values import Library, Module, ScriptScope, ScriptSource, Value
 from haros_ci.model.launch_actions import WORKSPACE
 
 #: Libraries with summaries: never interpreted, even if they are in the workspace.
@@ -22,7 +22,7 @@ SUMMARISED = frozenset(
 MODULES = 40
 
 
-def import_names(run: Run, scope: Scope, node: ast.Import) -> None:
+def import_names(run: ScriptEvaluation, scope: ScriptScope, node: ast.Import) -> None:
     for alias in node.names:
         if alias.asname:
             set_name(run, scope, alias.asname, module(run, alias.name))
@@ -31,7 +31,7 @@ def import_names(run: Run, scope: Scope, node: ast.Import) -> None:
             set_name(run, scope, root, module(run, root))
 
 
-def import_from(run: Run, scope: Scope, node: ast.ImportFrom) -> None:
+def import_from(run: ScriptEvaluation, scope: ScriptScope, node: ast.ImportFrom) -> None:
     origin = node.module or ""
     if node.level:
         package = scope.source.package.split(".")
@@ -44,7 +44,7 @@ def import_from(run: Run, scope: Scope, node: ast.ImportFrom) -> None:
         set_name(run, scope, alias.asname or alias.name, member(run, found, origin, alias.name))
 
 
-def star(run: Run, scope: Scope, found: Value, origin: str) -> None:
+def star(run: ScriptEvaluation, scope: ScriptScope, found: Value, origin: str) -> None:
     if isinstance(found, Module):
         for name, value in list(found.variables.items()):
             if not name.startswith("_") and name != "*":
@@ -53,7 +53,7 @@ def star(run: Run, scope: Scope, found: Value, origin: str) -> None:
         set_name(run, scope.module, "*", (*scope.module.variables.get("*", ()), origin))
 
 
-def member(run: Run, found: Value, origin: str, name: str) -> Value:
+def member(run: ScriptEvaluation, found: Value, origin: str, name: str) -> Value:
     if isinstance(found, Module):
         if name in found.variables:
             return found.variables[name]
@@ -62,7 +62,7 @@ def member(run: Run, found: Value, origin: str, name: str) -> Value:
     return Library(f"{origin}.{name}")
 
 
-def module(run: Run, dotted: str) -> Value:
+def module(run: ScriptEvaluation, dotted: str) -> Value:
     """The module *dotted*: of the workspace, interpreted once; else a library."""
     if dotted in run.modules:
         return run.modules[dotted]
@@ -73,7 +73,7 @@ def module(run: Run, dotted: str) -> Value:
     return Library(dotted) if made is None else made
 
 
-def beside(run: Run, directories: list[str], dotted: str) -> tuple[str, str] | None:
+def beside(run: ScriptEvaluation, directories: list[str], dotted: str) -> tuple[str, str] | None:
     """The path and text of the module *dotted* in the first of *directories* (as ``readable`` gives them) that has it."""
     inner = dotted.replace(".", "/")
     for directory in directories:
@@ -84,7 +84,7 @@ def beside(run: Run, directories: list[str], dotted: str) -> tuple[str, str] | N
     return None
 
 
-def interpreted(run: Run, dotted: str, path: str, text: str) -> Module | None:
+def interpreted(run: ScriptEvaluation, dotted: str, path: str, text: str) -> Module | None:
     """The module *dotted* of the file at *path*, its statements done once; None if it is no Python."""
     known = next((made for made in run.modules.values() if made.path == path), None)
     if known is not None:
@@ -96,17 +96,17 @@ def interpreted(run: Run, dotted: str, path: str, text: str) -> Module | None:
     if tree is None:
         return None
     package = dotted if path.endswith("__init__.py") else dotted.rpartition(".")[0]
-    source = Source(path, tuple(text.splitlines()), package)
-    scope = Scope({}, None, source)
+    source = ScriptSource(path, tuple(text.splitlines()), package)
+    scope = ScriptScope({}, None, source)
     scope.variables.update({"__file__": file_marker(path), "__name__": dotted})
     run.modules[dotted] = made = Module(dotted, path, scope.variables)
     module_body(run, scope, tree)
     return made
 
 
-def module_body(run: Run, scope: Scope, tree: ast.Module) -> None:
+def module_body(run: ScriptEvaluation, scope: ScriptScope, tree: ast.Module) -> None:
     """Do the statements of a module."""
-    frame = Frame()
+    frame = ScriptFrame()
     run.frames.append(frame)
     run.block(run, scope, tree.body)
     settle(run, frame, 0)

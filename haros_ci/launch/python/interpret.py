@@ -9,12 +9,20 @@ from haros_ci.launch.python.attributes import attribute
 from haros_ci.launch.python.definitions import call_function
 from haros_ci.launch.python.entities import DESCRIPTION, actions_of, doubted, unknown_action
 from haros_ci.launch.python.expressions import evaluate
-from haros_ci.launch.python.heap import Budget, Exhausted, Heap
+from haros_ci.launch.python.heap import Budget, Heap, ScriptBudgetExhausted
 from haros_ci.launch.python.imports import file_marker, module_body, parse
 from haros_ci.launch.python.library import call_value, summary_of
-from haros_ci.launch.python.run import Run
+from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.statements import block
-from haros_ci.launch.python.values import Call, Function, Made, Scope, Source, Unknown, Value
+from haros_ci.launch.python.values import (
+    LaunchObject,
+    LibraryCall,
+    ScriptFunction,
+    ScriptScope,
+    ScriptSource,
+    Unknown,
+    Value,
+)
 from haros_ci.model.environment import lost_of
 from haros_ci.model.launch_actions import Action, Description
 from haros_ci.model.location import Location
@@ -43,7 +51,7 @@ def interpret(
     tree = parse(text)
     if tree is None:
         return Description(problems=((1, "this is not valid Python; correct the syntax"),))
-    run = Run(
+    run = ScriptEvaluation(
         read=read,
         environment={**environment, **{name: Unknown(why, None) for name, why in lost_of(environment).items()}},
         module=module or (lambda _: None),
@@ -56,7 +64,7 @@ def interpret(
         budget=used,
         heap=Heap(used),
     )
-    scope = Scope({}, None, Source(path, tuple(text.splitlines())))
+    scope = ScriptScope({}, None, ScriptSource(path, tuple(text.splitlines())))
     scope.variables.update({"__file__": file_marker(path), "__name__": "launch_file"})
     try:
         module_body(run, scope, tree)
@@ -65,23 +73,23 @@ def interpret(
             problem = "there is no function generate_launch_description; define it"
             return Description(problems=((1, problem),))
         return Description(actions=top(run, entry, place))
-    except (Exhausted, RecursionError) as error:
-        reason = str(error) if isinstance(error, Exhausted) else "it is nested too deep"
+    except (ScriptBudgetExhausted, RecursionError) as error:
+        reason = str(error) if isinstance(error, ScriptBudgetExhausted) else "it is nested too deep"
         return Description(actions=(unknown_action(f"the launch file is not followed to its end: {reason}", place),))
 
 
-def top(run: Run, entry: Value, place: Location) -> tuple[Action, ...]:
+def top(run: ScriptEvaluation, entry: Value, place: Location) -> tuple[Action, ...]:
     """The actions of the description that *entry* gives; the parameters of a test's description are not known."""
-    call = Call(name="generate_launch_description", location=place, keywords={})
-    if isinstance(entry, Function):
+    call = LibraryCall(name="generate_launch_description", location=place, keywords={})
+    if isinstance(entry, ScriptFunction):
         names = [item.arg for item in entry.node.args.args][: len(entry.node.args.args) - len(entry.defaults)]
         lost = Unknown("an argument of the description of a test", place)
-        call = Call(name=entry.name, location=place, keywords={}, args=tuple(lost for _ in names))
+        call = LibraryCall(name=entry.name, location=place, keywords={}, args=tuple(lost for _ in names))
         value = call_function(run, entry, call)
     else:
         value = run.call(run, entry, call)
     if isinstance(value, tuple) and value:
         value = value[0]
-    if isinstance(value, Made) and value.name == DESCRIPTION:
+    if isinstance(value, LaunchObject) and value.name == DESCRIPTION:
         value = value.fields["entities"]
     return doubted(run, actions_of(run, value, place), place)

@@ -13,29 +13,29 @@ from haros_ci.launch.python.contexts import normalized, perform_substitutions
 from haros_ci.launch.python.entities import DESCRIPTION, description
 from haros_ci.launch.python.opaque import for_each, opaque
 from haros_ci.launch.python.phrases import flag, pair_of, phrases_of, words
-from haros_ci.launch.python.run import Run
+from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.sequences import items_of
 from haros_ci.launch.python.substitutions import pairs
-from haros_ci.launch.python.values import Call, Made, Unknown, Value, merged, mystery, phrase, why
+from haros_ci.launch.python.values import LaunchObject, LibraryCall, Unknown, Value, merged, mystery, phrase, why
 from haros_ci.model.launch_actions import Action, Phrase
 
 
-def launch_description(run: Run, call: Call) -> Value:
+def launch_description(run: ScriptEvaluation, call: LibraryCall) -> Value:
     bound = call.bind("initial_entities")
-    given = bound.get("initial_entities")
-    items: list[Value] | Unknown = [] if given is None else items_of(run, given, call.location)
+    provided = bound.get("initial_entities")
+    items: list[Value] | Unknown = [] if provided is None else items_of(run, provided, call.location)
     return description(call.location, [items] if isinstance(items, Unknown) else items)
 
 
 def simple(kind: str, names: str, attributes: str = "") -> Summary:
     """An action of *kind* whose phrases are the parameters *names*, called *attributes* there."""
-    wanted = names.replace("*", " ").split()
-    called = attributes.split() or wanted
+    requested = names.replace("*", " ").split()
+    called = attributes.split() or requested
 
-    def summary(run: Run, call: Call) -> Value:
+    def summary(run: ScriptEvaluation, call: LibraryCall) -> Value:
         bound = call.bind(names)
-        found = phrases_of(bound, tuple(zip(wanted, called, strict=True)), call)
-        return Made(
+        found = phrases_of(bound, tuple(zip(requested, called, strict=True)), call)
+        return LaunchObject(
             call.name,
             call.location,
             {},
@@ -47,18 +47,18 @@ def simple(kind: str, names: str, attributes: str = "") -> Summary:
     return summary
 
 
-def unsupported(run: Run, call: Call) -> Value:
+def unsupported(run: ScriptEvaluation, call: LibraryCall) -> Value:
     return run.unknown(f"{call.name.rpartition('.')[2]} is not followed", call.location)
 
 
-def declared(run: Run, call: Call) -> Value:
+def declared(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """DeclareLaunchArgument; each of its choices is a phrase."""
     bound = call.bind("name * default_value description choices")
     found = phrases_of(bound, (("name", "name"), ("default_value", "default")), call)
     choices = bound.get("choices")
     if isinstance(choices, (list, tuple)):
         found = (*found, *(("choices", phrase(item)) for item in choices))
-    return Made(
+    return LaunchObject(
         call.name,
         call.location,
         {"name": bound.get("name")},
@@ -68,56 +68,56 @@ def declared(run: Run, call: Call) -> Value:
     )
 
 
-def declared_boolean(run: Run, call: Call) -> Value:
+def declared_boolean(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """moveit_configs_utils' DeclareBooleanLaunchArg: its default is the text of a bool."""
     bound = call.bind("name * default_value description")
     keywords = {**bound, "default_value": text_default(bound.get("default_value", False))}
     keywords["choices"] = ["true", "false", "True", "False"]
-    return declared(run, Call(name=call.name, location=call.location, keywords=keywords))
+    return declared(run, LibraryCall(name=call.name, location=call.location, keywords=keywords))
 
 
 def text_default(value: Value) -> Value:
     return str(value) if isinstance(value, (bool, int, str)) else value
 
 
-def group(run: Run, call: Call) -> Value:
+def group(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """GroupAction: its children are those that the list has in the end."""
     bound = call.bind("actions * scoped forwarding launch_configurations")
-    given = bound.get("launch_configurations")
+    provided = bound.get("launch_configurations")
     action = Action(
         kind="group",
         location=call.location,
         tests=tests_of(bound.get("condition"), call.location),
         phrases=tuple((name, flag(bound[name])) for name in ("scoped", "forwarding") if name in bound),
-        arguments=pairs(run, given, call) if given is not None else (),
+        arguments=pairs(run, provided, call) if provided is not None else (),
     )
-    return Made(call.name, call.location, {"children": bound.get("actions")}, action)
+    return LaunchObject(call.name, call.location, {"children": bound.get("actions")}, action)
 
 
-def source(run: Run, call: Call) -> Value:
+def source(run: ScriptEvaluation, call: LibraryCall) -> Value:
     bound = call.bind("launch_file_path")
-    return Made("launch.LaunchDescriptionSource", call.location, {"path": bound.get("launch_file_path")})
+    return LaunchObject("launch.LaunchDescriptionSource", call.location, {"path": bound.get("launch_file_path")})
 
 
-def given_source(run: Run, call: Call) -> Value:
-    return Made(
+def given_source(run: ScriptEvaluation, call: LibraryCall) -> Value:
+    return LaunchObject(
         "launch.LaunchDescriptionSource",
         call.location,
         {"description": call.bind("launch_description").get("launch_description")},
     )
 
 
-def include(run: Run, call: Call) -> Value:
+def include(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """IncludeLaunchDescription of a file, or of a launch description that is made here."""
     bound = call.bind("launch_description_source * launch_arguments")
-    given = bound.get("launch_description_source")
+    provided = bound.get("launch_description_source")
     tests = tests_of(bound.get("condition"), call.location)
     arguments = include_arguments(run, bound.get("launch_arguments"), call)
-    if isinstance(given, Made) and "description" in given.fields:
-        given = given.fields["description"]
-    if isinstance(given, Made) and given.name == DESCRIPTION:
+    if isinstance(provided, LaunchObject) and "description" in provided.fields:
+        provided = provided.fields["description"]
+    if isinstance(provided, LaunchObject) and provided.name == DESCRIPTION:
         lets = [
-            Made(
+            LaunchObject(
                 "let",
                 call.location,
                 {},
@@ -125,16 +125,16 @@ def include(run: Run, call: Call) -> Value:
             )
             for name, value in arguments
         ]
-        return Made(
+        return LaunchObject(
             call.name,
             call.location,
-            {"children": [*lets, given]},
+            {"children": [*lets, provided]},
             Action(kind="list", location=call.location, tests=tests),
         )
-    path = given.fields.get("path") if isinstance(given, Made) else given
+    path = provided.fields.get("path") if isinstance(provided, LaunchObject) else provided
     if path is None:
-        path = Unknown(why(given) if given is not None else "it includes nothing", call.location)
-    return Made(
+        path = Unknown(why(provided) if provided is not None else "it includes nothing", call.location)
+    return LaunchObject(
         call.name,
         call.location,
         {},
@@ -144,7 +144,7 @@ def include(run: Run, call: Call) -> Value:
     )
 
 
-def include_arguments(run: Run, value: Value, call: Call) -> tuple[tuple[Phrase, Phrase], ...]:
+def include_arguments(run: ScriptEvaluation, value: Value, call: LibraryCall) -> tuple[tuple[Phrase, Phrase], ...]:
     if value is None:
         return ()
     lost = (mystery(why(value), call.location),)
@@ -158,7 +158,7 @@ def include_arguments(run: Run, value: Value, call: Call) -> tuple[tuple[Phrase,
 _SHELL = re.compile(r"[;&|<>`\n]|\$\((?!find-pkg|workspace)")
 
 
-def process(run: Run, call: Call) -> Value:
+def process(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """ExecuteProcess: its command's words with a blank between them."""
     bound = call.bind("* cmd prefix name cwd env additional_env")
     cmd = bound.get("cmd")
@@ -173,7 +173,7 @@ def process(run: Run, call: Call) -> Value:
         if bound.get(name)
     ]
     environment = tuple(pair for name in ("env", "additional_env") for pair in pairs(run, bound.get(name), call))
-    return Made(
+    return LaunchObject(
         call.name,
         call.location,
         {"on_exit": bound.get("on_exit")},
@@ -187,9 +187,9 @@ def process(run: Run, call: Call) -> Value:
     )
 
 
-def reset(run: Run, call: Call) -> Value:
+def reset(run: ScriptEvaluation, call: LibraryCall) -> Value:
     bound = call.bind("launch_configurations")
-    return Made(
+    return LaunchObject(
         call.name,
         call.location,
         {},
@@ -202,12 +202,12 @@ def reset(run: Run, call: Call) -> Value:
     )
 
 
-def timer(run: Run, call: Call) -> Value:
+def timer(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """TimerAction and RosTimer: what they do later."""
     bound = call.bind("* period actions")
     period = phrase(bound.get("period"))
     shown = "".join(part if isinstance(part, str) else "?" for part in period)
-    return Made(
+    return LaunchObject(
         call.name,
         call.location,
         {"children": bound.get("actions")},
@@ -220,11 +220,11 @@ def timer(run: Run, call: Call) -> Value:
     )
 
 
-def emitted(run: Run, call: Call) -> Value:
+def emitted(run: ScriptEvaluation, call: LibraryCall) -> Value:
     bound: dict[str, Any] = call.bind("* event")
     event = bound.get("event")
-    shutdown = isinstance(event, Made) and event.name.endswith("Shutdown")
-    return Made(
+    shutdown = isinstance(event, LaunchObject) and event.name.endswith("Shutdown")
+    return LaunchObject(
         call.name,
         call.location,
         {},

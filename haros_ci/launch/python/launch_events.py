@@ -6,51 +6,55 @@ from __future__ import annotations
 from haros_ci.launch.python.builtin_functions import Summary
 from haros_ci.launch.python.conditions import tests_of
 from haros_ci.launch.python.entities import actions_of, deferred_actions
-from haros_ci.launch.python.run import Run
-from haros_ci.launch.python.values import Call, Made, Unknown, Value
+from haros_ci.launch.python.run import ScriptEvaluation
+from haros_ci.launch.python.values import LaunchObject, LibraryCall, Unknown, Value
 from haros_ci.model.launch_actions import Action
 
 
 def handler(names: str, *reactions: str) -> Summary:
     """An event handler with the parameters *names*, of which *reactions* say what is done."""
 
-    def summary(run: Run, call: Call) -> Value:
+    def summary(run: ScriptEvaluation, call: LibraryCall) -> Value:
         bound = call.bind(names)
         done = [bound[name] for name in reactions if bound.get(name) is not None]
-        return Made(call.name, call.location, {"reactions": done})
+        return LaunchObject(call.name, call.location, {"reactions": done})
 
     return summary
 
 
-def registered(run: Run, call: Call) -> Value:
+def registered(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """RegisterEventHandler: the handler's actions, which are conditional."""
     bound = call.bind("event_handler")
-    given = bound.get("event_handler")
+    provided = bound.get("event_handler")
     tests = tests_of(bound.get("condition"), call.location)
-    if not isinstance(given, Made) or "reactions" not in given.fields:
-        reason = given.reason if isinstance(given, Unknown) else "the event handler is not known"
+    if not isinstance(provided, LaunchObject) or "reactions" not in provided.fields:
+        reason = provided.reason if isinstance(provided, Unknown) else "the event handler is not known"
         children = actions_of(run, Unknown(reason, call.location), call.location)
-        return Made(
+        return LaunchObject(
             call.name,
             call.location,
             {},
             Action(kind="event", location=call.location, children=children, deferred="event", tests=tests),
         )
     children = tuple(
-        action for item in given.fields["reactions"] for action in deferred_actions(run, item, given.location, 0)
+        action for item in provided.fields["reactions"] for action in deferred_actions(run, item, provided.location, 0)
     )
-    return Made(
+    return LaunchObject(
         call.name,
         call.location,
         {},
         Action(
-            kind="event", location=call.location, children=children, deferred=given.name.rpartition(".")[2], tests=tests
+            kind="event",
+            location=call.location,
+            children=children,
+            deferred=provided.name.rpartition(".")[2],
+            tests=tests,
         ),
     )
 
 
-def event(run: Run, call: Call) -> Value:
-    return Made(call.name, call.location)
+def event(run: ScriptEvaluation, call: LibraryCall) -> Value:
+    return LaunchObject(call.name, call.location)
 
 
 H = "launch.event_handlers."

@@ -17,19 +17,19 @@ from haros_ci.launch.python.moveit import SUMMARIES as MOVEIT
 from haros_ci.launch.python.moveit_launches import SUMMARIES as MOVEIT_LAUNCHES
 from haros_ci.launch.python.path_methods import SUMMARIES as PATHS
 from haros_ci.launch.python.ros_actions import SUMMARIES as ROS
-from haros_ci.launch.python.run import Run
+from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.substitutions import SUMMARIES as SUBSTITUTIONS
 from haros_ci.launch.python.values import (
     Bound,
-    Call,
-    Class,
     Configurations,
     Context,
-    Function,
-    Instance,
+    LaunchObject,
     Library,
-    Made,
+    LibraryCall,
     Native,
+    ScriptClass,
+    ScriptFunction,
+    ScriptInstance,
     Unknown,
     Value,
     describe,
@@ -59,35 +59,35 @@ def summary_of(dotted: str) -> Summary | None:
     return None
 
 
-def call_value(run: Run, function: Value, call: Call) -> Value:
+def call_value(run: ScriptEvaluation, function: Value, call: LibraryCall) -> Value:
     """The value of a call of *function*."""
     run.budget.step()
     if isinstance(function, Library):
         return call_library(run, function, call)
-    if isinstance(function, Function):
+    if isinstance(function, ScriptFunction):
         return call_function(run, function, call)
     if isinstance(function, Bound):
         return bound(run, function.function, function.owner, call)
-    if isinstance(function, Class):
+    if isinstance(function, ScriptClass):
         return instantiate(run, function, call)
     if isinstance(function, Native):
         try:
             return function.call(run, call)
         except (TypeError, ValueError, KeyError, IndexError, AttributeError, ArithmeticError) as error:
             return run.unknown(f"`{function.name}` raises {type(error).__name__}", call.location)
-    if isinstance(function, Instance) and isinstance(method := function.type.find("__call__"), Function):
+    if isinstance(function, ScriptInstance) and isinstance(method := function.type.find("__call__"), ScriptFunction):
         return bound(run, method, function, call)
     if isinstance(function, Unknown):
-        havoc(run, call, function.reason)
+        forget_reachable(run, call, function.reason)
         return Unknown(function.reason, function.location or call.location)
     return run.unknown(f"{describe(function)} cannot be called here", call.location)
 
 
-def call_library(run: Run, function: Library, call: Call) -> Value:
+def call_library(run: ScriptEvaluation, function: Library, call: LibraryCall) -> Value:
     dotted = function.dotted
     summary = summary_of(dotted)
     if summary is not None:
-        named = Call(
+        named = LibraryCall(
             name=dotted,
             location=call.location,
             args=call.args,
@@ -103,11 +103,11 @@ def call_library(run: Run, function: Library, call: Call) -> Value:
         return run.unknown(f"what {dotted} gives is not followed", call.location)
     reason = f"{dotted} is not known"
     if dotted.split(".")[0] not in SUMMARISED or dotted.startswith("random."):
-        havoc(run, call, reason)
+        forget_reachable(run, call, reason)
     return run.unknown(reason, call.location)
 
 
-def havoc(run: Run, call: Call, reason: str) -> None:
+def forget_reachable(run: ScriptEvaluation, call: LibraryCall, reason: str) -> None:
     """A function that is not known may change the lists and dictionaries that it is given, and those in them.
 
     One that is given the launch context may set any configuration; performing a substitution sets none.
@@ -125,14 +125,14 @@ def havoc(run: Run, call: Call, reason: str) -> None:
             value = value.context
         if isinstance(value, Context) and not is_asking:
             value.launch.set_any_configuration()
-        target = value.fields.get("entities") if isinstance(value, Made) else value
+        target = value.fields.get("entities") if isinstance(value, LaunchObject) else value
         if isinstance(target, (list, dict, set)):
             run.heap.touch(target)
-            if isinstance(target, list) and isinstance(value, Made):
+            if isinstance(target, list) and isinstance(value, LaunchObject):
                 target.append(Unknown(reason, call.location))
             else:
                 forget_items(target, reason, call.location)
-        elif isinstance(value, Instance):
+        elif isinstance(value, ScriptInstance):
             run.heap.touch(value.variables)
             for name in value.variables:
                 value.variables[name] = Unknown(reason, call.location)

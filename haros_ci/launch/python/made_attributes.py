@@ -5,15 +5,15 @@ from __future__ import annotations
 
 from haros_ci.launch.python.contexts import executed, holds
 from haros_ci.launch.python.moveit import made_by_moveit, moveit_attribute
-from haros_ci.launch.python.run import Run
-from haros_ci.launch.python.values import Bound, Call, Function, Made, Native, Unknown, Value
+from haros_ci.launch.python.run import ScriptEvaluation
+from haros_ci.launch.python.values import Bound, LaunchObject, LibraryCall, Native, ScriptFunction, Unknown, Value
 from haros_ci.model.launch_actions import Test
 from haros_ci.model.location import Location
 
 SOURCES = "launch.LaunchDescriptionSource"
 
 
-def made_attribute(run: Run, made: Made, name: str, place: Location) -> Value:
+def made_attribute(run: ScriptEvaluation, made: LaunchObject, name: str, place: Location) -> Value:
     """An attribute of *made*; what launch keeps for itself is not known."""
     if made_by_moveit(made):
         return moveit_attribute(run, made, name, place)
@@ -35,11 +35,11 @@ def made_attribute(run: Run, made: Made, name: str, place: Location) -> Value:
     return run.unknown(f"{made.name.rpartition('.')[2]}.{name} is not followed", place)
 
 
-def of_bases(run: Run, made: Made, name: str, place: Location) -> Value:
+def of_bases(run: ScriptEvaluation, made: LaunchObject, name: str, place: Location) -> Value:
     """A method of the class that is a base; a library's ``__init__`` leaves nothing that is followed."""
     for base in made.fields["bases"]:
         found = base.find(name)
-        if isinstance(found, Function):
+        if isinstance(found, ScriptFunction):
             return Bound(found, made.fields["owner"])
         if found is not None:
             return found
@@ -48,7 +48,7 @@ def of_bases(run: Run, made: Made, name: str, place: Location) -> Value:
     return run.unknown(f"`{name}` of a base is not known", place)
 
 
-def add(run: Run, made: Made, call: Call) -> Value:
+def add(run: ScriptEvaluation, made: LaunchObject, call: LibraryCall) -> Value:
     """``add_action(x)``, ``add_entity(x)``."""
     entities = made.fields["entities"]
     run.heap.touch(entities)

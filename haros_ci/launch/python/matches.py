@@ -7,18 +7,18 @@ import ast
 
 from haros_ci.launch.python.assignments import set_name
 from haros_ci.launch.python.flows import Flow, ways
-from haros_ci.launch.python.run import Run, condition
+from haros_ci.launch.python.run import ScriptEvaluation, condition
 from haros_ci.launch.python.truth import equal, truth
-from haros_ci.launch.python.values import Scope, Unknown, Value
+from haros_ci.launch.python.values import ScriptScope, Unknown, Value
 
 
-def match(run: Run, scope: Scope, node: ast.Match) -> Flow | None:
+def match(run: ScriptEvaluation, scope: ScriptScope, node: ast.Match) -> Flow | None:
     """``match``: values and the wildcard are compared; any other pattern may fit."""
     subject = run.evaluate(run, scope, node.subject)
     return case(run, scope, node, subject, 0)
 
 
-def case(run: Run, scope: Scope, node: ast.Match, subject: Value, index: int) -> Flow | None:
+def case(run: ScriptEvaluation, scope: ScriptScope, node: ast.Match, subject: Value, index: int) -> Flow | None:
     if index >= len(node.cases):
         return None
     item = node.cases[index]
@@ -35,7 +35,7 @@ def case(run: Run, scope: Scope, node: ast.Match, subject: Value, index: int) ->
     )
 
 
-def fits(run: Run, scope: Scope, pattern: ast.pattern, subject: Value) -> bool | Unknown:
+def fits(run: ScriptEvaluation, scope: ScriptScope, pattern: ast.pattern, subject: Value) -> bool | Unknown:
     if isinstance(pattern, ast.MatchValue):
         return equal(run, subject, run.evaluate(run, scope, pattern.value))
     if isinstance(pattern, ast.MatchSingleton):

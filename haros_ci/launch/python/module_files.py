@@ -6,9 +6,9 @@ from __future__ import annotations
 from haros_ci.launch.python.builtin_functions import Summary, nothing
 from haros_ci.launch.python.imports import MODULES, interpreted, module
 from haros_ci.launch.python.paths import readable
-from haros_ci.launch.python.run import Run
+from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.sequences import items_of
-from haros_ci.launch.python.values import Call, Library, Module, Native, Unknown, Value, why
+from haros_ci.launch.python.values import Library, LibraryCall, Module, Native, Unknown, Value, why
 from haros_ci.model.location import Location
 
 #: Directories that modules are looked for in.
@@ -20,7 +20,7 @@ def is_search_path(value: Value) -> bool:
     return isinstance(value, Library) and value.dotted == "sys.path"
 
 
-def search(run: Run, directory: Value, *, first: bool) -> None:
+def search(run: ScriptEvaluation, directory: Value, *, first: bool) -> None:
     """Look for modules in *directory*, too, if it is one of the workspace."""
     path = readable(directory)
     if isinstance(path, Unknown) or len(run.first) + len(run.last) >= MAX_DIRECTORIES:
@@ -33,30 +33,30 @@ def search(run: Run, directory: Value, *, first: bool) -> None:
         run.last.append(path)
 
 
-def search_also(run: Run, directories: Value, place: Location) -> None:
+def search_also(run: ScriptEvaluation, directories: Value, place: Location) -> None:
     """``sys.path += [a, b]``, ``sys.path.extend([a, b])``."""
     items = items_of(run, directories, place)
     for item in () if isinstance(items, Unknown) else items:
         search(run, item, first=False)
 
 
-def append(run: Run, call: Call) -> Value:
+def append(run: ScriptEvaluation, call: LibraryCall) -> Value:
     search(run, call.bind("directory").get("directory"), first=False)
     return None
 
 
-def insert(run: Run, call: Call) -> Value:
+def insert(run: ScriptEvaluation, call: LibraryCall) -> Value:
     bound = call.bind("index directory")
     search(run, bound.get("directory"), first=bound.get("index") in (0, 1))
     return None
 
 
-def extend(run: Run, call: Call) -> Value:
+def extend(run: ScriptEvaluation, call: LibraryCall) -> Value:
     search_also(run, call.bind("directories").get("directories"), call.location)
     return None
 
 
-def file_module(run: Run, name: Value, path: Value, call: Call) -> Value:
+def file_module(run: ScriptEvaluation, name: Value, path: Value, call: LibraryCall) -> Value:
     """The module of the file at *path*, called *name*."""
     found = readable(path)
     if isinstance(found, Unknown):
@@ -66,7 +66,7 @@ def file_module(run: Run, name: Value, path: Value, call: Call) -> Value:
     return run.unknown(f"{found} is no Python module of the workspace", call.location) if made is None else made
 
 
-def specification(run: Run, call: Call) -> Value:
+def specification(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``spec_from_file_location(name, path)``, ``SourceFileLoader(name, path)``: a specification that is its own loader."""
     bound = call.bind("name path * location loader submodule_search_locations")
     path = bound.get("path", bound.get("location"))
@@ -82,7 +82,7 @@ def specified(made: Value) -> Value:
     return Module("spec", made.path, own | loader.variables)
 
 
-def of_specification(run: Run, call: Call) -> Value:
+def of_specification(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``module_from_spec(spec)``; what the loader does later has been done."""
     spec = call.args[0] if call.args else call.keywords.get("spec")
     if isinstance(spec, Module) and "*made*" in spec.variables:
@@ -90,19 +90,19 @@ def of_specification(run: Run, call: Call) -> Value:
     return run.unknown(why(spec), call.location)
 
 
-def load_source(run: Run, call: Call) -> Value:
+def load_source(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``imp.load_source(name, path)``."""
     bound = call.bind("name pathname")
     return file_module(run, bound.get("name"), bound.get("pathname"), call)
 
 
-def run_path(run: Run, call: Call) -> Value:
+def run_path(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``runpy.run_path(path)``: the names of the module."""
     made = file_module(run, None, call.bind("path_name").get("path_name"), call)
     return dict(made.variables) if isinstance(made, Module) else made
 
 
-def by_name(run: Run, call: Call) -> Value:
+def by_name(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``importlib.import_module(name)`` with an absolute name."""
     name: Value = call.bind("name package").get("name")
     package: Value = call.bind("name package").get("package")
@@ -117,7 +117,7 @@ def by_name(run: Run, call: Call) -> Value:
     return module(run, name)
 
 
-def imported(run: Run, call: Call) -> Value:
+def imported(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``__import__(name)``: the first package of the name."""
     name = call.bind("name").get("name")
     if not isinstance(name, str) or len(call.args) > 1 or call.keywords:

@@ -11,8 +11,8 @@ from haros_ci.launch.python.container_methods import update
 from haros_ci.launch.python.files import file_text, yaml_file
 from haros_ci.launch.python.path_methods import package_directory
 from haros_ci.launch.python.paths import joined_path, readable
-from haros_ci.launch.python.run import Run
-from haros_ci.launch.python.values import Call, Made, Native, PathValue, Rest, Unknown, Value, why
+from haros_ci.launch.python.run import ScriptEvaluation
+from haros_ci.launch.python.values import LaunchObject, LibraryCall, Native, PathValue, Rest, Unknown, Value, why
 from haros_ci.model.launch_actions import SHARE
 from haros_ci.model.location import Location
 
@@ -42,10 +42,10 @@ SCENE = (
     "publish_robot_description_semantic",
 )
 
-Step = Callable[[Run, Made, Call], None]
+Step = Callable[[ScriptEvaluation, LaunchObject, LibraryCall], None]
 
 
-def builder(run: Run, call: Call) -> Value:
+def builder(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``MoveItConfigsBuilder(robot_name, robot_description, package_name)``."""
     bound = call.bind("robot_name robot_description package_name")
     robot, package = bound.get("robot_name"), bound.get("package_name")
@@ -56,26 +56,26 @@ def builder(run: Run, call: Call) -> Value:
     configs: dict[str, Value] = {name: {} for name in (*PARTS, "pilz_cartesian_limits")}
     configs["move_group_capabilities"] = {"capabilities": "", "disable_capabilities": ""}
     configs["package_path"] = path
-    return Made(
+    return LaunchObject(
         BUILDER,
         call.location,
         {
             "robot": robot,
             "word": word if isinstance(word, str) else "robot_description",
             "path": path,
-            "made": Made(CONFIGS, call.location, configs),
+            "made": LaunchObject(CONFIGS, call.location, configs),
             "parameters": {},
         },
     )
 
 
-def parameter_builder(run: Run, call: Call) -> Value:
+def parameter_builder(run: ScriptEvaluation, call: LibraryCall) -> Value:
     package = call.bind("package_name").get("package_name")
     path = PathValue(package_directory(SHARE, "find-pkg-share", package, call.location))
-    return Made(PARAMETERS, call.location, {"path": path, "parameters": {}})
+    return LaunchObject(PARAMETERS, call.location, {"path": path, "parameters": {}})
 
 
-def load(run: Run, made: Made, file: Value, call: Call) -> dict[Any, Value]:
+def load(run: ScriptEvaluation, made: LaunchObject, file: Value, call: LibraryCall) -> dict[Any, Value]:
     """The data of a YAML file of the package; of one that is not in the workspace nothing is known."""
     path = PathValue(joined_path([made.fields["path"], file]))
     data = yaml_file(run, path, call)
@@ -86,12 +86,12 @@ def load(run: Run, made: Made, file: Value, call: Call) -> dict[Any, Value]:
     return {lost: lost}
 
 
-def there(run: Run, made: Made, file: str) -> bool:
+def there(run: ScriptEvaluation, made: LaunchObject, file: str) -> bool:
     path = readable(PathValue(joined_path([made.fields["path"], file])))
     return isinstance(path, str) and file_text(run, path) is not None
 
 
-def put(run: Run, made: Made, part: str, value: Value) -> None:
+def put(run: ScriptEvaluation, made: LaunchObject, part: str, value: Value) -> None:
     configs = made.fields["made"].fields
     run.heap.touch(configs)
     configs[part] = value
@@ -100,7 +100,7 @@ def put(run: Run, made: Made, part: str, value: Value) -> None:
 def described(part: str, suffix: str) -> Step:
     """robot_description and its semantics are made by xacro, which is not run."""
 
-    def step(run: Run, made: Made, call: Call) -> None:
+    def step(run: ScriptEvaluation, made: LaunchObject, call: LibraryCall) -> None:
         lost = Unknown("a robot description made by xacro", call.location)
         put(run, made, part, {made.fields["word"] + suffix: lost})
 
@@ -110,24 +110,24 @@ def described(part: str, suffix: str) -> Step:
 def loaded(part: str, suffix: str, file: str) -> Step:
     """A part that is a file's data below a key."""
 
-    def step(run: Run, made: Made, call: Call) -> None:
-        given = call.bind("file_path").get("file_path")
-        data = load(run, made, file if given is None else given, call)
+    def step(run: ScriptEvaluation, made: LaunchObject, call: LibraryCall) -> None:
+        provided = call.bind("file_path").get("file_path")
+        data = load(run, made, file if provided is None else provided, call)
         put(run, made, part, {made.fields["word"] + suffix: data} if suffix else data)
 
     return step
 
 
-def sensors(run: Run, made: Made, call: Call) -> None:
-    given = call.bind("file_path").get("file_path")
-    data = load(run, made, "config/sensors_3d.yaml" if given is None else given, call)
+def sensors(run: ScriptEvaluation, made: LaunchObject, call: LibraryCall) -> None:
+    provided = call.bind("file_path").get("file_path")
+    data = load(run, made, "config/sensors_3d.yaml" if provided is None else provided, call)
     found = data.get("sensors")
     if isinstance(found, list) and not (found and found[0]):
         return
     put(run, made, "sensors_3d", data)
 
 
-def execution(run: Run, made: Made, call: Call) -> None:
+def execution(run: ScriptEvaluation, made: LaunchObject, call: LibraryCall) -> None:
     """The controllers: a file that is named, or one of those that are usual."""
     bound = call.bind("file_path moveit_manage_controllers")
     file = bound.get("file_path")
@@ -144,7 +144,7 @@ def execution(run: Run, made: Made, call: Call) -> None:
     put(run, made, "trajectory_execution", result)
 
 
-def scene(run: Run, made: Made, call: Call) -> None:
+def scene(run: ScriptEvaluation, made: LaunchObject, call: LibraryCall) -> None:
     bound = call.bind(" ".join(SCENE))
     put(
         run,
@@ -154,7 +154,7 @@ def scene(run: Run, made: Made, call: Call) -> None:
     )
 
 
-def pipelines(run: Run, made: Made, call: Call) -> None:
+def pipelines(run: ScriptEvaluation, made: LaunchObject, call: LibraryCall) -> None:
     """The planners' files, the package's own or the default; without a list which they are is not known."""
     bound = call.bind("default_planning_pipeline pipelines load_all")
     names, default = bound.get("pipelines"), bound.get("default_planning_pipeline")
@@ -187,20 +187,20 @@ def pipelines(run: Run, made: Made, call: Call) -> None:
     put(run, made, "planning_pipelines", result)
 
 
-def finished(run: Run, made: Made, call: Call) -> Made:
+def finished(run: ScriptEvaluation, made: LaunchObject, call: LibraryCall) -> LaunchObject:
     """``to_moveit_configs()``: what has not been asked for is loaded by default."""
     configs = made.fields["made"].fields
-    plain = Call(name=call.name, location=call.location, keywords={})
+    plain = LibraryCall(name=call.name, location=call.location, keywords={})
     for part in PARTS:
         if part != "moveit_cpp" and not configs[part]:
             STEPS[part](run, made, plain)
     if "pilz_industrial_motion_planner" in configs["planning_pipelines"] and not configs["pilz_cartesian_limits"]:
         STEPS["pilz_cartesian_limits"](run, made, plain)
-    done: Made = made.fields["made"]
+    done: LaunchObject = made.fields["made"]
     return done
 
 
-def as_dictionary(run: Run, made: Made) -> dict[Any, Value]:
+def as_dictionary(run: ScriptEvaluation, made: LaunchObject) -> dict[Any, Value]:
     """``MoveItConfigs.to_dict()``."""
     result: dict[Any, Value] = {}
     for part in PARTS:
@@ -216,7 +216,7 @@ def as_dictionary(run: Run, made: Made) -> dict[Any, Value]:
     return result
 
 
-def yaml_parameters(run: Run, made: Made, call: Call) -> None:
+def yaml_parameters(run: ScriptEvaluation, made: LaunchObject, call: LibraryCall) -> None:
     """``ParameterBuilder.yaml(file_path, parameter_namespace)``."""
     bound = call.bind("file_path parameter_namespace")
     data = load(run, made, bound.get("file_path"), call)
@@ -230,7 +230,7 @@ def yaml_parameters(run: Run, made: Made, call: Call) -> None:
         target.update(data)
 
 
-def one_parameter(run: Run, made: Made, call: Call) -> None:
+def one_parameter(run: ScriptEvaluation, made: LaunchObject, call: LibraryCall) -> None:
     bound = call.bind("parameter_name parameter_value")
     target = made.fields["parameters"]
     run.heap.touch(target)
@@ -238,14 +238,16 @@ def one_parameter(run: Run, made: Made, call: Call) -> None:
     update(
         run,
         target,
-        Call(name="update", location=call.location, args=([(name, bound.get("parameter_value"))],), keywords={}),
+        LibraryCall(name="update", location=call.location, args=([(name, bound.get("parameter_value"))],), keywords={}),
     )
 
 
-def made_parameter(run: Run, made: Made, call: Call) -> None:
+def made_parameter(run: ScriptEvaluation, made: LaunchObject, call: LibraryCall) -> None:
     """A parameter that is a file's text, or what xacro makes of it."""
     lost = Unknown("a parameter that is a file's text", call.location)
-    one_parameter(run, made, Call(name=call.name, location=call.location, args=(*call.args[:1], lost), keywords={}))
+    one_parameter(
+        run, made, LibraryCall(name=call.name, location=call.location, args=(*call.args[:1], lost), keywords={})
+    )
 
 
 STEPS: dict[str, Step] = {
@@ -266,7 +268,7 @@ STEPS: dict[str, Step] = {
 }
 
 
-def moveit_attribute(run: Run, made: Made, name: str, place: Location) -> Value:
+def moveit_attribute(run: ScriptEvaluation, made: LaunchObject, name: str, place: Location) -> Value:
     """A step of a builder, which gives the builder again, or what comes at its end."""
     if made.name == CONFIGS:
         if name == "to_dict":
@@ -279,14 +281,14 @@ def moveit_attribute(run: Run, made: Made, name: str, place: Location) -> Value:
     if name not in STEPS:
         return run.unknown(f"{made.name.rpartition('.')[2]}.{name} is not followed", place)
 
-    def step(run: Run, call: Call) -> Value:
+    def step(run: ScriptEvaluation, call: LibraryCall) -> Value:
         STEPS[name](run, made, call)
         return made
 
     return Native(name, step)
 
 
-def all_parameters(run: Run, made: Made, call: Call) -> Value:
+def all_parameters(run: ScriptEvaluation, made: LaunchObject, call: LibraryCall) -> Value:
     result = dict(made.fields["parameters"])
     include = call.bind("include_moveit_configs").get("include_moveit_configs", True)
     if made.name == BUILDER and include is not False:
@@ -294,12 +296,12 @@ def all_parameters(run: Run, made: Made, call: Call) -> Value:
     return result
 
 
-def load_yaml(run: Run, call: Call) -> Value:
+def load_yaml(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``launch_param_builder.load_yaml(path)``."""
     return yaml_file(run, call.bind("file_path").get("file_path"), call)
 
 
-def xacro(run: Run, call: Call) -> Value:
+def xacro(run: ScriptEvaluation, call: LibraryCall) -> Value:
     return run.unknown("a robot description made by xacro", call.location)
 
 
@@ -314,5 +316,5 @@ SUMMARIES: dict[str, Summary] = {
 }
 
 
-def made_by_moveit(value: Made) -> bool:
+def made_by_moveit(value: LaunchObject) -> bool:
     return value.name in (BUILDER, PARAMETERS, CONFIGS)

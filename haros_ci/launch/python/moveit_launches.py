@@ -11,36 +11,38 @@ from haros_ci.launch.python.launch_actions import SUMMARIES as LAUNCH
 from haros_ci.launch.python.moveit import CONFIGS, as_dictionary
 from haros_ci.launch.python.paths import joined_path
 from haros_ci.launch.python.ros_actions import SUMMARIES as ROS
-from haros_ci.launch.python.run import Run
-from haros_ci.launch.python.values import Call, Library, Made, Rest, Sub, Unknown, Value, why
+from haros_ci.launch.python.run import ScriptEvaluation
+from haros_ci.launch.python.values import LaunchObject, Library, LibraryCall, Rest, Sub, Unknown, Value, why
 from haros_ci.model.launch_actions import Substitution, Test
 
 
-def library(run: Run, name: str, call: Call, *args: Value, **keywords: Value) -> Value:
+def library(run: ScriptEvaluation, name: str, call: LibraryCall, *args: Value, **keywords: Value) -> Value:
     """What launch's *name* makes at the place of *call*."""
     summary = LAUNCH.get(name) or ROS[name]
-    return summary(run, Call(name=name, location=call.location, args=args, keywords=keywords))
+    return summary(run, LibraryCall(name=name, location=call.location, args=args, keywords=keywords))
 
 
-def argument(run: Run, call: Call, name: str, default: Value) -> Value:
+def argument(run: ScriptEvaluation, call: LibraryCall, name: str, default: Value) -> Value:
     return library(run, "launch.actions.DeclareLaunchArgument", call, name, default_value=default)
 
 
-def switch(run: Run, call: Call, name: str, default: bool) -> Value:
+def switch(run: ScriptEvaluation, call: LibraryCall, name: str, default: bool) -> Value:
     return library(run, "moveit_configs_utils.launch_utils.DeclareBooleanLaunchArg", call, name, default_value=default)
 
 
-def configuration(call: Call, name: str) -> Sub:
+def configuration(call: LibraryCall, name: str) -> Sub:
     return Sub((Substitution("var", ((name,),), call.location),), "LaunchConfiguration")
 
 
-def when(call: Call, kind: str, name: str) -> Made:
+def when(call: LibraryCall, kind: str, name: str) -> LaunchObject:
     """``condition=IfCondition(LaunchConfiguration(name))``, or unless."""
     test = Test(kind=kind, phrases=(configuration(call, name).phrase,), text=name, location=call.location)
-    return Made("launch.conditions.IfCondition", call.location, {"test": test})
+    return LaunchObject("launch.conditions.IfCondition", call.location, {"test": test})
 
 
-def debuggable(run: Run, call: Call, extra: Value = None, commands: Value = None, **keywords: Value) -> list[Value]:
+def debuggable(
+    run: ScriptEvaluation, call: LibraryCall, extra: Value = None, commands: Value = None, **keywords: Value
+) -> list[Value]:
     """A node, and the same in a debugger if ``debug`` is set."""
     debugged = dict(keywords)
     name = keywords.pop("condition_name", "debug")
@@ -56,24 +58,24 @@ def debuggable(run: Run, call: Call, extra: Value = None, commands: Value = None
     ]
 
 
-def add_debuggable_node(run: Run, call: Call) -> Value:
+def add_debuggable_node(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``add_debuggable_node(ld, package, executable, condition_name, commands_file, extra_debug_args, **kwargs)``."""
     bound = call.bind("ld package executable condition_name commands_file extra_debug_args")
     target: Any = bound.pop("ld", None)
     extra, commands = bound.pop("extra_debug_args", None), bound.pop("commands_file", None)
     found = debuggable(run, call, extra, commands, **bound)
-    if isinstance(target, Made) and "entities" in target.fields:
+    if isinstance(target, LaunchObject) and "entities" in target.fields:
         run.heap.touch(target.fields["entities"])
         target.fields["entities"].extend(found)
         return None
     return run.unknown("the launch description is not known", call.location)
 
 
-def below(made: Made, *parts: str) -> Value:
+def below(made: LaunchObject, *parts: str) -> Value:
     return joined_path([made.fields["package_path"], *parts])
 
 
-def rsp(run: Run, call: Call, made: Made) -> list[Value]:
+def rsp(run: ScriptEvaluation, call: LibraryCall, made: LaunchObject) -> list[Value]:
     parameters = [made.fields["robot_description"], {"publish_frequency": configuration(call, "publish_frequency")}]
     return [
         argument(run, call, "publish_frequency", "15.0"),
@@ -89,7 +91,7 @@ def rsp(run: Run, call: Call, made: Made) -> list[Value]:
     ]
 
 
-def rviz(run: Run, call: Call, made: Made) -> list[Value]:
+def rviz(run: ScriptEvaluation, call: LibraryCall, made: LaunchObject) -> list[Value]:
     parameters = [made.fields[name] for name in ("planning_pipelines", "robot_description_kinematics", "joint_limits")]
     return [
         switch(run, call, "debug", False),
@@ -106,7 +108,7 @@ def rviz(run: Run, call: Call, made: Made) -> list[Value]:
     ]
 
 
-def assistant(run: Run, call: Call, made: Made) -> list[Value]:
+def assistant(run: ScriptEvaluation, call: LibraryCall, made: LaunchObject) -> list[Value]:
     words = [["--config_pkg=", below(made)]]
     return [
         switch(run, call, "debug", False),
@@ -114,11 +116,11 @@ def assistant(run: Run, call: Call, made: Made) -> list[Value]:
     ]
 
 
-def joints(run: Run, call: Call, made: Made) -> list[Value]:
+def joints(run: ScriptEvaluation, call: LibraryCall, made: LaunchObject) -> list[Value]:
     return [Rest("a static transform for each virtual joint of the SRDF", call.location)]
 
 
-def spawners(run: Run, call: Call, made: Made) -> list[Value]:
+def spawners(run: ScriptEvaluation, call: LibraryCall, made: LaunchObject) -> list[Value]:
     """A spawner for each controller of the trajectory execution's parameters, and for the joint states."""
     execution = made.fields["trajectory_execution"]
     manager = execution.get("moveit_simple_controller_manager") if isinstance(execution, dict) else None
@@ -136,7 +138,7 @@ def spawners(run: Run, call: Call, made: Made) -> list[Value]:
     ]
 
 
-def warehouse(run: Run, call: Call, made: Made) -> list[Value]:
+def warehouse(run: ScriptEvaluation, call: LibraryCall, made: LaunchObject) -> list[Value]:
     parameters = {
         "overwrite": False,
         "database_path": configuration(call, "moveit_warehouse_database_path"),
@@ -169,7 +171,7 @@ def warehouse(run: Run, call: Call, made: Made) -> list[Value]:
     ]
 
 
-def move_group(run: Run, call: Call, made: Made) -> list[Value]:
+def move_group(run: ScriptEvaluation, call: LibraryCall, made: LaunchObject) -> list[Value]:
     shown = configuration(call, "publish_monitored_planning_scene")
     parameters: dict[str, Value] = {
         "publish_robot_description_semantic": True,
@@ -182,7 +184,7 @@ def move_group(run: Run, call: Call, made: Made) -> list[Value]:
             capabilities.get(name, "") if isinstance(capabilities, dict) else Unknown(why(capabilities), call.location)
         )
         arguments.append(argument(run, call, name, default))
-        text = Made(
+        text = LaunchObject(
             "launch_ros.parameter_descriptions.ParameterValue",
             call.location,
             {
@@ -217,9 +219,9 @@ def move_group(run: Run, call: Call, made: Made) -> list[Value]:
     ]
 
 
-def demo(run: Run, call: Call, made: Made) -> list[Value]:
-    given = call.bind("moveit_config launch_package_path").get("launch_package_path")
-    base = made.fields["package_path"] if given is None else given
+def demo(run: ScriptEvaluation, call: LibraryCall, made: LaunchObject) -> list[Value]:
+    provided = call.bind("moveit_config launch_package_path").get("launch_package_path")
+    base = made.fields["package_path"] if provided is None else provided
 
     def included(file: str, name: str = "") -> Value:
         keywords: dict[str, Value] = {"condition": when(call, "if", name)} if name else {}
@@ -252,9 +254,9 @@ def demo(run: Run, call: Call, made: Made) -> list[Value]:
 def generated(make: Any) -> Summary:
     """A function of a MoveItConfigs that gives a LaunchDescription."""
 
-    def summary(run: Run, call: Call) -> Value:
+    def summary(run: ScriptEvaluation, call: LibraryCall) -> Value:
         made = call.bind("moveit_config").get("moveit_config")
-        if not isinstance(made, Made) or made.name != CONFIGS:
+        if not isinstance(made, LaunchObject) or made.name != CONFIGS:
             return run.unknown(f"the MoveIt configuration is not known: {why(made)}", call.location)
         return description(call.location, make(run, call, made))
 

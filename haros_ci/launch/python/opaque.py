@@ -9,18 +9,18 @@ from haros_ci.launch.python.conditions import tests_of
 from haros_ci.launch.python.contexts import perform
 from haros_ci.launch.python.entities import actions_of, call_opaque, doubted, unknown_action
 from haros_ci.launch.python.files import yaml_data
-from haros_ci.launch.python.heap import Exhausted
-from haros_ci.launch.python.run import Run
-from haros_ci.launch.python.values import Call, Context, Made, Value, phrase, why
+from haros_ci.launch.python.heap import ScriptBudgetExhausted
+from haros_ci.launch.python.run import ScriptEvaluation
+from haros_ci.launch.python.values import Context, LaunchObject, LibraryCall, Value, phrase, why
 from haros_ci.model.launch_actions import Action, LaunchContext
 
 
-def opaque(run: Run, call: Call) -> Value:
+def opaque(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """OpaqueFunction: the actions that its function returns."""
     return later(run, call, lambda context: call_opaque(run, call, context))
 
 
-def for_each(run: Run, call: Call) -> Value:
+def for_each(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """ForEach: its function is called for each part of a text between semicolons, with that map's keys."""
     bound = call.bind("input_values * function")
 
@@ -35,7 +35,7 @@ def for_each(run: Run, call: Call) -> Value:
                 return (unknown_action("the parts of ForEach are no maps", call.location),)
             if data:
                 value = run.call(
-                    run, bound.get("function"), Call(name="ForEach", location=call.location, keywords=data)
+                    run, bound.get("function"), LibraryCall(name="ForEach", location=call.location, keywords=data)
                 )
                 result.extend(actions_of(run, value, call.location))
         return tuple(result)
@@ -43,7 +43,7 @@ def for_each(run: Run, call: Call) -> Value:
     return later(run, call, actions)
 
 
-def later(run: Run, call: Call, actions: Callable[[Context], tuple[Action, ...]]) -> Value:
+def later(run: ScriptEvaluation, call: LibraryCall, actions: Callable[[Context], tuple[Action, ...]]) -> Value:
     """An action whose function has a budget of its own; what it changes counts within it alone."""
 
     def function(context: LaunchContext) -> tuple[Action, ...]:
@@ -57,8 +57,8 @@ def later(run: Run, call: Call, actions: Callable[[Context], tuple[Action, ...]]
             known = set(run.doubts)
             made = actions(Context(context, len(run.heap.journals)))
             return doubted(run, made, call.location) if set(run.doubts) != known else made
-        except (Exhausted, RecursionError) as error:
-            reason = str(error) if isinstance(error, Exhausted) else "it is nested too deep"
+        except (ScriptBudgetExhausted, RecursionError) as error:
+            reason = str(error) if isinstance(error, ScriptBudgetExhausted) else "it is nested too deep"
             return (unknown_action(f"{call.name.rpartition('.')[2]}: {reason}", call.location),)
         finally:
             run.heap.close(journal)
@@ -66,6 +66,6 @@ def later(run: Run, call: Call, actions: Callable[[Context], tuple[Action, ...]]
             run.modules, run.first, run.last = modules, first, last
 
     tests = tests_of(call.keywords.get("condition"), call.location)
-    return Made(
+    return LaunchObject(
         call.name, call.location, {}, Action(kind="opaque", location=call.location, function=function, tests=tests)
     )

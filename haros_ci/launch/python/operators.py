@@ -12,15 +12,15 @@ from haros_ci.bounded_python.language import ARITHMETIC, BITS, POWER
 from haros_ci.launch.python.formats import percent
 from haros_ci.launch.python.heap import LARGEST
 from haros_ci.launch.python.paths import joined_path
-from haros_ci.launch.python.run import Run
+from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.truth import contains, equal, truth
 from haros_ci.launch.python.values import (
     Configurations,
     Library,
+    PartialText,
     PathValue,
     Rest,
     Sub,
-    Text,
     Unknown,
     Value,
     holes,
@@ -49,7 +49,7 @@ ORDER: dict[type, Callable[[Any, Any], Any]] = {
 NUMBER = (bool, int, float)
 
 
-def binary(run: Run, op: ast.operator, one: Value, other: Value, place: Location) -> Value:
+def binary(run: ScriptEvaluation, op: ast.operator, one: Value, other: Value, place: Location) -> Value:
     """``one op other``; Unknown if Python would raise, or if it is large."""
     for value in (one, other):
         if isinstance(value, Unknown) and not (isinstance(op, ast.Add) and stringy(one, other)):
@@ -60,7 +60,7 @@ def binary(run: Run, op: ast.operator, one: Value, other: Value, place: Location
         return PathValue(joined_path([value.text if isinstance(value, PathValue) else value for value in (one, other)]))
     if isinstance(op, ast.Add) and stringy(one, other):
         return run.made(text_of(merged((*phrase(one), *phrase(other)))), place)
-    if isinstance(op, ast.Mod) and isinstance(one, (str, Text)):
+    if isinstance(op, ast.Mod) and isinstance(one, (str, PartialText)):
         return percent(run, one, other, place)
     if isinstance(op, ast.Add) and isinstance(one, (list, tuple)) and type(one) is type(other):
         if len(one) + len(other) > LARGEST:
@@ -83,13 +83,13 @@ def binary(run: Run, op: ast.operator, one: Value, other: Value, place: Location
 
 def stringy(one: Value, other: Value) -> bool:
     """Whether both are texts, or one of them and the other not known."""
-    kinds = (str, Text)
+    kinds = (str, PartialText)
     return (isinstance(one, kinds) and isinstance(other, (*kinds, Unknown)) and not isinstance(other, Rest)) or (
         isinstance(other, kinds) and isinstance(one, Unknown) and not isinstance(one, Rest)
     )
 
 
-def repeat(run: Run, one: Value, other: Value, place: Location) -> Value | None:
+def repeat(run: ScriptEvaluation, one: Value, other: Value, place: Location) -> Value | None:
     """A text or list, so many times; None if it is neither."""
     count, items = (one, other) if isinstance(one, int) else (other, one)
     if not isinstance(count, int) or not isinstance(items, (str, list, tuple, bytes)):
@@ -105,7 +105,7 @@ def small_power(one: Any, other: Any) -> bool:
     return bool(0 <= other <= 4096 and one.bit_length() * other <= 4096)
 
 
-def unary(run: Run, op: ast.unaryop, value: Value, place: Location) -> Value:
+def unary(run: ScriptEvaluation, op: ast.unaryop, value: Value, place: Location) -> Value:
     if isinstance(op, ast.Not):
         known = truth(run, value)
         return known if isinstance(known, Unknown) else not known
@@ -120,7 +120,7 @@ def unary(run: Run, op: ast.unaryop, value: Value, place: Location) -> Value:
     return ~value if isinstance(value, int) else run.unknown("it raises TypeError", place)
 
 
-def compare(run: Run, op: ast.cmpop, one: Value, other: Value, place: Location) -> Value:
+def compare(run: ScriptEvaluation, op: ast.cmpop, one: Value, other: Value, place: Location) -> Value:
     """``one op other``: True, False or Unknown."""
     if isinstance(op, (ast.Eq, ast.NotEq)):
         return negated(equal(run, one, other), isinstance(op, ast.NotEq))
@@ -141,9 +141,9 @@ def negated(value: bool | Unknown, turn: bool) -> bool | Unknown:
     return value if isinstance(value, Unknown) or not turn else not value
 
 
-def identical(run: Run, one: Value, other: Value) -> bool | Unknown:
+def identical(run: ScriptEvaluation, one: Value, other: Value) -> bool | Unknown:
     if one is None or other is None or isinstance(one, bool) or isinstance(other, bool):
-        if isinstance(one, Text) or isinstance(other, Text):
+        if isinstance(one, PartialText) or isinstance(other, PartialText):
             return False
         return equal(run, one, other) if type(one) is type(other) or uncertain(one) or uncertain(other) else False
     if uncertain(one) or uncertain(other):
@@ -153,7 +153,7 @@ def identical(run: Run, one: Value, other: Value) -> bool | Unknown:
     return one is other
 
 
-def member(run: Run, one: Value, other: Value, place: Location) -> bool | Unknown:
+def member(run: ScriptEvaluation, one: Value, other: Value, place: Location) -> bool | Unknown:
     """``one in other``."""
     if isinstance(other, Configurations):
         if not isinstance(one, str):

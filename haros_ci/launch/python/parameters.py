@@ -7,17 +7,17 @@ from dataclasses import replace
 from typing import Any
 
 from haros_ci.launch.python.phrases import pair_of
-from haros_ci.launch.python.run import Run
+from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.sequences import items_of
 from haros_ci.launch.python.values import (
-    Call,
+    LaunchObject,
     Library,
-    Made,
+    LibraryCall,
     Maybe,
+    PartialText,
     PathValue,
     Rest,
     Sub,
-    Text,
     Unknown,
     Value,
     holes,
@@ -36,11 +36,11 @@ TYPE_NAMES = {"str": "str", "int": "int", "float": "float", "bool": "bool"}
 Entry = tuple[Phrase, Any, str]
 
 
-def sources(run: Run, value: Value, place: Location) -> tuple[ParameterSource, ...]:
+def sources(run: ScriptEvaluation, value: Value, place: Location) -> tuple[ParameterSource, ...]:
     """``parameters=value``: a source for each item."""
     if value is None:
         return ()
-    if isinstance(value, dict) or (isinstance(value, Made) and value.name.endswith("ParameterFile")):
+    if isinstance(value, dict) or (isinstance(value, LaunchObject) and value.name.endswith("ParameterFile")):
         return (source(run, value, place),)
     items = items_of(run, value, place)
     if isinstance(items, Unknown):
@@ -52,14 +52,14 @@ def lost(reason: str, place: Location) -> ParameterSource:
     return ParameterSource(kind="?", location=place, reason=reason or "it is not known")
 
 
-def source(run: Run, value: Value, place: Location) -> ParameterSource:
+def source(run: ScriptEvaluation, value: Value, place: Location) -> ParameterSource:
     """One item: a dictionary, a Parameter, or the path of a file."""
     run.budget.step()
     if isinstance(value, (Unknown, Maybe)):
         return lost(why(value), getattr(value, "location", None) or place)
     if isinstance(value, dict):
         return of_values(entries(run, value, (), place, 0), run.place(value, place))
-    if isinstance(value, Made):
+    if isinstance(value, LaunchObject):
         last = value.name.rpartition(".")[2]
         if last == "ParameterFile":
             return ParameterSource(
@@ -74,9 +74,9 @@ def source(run: Run, value: Value, place: Location) -> ParameterSource:
         if "items" in value.fields and isinstance(value.fields["items"], dict):
             return source(run, value.fields["items"], place)
         return lost(f"{value.name} is no source of parameters that is known", place)
-    if isinstance(value, (str, Text, Sub, PathValue)):
+    if isinstance(value, (str, PartialText, Sub, PathValue)):
         return ParameterSource(kind="file", location=place, path=phrase(value))
-    if isinstance(value, (list, tuple)) and all(isinstance(item, (str, Text, Sub, Unknown)) for item in value):
+    if isinstance(value, (list, tuple)) and all(isinstance(item, (str, PartialText, Sub, Unknown)) for item in value):
         return ParameterSource(kind="file", location=run.place(value, place), path=phrase(value))
     return lost(why(value), place)
 
@@ -88,7 +88,9 @@ def of_values(found: tuple[Entry, ...], place: Location) -> ParameterSource:
     )
 
 
-def entries(run: Run, value: dict[Any, Value], prefix: Phrase, place: Location, depth: int) -> tuple[Entry, ...]:
+def entries(
+    run: ScriptEvaluation, value: dict[Any, Value], prefix: Phrase, place: Location, depth: int
+) -> tuple[Entry, ...]:
     """The items of a dictionary, nested ones by dotted names."""
     result: list[Entry] = []
     for key, item in value.items():
@@ -109,16 +111,16 @@ def entries(run: Run, value: dict[Any, Value], prefix: Phrase, place: Location, 
     return tuple(result)
 
 
-def entry(run: Run, name: Phrase, value: Value, place: Location) -> Entry:
+def entry(run: ScriptEvaluation, name: Phrase, value: Value, place: Location) -> Entry:
     """A parameter's value, and its type where the code says it."""
-    if isinstance(value, Made) and value.name.rpartition(".")[2] in ("ParameterValue", "Parameter"):
+    if isinstance(value, LaunchObject) and value.name.rpartition(".")[2] in ("ParameterValue", "Parameter"):
         inner = entry(run, name, value.fields.get("value"), place)
         return name, inner[1], type_name(value.fields.get("value_type")) or inner[2]
     if value is None or isinstance(value, SCALARS):
         return name, value, ""
     if isinstance(value, Sub):
         return name, phrase(value), ""
-    if isinstance(value, (Text, PathValue)):
+    if isinstance(value, (PartialText, PathValue)):
         text = phrase(value)
         known = len(text) == 1 and isinstance(text[0], str)
         return name, text[0] if known else text, "" if known else "str"
@@ -139,7 +141,7 @@ def array(name: Phrase, value: Any, place: Location) -> Entry:
         return name, phrase(value), ""
     if any(isinstance(item, dict) for item in value):
         return name, (mystery("a dictionary in a list is no parameter", place),), ""
-    kind = "str_array" if any(isinstance(item, Text) for item in value) else ""
+    kind = "str_array" if any(isinstance(item, PartialText) for item in value) else ""
     return name, tuple(phrase(item) for item in value), kind
 
 
@@ -154,7 +156,7 @@ def type_name(value: Value) -> str:
     return TYPE_NAMES.get(outer.rpartition(".")[2], "")
 
 
-def remaps(run: Run, value: Value, call: Call) -> tuple[tuple[Phrase, Phrase, Location], ...]:
+def remaps(run: ScriptEvaluation, value: Value, call: LibraryCall) -> tuple[tuple[Phrase, Phrase, Location], ...]:
     """``remappings=value``: pairs in order, each where its tuple stands."""
     if value is None:
         return ()

@@ -9,33 +9,44 @@ from typing import Any
 
 from haros_ci.launch.python.files import file_text
 from haros_ci.launch.python.paths import absolute, base_name, clean, directory, joined_path, parent_path, readable
-from haros_ci.launch.python.run import Run
-from haros_ci.launch.python.values import Call, Native, Opened, PathValue, Text, Unknown, Value, phrase, uncertain, why
+from haros_ci.launch.python.run import ScriptEvaluation
+from haros_ci.launch.python.values import (
+    LibraryCall,
+    Native,
+    Opened,
+    PartialText,
+    PathValue,
+    Unknown,
+    Value,
+    phrase,
+    uncertain,
+    why,
+)
 from haros_ci.model.launch_actions import PREFIX, SHARE, Phrase, Substitution
 from haros_ci.model.location import Location
 
-Summary = Callable[[Run, Call], Value]
+Summary = Callable[[ScriptEvaluation, LibraryCall], Value]
 
 
-def first(call: Call, name: str = "path") -> Value:
+def first(call: LibraryCall, name: str = "path") -> Value:
     """The first argument, as a text if it is a path."""
     value = call.args[0] if call.args else call.keywords.get(name)
     return value.text if isinstance(value, PathValue) else value
 
 
 def on_text(work: Callable[[Value], Value]) -> Summary:
-    def summary(run: Run, call: Call) -> Value:
+    def summary(run: ScriptEvaluation, call: LibraryCall) -> Value:
         value = first(call)
         return (
             work(value)
-            if isinstance(value, (str, Text))
+            if isinstance(value, (str, PartialText))
             else run.unknown(f"the path is not known: {why(value)}", call.location)
         )
 
     return summary
 
 
-def exists(run: Run, call: Call) -> Value:
+def exists(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """True for a file of the workspace; what is not there may be made by a build."""
     path = readable(first(call))
     if isinstance(path, Unknown):
@@ -47,10 +58,12 @@ def exists(run: Run, call: Call) -> Value:
     )
 
 
-def split(run: Run, call: Call) -> Value:
+def split(run: ScriptEvaluation, call: LibraryCall) -> Value:
     text = first(call)
     return (
-        (directory(text), base_name(text)) if isinstance(text, (str, Text)) else run.unknown(why(text), call.location)
+        (directory(text), base_name(text))
+        if isinstance(text, (str, PartialText))
+        else run.unknown(why(text), call.location)
     )
 
 
@@ -64,11 +77,11 @@ def is_absolute(text: Value) -> Value:
     return Unknown(why(text), None)
 
 
-def share(run: Run, call: Call) -> Value:
+def share(run: ScriptEvaluation, call: LibraryCall) -> Value:
     return package_directory(SHARE, "find-pkg-share", first(call, "package_name"), call.location)
 
 
-def prefix(run: Run, call: Call) -> Value:
+def prefix(run: ScriptEvaluation, call: LibraryCall) -> Value:
     return package_directory(PREFIX, "find-pkg-prefix", first(call, "package_name"), call.location)
 
 
@@ -76,14 +89,14 @@ def package_directory(marker: str, kind: str, package: Value, place: Location) -
     """The marker of a package's directory, or a substitution where its name is not known."""
     if isinstance(package, str):
         return marker.format(package)
-    return Text((Substitution(kind, (phrase(package),), place),))
+    return PartialText((Substitution(kind, (phrase(package),), place),))
 
 
-def share_path(run: Run, call: Call) -> Value:
+def share_path(run: ScriptEvaluation, call: LibraryCall) -> Value:
     return PathValue(share(run, call))
 
 
-def get_environment(run: Run, call: Call) -> Value:
+def get_environment(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``os.getenv``/``os.environ.get``: the value; without one a substitution with the default, if there is one."""
     bound = call.bind("key default")
     key = bound.get("key")
@@ -92,22 +105,22 @@ def get_environment(run: Run, call: Call) -> Value:
     if key in run.environment:
         return run.environment[key]
     default = bound.get("default")
-    if isinstance(default, (str, Text)):
+    if isinstance(default, (str, PartialText)):
         arguments: tuple[Phrase, ...] = ((key,), phrase(default))
-        return Text((Substitution("env", arguments, call.location),))
+        return PartialText((Substitution("env", arguments, call.location),))
     return run.unknown(f"the environment variable {key} is not known", call.location)
 
 
-def make_path(run: Run, call: Call) -> Value:
+def make_path(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``Path(a, b)``."""
     return PathValue(joined_path(list(call.args)) if call.args else ".")
 
 
-def join(run: Run, call: Call) -> Value:
+def join(run: ScriptEvaluation, call: LibraryCall) -> Value:
     return run.made(joined_path(list(call.args)), call.location)
 
 
-def split_path(run: Run, call: Call) -> Value:
+def split_path(run: ScriptEvaluation, call: LibraryCall) -> Value:
     return run.unknown(f"what {call.name} gives is not known", call.location)
 
 
@@ -139,7 +152,7 @@ SUMMARIES: dict[str, Summary] = {
 }
 
 
-def path_attribute(run: Run, path: PathValue, name: str, place: Location) -> Value:
+def path_attribute(run: ScriptEvaluation, path: PathValue, name: str, place: Location) -> Value:
     """An attribute or a method of a Path."""
     text = path.text
     if name == "parent":
@@ -159,16 +172,16 @@ def path_attribute(run: Run, path: PathValue, name: str, place: Location) -> Val
     return Native(name, lambda run, call: work(run, path, call))
 
 
-def open_path(run: Run, path: PathValue, call: Call) -> Value:
+def open_path(run: ScriptEvaluation, path: PathValue, call: LibraryCall) -> Value:
     mode = call.bind("mode").get("mode", "r")
     return Opened(path) if mode in ("r", "rt", "rb") else run.unknown("a file that is written", call.location)
 
 
-def read_text(run: Run, path: PathValue, call: Call) -> Value:
+def read_text(run: ScriptEvaluation, path: PathValue, call: LibraryCall) -> Value:
     return run.call(run, Native("read", lambda run, call: read_opened(run, Opened(path), call.location)), call)
 
 
-def read_opened(run: Run, file: Opened, place: Location) -> Value:
+def read_opened(run: ScriptEvaluation, file: Opened, place: Location) -> Value:
     """``file.read()``."""
     path = readable(file.path)
     if isinstance(path, Unknown):
@@ -177,14 +190,14 @@ def read_opened(run: Run, file: Opened, place: Location) -> Value:
     return run.unknown(f"{path} is not in the workspace", place) if text is None else run.made(text, place)
 
 
-def with_suffix(run: Run, path: PathValue, call: Call) -> Value:
+def with_suffix(run: ScriptEvaluation, path: PathValue, call: LibraryCall) -> Value:
     text, suffix = path.text, first(call, "suffix")
     if uncertain(text) or not isinstance(suffix, str):
         return run.unknown(why(text), call.location)
     return PathValue(posixpath.splitext(text)[0] + suffix)
 
 
-METHODS: dict[str, Callable[[Run, PathValue, Call], Any]] = {
+METHODS: dict[str, Callable[[ScriptEvaluation, PathValue, LibraryCall], Any]] = {
     "joinpath": lambda run, path, call: PathValue(joined_path([path, *call.args])),
     "resolve": lambda run, path, call: PathValue(clean(path.text)),
     "absolute": lambda run, path, call: PathValue(clean(path.text)),
@@ -192,10 +205,10 @@ METHODS: dict[str, Callable[[Run, PathValue, Call], Any]] = {
     "as_posix": lambda run, path, call: path.text,
     "__str__": lambda run, path, call: path.text,
     "exists": lambda run, path, call: exists(
-        run, Call(name="exists", location=call.location, args=(path,), keywords={})
+        run, LibraryCall(name="exists", location=call.location, args=(path,), keywords={})
     ),
     "is_file": lambda run, path, call: exists(
-        run, Call(name="exists", location=call.location, args=(path,), keywords={})
+        run, LibraryCall(name="exists", location=call.location, args=(path,), keywords={})
     ),
     "open": open_path,
     "read_text": read_text,

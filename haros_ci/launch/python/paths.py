@@ -7,7 +7,7 @@ import posixpath
 import re
 from typing import Any
 
-from haros_ci.launch.python.values import PathValue, Text, Unknown, Value, merged, mystery, phrase, text_of, why
+from haros_ci.launch.python.values import PartialText, PathValue, Unknown, Value, merged, mystery, phrase, text_of, why
 from haros_ci.model.launch_actions import PREFIX, WORKSPACE
 
 MARKER = re.compile(r"\$\((find-pkg-share|find-pkg-prefix|workspace) ([^()$]*)\)")
@@ -61,7 +61,7 @@ def joined_path(parts: list[Value]) -> Value:
         value = part.text if isinstance(part, PathValue) else part
         if isinstance(value, str) and absolute(value):
             result = [value]
-        elif isinstance(value, (str, Text, Unknown)):
+        elif isinstance(value, (str, PartialText, Unknown)):
             if index and result and not (isinstance(result[-1], str) and result[-1].endswith("/")):
                 result.append("/")
             result.extend(phrase(value))
@@ -72,27 +72,27 @@ def joined_path(parts: list[Value]) -> Value:
 
 def directory(text: Value) -> Value:
     """``os.path.dirname``."""
-    if isinstance(text, Text):
+    if isinstance(text, PartialText):
         last = text.phrase[-1]
         if isinstance(last, str) and "/" in last:
             return text_of(merged((*text.phrase[:-1], last.rsplit("/", 1)[0])))
-        return Text((mystery(why(text)),))
+        return PartialText((mystery(why(text)),))
     kind, _, rest = rooted(text)
     if not kind:
         return posixpath.dirname(text)
     if rest in ("", "/"):
         up = normal(f"{text}/..")
-        return Text((mystery("it is outside the workspace"),)) if up is None else up
+        return PartialText((mystery("it is outside the workspace"),)) if up is None else up
     return text[: len(text) - len(rest)] + posixpath.dirname(rest).rstrip("/")
 
 
 def base_name(text: Value) -> Value:
     """``os.path.basename``."""
-    if isinstance(text, Text):
+    if isinstance(text, PartialText):
         last = text.phrase[-1]
         if isinstance(last, str) and "/" in last:
             return last.rsplit("/", 1)[1]
-        return Text((mystery(why(text)),))
+        return PartialText((mystery(why(text)),))
     kind, root, rest = rooted(text)
     return posixpath.basename(rest if rest or not kind else root)
 
@@ -110,7 +110,7 @@ def clean(text: Value) -> Value:
     if not isinstance(text, str):
         return text
     found = normal(text)
-    return Text((mystery("it is outside the workspace"),)) if found is None else found
+    return PartialText((mystery("it is outside the workspace"),)) if found is None else found
 
 
 def readable(value: Value) -> str | Unknown:

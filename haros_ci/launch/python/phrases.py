@@ -7,14 +7,14 @@ import shlex
 from typing import Any
 
 from haros_ci.launch.python.paths import MARKER
-from haros_ci.launch.python.run import Run
+from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.sequences import items_of
-from haros_ci.launch.python.values import Call, Maybe, Unknown, Value, merged, mystery, phrase, why
+from haros_ci.launch.python.values import LibraryCall, Maybe, Unknown, Value, merged, mystery, phrase, why
 from haros_ci.model.launch_actions import Phrase, Substitution
 
 
 def phrases_of(
-    bound: dict[str, Value], names: tuple[tuple[str, str], ...], call: Call
+    bound: dict[str, Value], names: tuple[tuple[str, str], ...], call: LibraryCall
 ) -> tuple[tuple[str, Phrase], ...]:
     """The phrases of the parameters that are given, by their attributes' names; None is not given."""
     found = tuple((called, phrase(bound[name])) for name, called in names if bound.get(name) is not None)
@@ -31,7 +31,7 @@ def flag(value: Value) -> Phrase:
     return (str(value).lower(),) if isinstance(value, bool) else phrase(value)
 
 
-def words(run: Run, value: Value, call: Call) -> Phrase:
+def words(run: ScriptEvaluation, value: Value, call: LibraryCall) -> Phrase:
     """The words of a command line, those with white space in quotes, with a blank between them."""
     if value is None:
         return ()
@@ -59,7 +59,7 @@ def needs_quotes(text: str) -> bool:
     return any(sign in MARKER.sub("", text) for sign in " \t\n'\"")
 
 
-def pair_of(item: Value, call: Call) -> tuple[Phrase, Phrase]:
+def pair_of(item: Value, call: LibraryCall) -> tuple[Phrase, Phrase]:
     """A pair of phrases; of one that is there on some way only, the second is not known."""
     if isinstance(item, Maybe) and isinstance(item.value, (list, tuple)) and len(item.value) == 2:
         return phrase(item.value[0]), (mystery(why(item), call.location),)

@@ -8,9 +8,9 @@ from haros_ci.launch.python.conditions import tests_of
 from haros_ci.launch.python.launch_actions import simple, timer
 from haros_ci.launch.python.parameters import entry, of_values, remaps, source, sources
 from haros_ci.launch.python.phrases import flag, phrases_of, words
-from haros_ci.launch.python.run import Run
+from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.substitutions import pairs
-from haros_ci.launch.python.values import Call, Made, Unknown, Value, merged, phrase
+from haros_ci.launch.python.values import LaunchObject, LibraryCall, Unknown, Value, merged, phrase
 from haros_ci.model.launch_actions import Action, ParameterSource, Phrase, Substitution, Test
 
 NODE = "* executable package name namespace exec_name parameters remappings ros_arguments arguments"
@@ -27,7 +27,7 @@ COMMON = (
 def started(kind: str) -> Summary:
     """A node of *kind* (launch_ros/actions/node.py); without an executable it is not known what it is."""
 
-    def summary(run: Run, call: Call) -> Value:
+    def summary(run: ScriptEvaluation, call: LibraryCall) -> Value:
         bound = renamed(run, call.bind(NODE), call)
         if call.args and isinstance(call.args[0], Unknown):
             return run.unknown(call.args[0].reason, call.location)
@@ -58,12 +58,12 @@ def started(kind: str) -> Summary:
         fields = {"on_exit": bound.get("on_exit")}
         if kind == "container":
             fields["components"] = bound.get("composable_node_descriptions")
-        return Made(call.name, call.location, fields, action)
+        return LaunchObject(call.name, call.location, fields, action)
 
     return summary
 
 
-def renamed(run: Run, bound: dict[str, Value], call: Call) -> dict[str, Value]:
+def renamed(run: ScriptEvaluation, bound: dict[str, Value], call: LibraryCall) -> dict[str, Value]:
     """*bound* under today's names; with a name that launch_ros has dropped after Foxy the file may be refused."""
     for name in ("executable", "plugin", "name", "namespace"):
         old = f"node_{name}"
@@ -80,14 +80,14 @@ def dropped(bound: dict[str, Value]) -> tuple[tuple[str, str], ...]:
     return tuple((f"node_{name}=", f"{name}=") for name in names if bound.get(f"node_{name}") is not None)
 
 
-def component(run: Run, call: Call) -> Value:
+def component(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """ComposableNode (launch_ros/descriptions/composable_node.py)."""
     names = "* package plugin name namespace parameters remappings extra_arguments condition"
     bound = renamed(run, call.bind(names), call)
     if bound.get("plugin") is None or (bound.get("package") is None and not call.unknown):
         return run.unknown(call.unknown or "a ComposableNode is given no package or no plugin", call.location)
     shown = (("package", "package"), ("plugin", "plugin"), ("name", "name"), ("namespace", "namespace"))
-    return Made(
+    return LaunchObject(
         call.name,
         call.location,
         {},
@@ -103,12 +103,12 @@ def component(run: Run, call: Call) -> Value:
     )
 
 
-def load(run: Run, call: Call) -> Value:
+def load(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """LoadComposableNodes: into a container by its name, or by the action that starts it."""
     bound = call.bind("* composable_node_descriptions target_container")
     target = bound.get("target_container")
-    handle = target.action.get("handle") if isinstance(target, Made) and target.action is not None else None
-    return Made(
+    handle = target.action.get("handle") if isinstance(target, LaunchObject) and target.action is not None else None
+    return LaunchObject(
         call.name,
         call.location,
         {"components": bound.get("composable_node_descriptions")},
@@ -123,7 +123,7 @@ def load(run: Run, call: Call) -> Value:
 
 def target_name(target: Value) -> Phrase:
     """The name of a container; that of an action is in its namespace, and so in the one that is pushed."""
-    if not isinstance(target, Made) or target.action is None:
+    if not isinstance(target, LaunchObject) or target.action is None:
         return phrase(target)
     name, space = target.action.get("name") or (), target.action.get("namespace") or ()
     own = merged((*space, "/", *name)) if space else name
@@ -135,10 +135,10 @@ def target_name(target: Value) -> Phrase:
     return merged((pushed, "/", *own))
 
 
-def set_remap(run: Run, call: Call) -> Value:
+def set_remap(run: ScriptEvaluation, call: LibraryCall) -> Value:
     bound = call.bind("src dst")
     pair = (phrase(bound.get("src")), phrase(bound.get("dst")), call.location)
-    return Made(
+    return LaunchObject(
         call.name,
         call.location,
         {},
@@ -151,10 +151,10 @@ def set_remap(run: Run, call: Call) -> Value:
     )
 
 
-def set_parameter(run: Run, call: Call) -> Value:
+def set_parameter(run: ScriptEvaluation, call: LibraryCall) -> Value:
     bound = call.bind("name value")
     made = of_values((entry(run, phrase(bound.get("name")), bound.get("value"), call.location),), call.location)
-    return Made(
+    return LaunchObject(
         call.name,
         call.location,
         {},
@@ -167,9 +167,9 @@ def set_parameter(run: Run, call: Call) -> Value:
     )
 
 
-def set_parameters_from_file(run: Run, call: Call) -> Value:
+def set_parameters_from_file(run: ScriptEvaluation, call: LibraryCall) -> Value:
     bound = call.bind("filename")
-    return Made(
+    return LaunchObject(
         call.name,
         call.location,
         {},
@@ -182,9 +182,9 @@ def set_parameters_from_file(run: Run, call: Call) -> Value:
     )
 
 
-def set_use_sim_time(run: Run, call: Call) -> Value:
+def set_use_sim_time(run: ScriptEvaluation, call: LibraryCall) -> Value:
     bound = call.bind("value")
-    return Made(
+    return LaunchObject(
         call.name,
         call.location,
         {},
@@ -197,16 +197,16 @@ def set_use_sim_time(run: Run, call: Call) -> Value:
     )
 
 
-def parameter_file(run: Run, call: Call) -> Value:
-    return Made(call.name, call.location, call.bind("param_file * allow_substs"))
+def parameter_file(run: ScriptEvaluation, call: LibraryCall) -> Value:
+    return LaunchObject(call.name, call.location, call.bind("param_file * allow_substs"))
 
 
-def parameter_value(run: Run, call: Call) -> Value:
-    return Made(call.name, call.location, call.bind("value * value_type"))
+def parameter_value(run: ScriptEvaluation, call: LibraryCall) -> Value:
+    return LaunchObject(call.name, call.location, call.bind("value * value_type"))
 
 
-def parameter(run: Run, call: Call) -> Value:
-    return Made(call.name, call.location, call.bind("name value * value_type"))
+def parameter(run: ScriptEvaluation, call: LibraryCall) -> Value:
+    return LaunchObject(call.name, call.location, call.bind("name value * value_type"))
 
 
 A = "launch_ros.actions."

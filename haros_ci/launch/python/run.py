@@ -9,13 +9,13 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.launch.python.heap import LARGEST, Budget, Heap
-from haros_ci.launch.python.values import Call, Module, Scope, Source, Unknown, Value
+from haros_ci.launch.python.values import LibraryCall, Module, ScriptScope, ScriptSource, Unknown, Value
 from haros_ci.model.launch_actions import Test
 from haros_ci.model.location import Location
 
 
 @dataclass(slots=True)
-class Frame:
+class ScriptFrame:
     """A function in progress: what it has returned under tests, what it yields, the journals of its rest."""
 
     returns: list[tuple[tuple[Test, ...], Value]] = field(default_factory=list)
@@ -24,7 +24,7 @@ class Frame:
 
 
 @dataclass(slots=True)
-class Run:
+class ScriptEvaluation:
     """One interpretation: its *budget* and *heap*, and the doors to the workspace.
 
     *known* says whether a library's name has a summary, *evaluate* gives the value of an expression, *call* calls
@@ -38,16 +38,16 @@ class Run:
     module: Callable[[str], tuple[str, str] | None]
     locate: Callable[[str], tuple[str, str] | None]
     known: Callable[[str], bool]
-    evaluate: Callable[[Run, Scope, ast.expr], Value]
-    block: Callable[[Run, Scope, list[ast.stmt]], Any]
-    call: Callable[[Run, Value, Call], Value]
-    attribute: Callable[[Run, Value, str, Location], Value]
+    evaluate: Callable[[ScriptEvaluation, ScriptScope, ast.expr], Value]
+    block: Callable[[ScriptEvaluation, ScriptScope, list[ast.stmt]], Any]
+    call: Callable[[ScriptEvaluation, Value, LibraryCall], Value]
+    attribute: Callable[[ScriptEvaluation, Value, str, Location], Value]
     budget: Budget = field(default_factory=Budget)
     heap: Heap = field(default_factory=lambda: Heap(Budget()))
     modules: dict[str, Module] = field(default_factory=dict)
     #: The syntax of the files of modules, by path; None for what is no Python.
     trees: dict[str, ast.Module | None] = field(default_factory=dict)
-    frames: list[Frame] = field(default_factory=list)
+    frames: list[ScriptFrame] = field(default_factory=list)
     places: dict[int, tuple[Value, Location]] = field(default_factory=dict)
     texts: dict[str, str | None] = field(default_factory=dict)
     first: list[str] = field(default_factory=list)
@@ -80,12 +80,12 @@ class Run:
 
     def apply(self, function: Value, args: tuple[Value, ...], location: Location) -> Value:
         """Call *function* with positional arguments."""
-        return self.call(self, function, Call(name="", location=location, args=args, keywords={}))
+        return self.call(self, function, LibraryCall(name="", location=location, args=args, keywords={}))
 
 
-def condition(scope: Scope, node: ast.expr, value: Value, word: str = "") -> tuple[Test, Test]:
+def condition(scope: ScriptScope, node: ast.expr, value: Value, word: str = "") -> tuple[Test, Test]:
     """The tests of a branch on a condition that is not known, and of the other one."""
-    source: Source = scope.source
+    source: ScriptSource = scope.source
     text, place = source.segment(node), source.place(node)
     cause = value.reason if isinstance(value, Unknown) else "the condition is not known"
     shown = f"{word} {text}".strip()

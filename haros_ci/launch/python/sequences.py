@@ -6,12 +6,12 @@ from __future__ import annotations
 from typing import Any
 
 from haros_ci.launch.python.heap import LARGEST
-from haros_ci.launch.python.run import Run
+from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.values import Choice, Maybe, Rest, Unknown, Value, holes, why
 from haros_ci.model.location import Location
 
 
-def items_of(run: Run, value: Value, place: Location) -> list[Value] | Unknown:
+def items_of(run: ScriptEvaluation, value: Value, place: Location) -> list[Value] | Unknown:
     """The items that ``for`` gets from *value*; Maybe and Rest among them say what is not known."""
     if isinstance(value, Choice):
         return items_of_choice(run, value, place)
@@ -35,7 +35,7 @@ def order(item: Any) -> str:
     return str(item)
 
 
-def items_of_choice(run: Run, value: Choice, place: Location) -> list[Value] | Unknown:
+def items_of_choice(run: ScriptEvaluation, value: Choice, place: Location) -> list[Value] | Unknown:
     """The items of each sequence that it may be, each under the tests of its own."""
     result: list[Value] = []
     for tests, option in value.options:
@@ -52,7 +52,7 @@ def items_of_choice(run: Run, value: Choice, place: Location) -> list[Value] | U
     return result
 
 
-def certain(run: Run, value: Value, place: Location) -> list[Value] | Unknown:
+def certain(run: ScriptEvaluation, value: Value, place: Location) -> list[Value] | Unknown:
     """The items of *value* where none is in doubt."""
     items = items_of(run, value, place)
     if not isinstance(items, Unknown) and (doubt := holes(items)) is not None:

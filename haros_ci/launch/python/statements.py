@@ -17,14 +17,14 @@ from haros_ci.launch.python.heap import DEPTH, LOOP
 from haros_ci.launch.python.imports import import_from, import_names
 from haros_ci.launch.python.matches import match
 from haros_ci.launch.python.module_files import is_search_path, search_also
-from haros_ci.launch.python.run import Run, condition
+from haros_ci.launch.python.run import ScriptEvaluation, condition
 from haros_ci.launch.python.sequences import items_of
 from haros_ci.launch.python.truth import truth
-from haros_ci.launch.python.values import Maybe, Rest, Scope, Unknown, Value, why
+from haros_ci.launch.python.values import Maybe, Rest, ScriptScope, Unknown, Value, why
 from haros_ci.model.launch_actions import Test
 
 
-def block(run: Run, scope: Scope, nodes: list[ast.stmt]) -> Flow | None:
+def block(run: ScriptEvaluation, scope: ScriptScope, nodes: list[ast.stmt]) -> Flow | None:
     """Do the statements *nodes*; None if the last of them came to its end."""
     for node in nodes:
         flow = statement(run, scope, node)
@@ -33,7 +33,7 @@ def block(run: Run, scope: Scope, nodes: list[ast.stmt]) -> Flow | None:
     return None
 
 
-def statement(run: Run, scope: Scope, node: ast.stmt) -> Flow | None:
+def statement(run: ScriptEvaluation, scope: ScriptScope, node: ast.stmt) -> Flow | None:
     budget = run.budget
     budget.step()
     handler = HANDLERS.get(type(node))
@@ -50,22 +50,22 @@ def statement(run: Run, scope: Scope, node: ast.stmt) -> Flow | None:
         budget.depth -= 1
 
 
-def expression(run: Run, scope: Scope, node: ast.Expr) -> None:
+def expression(run: ScriptEvaluation, scope: ScriptScope, node: ast.Expr) -> None:
     evaluate(run, scope, node.value)
 
 
-def assignment(run: Run, scope: Scope, node: ast.Assign) -> None:
+def assignment(run: ScriptEvaluation, scope: ScriptScope, node: ast.Assign) -> None:
     value = evaluate(run, scope, node.value)
     for target in node.targets:
         assign(run, scope, target, value)
 
 
-def annotated(run: Run, scope: Scope, node: ast.AnnAssign) -> None:
+def annotated(run: ScriptEvaluation, scope: ScriptScope, node: ast.AnnAssign) -> None:
     if node.value is not None:
         assign(run, scope, node.target, evaluate(run, scope, node.value))
 
 
-def changed(run: Run, scope: Scope, node: ast.AugAssign) -> None:
+def changed(run: ScriptEvaluation, scope: ScriptScope, node: ast.AugAssign) -> None:
     old = variable(run, scope, node.target) if isinstance(node.target, ast.Name) else evaluate(run, scope, node.target)
     if is_search_path(old) and isinstance(node.op, ast.Add):
         search_also(run, evaluate(run, scope, node.value), scope.source.place(node))
@@ -73,16 +73,16 @@ def changed(run: Run, scope: Scope, node: ast.AugAssign) -> None:
     assign(run, scope, node.target, augmented(run, scope, node, old))
 
 
-def returned(run: Run, scope: Scope, node: ast.Return) -> Flow:
+def returned(run: ScriptEvaluation, scope: ScriptScope, node: ast.Return) -> Flow:
     return Flow("return", None if node.value is None else evaluate(run, scope, node.value))
 
 
-def deletion(run: Run, scope: Scope, node: ast.Delete) -> None:
+def deletion(run: ScriptEvaluation, scope: ScriptScope, node: ast.Delete) -> None:
     for target in node.targets:
         delete(run, scope, target)
 
 
-def outer(run: Run, scope: Scope, node: ast.Global | ast.Nonlocal) -> None:
+def outer(run: ScriptEvaluation, scope: ScriptScope, node: ast.Global | ast.Nonlocal) -> None:
     for word in node.names:
         home = scope.module
         if isinstance(node, ast.Nonlocal):
@@ -93,7 +93,7 @@ def outer(run: Run, scope: Scope, node: ast.Global | ast.Nonlocal) -> None:
         scope.outer_names[word] = home
 
 
-def branch(run: Run, scope: Scope, node: ast.If) -> Flow | None:
+def branch(run: ScriptEvaluation, scope: ScriptScope, node: ast.If) -> Flow | None:
     value = evaluate(run, scope, node.test)
     known = truth(run, value)
     if not isinstance(known, Unknown):
@@ -102,7 +102,7 @@ def branch(run: Run, scope: Scope, node: ast.If) -> Flow | None:
     return ways(run, scope, tests, lambda: block(run, scope, node.body), lambda: block(run, scope, node.orelse))
 
 
-def loop(run: Run, scope: Scope, node: ast.For) -> Flow | None:
+def loop(run: ScriptEvaluation, scope: ScriptScope, node: ast.For) -> Flow | None:
     """``for``: a turn for each item; items that are not known are one turn under a test."""
     items = items_of(run, evaluate(run, scope, node.iter), scope.source.place(node.iter))
     if isinstance(items, Unknown):
@@ -122,7 +122,7 @@ def loop(run: Run, scope: Scope, node: ast.For) -> Flow | None:
     return None if flow.kind == "break" else flow
 
 
-def turn(run: Run, scope: Scope, node: ast.For, item: Value) -> Flow | None:
+def turn(run: ScriptEvaluation, scope: ScriptScope, node: ast.For, item: Value) -> Flow | None:
     if not isinstance(item, (Maybe, Rest)):
         assign(run, scope, node.target, item)
         return block(run, scope, node.body)
@@ -142,7 +142,7 @@ def turn(run: Run, scope: Scope, node: ast.For, item: Value) -> Flow | None:
     return ways(run, scope, tests, body, lambda: None)
 
 
-def forget(run: Run, scope: Scope, node: ast.For | ast.While, reason: str) -> None:
+def forget(run: ScriptEvaluation, scope: ScriptScope, node: ast.For | ast.While, reason: str) -> None:
     """The variables that the loop sets may have any value of an earlier turn."""
     for item in node.body:
         for part in ast.walk(item):
@@ -151,7 +151,7 @@ def forget(run: Run, scope: Scope, node: ast.For | ast.While, reason: str) -> No
                 set_name(run, scope, part.id, Unknown(reason, scope.source.place(node)))
 
 
-def repeat(run: Run, scope: Scope, node: ast.While) -> Flow | None:
+def repeat(run: ScriptEvaluation, scope: ScriptScope, node: ast.While) -> Flow | None:
     """``while``: as long as the condition is known; then one turn under a test."""
     mark = (len(run.frames[-1].pending), len(run.frames[-1].returns))
     for _ in range(LOOP):
@@ -177,7 +177,7 @@ def repeat(run: Run, scope: Scope, node: ast.While) -> Flow | None:
     return finish(run, mark, ways(run, scope, tests, body, lambda: None))
 
 
-def finish(run: Run, mark: tuple[int, int], flow: Flow | None) -> Flow | None:
+def finish(run: ScriptEvaluation, mark: tuple[int, int], flow: Flow | None) -> Flow | None:
     """The end of a loop: what was under the test of a ``break`` is so no more; after a ``return`` it stays."""
     frame = run.frames[-1]
     if len(frame.returns) == mark[1] and (flow is None or flow.kind != "return"):
@@ -185,7 +185,7 @@ def finish(run: Run, mark: tuple[int, int], flow: Flow | None) -> Flow | None:
     return None if flow is not None and flow.kind in ("break", "continue") else flow
 
 
-def attempt(run: Run, scope: Scope, node: Any) -> Flow | None:
+def attempt(run: ScriptEvaluation, scope: ScriptScope, node: Any) -> Flow | None:
     """``try``: its body; a handler is another way if something in the body is not known, and follows a ``raise``."""
     before = run.budget.failures
     place = scope.source.place(node)
@@ -214,7 +214,7 @@ def attempt(run: Run, scope: Scope, node: Any) -> Flow | None:
     return block(run, scope, node.finalbody) or flow
 
 
-def with_(run: Run, scope: Scope, node: ast.With) -> Flow | None:
+def with_(run: ScriptEvaluation, scope: ScriptScope, node: ast.With) -> Flow | None:
     for item in node.items:
         value = evaluate(run, scope, item.context_expr)
         if item.optional_vars is not None:
@@ -222,7 +222,7 @@ def with_(run: Run, scope: Scope, node: ast.With) -> Flow | None:
     return block(run, scope, node.body)
 
 
-HANDLERS: dict[type, Callable[[Run, Scope, Any], Any]] = {
+HANDLERS: dict[type, Callable[[ScriptEvaluation, ScriptScope, Any], Any]] = {
     ast.Expr: expression,
     ast.Assign: assignment,
     ast.AnnAssign: annotated,

@@ -7,11 +7,11 @@ from typing import Any
 
 from haros_ci.launch.python.contexts import configuration
 from haros_ci.launch.python.paths import parent_path
-from haros_ci.launch.python.run import Run
+from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.values import (
     Configurations,
+    LaunchObject,
     Library,
-    Made,
     Native,
     Rest,
     Unknown,
@@ -24,7 +24,7 @@ from haros_ci.launch.python.values import (
 from haros_ci.model.location import Location
 
 
-def subscript(run: Run, value: Value, key: Value, place: Location) -> Value:
+def subscript(run: ScriptEvaluation, value: Value, key: Value, place: Location) -> Value:
     """The item, or the slice; Unknown if there is none."""
     if isinstance(value, Unknown):
         return Unknown(value.reason, value.location)
@@ -55,12 +55,12 @@ def subscript(run: Run, value: Value, key: Value, place: Location) -> Value:
         for _ in range(key + 1):
             path = parent_path(path)
         return path
-    if isinstance(value, Made) and isinstance(value.fields.get("items"), dict):
+    if isinstance(value, LaunchObject) and isinstance(value.fields.get("items"), dict):
         return item_of(run, value.fields["items"], key, place)
     return run.unknown(why(value), place)
 
 
-def item_of(run: Run, value: dict[Any, Value], key: Value, place: Location) -> Value:
+def item_of(run: ScriptEvaluation, value: dict[Any, Value], key: Value, place: Location) -> Value:
     """The item of a dictionary; a key that is there only on some way counts as there."""
     if key in value:
         return present(value[key])
@@ -70,7 +70,7 @@ def item_of(run: Run, value: dict[Any, Value], key: Value, place: Location) -> V
     return run.unknown(f"there is no item {key!r}"[:120], place)
 
 
-def element(run: Run, value: Any, key: Value, place: Location) -> Value:
+def element(run: ScriptEvaluation, value: Any, key: Value, place: Location) -> Value:
     """The item of a list by its index, if what stands before it is certain."""
     if not isinstance(key, int):
         return run.unknown("the index is no number", place)
@@ -82,7 +82,7 @@ def element(run: Run, value: Any, key: Value, place: Location) -> Value:
     return run.unknown("there is no such index", place)
 
 
-def sliced(run: Run, value: Value, key: slice, place: Location) -> Value:
+def sliced(run: ScriptEvaluation, value: Value, key: slice, place: Location) -> Value:
     parts = (key.start, key.stop, key.step)
     for part in parts:
         if uncertain(part):

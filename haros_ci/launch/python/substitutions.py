@@ -4,19 +4,19 @@
 from __future__ import annotations
 
 from haros_ci.launch.python.builtin_functions import Summary
-from haros_ci.launch.python.run import Run
-from haros_ci.launch.python.values import Call, Sub, Unknown, Value, merged, mystery, phrase, why
+from haros_ci.launch.python.run import ScriptEvaluation
+from haros_ci.launch.python.values import LibraryCall, Sub, Unknown, Value, merged, mystery, phrase, why
 from haros_ci.model.launch_actions import Phrase, Substitution
 
 
-def word(call: Call) -> str:
+def word(call: LibraryCall) -> str:
     return call.name.rpartition(".")[2]
 
 
 def of_kind(kind: str, names: str, needed: int) -> Summary:
     """A substitution with the parameters *names* of which the first *needed* must be given."""
 
-    def summary(run: Run, call: Call) -> Value:
+    def summary(run: ScriptEvaluation, call: LibraryCall) -> Value:
         bound = call.bind(names)
         arguments: list[Phrase] = []
         for index, name in enumerate(names.replace("*", " ").split()):
@@ -30,11 +30,11 @@ def of_kind(kind: str, names: str, needed: int) -> Summary:
     return summary
 
 
-def text(run: Run, call: Call) -> Value:
+def text(run: ScriptEvaluation, call: LibraryCall) -> Value:
     return Sub(phrase(call.bind("text").get("text")), word(call))
 
 
-def path_join(run: Run, call: Call) -> Value:
+def path_join(run: ScriptEvaluation, call: LibraryCall) -> Value:
     parts = call.bind("substitutions").get("substitutions")
     if isinstance(parts, Unknown) or not isinstance(parts, (list, tuple)):
         return Sub((mystery(why(parts), call.location),), word(call))
@@ -42,40 +42,40 @@ def path_join(run: Run, call: Call) -> Value:
 
 
 def any_or_all(kind: str) -> Summary:
-    def summary(run: Run, call: Call) -> Value:
+    def summary(run: ScriptEvaluation, call: LibraryCall) -> Value:
         return Sub((Substitution(kind, tuple(phrase(item) for item in call.args), call.location),), word(call))
 
     return summary
 
 
-def expression(run: Run, call: Call) -> Value:
+def expression(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """PythonExpression: its text; modules other than math are not known to it."""
     bound = call.bind("expression python_modules")
     return Sub((Substitution("eval", (phrase(bound.get("expression")),), call.location),), word(call))
 
 
-def choice(run: Run, call: Call) -> Value:
+def choice(run: ScriptEvaluation, call: LibraryCall) -> Value:
     bound = call.bind("condition if_value else_value")
     arguments = (phrase(bound.get("condition")), phrase(bound.get("if_value", "")), phrase(bound.get("else_value", "")))
     return Sub((Substitution("if", arguments, call.location),), word(call))
 
 
 def mysterious(reason: str) -> Summary:
-    def summary(run: Run, call: Call) -> Value:
+    def summary(run: ScriptEvaluation, call: LibraryCall) -> Value:
         return Sub((mystery(reason, call.location),), word(call))
 
     return summary
 
 
-def boolean_configuration(run: Run, call: Call) -> Value:
+def boolean_configuration(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """LaunchConfigAsBool: ``True`` or ``False`` by the words of nav2_common."""
     name = call.bind("name").get("name")
     value = Substitution("var", (phrase(name),), call.location)
-    asked: Phrase = ("'", value, "'.strip().lower() in ['true', '1', 'yes', 'on']")
-    return Sub((Substitution("eval", (asked,), call.location),), word(call))
+    requested: Phrase = ("'", value, "'.strip().lower() in ['true', '1', 'yes', 'on']")
+    return Sub((Substitution("eval", (requested,), call.location),), word(call))
 
 
-def pairs(run: Run, value: Value, call: Call) -> tuple[tuple[Phrase, Phrase], ...]:
+def pairs(run: ScriptEvaluation, value: Value, call: LibraryCall) -> tuple[tuple[Phrase, Phrase], ...]:
     """A dictionary's items as pairs of phrases; one that is not known is a pair that is not."""
     if value is None:
         return ()
@@ -85,7 +85,7 @@ def pairs(run: Run, value: Value, call: Call) -> tuple[tuple[Phrase, Phrase], ..
     return tuple((phrase(key), phrase(item)) for key, item in value.items())
 
 
-def rewritten(run: Run, call: Call) -> Value:
+def rewritten(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """RewrittenYaml: the file, and how it is rewritten (nav2_common/launch/rewritten_yaml.py)."""
     bound = call.bind("source_file param_rewrites root_key key_rewrites value_rewrites convert_types")
     convert = bound.get("convert_types", False)
@@ -101,7 +101,7 @@ def rewritten(run: Run, call: Call) -> Value:
     return Sub((Substitution("rewritten", (source,), call.location, data=data),), word(call))
 
 
-def replaced(run: Run, call: Call) -> Value:
+def replaced(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """ReplaceString: a text file with other texts; what it is rewritten to is not followed."""
     bound = call.bind("source_file replacements condition")
     source = phrase(bound.get("source_file"))
@@ -110,7 +110,7 @@ def replaced(run: Run, call: Call) -> Value:
     return Sub((Substitution("?", (source,), call.location, reason, data),), word(call))
 
 
-def robots(run: Run, call: Call) -> Value:
+def robots(run: ScriptEvaluation, call: LibraryCall) -> Value:
     return run.unknown("the command line's robots are not known", call.location)
 
 

@@ -8,13 +8,13 @@ from typing import Any
 
 from haros_ci.launch.python.formats import as_text, str_format
 from haros_ci.launch.python.heap import LARGEST
-from haros_ci.launch.python.run import Run
+from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.sequences import items_of
 from haros_ci.launch.python.values import (
-    Call,
+    LibraryCall,
     Maybe,
+    PartialText,
     Rest,
-    Text,
     Unknown,
     Value,
     holes,
@@ -35,7 +35,7 @@ PLAIN = frozenset(
 PADDED = frozenset(("zfill", "ljust", "rjust", "center"))
 
 
-def text_method(run: Run, value: str | Text, name: str, call: Call) -> Value:
+def text_method(run: ScriptEvaluation, value: str | PartialText, name: str, call: LibraryCall) -> Value:
     """``value.name(…)``."""
     if name == "join":
         return join(run, value, call)
@@ -55,9 +55,9 @@ def text_method(run: Run, value: str | Text, name: str, call: Call) -> Value:
     return run.unknown(f"str.{name} is not followed", call.location)
 
 
-def doubtful(value: str | Text, name: str, call: Call, doubt: Value) -> Value:
+def doubtful(value: str | PartialText, name: str, call: LibraryCall, doubt: Value) -> Value:
     """What a method gives of a text that is not all known: its beginning and its end may be."""
-    if isinstance(value, Text) and call.args and isinstance(call.args[0], str):
+    if isinstance(value, PartialText) and call.args and isinstance(call.args[0], str):
         edge = value.phrase[0] if name == "startswith" else value.phrase[-1] if name == "endswith" else None
         if isinstance(edge, str) and len(edge) >= len(call.args[0]):
             return edge.startswith(call.args[0]) if name == "startswith" else edge.endswith(call.args[0])
@@ -74,11 +74,11 @@ def doubtful(value: str | Text, name: str, call: Call, doubt: Value) -> Value:
         "removeprefix",
         "removesuffix",
     ):
-        return Text((mystery(reason, getattr(doubt, "location", None) or call.location),))
+        return PartialText((mystery(reason, getattr(doubt, "location", None) or call.location),))
     return Unknown(reason, getattr(doubt, "location", None) or call.location)
 
 
-def replace(run: Run, value: Any, call: Call) -> Value:
+def replace(run: ScriptEvaluation, value: Any, call: LibraryCall) -> Value:
     if len(call.args) < 2 or not all(isinstance(item, str) for item in call.args[:2]):
         return run.unknown("str.replace is given no texts", call.location)
     old, new = call.args[:2]
@@ -87,10 +87,10 @@ def replace(run: Run, value: Any, call: Call) -> Value:
     return run.made(value.replace(*call.args), call.location)
 
 
-def join(run: Run, value: str | Text, call: Call) -> Value:
+def join(run: ScriptEvaluation, value: str | PartialText, call: LibraryCall) -> Value:
     items = items_of(run, call.args[0] if call.args else None, call.location)
     if isinstance(items, Unknown):
-        return Text((mystery(items.reason, items.location or call.location),))
+        return PartialText((mystery(items.reason, items.location or call.location),))
     parts: list[Any] = []
     size = 0
     for index, item in enumerate(items):
@@ -99,7 +99,7 @@ def join(run: Run, value: str | Text, call: Call) -> Value:
             parts.extend(phrase(value))
         if isinstance(item, (Maybe, Rest)):
             parts.append(mystery(why(item), getattr(item, "location", None) or call.location))
-        elif isinstance(item, (str, Text)):
+        elif isinstance(item, (str, PartialText)):
             parts.extend(phrase(item))
         else:
             parts.append(mystery(f"{why(item)} in a text", call.location))
@@ -109,10 +109,10 @@ def join(run: Run, value: str | Text, call: Call) -> Value:
     return run.made(text_of(merged(parts)), call.location)
 
 
-TextWork = Callable[[Run, Any, Call], Value]
+TextWork = Callable[[ScriptEvaluation, Any, LibraryCall], Value]
 
 
-def number_of(run: Run, call: Call) -> Value:
+def number_of(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``int(x)`` and ``float(x)``."""
     value = call.args[0] if call.args else 0
     if uncertain(value):
@@ -126,12 +126,12 @@ def number_of(run: Run, call: Call) -> Value:
     return run.unknown(why(value), call.location)
 
 
-def text(run: Run, call: Call) -> Value:
+def text(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``str(x)``."""
     return as_text(run, call.args[0], call.location) if call.args else ""
 
 
-def count(run: Run, call: Call) -> Value:
+def count(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``len(x)``."""
     value = call.args[0] if call.args else None
     if isinstance(value, (str, bytes, range, list, tuple, dict, set)):

@@ -5,20 +5,20 @@ from __future__ import annotations
 
 from typing import Any
 
-from haros_ci.launch.python.run import Run
+from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.values import (
     Absent,
     Choice,
-    Class,
-    Function,
-    Instance,
+    LaunchObject,
     Library,
-    Made,
     Maybe,
+    PartialText,
     PathValue,
     Rest,
+    ScriptClass,
+    ScriptFunction,
+    ScriptInstance,
     Sub,
-    Text,
     Unknown,
     Value,
     holes,
@@ -27,7 +27,7 @@ from haros_ci.launch.python.values import (
 )
 
 
-def truth(run: Run, value: Value) -> bool | Unknown:
+def truth(run: ScriptEvaluation, value: Value) -> bool | Unknown:
     """What ``if value`` asks; Unknown if it is not known."""
     if isinstance(value, Choice):
         answers = [truth(run, item) for _, item in value.options]
@@ -36,7 +36,7 @@ def truth(run: Run, value: Value) -> bool | Unknown:
         return Unknown(value.reason, value.location)
     if isinstance(value, Unknown):
         return value
-    if isinstance(value, Text):
+    if isinstance(value, PartialText):
         if any(isinstance(part, str) for part in value.phrase):
             return True
         return Unknown(why(value), None)
@@ -44,16 +44,16 @@ def truth(run: Run, value: Value) -> bool | Unknown:
         if any(not isinstance(item, (Maybe, Rest)) for item in value):
             return True
         return Unknown(found.reason, found.location) if (found := holes(value)) is not None else False
-    if isinstance(value, (Instance, Library)):
+    if isinstance(value, (ScriptInstance, Library)):
         return Unknown(why(value), None)
-    if isinstance(value, (Made, Sub, PathValue, Function, Class)):
+    if isinstance(value, (LaunchObject, Sub, PathValue, ScriptFunction, ScriptClass)):
         return True
     if value is None or isinstance(value, (bool, int, float, str, bytes, range)):
         return bool(value)
     return Unknown(why(value), None)
 
 
-def equal(run: Run, one: Value, other: Value, depth: int = 0) -> bool | Unknown:
+def equal(run: ScriptEvaluation, one: Value, other: Value, depth: int = 0) -> bool | Unknown:
     """What ``one == other`` asks."""
     run.budget.step()
     if isinstance(one, Choice) != isinstance(other, Choice):
@@ -78,12 +78,12 @@ def equal(run: Run, one: Value, other: Value, depth: int = 0) -> bool | Unknown:
         if isinstance(one, Library) and isinstance(other, Library) and one.dotted == other.dotted:
             return True
         return Unknown(why(one if isinstance(one, Library) else other), None)
-    if isinstance(one, Instance) or isinstance(other, Instance):
+    if isinstance(one, ScriptInstance) or isinstance(other, ScriptInstance):
         return Unknown("how objects compare is not followed", None)
     return False
 
 
-def equal_containers(run: Run, one: Any, other: Any, depth: int) -> bool | Unknown:
+def equal_containers(run: ScriptEvaluation, one: Any, other: Any, depth: int) -> bool | Unknown:
     if type(one) is not type(other):
         return False
     doubt = holes(one) or holes(other)
@@ -111,14 +111,14 @@ def equal_containers(run: Run, one: Any, other: Any, depth: int) -> bool | Unkno
     return True if doubt is None else Unknown(doubt.reason, doubt.location)
 
 
-def contains(run: Run, items: Any, wanted: Value) -> bool | Unknown:
+def contains(run: ScriptEvaluation, items: Any, expected: Value) -> bool | Unknown:
     """What ``wanted in items`` asks, of a list, tuple, set, dictionary or its keys."""
     doubt: Unknown | None = None
-    value = items.get(wanted) if isinstance(items, dict) and isinstance(wanted, str) else None
+    value = items.get(expected) if isinstance(items, dict) and isinstance(expected, str) else None
     if isinstance(value, Choice) and any(isinstance(item, Absent) for _, item in value.options):
         return Unknown(value.reason, value.location)
     for item in items:
-        found = equal(run, item, wanted)
+        found = equal(run, item, expected)
         if found is True:
             return True
         if isinstance(found, Unknown):

@@ -5,24 +5,24 @@ from __future__ import annotations
 
 from typing import Any
 
-from haros_ci.launch.python.run import Run
+from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.values import (
-    Call,
-    Class,
-    Instance,
+    LaunchObject,
     Library,
-    Made,
+    LibraryCall,
     Maybe,
+    PartialText,
     PathValue,
+    ScriptClass,
+    ScriptInstance,
     Sub,
-    Text,
     Unknown,
     Value,
     why,
 )
 
 TYPES: dict[str, Any] = {
-    "str": (str, Text),
+    "str": (str, PartialText),
     "int": int,
     "float": float,
     "bool": bool,
@@ -34,7 +34,7 @@ TYPES: dict[str, Any] = {
 }
 
 
-def is_instance(run: Run, call: Call) -> Value:
+def is_instance(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``isinstance(x, types)``."""
     if len(call.args) != 2:
         return run.unknown("isinstance is given no type", call.location)
@@ -47,37 +47,37 @@ def is_instance(run: Run, call: Call) -> Value:
     return run.unknown("the type is not known", call.location) if None in answers else False
 
 
-def fits(value: Value, wanted: Value) -> bool | None:
+def fits(value: Value, expected: Value) -> bool | None:
     """Whether *value* is of type *wanted*; None if that is not known."""
-    if isinstance(wanted, Class):
-        if not isinstance(value, Instance):
+    if isinstance(expected, ScriptClass):
+        if not isinstance(value, ScriptInstance):
             return None if isinstance(value, Library) else False
         todo = [value.type]
         while todo:
             one = todo.pop()
-            if one is wanted:
+            if one is expected:
                 return True
             todo.extend(one.bases)
         return False
-    if not isinstance(wanted, Library) or isinstance(value, (Library, Instance)):
+    if not isinstance(expected, Library) or isinstance(value, (Library, ScriptInstance)):
         return None
-    last = wanted.dotted.rpartition(".")[2]
-    if wanted.dotted.startswith("builtins.") and last in TYPES:
+    last = expected.dotted.rpartition(".")[2]
+    if expected.dotted.startswith("builtins.") and last in TYPES:
         return isinstance(value, TYPES[last])
     if last in ("Path", "PurePath"):
         return isinstance(value, PathValue)
-    if isinstance(value, Made):
+    if isinstance(value, LaunchObject):
         return True if value.name.rpartition(".")[2] == last else None
     if isinstance(value, Sub):
         return True if last in (value.name, "Substitution") else None
     return False if value is None or isinstance(value, (str, bool, int, float, list, tuple, dict, PathValue)) else None
 
 
-def deep_copy(run: Run, call: Call) -> Value:
+def deep_copy(run: ScriptEvaluation, call: LibraryCall) -> Value:
     return deep(run, call.args[0] if call.args else None, 0)
 
 
-def deep(run: Run, value: Value, depth: int) -> Value:
+def deep(run: ScriptEvaluation, value: Value, depth: int) -> Value:
     run.budget.take(1)
     if depth > 30:
         return run.unknown("it is nested too deep", None)
@@ -87,19 +87,19 @@ def deep(run: Run, value: Value, depth: int) -> Value:
         return {key: deep(run, item, depth + 1) for key, item in value.items()}
     if isinstance(value, set):
         return set(value)
-    if isinstance(value, Instance):
-        return Instance(value.type, {key: deep(run, item, depth + 1) for key, item in value.variables.items()})
+    if isinstance(value, ScriptInstance):
+        return ScriptInstance(value.type, {key: deep(run, item, depth + 1) for key, item in value.variables.items()})
     return value
 
 
-def shallow(run: Run, call: Call) -> Value:
+def shallow(run: ScriptEvaluation, call: LibraryCall) -> Value:
     value = call.args[0] if call.args else None
     return value.copy() if isinstance(value, (list, dict, set)) else value
 
 
-def parent_class(run: Run, call: Call) -> Value:
+def parent_class(run: ScriptEvaluation, call: LibraryCall) -> Value:
     """``super()``: the bases of the class, and the object."""
     made, owner = call.args if len(call.args) == 2 else (None, None)
-    if not isinstance(made, Class) or not isinstance(owner, (Instance, Class)):
+    if not isinstance(made, ScriptClass) or not isinstance(owner, (ScriptInstance, ScriptClass)):
         return run.unknown("super() is not followed here", call.location)
-    return Made("builtins.super", call.location, {"bases": made.bases, "owner": owner})
+    return LaunchObject("builtins.super", call.location, {"bases": made.bases, "owner": owner})

@@ -49,7 +49,7 @@ class Maybe:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Text:
+class PartialText:
     """A str with parts that only the context knows."""
 
     phrase: Phrase
@@ -71,7 +71,7 @@ class PathValue:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Made:
+class LaunchObject:
     """An object that a library made: *name* is its class, *fields* what it keeps (may be changed by its methods)."""
 
     name: str
@@ -105,17 +105,17 @@ class Module:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Scope:
+class ScriptScope:
     """Variables, and where to look further; a class's body is not looked through by its methods."""
 
     variables: dict[str, Value]
-    parent: Scope | None
-    source: Source
+    parent: ScriptScope | None
+    source: ScriptSource
     is_class: bool = False
-    outer_names: dict[str, Scope] = field(default_factory=dict)
+    outer_names: dict[str, ScriptScope] = field(default_factory=dict)
 
     @property
-    def module(self) -> Scope:
+    def module(self) -> ScriptScope:
         scope = self
         while scope.parent is not None:
             scope = scope.parent
@@ -123,7 +123,7 @@ class Scope:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Source:
+class ScriptSource:
     """A file that is interpreted: its root-relative path and lines; *package* is what relative imports begin at."""
 
     path: str
@@ -153,33 +153,33 @@ class Source:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Function:
+class ScriptFunction:
     """A function or lambda of an interpreted file."""
 
     name: str
     node: ast.FunctionDef | ast.Lambda
-    scope: Scope
+    scope: ScriptScope
     defaults: tuple[Value, ...] = ()
     keyword_defaults: tuple[Value, ...] = ()
     kind: str = "function"  # or staticmethod, classmethod, property
-    owner: Class | None = None
+    owner: ScriptClass | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Bound:
     """A function with its first argument."""
 
-    function: Function
+    function: ScriptFunction
     owner: Value
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Class:
+class ScriptClass:
     """A class of an interpreted file; *bases* are such classes, *library* the first base that is not."""
 
     name: str
     variables: dict[str, Value]
-    bases: tuple[Class, ...] = ()
+    bases: tuple[ScriptClass, ...] = ()
     library: str = ""
     fields: tuple[str, ...] = ()  # of a dataclass
 
@@ -190,10 +190,10 @@ class Class:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Instance:
+class ScriptInstance:
     """An object of a class of an interpreted file."""
 
-    type: Class
+    type: ScriptClass
     variables: dict[str, Value] = field(default_factory=dict)
 
 
@@ -220,7 +220,7 @@ class Configurations:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Call:
+class LibraryCall:
     """A call of a library's name: *args* and *keywords* are values; *unknown* says why there may be more of them."""
 
     name: str
@@ -251,7 +251,7 @@ def present(value: Value) -> Value:
 
 def uncertain(value: Value) -> bool:
     """Whether *value* is not one that Python's own operators can work on."""
-    return isinstance(value, (Unknown, Text, Maybe))
+    return isinstance(value, (Unknown, PartialText, Maybe))
 
 
 def holes(items: Any) -> Unknown | None:
@@ -294,7 +294,7 @@ def phrase(value: Value, depth: int = 0) -> Phrase:
     """*value* as launch takes a text: a str, a Substitution, a Path, or a sequence of such one after the other."""
     if isinstance(value, str):
         return (value,) if value else ()
-    if isinstance(value, (Text, Sub)):
+    if isinstance(value, (PartialText, Sub)):
         return value.phrase
     if isinstance(value, PathValue):
         return phrase(value.text)
@@ -317,7 +317,7 @@ def text_of(value: Phrase) -> Value:
         return ""
     if len(value) == 1 and isinstance(value[0], str):
         return value[0]
-    return Text(value)
+    return PartialText(value)
 
 
 def why(value: Value) -> str:
@@ -326,24 +326,24 @@ def why(value: Value) -> str:
         return value.reason
     if isinstance(value, Maybe):
         return value.tests[0].reason or "depends on a condition"
-    if isinstance(value, Text):
+    if isinstance(value, PartialText):
         return next((p.reason or f"depends on $({p.kind})" for p in value.phrase if isinstance(p, Substitution)), "")
     return f"{describe(value)} is not supported here"
 
 
 def describe(value: Value) -> str:
     """What *value* is, for a reason."""
-    if isinstance(value, (Made, Sub)):
+    if isinstance(value, (LaunchObject, Sub)):
         return value.name
     if isinstance(value, Library):
         return value.dotted
-    if isinstance(value, (Function, Class, Native, Module)):
+    if isinstance(value, (ScriptFunction, ScriptClass, Native, Module)):
         return f"`{value.name}`"
-    if isinstance(value, Instance):
+    if isinstance(value, ScriptInstance):
         return f"an object of `{value.type.name}`"
     if isinstance(value, Bound):
         return f"`{value.function.name}`"
-    if isinstance(value, Text):
+    if isinstance(value, PartialText):
         return "a text that the context knows"
     return {"NoneType": "None", "PathValue": "a path", "Opened": "a file"}.get(
         type(value).__name__, f"a {type(value).__name__}"

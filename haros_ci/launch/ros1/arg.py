@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 from haros_ci.launch.facts import ros1
-from haros_ci.launch.ros1.scope import Scope
-from haros_ci.launch.ros1.state import State, unknown_condition
+from haros_ci.launch.ros1.scope import LoaderScope
+from haros_ci.launch.ros1.state import RoslaunchState, unknown_condition
 from haros_ci.model.architecture import Condition
 from haros_ci.model.launch import LaunchElement
 from haros_ci.substitutions.names import Text, quoted, unknown
@@ -13,12 +13,12 @@ from haros_ci.substitutions.names import Text, quoted, unknown
 ATTRIBUTES = ("name", "value", "default", "doc")
 
 
-def arg(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> None:
+def arg(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> None:
     """Declare the arg of *tag* in *scope*. Under an undecided condition its value is unknown, unless it is the same."""
-    given = _given(state, scope, tag)
-    if given is None:
+    provided = _attributes(state, scope, tag)
+    if provided is None:
         return
-    name, value, default = given
+    name, value, default = provided
     ros1.declared(state, scope, tag, name)
     undecided = len(conditions) > len(scope.conditions)
     if name in scope.declared:
@@ -51,13 +51,17 @@ def arg(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condit
 
 
 def passed_arg(
-    state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condition, ...], passed: dict[str, Text]
+    state: RoslaunchState,
+    scope: LoaderScope,
+    tag: LaunchElement,
+    conditions: tuple[Condition, ...],
+    passed: dict[str, Text],
 ) -> str | None:
     """Put the arg of *tag*, a child of an ``<include>``, into *passed*, and return its name; None if it is refused."""
-    given = _given(state, scope, tag)
-    if given is None:
+    provided = _attributes(state, scope, tag)
+    if provided is None:
         return None
-    name, value, default = given
+    name, value, default = provided
     if value is None and default is None:
         state.wrong(scope, tag, f"argument {quoted(name)} is passed without a value; add one")
         return None
@@ -69,7 +73,9 @@ def passed_arg(
     return name
 
 
-def _given(state: State, scope: Scope, tag: LaunchElement) -> tuple[str, Text | None, Text | None] | None:
+def _attributes(
+    state: RoslaunchState, scope: LoaderScope, tag: LaunchElement
+) -> tuple[str, Text | None, Text | None] | None:
     state.check_attributes(scope, tag, ATTRIBUTES)
     names = state.required(scope, tag, "name")
     value, default = (state.attribute(scope, tag, attribute) for attribute in ("value", "default"))
@@ -85,7 +91,7 @@ def _given(state: State, scope: Scope, tag: LaunchElement) -> tuple[str, Text | 
     return name, value, default
 
 
-def _set_perhaps(scope: Scope, name: str, value: Text | None, default: Text | None, why: str) -> None:
+def _set_perhaps(scope: LoaderScope, name: str, value: Text | None, default: Text | None, why: str) -> None:
     made = value if value is not None else default
     if made is None:
         if name not in scope.args:
@@ -98,7 +104,7 @@ def _set_perhaps(scope: Scope, name: str, value: Text | None, default: Text | No
     scope.doubtful.add(name)
 
 
-def _doubtful(scope: Scope, name: str, made: Text) -> Text:
+def _doubtful(scope: LoaderScope, name: str, made: Text) -> Text:
     """*made*, unless an undecided tag may have set the arg to something else before."""
     before = scope.args.get(name)
     if name not in scope.doubtful or before is None or before == made:

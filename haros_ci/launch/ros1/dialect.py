@@ -149,8 +149,8 @@ def _is_resolved(element: LaunchElement, name: str, native: int) -> bool:
 
 def _is_missed(element: LaunchElement, name: str) -> bool:
     """Whether roslaunch stops because the attribute *name* of ROS 2 stands instead of one that it requires."""
-    wanted = _INSTEAD_OF.get((element.tag, name))
-    return wanted is not None and all(element.get(each) is None for each in wanted)
+    requested = _INSTEAD_OF.get((element.tag, name))
+    return requested is not None and all(element.get(item) is None for item in requested)
 
 
 def _sign(element: LaunchElement) -> int:

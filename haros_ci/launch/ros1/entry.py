@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterator, Mapping
 
 from haros_ci.launch.ros1.arg import arg
 from haros_ci.launch.ros1.dialect import is_ros1
-from haros_ci.launch.ros1.scope import Scope
-from haros_ci.launch.ros1.state import State
+from haros_ci.launch.ros1.scope import LoaderScope
+from haros_ci.launch.ros1.state import RoslaunchState
 from haros_ci.model.environment import NOTHING
 from haros_ci.model.launch import LaunchElement, LaunchFile
 from haros_ci.model.workspace import Workspace
@@ -51,9 +51,9 @@ def _includes(
     environment: Mapping[str, str],
 ) -> Iterator[str]:
     """The files that *launch* itself includes."""
-    state = State(files=files, load=load, environment=environment)
-    top = Scope(path=path, namespace=Text("/"), directory=files.directory_of(path))
-    todo: list[tuple[Scope, LaunchElement]] = []
+    state = RoslaunchState(files=files, load=load, environment=environment)
+    top = LoaderScope(path=path, namespace=Text("/"), directory=files.directory_of(path))
+    todo: list[tuple[LoaderScope, LaunchElement]] = []
     if launch.root is not None:
         todo = [(top, child) for child in reversed(launch.root.children)]
     while todo:

@@ -12,8 +12,8 @@ from haros_ci.launch.facts import ros1
 from haros_ci.launch.ros1.param import Named, params
 from haros_ci.launch.ros1.presence import assume, held
 from haros_ci.launch.ros1.rosparam import rosparam
-from haros_ci.launch.ros1.scope import Remap, Scope, location
-from haros_ci.launch.ros1.state import State, check_clear_params, inner_namespace, unknown_condition, unset
+from haros_ci.launch.ros1.scope import LoaderScope, Remap, location
+from haros_ci.launch.ros1.state import RoslaunchState, check_clear_params, inner_namespace, unknown_condition, unset
 from haros_ci.model.architecture import Condition, Parameter, Unknown
 from haros_ci.model.launch import LaunchElement, Started
 from haros_ci.substitutions.names import MARK, Text, canonical, is_legal, is_private, literal, quoted, unknown
@@ -25,7 +25,7 @@ TEST_ATTRIBUTES = (*NODE_ATTRIBUTES, "test-name", "time-limit", "retry")
 MACHINE_ATTRIBUTES = ("name", "address", "env-loader", "ssh-port", "user", "password", "default", "timeout")
 
 
-def node(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> None:
+def node(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> None:
     """Add the node of *tag* and its parameters; nothing, with a problem, if roslaunch refuses the tag.
 
     The order is roslaunch's: the node's ``<rosparam>``, then ``~`` params of the scope, then its own ``<param>``.
@@ -86,7 +86,9 @@ def node(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condi
     ros1.started(state, scope, state.nodes[-1])
 
 
-def _own_parameter(state: State, inner: Scope, full: Text, child: LaunchElement, outer: Scope) -> None:
+def _own_parameter(
+    state: RoslaunchState, inner: LoaderScope, full: Text, child: LaunchElement, outer: LoaderScope
+) -> None:
     """The ``<param>`` or ``<rosparam>`` *child* of the node *full* by itself."""
     if child.tag.lower() == "rosparam":
         rosparam(state, inner, child, outer.conditions)
@@ -96,7 +98,12 @@ def _own_parameter(state: State, inner: Scope, full: Text, child: LaunchElement,
 
 
 def _arguments(
-    state: State, scope: Scope, tag: LaunchElement, full: Text, args: Text, conditions: tuple[Condition, ...]
+    state: RoslaunchState,
+    scope: LoaderScope,
+    tag: LaunchElement,
+    full: Text,
+    args: Text,
+    conditions: tuple[Condition, ...],
 ) -> None:
     """``_name:=value`` among a node's arguments: it sets that private parameter when it starts."""
     if "_" not in args.raw:
@@ -114,7 +121,7 @@ def _arguments(
         state.add_parameter(_private_name(full, literal(name)), made)
 
 
-def remap(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> None:
+def remap(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> None:
     """Add a remap to *scope*; under an undecided condition its target is unknown, unless it changes nothing."""
     state.check_attributes(scope, tag, ("from", "to"))
     pair = state.required(scope, tag, "from", "to")
@@ -123,8 +130,8 @@ def remap(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Cond
     source, target = (Text(canonical(text.raw), text.reasons) for text in pair)
     for text in (source, target):
         if not text.raw or not is_legal(text.raw):
-            said = f"{quoted(text.raw)} is no legal name" if text.raw else "'from' and 'to' cannot be empty"
-            state.wrong(scope, tag, f"<remap>: {said}; correct it. The tag is left out")
+            message = f"{quoted(text.raw)} is no legal name" if text.raw else "'from' and 'to' cannot be empty"
+            state.wrong(scope, tag, f"<remap>: {message}; correct it. The tag is left out")
             return
     undecided = conditions[len(scope.conditions) :]
     rule = written_rule(
@@ -140,7 +147,9 @@ def remap(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Cond
     scope.add_remap(Remap(source, target, location(scope, tag), rule))
 
 
-def environment(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> None:
+def environment(
+    state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, conditions: tuple[Condition, ...]
+) -> None:
     """Add an environment variable to the nodes of *scope*."""
     state.check_attributes(scope, tag, ("name", "value"))
     pair = state.required(scope, tag, "name", "value")
@@ -156,27 +165,29 @@ def environment(state: State, scope: Scope, tag: LaunchElement, conditions: tupl
     scope.environment = (*scope.environment, (name, value))
 
 
-def machine(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> None:
+def machine(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> None:
     """Declare a machine that nodes may name."""
     state.check_attributes(scope, tag, MACHINE_ATTRIBUTES)
     needed = state.required(scope, tag, "name", "address")
-    given = {name: state.attribute(scope, tag, name) for name in MACHINE_ATTRIBUTES}
+    provided = {name: state.attribute(scope, tag, name) for name in MACHINE_ATTRIBUTES}
     for child in tag.children:
         state.wrong(scope, child, f"<{child.tag}> cannot stand in <machine>; remove it")
     if needed is None:
         return
-    default = given["default"]
+    default = provided["default"]
     if default is not None and default.known and default.raw.lower() not in ("", "true", "false", "never"):
         state.wrong(scope, tag, f"<machine default={quoted(default.raw)}>: write true, false or never")
     for name, whole in (("timeout", False), ("ssh-port", True)):
-        _check_number(state, scope, tag, name, given[name], whole=whole)
-    shown = tuple(text.shown if text is not None else None for key, text in given.items() if key != "default")
+        _check_number(state, scope, tag, name, provided[name], whole=whole)
+    shown = tuple(text.shown if text is not None else None for key, text in provided.items() if key != "default")
     name = needed[0].shown
     if needed[0].known and state.machines.setdefault(name, shown) != shown and not conditions:
         state.wrong(scope, tag, f"machine {quoted(name)} is declared twice, in different ways; keep one")
 
 
-def _accepted(state: State, scope: Scope, tag: LaunchElement, name: Text, package: Text, type_: Text) -> bool:
+def _accepted(
+    state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, name: Text, package: Text, type_: Text
+) -> bool:
     if "/" in name.raw:
         state.wrong(scope, tag, f"node name {quoted(name.shown)} holds a namespace; use ns=... The tag is left out")
         return False
@@ -195,7 +206,7 @@ def _accepted(state: State, scope: Scope, tag: LaunchElement, name: Text, packag
     return True
 
 
-def _options_accepted(state: State, scope: Scope, tag: LaunchElement, options: dict[str, Text]) -> bool:
+def _options_accepted(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, options: dict[str, Text]) -> bool:
     if tag.tag == "node":
         respawn, required = (state.truth(scope, tag, name) for name in ("respawn", "required"))
         if respawn and required:
@@ -212,8 +223,8 @@ def _options_accepted(state: State, scope: Scope, tag: LaunchElement, options: d
 
 
 def _check_number(
-    state: State,
-    scope: Scope,
+    state: RoslaunchState,
+    scope: LoaderScope,
     tag: LaunchElement,
     label: str,
     text: Text | None,
@@ -243,7 +254,7 @@ def _merged(first: tuple[Condition, ...], second: tuple[Condition, ...]) -> tupl
 
 
 def _check_duplicate(
-    state: State, scope: Scope, tag: LaunchElement, full: Text, conditions: tuple[Condition, ...]
+    state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, full: Text, conditions: tuple[Condition, ...]
 ) -> None:
     """roslaunch refuses a second node of one name; under differing conditions they may exclude each other."""
     if tag.tag == "test" or not full.known:
@@ -258,14 +269,14 @@ def _check_duplicate(
 
 
 def _started(
-    scope: Scope,
+    scope: LoaderScope,
     tag: LaunchElement,
     full: Text,
     namespace: Text,
     package: Text,
     type_: Text,
     options: dict[str, Text],
-    own: Scope,
+    own: LoaderScope,
 ) -> Started:
     place = location(scope, tag)
     fields = {

@@ -9,8 +9,8 @@ from dataclasses import dataclass, replace
 
 from haros_ci.launch.facts import ros1
 from haros_ci.launch.ros1.rosparam import key_shown, key_text, leaf_parameter
-from haros_ci.launch.ros1.scope import Private, Scope, location
-from haros_ci.launch.ros1.state import State, unset
+from haros_ci.launch.ros1.scope import LoaderScope, Private, location
+from haros_ci.launch.ros1.state import RoslaunchState, unset
 from haros_ci.model.architecture import Condition, Parameter
 from haros_ci.model.launch import LaunchElement
 from haros_ci.substitutions.names import MARK, Text, is_private, join_in, literal, quoted
@@ -29,7 +29,9 @@ class Named:
     parameter: Parameter
 
 
-def scope_param(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> None:
+def scope_param(
+    state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, conditions: tuple[Condition, ...]
+) -> None:
     """A ``<param>`` outside a node: ``~name`` is for the nodes declared after it, others are set in the namespace."""
     for named in params(state, scope, tag, conditions):
         if not is_private(named.name.raw):
@@ -45,11 +47,13 @@ def scope_param(state: State, scope: Scope, tag: LaunchElement, conditions: tupl
         scope.privates.append(Private(named.name, replace(named.parameter, presence=scope.presence)))
 
 
-def params(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> Iterator[Named]:
+def params(
+    state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, conditions: tuple[Condition, ...]
+) -> Iterator[Named]:
     """What the ``<param>`` *tag* sets; nothing, with a problem, if roslaunch refuses it."""
     state.check_attributes(scope, tag, ATTRIBUTES)
     names = state.required(scope, tag, "name")
-    given = [name for name in _SOURCES if tag.get(name) is not None]
+    provided = [name for name in _SOURCES if tag.get(name) is not None]
     kind = (tag.get("type") or "auto").lower().strip()
     if names is None:
         return
@@ -57,19 +61,19 @@ def params(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Con
     place = location(scope, tag)
     if not name.raw:
         state.wrong(scope, tag, "<param> has an empty name; give it one. The tag is left out")
-    elif len(given) != 1:
+    elif len(provided) != 1:
         state.wrong(scope, tag, f"<param name={quoted(name.shown)}> needs one of {', '.join(_SOURCES)}, and only one")
     elif kind not in TYPES:
         allowed = ", ".join(TYPES)
         state.wrong(scope, tag, f"<param name={quoted(name.shown)} type={quoted(kind)}>: write one of {allowed}")
     else:
         blank = Parameter(name="", type=TYPES[kind], value=None, conditions=conditions, location=place)
-        text = state.attribute(scope, tag, given[0]) or Text("")
-        if given[0] == "value":
+        text = state.attribute(scope, tag, provided[0]) or Text("")
+        if provided[0] == "value":
             yield from _converted(state, scope, tag, name, text.stripped(), kind, blank)
-        elif given[0] == "textfile":
+        elif provided[0] == "textfile":
             yield from _textfile(state, scope, tag, name, text, kind, blank)
-        elif given[0] == "binfile":
+        elif provided[0] == "binfile":
             reason = f"binary content (base64) of {quoted(text.shown)}, which is none of the plain types"
             unknowns = unset("value", reason, place) + unset("type", reason, place)
             yield Named(name, replace(blank, type=None, unknowns=unknowns))
@@ -79,7 +83,7 @@ def params(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Con
 
 
 def _converted(
-    state: State, scope: Scope, tag: LaunchElement, name: Text, text: Text, kind: str, blank: Parameter
+    state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, name: Text, text: Text, kind: str, blank: Parameter
 ) -> Iterator[Named]:
     place = location(scope, tag)
     if kind == "yaml":
@@ -103,7 +107,9 @@ def _converted(
     yield Named(name, replace(parameter, type=type_of(value)))
 
 
-def _yaml(state: State, scope: Scope, tag: LaunchElement, name: Text, text: Text, blank: Parameter) -> Iterator[Named]:
+def _yaml(
+    state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, name: Text, text: Text, blank: Parameter
+) -> Iterator[Named]:
     """A map becomes its leaves, as the parameter server keeps it; one without entries is set as such."""
     state.spend(len(text.raw) // 20)
     try:
@@ -138,7 +144,7 @@ def _yaml(state: State, scope: Scope, tag: LaunchElement, name: Text, text: Text
 
 
 def _textfile(
-    state: State, scope: Scope, tag: LaunchElement, name: Text, file: Text, kind: str, blank: Parameter
+    state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, name: Text, file: Text, kind: str, blank: Parameter
 ) -> Iterator[Named]:
     place = state.files.place(file)
     if place.path is not None and state.files.has(place.path):

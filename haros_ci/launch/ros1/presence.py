@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 
-from haros_ci.launch.ros1.scope import Scope
-from haros_ci.launch.ros1.state import Exhausted, State
+from haros_ci.launch.ros1.scope import LoaderScope
+from haros_ci.launch.ros1.state import RoslaunchBudgetExhausted, RoslaunchState
 from haros_ci.model.architecture import Condition
 from haros_ci.model.launch import LaunchElement
 from haros_ci.model.presence import Presence, together
@@ -16,7 +16,7 @@ from haros_ci.substitutions.names import Text, derived, literal, unknown
 from haros_ci.substitutions.presence import OTHER, Assumed, Question, elsewhere, is_elsewhere
 from haros_ci.substitutions.types import boolean
 
-Handler = Callable[[State, Scope, LaunchElement, tuple[Condition, ...]], None]
+Handler = Callable[[RoslaunchState, LoaderScope, LaunchElement, tuple[Condition, ...]], None]
 
 #: Tags that start or set something for nodes.
 STARTING = frozenset(("group", "include", "node", "test", "param", "rosparam"))
@@ -25,7 +25,7 @@ MAX_ASSUMPTIONS = 3
 MAX_ASSUMED = 250_000
 
 
-def perform(state: State, scope: Scope, tag: LaunchElement, handler: Handler) -> None:
+def perform(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, handler: Handler) -> None:
     """Let *handler* evaluate *tag* if its condition holds, or may hold; else with the nearest args under which it does."""
     if state.arguments is None:
         conditions = state.conditions(scope, tag)
@@ -54,7 +54,7 @@ def perform(state: State, scope: Scope, tag: LaunchElement, handler: Handler) ->
 
 
 @contextmanager
-def held(state: State, scope: Scope, tag: LaunchElement) -> Iterator[None]:
+def held(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement) -> Iterator[None]:
     """What is done under the condition of *tag*, which may hold, has its presence."""
     before = (state.presence, scope.presence)
     if state.arguments is not None and _is_conditional(tag):
@@ -65,7 +65,7 @@ def held(state: State, scope: Scope, tag: LaunchElement) -> Iterator[None]:
         state.presence, scope.presence = before
 
 
-def assume(state: State, scope: Scope, tag: LaunchElement, work: Callable[[Scope], None]) -> None:
+def assume(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, work: Callable[[LoaderScope], None]) -> None:
     """Do *work*, in a scope of its own, with the nearest args under which the condition of *tag*, which does not hold, does.
 
     What it starts and sets are alternatives; all else is as before.
@@ -73,9 +73,9 @@ def assume(state: State, scope: Scope, tag: LaunchElement, work: Callable[[Scope
     if state.arguments is None or state.assumptions >= MAX_ASSUMPTIONS:
         return
     try:
-        asked = _question(state, scope, tag)
-        found = asked.nearest(scope.presence) if asked is not None else None
-    except Exhausted:
+        requested = _question(state, scope, tag)
+        found = requested.nearest(scope.presence) if requested is not None else None
+    except RoslaunchBudgetExhausted:
         if state.is_spare:
             raise
         return
@@ -84,7 +84,7 @@ def assume(state: State, scope: Scope, tag: LaunchElement, work: Callable[[Scope
     is_outermost = not state.assumptions
     here = (state.assumed, state.presence, state.nodes, state.parameters, state.names)
     tables = (state.machines, state.arguments_shown, state.read, state.included, state.is_partial)
-    inner = scope.apart()
+    inner = scope.isolated()
     state.assumed, state.presence = {**state.assumed, **found[0]}, found[1]
     inner.presence = found[1]
     state.nodes, state.parameters, state.names, state.machines = state.alternatives, {}, {}, dict(state.machines)
@@ -93,12 +93,14 @@ def assume(state: State, scope: Scope, tag: LaunchElement, work: Callable[[Scope
     try:
         with _spare(state, MAX_ASSUMED):
             work(inner)
-    except Exhausted:
+    except RoslaunchBudgetExhausted:
         if not is_outermost:
             raise
     finally:
         state.assumptions -= 1
-        state.alternative_parameters += [each for together_ in state.parameters.values() for each in together_]
+        state.alternative_parameters += [
+            parameter for together_ in state.parameters.values() for parameter in together_
+        ]
         state.assumed, state.presence, state.nodes, state.parameters, state.names = here
         state.machines, state.arguments_shown, state.read, state.included, state.is_partial = tables
 
@@ -108,7 +110,7 @@ def _is_conditional(tag: LaunchElement) -> bool:
 
 
 @contextmanager
-def _spare(state: State, most: int) -> Iterator[None]:
+def _spare(state: RoslaunchState, most: int) -> Iterator[None]:
     """Spend of what is left for questions and assumptions, up to *most*."""
     if state.is_spare:
         yield
@@ -122,7 +124,7 @@ def _spare(state: State, most: int) -> Iterator[None]:
         state.budget, state.is_spare = budget, False
 
 
-def _holds(state: State, scope: Scope, tag: LaunchElement) -> bool | None:
+def _holds(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement) -> bool | None:
     """Whether the condition of *tag* holds; None if that is not known."""
     conditions = [(name, raw) for name in ("if", "unless") if (raw := tag.get(name)) is not None]
     if len(conditions) != 1:
@@ -139,7 +141,7 @@ def _truth(text: Text, statement: str) -> bool | None:
 
 
 @contextmanager
-def _asking(state: State, assumed: Assumed) -> Iterator[None]:
+def _asking(state: RoslaunchState, assumed: Assumed) -> Iterator[None]:
     before = (state.is_asking, state.assumed, state.compared)
     state.is_asking, state.assumed, state.compared = True, assumed, set()
     try:
@@ -150,7 +152,7 @@ def _asking(state: State, assumed: Assumed) -> Iterator[None]:
         state.is_asking, state.assumed, state.compared = before
 
 
-def _question(state: State, scope: Scope, tag: LaunchElement) -> Question | None:
+def _question(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement) -> Question | None:
     """What may be asked about the condition of *tag*; None if no arg of the top level decides it."""
     arguments, outer = state.arguments, state.assumed
     assert arguments is not None
@@ -182,31 +184,31 @@ def _question(state: State, scope: Scope, tag: LaunchElement) -> Question | None
     return Question(ask, arguments, names, {name: arguments.current(name, outer) for name in names}, literals)
 
 
-def _presence(state: State, scope: Scope, tag: LaunchElement) -> Presence:
+def _presence(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement) -> Presence:
     try:
-        asked = _question(state, scope, tag)
-        if asked is None:
+        requested = _question(state, scope, tag)
+        if requested is None:
             return scope.presence
-        own = asked.because({})[0] if asked.ask({}) else asked.needed()
+        own = requested.because({})[0] if requested.ask({}) else requested.needed()
         return together(scope.presence, own) or scope.presence
-    except Exhausted:
+    except RoslaunchBudgetExhausted:
         if state.is_spare:
             raise
         return scope.presence
 
 
-def _guard(state: State, scope: Scope, tag: LaunchElement, name: str, before: Text | None) -> None:
+def _guard(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, name: str, before: Text | None) -> None:
     """Let the arg *name*, which *tag* has set or not, depend on the condition of *tag*; *before* it was set."""
     arguments, outer = state.arguments, state.assumed
     value, default = tag.get("value"), tag.get("default")
     raw = value if value is not None else default
     if arguments is None or raw is None:
         return
-    statement, condition = next((each, tag.get(each) or "") for each in ("if", "unless") if tag.get(each) is not None)
+    statement, condition = next((item, tag.get(item) or "") for item in ("if", "unless") if tag.get(item) is not None)
     try:
         with _asking(state, outer):
             made, tested = state.substituted(scope, tag, raw), state.substituted(scope, tag, condition)
-    except Exhausted:
+    except RoslaunchBudgetExhausted:
         if state.is_spare:
             raise
         return

@@ -16,8 +16,8 @@ from haros_ci.launch.ros1.node import machine, node, remap
 from haros_ci.launch.ros1.param import scope_param
 from haros_ci.launch.ros1.presence import perform
 from haros_ci.launch.ros1.rosparam import rosparam
-from haros_ci.launch.ros1.scope import Scope, location
-from haros_ci.launch.ros1.state import Exhausted, State, check_clear_params, inner_namespace
+from haros_ci.launch.ros1.scope import LoaderScope, location
+from haros_ci.launch.ros1.state import RoslaunchBudgetExhausted, RoslaunchState, check_clear_params, inner_namespace
 from haros_ci.model.architecture import Condition, Parameter
 from haros_ci.model.environment import key_of
 from haros_ci.model.launch import Launched, LaunchElement, LaunchFile
@@ -25,12 +25,12 @@ from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.substitutions.files import files_of
 from haros_ci.substitutions.names import Text, literal, quoted
-from haros_ci.substitutions.presence import Arguments
+from haros_ci.substitutions.presence import LaunchArguments
 
 #: How deep groups and includes may be nested, together.
 MAX_DEPTH = 60
 
-_Handler = Callable[[State, Scope, LaunchElement, tuple[Condition, ...]], None]
+_Handler = Callable[[RoslaunchState, LoaderScope, LaunchElement, tuple[Condition, ...]], None]
 
 
 def evaluate(
@@ -60,18 +60,18 @@ def evaluate(
     if memo is not None and key in memo:
         before: Launched = memo[key]
         return before
-    state = State(files=files_of(workspace), load=load, environment=environment)
-    state.arguments = Arguments() if alternatives else None
-    given = {name: literal(value) for name, value in sorted(arguments.items())}
+    state = RoslaunchState(files=files_of(workspace), load=load, environment=environment)
+    state.arguments = LaunchArguments() if alternatives else None
+    provided = {name: literal(value) for name, value in sorted(arguments.items())}
     declared: set[str] = set()
     try:
         for path in launch_paths:
-            declared |= _top_level(state, path, given)
-    except Exhausted:
+            declared |= _top_level(state, path, provided)
+    except RoslaunchBudgetExhausted:
         message = "the launch files include and set more than can be evaluated; what is left is unknown"
         state.problems[Problem(launch_paths[0], message)] = None
     else:
-        for name in (name for name in given if name not in declared and launch_paths):
+        for name in (name for name in provided if name not in declared and launch_paths):
             state.problem(launch_paths[0], None, f"argument {quoted(name)} is set, but not declared; correct its name")
     parameters = tuple(parameter for _, together in sorted(state.parameters.items()) for parameter in together)
     _check_parents(state, parameters)
@@ -92,7 +92,7 @@ def evaluate(
     return launched
 
 
-def _assumed_problems(state: State) -> list[Problem]:
+def _assumed_problems(state: RoslaunchState) -> list[Problem]:
     """What is wrong with other args alone, each with the first of them."""
     return [
         Problem(problem.path, f"{problem.message} (with {words})", problem.line)
@@ -101,12 +101,12 @@ def _assumed_problems(state: State) -> list[Problem]:
     ]
 
 
-def _top_level(state: State, path: str, given: Mapping[str, Text]) -> set[str]:
+def _top_level(state: RoslaunchState, path: str, provided: Mapping[str, Text]) -> set[str]:
     """Evaluate one file and return the names of the args that it declares."""
     root = _root(state, path, None)
     if root is None:
-        return set(given)
-    scope = Scope(path=path, namespace=Text("/"), directory=state.files.directory_of(path), args=dict(given))
+        return set(provided)
+    scope = LoaderScope(path=path, namespace=Text("/"), directory=state.files.directory_of(path), args=dict(provided))
     scope.chain = ((path, _frozen(scope.args)),)
     _walk(state, scope, root.children)
     for name in scope.declared:
@@ -114,7 +114,9 @@ def _top_level(state: State, path: str, given: Mapping[str, Text]) -> set[str]:
     return set(scope.declared)
 
 
-def _root(state: State, path: str, included_by: tuple[Scope, LaunchElement] | None) -> LaunchElement | None:
+def _root(
+    state: RoslaunchState, path: str, included_by: tuple[LoaderScope, LaunchElement] | None
+) -> LaunchElement | None:
     """The ``<launch>`` of the file at *path*; None, with a problem, if there is none."""
     launch = state.load(path)
     if launch is None:
@@ -140,7 +142,7 @@ def _root(state: State, path: str, included_by: tuple[Scope, LaunchElement] | No
     return launch.root
 
 
-def _walk(state: State, scope: Scope, tags: tuple[LaunchElement, ...]) -> None:
+def _walk(state: RoslaunchState, scope: LoaderScope, tags: tuple[LaunchElement, ...]) -> None:
     for tag in tags:
         state.spend(5)
         handler = _HANDLERS.get(tag.tag)
@@ -151,7 +153,7 @@ def _walk(state: State, scope: Scope, tags: tuple[LaunchElement, ...]) -> None:
         perform(state, scope, tag, handler)
 
 
-def _group(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> None:
+def _group(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> None:
     state.check_attributes(scope, tag, ("ns", "clear_params"))
     namespace = inner_namespace(state, scope, tag)
     if namespace is None or not check_clear_params(state, scope, tag):
@@ -164,7 +166,7 @@ def _group(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Con
     _walk(state, inner, tag.children)
 
 
-def _include(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> None:
+def _include(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> None:
     state.spend(100)
     state.check_attributes(scope, tag, ("file", "ns", "clear_params", "pass_all_args"))
     needed = state.required(scope, tag, "file")
@@ -207,7 +209,13 @@ def _include(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[C
 
 
 def _inside(
-    state: State, scope: Scope, entered: Scope, tag: LaunchElement, file: Text, path: str, pass_all: bool | None
+    state: RoslaunchState,
+    scope: LoaderScope,
+    entered: LoaderScope,
+    tag: LaunchElement,
+    file: Text,
+    path: str,
+    pass_all: bool | None,
 ) -> None:
     """Evaluate the launch file at the root-relative *path*, in the scope *entered*, which has the arguments that are passed."""
     link = (path, _frozen(entered.args))
@@ -240,7 +248,9 @@ def _inside(
         state.wrong(scope, tag, f"passes {listed}, which {path} does not declare; remove it, or declare it there")
 
 
-def _outside(state: State, scope: Scope, entered: Scope, tag: LaunchElement, file: Text, root: LaunchElement) -> None:
+def _outside(
+    state: RoslaunchState, scope: LoaderScope, entered: LoaderScope, tag: LaunchElement, file: Text, root: LaunchElement
+) -> None:
     """Evaluate the *root* of a launch file outside the workspace; what it says by itself is no fact of the workspace."""
     passed = tuple(entered.args)
     facts = state.facts
@@ -253,8 +263,8 @@ def _outside(state: State, scope: Scope, entered: Scope, tag: LaunchElement, fil
 
 
 def _include_child(
-    state: State,
-    inner: Scope,
+    state: RoslaunchState,
+    inner: LoaderScope,
     child: LaunchElement,
     passed: dict[str, Text],
     doubtful: set[str],
@@ -287,7 +297,7 @@ def _frozen(args: Mapping[str, Text]) -> tuple[tuple[str, Text], ...]:
     return tuple(sorted(args.items(), key=lambda item: item[0]))
 
 
-def _check_parents(state: State, parameters: tuple[Parameter, ...]) -> None:
+def _check_parents(state: RoslaunchState, parameters: tuple[Parameter, ...]) -> None:
     """A parameter with a value cannot hold others; roslaunch warns of it."""
     values = {parameter.name: parameter for parameter in parameters if not parameter.conditions}
     values = {name: parameter for name, parameter in values.items() if "?" not in name}
@@ -301,7 +311,7 @@ def _check_parents(state: State, parameters: tuple[Parameter, ...]) -> None:
                 state.problem(at.path, at.line, f"{message} ({above.location.path}:{above.location.line}); rename one")
 
 
-def _check_machines(state: State) -> None:
+def _check_machines(state: RoslaunchState) -> None:
     """A node's machine must be declared; where an include cannot be read, it may be there."""
     for started in () if state.is_partial else state.nodes:
         machine_name = started.machine

@@ -7,14 +7,14 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from haros_ci.launch.ros1.scope import Scope, location
-from haros_ci.launch.ros1.state import State, unset
+from haros_ci.launch.ros1.scope import LoaderScope, location
+from haros_ci.launch.ros1.state import RoslaunchState, unset
 from haros_ci.model.architecture import Condition, Parameter
 from haros_ci.model.launch import LaunchElement
 from haros_ci.model.location import Location
 from haros_ci.substitutions.names import MARK, Text, join, join_in, literal, quoted, unknown
 from haros_ci.substitutions.types import type_of
-from haros_ci.substitutions.yaml import Opaque, YamlError, YamlValue, parts, plain, read_yaml
+from haros_ci.substitutions.yaml import OpaqueNode, YamlError, YamlValue, parts, plain, read_yaml
 
 ATTRIBUTES = ("command", "ns", "file", "param", "subst_value")
 _INT32 = range(-(2**31), 2**31)
@@ -28,7 +28,7 @@ class Leaf:
     value: YamlValue
 
 
-def rosparam(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> None:
+def rosparam(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> None:
     """Load what *tag* says into the namespace of *scope*.
 
     Of a file that cannot be read nobody knows what it sets: a parameter ``/namespace/?`` stands for that.
@@ -72,7 +72,7 @@ def _target(ns: Text | None, param: Text | None) -> Text:
     return Text(joined, outer.reasons + inner.reasons)
 
 
-def _file(state: State, scope: Scope, tag: LaunchElement, file: Text) -> _Source | str:
+def _file(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, file: Text) -> _Source | str:
     """The text of *file*, or why there is none."""
     place = state.files.place(file)
     if place.path is None:
@@ -101,8 +101,8 @@ def _body(tag: LaunchElement) -> _Source:
 
 
 def _load(
-    state: State,
-    scope: Scope,
+    state: RoslaunchState,
+    scope: LoaderScope,
     tag: LaunchElement,
     conditions: tuple[Condition, ...],
     source: _Source,
@@ -142,7 +142,12 @@ def _load(
 
 
 def _anything(
-    state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condition, ...], name: Text, why: str
+    state: RoslaunchState,
+    scope: LoaderScope,
+    tag: LaunchElement,
+    conditions: tuple[Condition, ...],
+    name: Text,
+    why: str,
 ) -> None:
     """Whatever lies below *name* may be set, and what was set there before may be set anew."""
     full = join_in(scope.namespace, name) if name.raw else scope.namespace
@@ -156,7 +161,9 @@ def _anything(
     state.add_parameter(Text(f"{full.raw.rstrip('/')}/{below.raw}", full.reasons + below.reasons), made)
 
 
-def _document(state: State, scope: Scope, tag: LaunchElement, source: _Source, substitute: bool) -> YamlValue | None:
+def _document(
+    state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, source: _Source, substitute: bool
+) -> YamlValue | None:
     """The YAML of *source*; None, with a problem, if roslaunch cannot load it."""
     cached = source.path is not None and not substitute
     if cached and source.path in state.documents:
@@ -173,7 +180,7 @@ def _document(state: State, scope: Scope, tag: LaunchElement, source: _Source, s
     return document
 
 
-def _unfold(state: State, path: str, source: _Source, name: Text, value: YamlValue) -> Iterator[Leaf]:
+def _unfold(state: RoslaunchState, path: str, source: _Source, name: Text, value: YamlValue) -> Iterator[Leaf]:
     """The leaves of *value* under *name*; maps without entries set nothing."""
     if not isinstance(value.data, dict):
         if value.data is None:
@@ -193,17 +200,17 @@ def _unfold(state: State, path: str, source: _Source, name: Text, value: YamlVal
 
 def key_text(key: object) -> Text | None:
     """A key of a map as a part of a name; None if it is no text."""
-    if isinstance(key, Opaque) and key.unknown is not None:
+    if isinstance(key, OpaqueNode) and key.unknown is not None:
         return key.unknown
     return literal(key) if isinstance(key, str) else None
 
 
 def key_shown(key: object) -> str:
-    return quoted(key.shown or "?" if isinstance(key, Opaque) else str(key))
+    return quoted(key.shown or "?" if isinstance(key, OpaqueNode) else str(key))
 
 
 def leaf_parameter(
-    state: State, value: YamlValue, conditions: tuple[Condition, ...], place: Location, origin: Location | None
+    state: RoslaunchState, value: YamlValue, conditions: tuple[Condition, ...], place: Location, origin: Location | None
 ) -> Parameter:
     """The parameter that *value*, no map, makes; its name is still empty."""
     at = origin or place
@@ -214,7 +221,7 @@ def leaf_parameter(
         )
     if any(isinstance(part, int) and part not in _INT32 for part in inside):
         state.problem(at.path, at.line, "an integer of more than 32 bits: roslaunch cannot set it; make it smaller")
-    opaque = next((part for part in inside if isinstance(part, Opaque)), None)
+    opaque = next((part for part in inside if isinstance(part, OpaqueNode)), None)
     if opaque is None:
         data: Any = plain(value.data)
         kind = type_of(data)

@@ -31,7 +31,7 @@ class Remap:
 
 
 @dataclass(slots=True, kw_only=True)
-class Scope:
+class LoaderScope:
     """Where a tag stands, as roslaunch's loader context. *declared* maps args to the line of their tag; *doubtful* are
     those that an undecided condition may have set; *missing* those declared that nothing sets."""
 
@@ -59,13 +59,13 @@ class Scope:
     #: Whether what is set here counts for all nodes of the scope, not for one.
     is_shared: bool = True
 
-    def apart(self) -> Scope:
+    def isolated(self) -> LoaderScope:
         """A copy of which nothing that is done in it is seen outside."""
         return replace(
             self.child(self.namespace, self.conditions), overrides_allowed=self.overrides_allowed, depth=self.depth
         )
 
-    def child(self, namespace: Text, conditions: tuple[Condition, ...]) -> Scope:
+    def child(self, namespace: Text, conditions: tuple[Condition, ...]) -> LoaderScope:
         """A scope inside this one; what is set in it stays in it."""
         return replace(
             self,
@@ -87,5 +87,5 @@ class Scope:
         self.remaps = (*(old for old in self.remaps if old not in same), remap)
 
 
-def location(scope: Scope, tag: LaunchElement) -> Location:
+def location(scope: LoaderScope, tag: LaunchElement) -> Location:
     return Location(scope.path, tag.line, tag.column)

@@ -9,7 +9,7 @@ from functools import partial
 
 from haros_ci.launch.facts import ros1
 from haros_ci.launch.facts.record import Recorder
-from haros_ci.launch.ros1.scope import Scope, location
+from haros_ci.launch.ros1.scope import LoaderScope, location
 from haros_ci.model.architecture import Condition, Parameter, Unknown
 from haros_ci.model.launch import LaunchElement, LaunchFile, Started
 from haros_ci.model.location import Location
@@ -17,8 +17,8 @@ from haros_ci.model.presence import Presence, in_words, together
 from haros_ci.model.workspace import Problem
 from haros_ci.substitutions.files import Files
 from haros_ci.substitutions.names import Text, canonical, derived, join_in, quoted
-from haros_ci.substitutions.presence import Arguments, Assumed
-from haros_ci.substitutions.substitution import Sources, substitute
+from haros_ci.substitutions.presence import Assumed, LaunchArguments
+from haros_ci.substitutions.substitution import SubstitutionSources, substitute
 from haros_ci.substitutions.types import boolean
 from haros_ci.substitutions.yaml import YamlValue
 
@@ -30,12 +30,12 @@ MAX_PROBLEMS = 1_000
 _COMPARED = 20
 
 
-class Exhausted(Exception):
+class RoslaunchBudgetExhausted(Exception):
     """The launch files ask for more than BUDGET."""
 
 
 @dataclass(slots=True, kw_only=True)
-class State:
+class RoslaunchState:
     """The outcome so far; every door to the outside that evaluation has."""
 
     files: Files
@@ -55,7 +55,7 @@ class State:
     is_partial: bool = False
     budget: int = BUDGET
     #: The args of the top level, where it is asked what is there under others of them.
-    arguments: Arguments | None = None
+    arguments: LaunchArguments | None = None
     #: Under which of them that is done which is being evaluated, and those that are assumed, how often inside one another.
     presence: Presence = ()
     assumed: Assumed = field(default_factory=dict)
@@ -74,7 +74,7 @@ class State:
     def spend(self, cost: int) -> None:
         self.budget -= cost
         if self.budget < 0:
-            raise Exhausted
+            raise RoslaunchBudgetExhausted
 
     def problem(self, path: str, line: int | None, message: str, certain: bool = False) -> None:
         """What is wrong; with args that are assumed, only what is *certain* then."""
@@ -87,15 +87,17 @@ class State:
         elif len(self.problems) < MAX_PROBLEMS:
             self.problems[problem] = None
 
-    def wrong(self, scope: Scope, tag: LaunchElement, message: str, certain: bool = False) -> None:
+    def wrong(self, scope: LoaderScope, tag: LaunchElement, message: str, certain: bool = False) -> None:
         """A problem at *tag*."""
         self.problem(scope.path, tag.line, message, certain)
 
-    def substituted(self, scope: Scope, tag: LaunchElement, raw: str) -> Text:
+    def substituted(self, scope: LoaderScope, tag: LaunchElement, raw: str) -> Text:
         """*raw* with its substitutions; what is wrong with them becomes problems at *tag*."""
         self.spend(1 + len(raw) // 20)
         args: Mapping[str, Text] = scope.args if self.arguments is None else _Seen(self, scope)
-        made = substitute(raw, Sources(args, scope.missing, self.environment, scope.directory, self.compared))
+        made = substitute(
+            raw, SubstitutionSources(args, scope.missing, self.environment, scope.directory, self.compared)
+        )
         self.spend(len(made.text.raw) // 20)
         for error in made.errors:
             self.wrong(scope, tag, f"<{tag.tag}>: {error}")
@@ -110,7 +112,7 @@ class State:
 
     def _traced(self, text: Text, raw: str, reads: Mapping[str, Text], directory: str) -> Text:
         """*text*, which *raw* gives with the args that it *reads*, with its origin."""
-        origins = [each.origin for each in reads.values() if each.origin is not None]
+        origins = [read.origin for read in reads.values() if read.origin is not None]
         if not origins:
             return text
         if len(reads) == 1 and raw == f"$(arg {next(iter(reads))})":
@@ -123,9 +125,9 @@ class State:
         self.spend(1 + len(raw) // 20)
         found = {name: self.arguments.resolved(text, assumed) for name, text in reads.items()}
         args = {name: text for name, text in found.items() if text is not None}
-        return substitute(raw, Sources(args, {}, self.environment, directory, self.compared)).text
+        return substitute(raw, SubstitutionSources(args, {}, self.environment, directory, self.compared)).text
 
-    def attribute(self, scope: Scope, tag: LaunchElement, name: str) -> Text | None:
+    def attribute(self, scope: LoaderScope, tag: LaunchElement, name: str) -> Text | None:
         """The attribute *name* of *tag*, substituted; None if it is not there."""
         raw = tag.get(name)
         if raw is None:
@@ -134,7 +136,7 @@ class State:
         ros1.attribute(self, scope, tag, name, made)
         return made
 
-    def required(self, scope: Scope, tag: LaunchElement, *names: str) -> list[Text] | None:
+    def required(self, scope: LoaderScope, tag: LaunchElement, *names: str) -> list[Text] | None:
         """The attributes *names* of *tag*, substituted; None, and a problem, if one is missing."""
         missing = [name for name in names if tag.get(name) is None]
         if missing:
@@ -142,12 +144,12 @@ class State:
             return None
         return [self.attribute(scope, tag, name) or Text("") for name in names]
 
-    def check_attributes(self, scope: Scope, tag: LaunchElement, allowed: tuple[str, ...]) -> None:
+    def check_attributes(self, scope: LoaderScope, tag: LaunchElement, allowed: tuple[str, ...]) -> None:
         for name, _ in tag.attributes:
             if name not in allowed and name not in ("if", "unless"):
                 self.wrong(scope, tag, f"<{tag.tag}> has no attribute {quoted(name)}; remove it or correct its name")
 
-    def truth(self, scope: Scope, tag: LaunchElement, name: str) -> bool | None:
+    def truth(self, scope: LoaderScope, tag: LaunchElement, name: str) -> bool | None:
         """Attribute *name* as a boolean, False if it is not there; None if unknown or, with a problem, no boolean."""
         text = self.attribute(scope, tag, name)
         if text is None:
@@ -160,7 +162,7 @@ class State:
         self.wrong(scope, tag, f"<{tag.tag} {name}={quoted(text.raw)}> is neither true nor false; write one of them")
         return None
 
-    def conditions(self, scope: Scope, tag: LaunchElement) -> tuple[Condition, ...] | None:
+    def conditions(self, scope: LoaderScope, tag: LaunchElement) -> tuple[Condition, ...] | None:
         """The conditions that *tag* stands under, its own undecided one included; None if it is not to be evaluated."""
         statements = [name for name in ("if", "unless") if tag.get(name) is not None]
         if not statements:
@@ -209,7 +211,7 @@ class State:
                     replace(old, type=None, value=None, unknowns=(*_names(old.unknowns), *unknowns)) for old in those
                 ]
 
-    def _missing(self, scope: Scope, name: str) -> None:
+    def _missing(self, scope: LoaderScope, name: str) -> None:
         how = "set it in the configuration, or give it a default"
         if scope.included_at is not None:
             how = f"set it in the <include> at {scope.included_at.path}:{scope.included_at.line}, or give it a default"
@@ -224,7 +226,7 @@ class State:
 class _Seen(Mapping[str, Text]):
     """The args of a scope as they are with what is assumed; it remembers which have been read."""
 
-    def __init__(self, state: State, scope: Scope) -> None:
+    def __init__(self, state: RoslaunchState, scope: LoaderScope) -> None:
         self._state, self._scope = state, scope
         self.reads: dict[str, Text] = {}
 
@@ -253,7 +255,7 @@ class _Seen(Mapping[str, Text]):
         return len(self._scope.args)
 
 
-def inner_namespace(state: State, scope: Scope, tag: LaunchElement) -> Text | None:
+def inner_namespace(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement) -> Text | None:
     """The namespace inside *tag* by its ``ns``; None, and a problem, if roslaunch refuses it."""
     ns = state.attribute(scope, tag, "ns")
     if ns is None:
@@ -267,7 +269,7 @@ def inner_namespace(state: State, scope: Scope, tag: LaunchElement) -> Text | No
     return join_in(scope.namespace, ns)
 
 
-def check_clear_params(state: State, scope: Scope, tag: LaunchElement) -> bool:
+def check_clear_params(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement) -> bool:
     """Whether ``clear_params`` is in order; it clears before anything is set, so it changes no parameter set here."""
     if not tag.get("clear_params"):
         return True

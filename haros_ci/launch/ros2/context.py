@@ -21,7 +21,7 @@ from haros_ci.model.location import Location
 from haros_ci.model.presence import Presence, in_words
 from haros_ci.model.workspace import Problem
 from haros_ci.substitutions.names import MARK, Text, derived, literal, quoted, unknown
-from haros_ci.substitutions.presence import OTHER, Arguments, Assumed, is_elsewhere
+from haros_ci.substitutions.presence import OTHER, Assumed, LaunchArguments, is_elsewhere
 
 NAMESPACE = "ros_namespace"
 #: Steps that one evaluation may take; an action, a parameter and a part of a text are steps.
@@ -30,7 +30,7 @@ BUDGET = 600_000
 SPARE = 300_000
 
 
-class Exhausted(Exception):
+class LaunchBudgetExhausted(Exception):
     """The launch files do more than can be evaluated."""
 
 
@@ -55,7 +55,7 @@ class GlobalParameter:
 
 
 @dataclass(slots=True)
-class Scope:
+class GroupScope:
     """All that a scoped group saves and restores. The two lists are None until something is put into them."""
 
     configurations: dict[str, Text] = field(default_factory=dict)
@@ -65,11 +65,11 @@ class Scope:
     #: Configurations that are set with other launch arguments only.
     unset: dict[str, Text] = field(default_factory=dict)
 
-    def copy(self) -> Scope:
+    def copy(self) -> GroupScope:
         unset = dict(self.unset)
-        return Scope(dict(self.configurations), dict(self.environment), self.remaps, self.parameters, unset)
+        return GroupScope(dict(self.configurations), dict(self.environment), self.remaps, self.parameters, unset)
 
-    def apart(self) -> Scope:
+    def isolated(self) -> GroupScope:
         """A copy of which nothing that is done in it is seen outside."""
         made = self.copy()
         made.remaps = None if self.remaps is None else list(self.remaps)
@@ -83,7 +83,7 @@ class Context:
 
     places: Places
     initial: Mapping[str, Text]
-    scope: Scope = field(default_factory=Scope)
+    scope: GroupScope = field(default_factory=GroupScope)
     #: The launch file being performed, root-relative.
     path: str = ""
     problems: dict[Problem, None] = field(default_factory=dict)
@@ -96,7 +96,7 @@ class Context:
     #: Under which launch arguments that is done which is being performed.
     presence: Presence = ()
     #: The launch arguments, where it is asked what is there under others of them.
-    arguments: Arguments | None = None
+    arguments: LaunchArguments | None = None
     #: Arguments that are taken to have other values while something is performed.
     assumed: Assumed = field(default_factory=dict)
     #: Problems that are there under assumptions, with the assumption.
@@ -118,7 +118,7 @@ class Context:
     def spend(self, steps: int) -> None:
         self.steps -= steps
         if self.steps < 0:
-            raise Exhausted
+            raise LaunchBudgetExhausted
 
     def problem(self, location: Location | None, message: str, certain: bool = False) -> None:
         """What is wrong; where arguments are assumed, only what is *certain* then."""
@@ -162,7 +162,7 @@ class Context:
         """Go where only what has been *read* is set, and arguments are as *assumed*; what ``restore`` needs to come back."""
         before = (self.scope, self.assumed, self.is_asking, self.is_again, self.reads, self.path)
         known = {name: text for name, text in reads.items() if text is not None and not is_elsewhere(text)}
-        self.scope = Scope(known, self.scope.environment)
+        self.scope = GroupScope(known, self.scope.environment)
         nothing = unknown("it is not set")
         self.scope.unset = {name: text or nothing for name, text in reads.items() if name not in known}
         self.assumed, self.is_asking, self.is_again, self.reads, self.path = assumed, True, True, None, path

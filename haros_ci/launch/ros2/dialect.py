@@ -37,7 +37,10 @@ def description_reader(
         launch = read_launch(path)
         if launch is None or is_ros1(launch, ros.get(path)):
             return None
-        return replace(read_xml(launch, path), foreign=tuple(each[:3] for each in foreign_constructs(launch, path, 2)))
+        return replace(
+            read_xml(launch, path),
+            foreign=tuple(foreign_construct[:3] for foreign_construct in foreign_constructs(launch, path, 2)),
+        )
 
     def loader(environment: Mapping[str, str]) -> Callable[[str], Description | None]:
         key = key_of(environment)

@@ -8,16 +8,16 @@ from collections.abc import Callable, Mapping, MutableMapping, Sequence
 from haros_ci.launch.facts import includes
 from haros_ci.launch.facts.includes import statics_of
 from haros_ci.launch.ros2.assuming import assumed_problems
-from haros_ci.launch.ros2.context import Context, Exhausted
+from haros_ci.launch.ros2.context import Context, LaunchBudgetExhausted
 from haros_ci.launch.ros2.places import Places
-from haros_ci.launch.ros2.run import Run
+from haros_ci.launch.ros2.run import LaunchEvaluation
 from haros_ci.model.environment import key_of, lost_of
 from haros_ci.model.launch import LaunchedSystem
 from haros_ci.model.launch_actions import Description
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
 from haros_ci.substitutions.names import literal, quoted, unknown
-from haros_ci.substitutions.presence import Arguments
+from haros_ci.substitutions.presence import LaunchArguments
 
 #: What was launched before, by files, arguments and environment.
 Memo = MutableMapping[tuple[object, ...], LaunchedSystem]
@@ -46,19 +46,19 @@ def launch_system(
         return memo[key]
     seen = {name: literal(value) for name, value in sorted(environment.items())}
     context = Context(shares, seen | {name: unknown(reason) for name, reason in sorted(lost_of(environment).items())})
-    given = {name: literal(value) for name, value in sorted(arguments.items())}
-    run = Run(context, load, frozenset(given))
+    provided = {name: literal(value) for name, value in sorted(arguments.items())}
+    run = LaunchEvaluation(context, load, frozenset(provided))
     if alternatives:
-        context.arguments = Arguments()
+        context.arguments = LaunchArguments()
     try:
         for path in paths:
-            run.file(path, given)
+            run.file(path, provided)
             run.events()
-    except Exhausted:
+    except LaunchBudgetExhausted:
         message = "the launch files start and include more than can be evaluated; what is left is unknown"
         context.problem(Location(paths[0]) if paths else None, message)
         context.facts.is_open = True
-    for name in given:
+    for name in provided:
         if name not in run.declared and paths:
             context.problem(Location(paths[0]), f"argument {quoted(name)} is set, but not declared; correct its name")
     system = LaunchedSystem(

@@ -60,7 +60,7 @@ class _Opaque:
 
 
 def expression_value(text: Text) -> Text:
-    """What the Python expression *text* gives, as text (``str`` of it); unknown where it cannot be told.
+    """What the Python expression *text* gives, as text (``str`` of it); unknown where it cannot be decided.
 
     Constants, comparisons, and/or/not, in, + - * / // %, the conditional expression, str, bool, int, float, len,
     methods of texts, lists, sets and indices are computed; anything else is unknown. An unknown part of a text counts
@@ -130,7 +130,7 @@ class _Launch(Language):
         return Function(name, _FUNCTIONS.get(name) or _unfollowed(name), name in _TRUTHS)
 
     def attribute(self, owner: Any, name: str) -> Function:
-        return Function(name, lambda *given: _method(owner, name, [*given]), name in _TRUTHS)
+        return Function(name, lambda *arguments: _method(owner, name, [*arguments]), name in _TRUTHS)
 
     def is_unknown(self, value: Any) -> bool:
         return _has_unknown(value)

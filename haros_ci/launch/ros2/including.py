@@ -13,10 +13,10 @@ from haros_ci.model.launch_actions import Action, Description
 from haros_ci.substitutions.names import MARK, quoted, unknown
 
 if TYPE_CHECKING:
-    from haros_ci.launch.ros2.run import Run
+    from haros_ci.launch.ros2.run import LaunchEvaluation
 
 
-def include(run: Run, action: Action, conditions: tuple[Condition, ...]) -> None:
+def include(run: LaunchEvaluation, action: Action, conditions: tuple[Condition, ...]) -> None:
     """IncludeLaunchDescription: perform the file in the scope that it is included in."""
     context = run.context
     context.spend(50 + len(context.scope.configurations) // 4)

@@ -55,7 +55,7 @@ def node(context: Context, action: Action, conditions: tuple[Condition, ...]) ->
     """The process of a node or container *action*."""
     made = _started(context, action, conditions, None)
     arguments, in_arguments = split_arguments(_text(context, action, "args").raw)
-    given = " ".join(part for part in (in_arguments, _text(context, action, "ros_args").raw) if part)
+    text = " ".join(part for part in (in_arguments, _text(context, action, "ros_args").raw) if part)
     unknowns = list(made.unknowns)
     for name, field in (("args", "arguments"), ("ros_args", "ros_arguments"), ("launch-prefix", "launch_prefix")):
         unknowns.extend(_text(context, action, name).unknown(field, action.location))
@@ -65,8 +65,8 @@ def node(context: Context, action: Action, conditions: tuple[Condition, ...]) ->
     return replace(
         made,
         arguments=_shown(arguments),
-        ros_arguments=_shown(given),
-        parameters=(*argument_rules(context, given, action.location), *made.parameters),
+        ros_arguments=_shown(text),
+        parameters=(*argument_rules(context, text, action.location), *made.parameters),
         environment=_environment(context, environment),
         launch_prefix=_text(context, action, "launch-prefix").shown,
         respawn=truth_of(_text(context, action, "respawn")) is True,
@@ -96,7 +96,7 @@ def command(context: Context, action: Action, conditions: tuple[Condition, ...])
     if started is None:
         return None
     package, type_, count = started
-    arguments, given = split_arguments(_line(words[count:])) if tool is None else (_line(words[count:]), "")
+    arguments, text = split_arguments(_line(words[count:])) if tool is None else (_line(words[count:]), "")
     environment = tuple((context.text(name), context.text(value)) for name, value in action.environment)
     return LaunchedNode(
         kind="node",
@@ -105,8 +105,8 @@ def command(context: Context, action: Action, conditions: tuple[Condition, ...])
         location=action.location,
         name=None if tool is None else _node_name(words[count:]),
         arguments=_shown(arguments),
-        ros_arguments=_shown(given),
-        parameters=argument_rules(context, given, action.location),
+        ros_arguments=_shown(text),
+        parameters=argument_rules(context, text, action.location),
         conditions=conditions,
         presence=context.presence,
         environment=_environment(context, environment),
@@ -146,8 +146,8 @@ def _node_name(words: list[str]) -> str | None:
     for number, word in enumerate(words):
         name, equals, value = word.partition("=")
         if name in ("--node-name", "-n"):
-            given = value if equals else words[number + 1] if number + 1 < len(words) else ""
-            return _shown(given) if re.fullmatch(r"\w+", given) else None
+            text = value if equals else words[number + 1] if number + 1 < len(words) else ""
+            return _shown(text) if re.fullmatch(r"\w+", text) else None
     return None
 
 

@@ -20,7 +20,7 @@ from haros_ci.model.location import Location
 from haros_ci.substitutions.names import Text
 
 if TYPE_CHECKING:
-    from haros_ci.launch.ros2.run import Run
+    from haros_ci.launch.ros2.run import LaunchEvaluation
 
 _SHARE = "$(find-pkg-share gazebo_ros)"
 _SERVER = f"{_SHARE}/launch/gzserver.launch.py"
@@ -29,7 +29,7 @@ _PLUGINS = ("init", "factory", "force_system")
 
 
 def _server(place: Location) -> tuple[Action, ...]:
-    given: tuple[tuple[str, str], ...] = (
+    provided: tuple[tuple[str, str], ...] = (
         ("world", f"{_SHARE}/worlds/empty.world"),
         ("extra_gazebo_args", ""),
         *((name, "true") for name in _PLUGINS),
@@ -43,7 +43,7 @@ def _server(place: Location) -> tuple[Action, ...]:
         location=place,
         phrases=(("package", ("gazebo_ros",)), ("executable", ("gzserver",)), ("args", args)),
     )
-    return (*(argument(name, default, place) for name, default in given), node)
+    return (*(argument(name, default, place) for name, default in provided), node)
 
 
 def _both(place: Location) -> tuple[Action, ...]:
@@ -68,7 +68,11 @@ _FILES = {
 
 
 def include_known(
-    run: Run, action: Action, file: Text, passed: list[tuple[Text, Phrase]], conditions: tuple[Condition, ...]
+    run: LaunchEvaluation,
+    action: Action,
+    file: Text,
+    passed: list[tuple[Text, Phrase]],
+    conditions: tuple[Condition, ...],
 ) -> bool:
     """Perform a launch file outside the workspace, at the place of the include; False if it is not known."""
     actions = _FILES.get(file.raw) if file.known else None

@@ -13,7 +13,7 @@ from haros_ci.model.location import Location
 
 #: The launch files, without their ends.
 BRIDGE = "$(find-pkg-share ros_gz_bridge)/launch/ros_gz_bridge.launch"
-SERVER, SPAWN = (f"$(find-pkg-share ros_gz_sim)/launch/gz_{each}.launch" for each in ("server", "spawn_model"))
+SERVER, SPAWN = (f"$(find-pkg-share ros_gz_sim)/launch/gz_{item}.launch" for item in ("server", "spawn_model"))
 #: Arguments of ``create``, each by the parameter that it sets.
 MODEL = {
     "world": "world",
@@ -38,7 +38,7 @@ def _test(kind: str, name: str, place: Location) -> Test:
 
 
 def _parameters(names: dict[str, str], place: Location) -> tuple[ParameterSource, ...]:
-    values = tuple(((name,), (value(given),)) for name, given in names.items())
+    values = tuple(((name,), (value(text),)) for name, text in names.items())
     return (ParameterSource(kind="values", location=place, values=values),)
 
 
@@ -46,13 +46,13 @@ def _program(
     package: str, executable: str, plugin: str, name: Phrase, space: Phrase, parameters: dict[str, str], place: Location
 ) -> tuple[Action, ...]:
     """A node, or its component in a container of its own or of others, as ``use_composition`` and ``create_own_container`` say."""
-    given = _parameters(parameters, place)
+    set_parameters = _parameters(parameters, place)
     naming = tuple((key, phrase) for key, phrase in (("name", name), ("namespace", space)) if phrase)
     component = Action(
         kind="component",
         location=place,
         phrases=(("package", (package,)), ("plugin", (plugin,)), *naming),
-        parameters=given,
+        parameters=set_parameters,
     )
     composed, own = _test("if", "use_composition", place), "create_own_container"
     container = (("package", ("rclcpp_components",)), ("executable", ("component_container",)))
@@ -62,7 +62,7 @@ def _program(
             kind="node",
             location=place,
             phrases=(("package", (package,)), ("executable", (executable,)), *naming),
-            parameters=given,
+            parameters=set_parameters,
             tests=(_test("unless", "use_composition", place),),
         ),
         Action(
@@ -83,41 +83,41 @@ def _program(
 
 
 def _composition(place: Location) -> tuple[Action, ...]:
-    given = (("container_name", "ros_gz_container"), ("create_own_container", "False"), ("use_composition", "False"))
-    return tuple(argument(name, default, place) for name, default in given)
+    provided = (("container_name", "ros_gz_container"), ("create_own_container", "False"), ("use_composition", "False"))
+    return tuple(argument(name, default, place) for name, default in provided)
 
 
 def _bridge(place: Location) -> tuple[Action, ...]:
     arguments = (
-        *(argument(each, "", place) for each in ("bridge_name", "config_file", "namespace")),
+        *(argument(item, "", place) for item in ("bridge_name", "config_file", "namespace")),
         *_composition(place),
     )
     name, space = (value("bridge_name"),), (value("namespace"),)
-    given = {"config_file": "config_file"}
+    provided = {"config_file": "config_file"}
     return (
         *arguments,
-        *_program("ros_gz_bridge", "bridge_node", "ros_gz_bridge::RosGzBridge", name, space, given, place),
+        *_program("ros_gz_bridge", "bridge_node", "ros_gz_bridge::RosGzBridge", name, space, provided, place),
     )
 
 
 def _server(place: Location) -> tuple[Action, ...]:
-    names = {each: each for each in ("world_sdf_file", "world_sdf_string")}
-    arguments = (*(argument(each, "", place) for each in names), *_composition(place))
+    names = {item: item for item in ("world_sdf_file", "world_sdf_string")}
+    arguments = (*(argument(name, "", place) for name in names), *_composition(place))
     return (*arguments, *_program("ros_gz_sim", "gzserver", "ros_gz_sim::GzServer", ("gz_server",), (), names, place))
 
 
 def _spawned(place: Location) -> tuple[Action, ...]:
     phrases = (("package", ("ros_gz_sim",)), ("executable", ("create",)))
-    given = {name: passed for name, passed in MODEL.items() if len(name) > 1}  # its place is of no consequence
-    node = Action(kind="node", location=place, phrases=phrases, parameters=_parameters(given, place))
-    return (*(argument(each, "False" if each == "allow_renaming" else "", place) for each in given.values()), node)
+    provided = {name: passed for name, passed in MODEL.items() if len(name) > 1}  # its place is of no consequence
+    node = Action(kind="node", location=place, phrases=phrases, parameters=_parameters(provided, place))
+    return (*(argument(item, "False" if item == "allow_renaming" else "", place) for item in provided.values()), node)
 
 
 def _includes(*files: str) -> Callable[[Location], tuple[Action, ...]]:
     """Includes of *files*, which take their arguments from the file that includes them."""
 
     def actions(place: Location) -> tuple[Action, ...]:
-        return tuple(Action(kind="include", location=place, phrases=(("file", (f"{each}.py",)),)) for each in files)
+        return tuple(Action(kind="include", location=place, phrases=(("file", (f"{file}.py",)),)) for file in files)
 
     return actions
 

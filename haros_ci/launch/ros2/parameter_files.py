@@ -10,7 +10,7 @@ from typing import Any
 from haros_ci.bounded_yaml import YamlFault
 from haros_ci.launch.facts import ros2
 from haros_ci.launch.facts.sections import sections_of
-from haros_ci.launch.ros2.context import Context, Exhausted
+from haros_ci.launch.ros2.context import Context, LaunchBudgetExhausted
 from haros_ci.launch.ros2.parameter_yaml import (
     Items,
     Map,
@@ -74,7 +74,7 @@ def parameter_file(places: Places, path: str, location: Location) -> tuple[Param
     """``file_rules`` of the file at *path*, as arguments that a launch file performs have it."""
     try:
         return file_rules(Context(places, {}), literal(path), False, location)
-    except Exhausted:
+    except LaunchBudgetExhausted:
         return (missing(f"parameter file {quoted(path)}: it is too large", location),)
 
 

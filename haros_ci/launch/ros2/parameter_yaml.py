@@ -13,12 +13,12 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, Union
 
-from haros_ci.bounded_yaml import MAX_NUMBER, MERGE, TAG, Limits, YamlFault, nodes, scalar_value
+from haros_ci.bounded_yaml import MAX_NUMBER, MERGE, TAG, YamlFault, YamlLimits, nodes, scalar_value
 from haros_ci.substitutions.names import MARK, Text
 
 MAX_DEPTH = 50
 MAX_VALUES = 50_000
-LIMITS = Limits(depth=MAX_DEPTH)
+LIMITS = YamlLimits(depth=MAX_DEPTH)
 #: Scalars of which it is remembered what they mean: many nodes get the same file.
 REMEMBERED = 1 << 14
 

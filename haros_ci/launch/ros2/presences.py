@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from haros_ci.launch.ros2.context import NAMESPACE, Context, Exhausted
+from haros_ci.launch.ros2.context import NAMESPACE, Context, LaunchBudgetExhausted
 from haros_ci.launch.ros2.node import joined_namespace
 from haros_ci.launch.ros2.settings import value_of
 from haros_ci.model.launch_actions import Action, Phrase, Test
@@ -96,7 +96,7 @@ def question(context: Context, tests: tuple[Test, ...]) -> Question | None:
                 found = frozenset(context.compared)
             finally:
                 context.assumed = outer
-        return None if None in found else frozenset(each for each in found if each is not None)
+        return None if None in found else frozenset(item for item in found if item is not None)
 
     with asking(context):
         now = {name: context.arguments.current(name, outer) for name in names}
@@ -108,12 +108,12 @@ def held(context: Context, tests: tuple[Test, ...]) -> Presence:
     if context.arguments is None or not tests:
         return context.presence
     try:
-        asked = question(context, tests)
-        if asked is None:
+        requested = question(context, tests)
+        if requested is None:
             return context.presence
-        own = asked.because({})[0] if asked.ask({}) else asked.needed()
+        own = requested.because({})[0] if requested.ask({}) else requested.needed()
         return together(context.presence, own) or context.presence
-    except Exhausted:
+    except LaunchBudgetExhausted:
         if context.is_spare:
             raise
         return context.presence
@@ -124,9 +124,9 @@ def otherwise(context: Context, tests: tuple[Test, ...]) -> tuple[dict[str, Text
     if context.arguments is None:
         return None
     try:
-        asked = question(context, tests)
-        return asked.nearest(context.presence) if asked is not None else None
-    except Exhausted:
+        requested = question(context, tests)
+        return requested.nearest(context.presence) if requested is not None else None
+    except LaunchBudgetExhausted:
         if context.is_spare:
             raise
         return None
@@ -142,7 +142,7 @@ def key_of(context: Context, action: Action) -> str | None:
     try:
         with asking(context):
             text = context.text(name) if name is not None else unknown("it has no name")
-    except Exhausted:
+    except LaunchBudgetExhausted:
         if context.is_spare:
             raise
         return None
@@ -160,7 +160,7 @@ def guard(context: Context, action: Action, key: str, before: Text | None) -> No
     try:
         with asking(context):
             reads = {**context.reading(phrases, action.tests), key: before}
-    except Exhausted:
+    except LaunchBudgetExhausted:
         if context.is_spare:
             raise
         return

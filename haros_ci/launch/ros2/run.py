@@ -10,7 +10,7 @@ from functools import partial
 from haros_ci.launch.facts import ros2
 from haros_ci.launch.ros2 import presences
 from haros_ci.launch.ros2.assuming import assume
-from haros_ci.launch.ros2.context import Context, Exhausted, Scope
+from haros_ci.launch.ros2.context import Context, GroupScope, LaunchBudgetExhausted
 from haros_ci.launch.ros2.including import include
 from haros_ci.launch.ros2.node import TOOLS, command, component, full_name, loading, node
 from haros_ci.launch.ros2.settings import SETTERS, doubt, kept, name_of
@@ -33,7 +33,7 @@ _Conditions = tuple[Condition, ...]
 
 
 @dataclass(slots=True)
-class Run:
+class LaunchEvaluation:
     """One evaluation: the nodes found so far, and the actions put off until their events."""
 
     context: Context
@@ -55,14 +55,14 @@ class Run:
     alternatives: list[LaunchedNode] = field(default_factory=list)
     assumptions: int = 0
 
-    def file(self, path: str, given: Mapping[str, Text]) -> None:
+    def file(self, path: str, provided: Mapping[str, Text]) -> None:
         """One file named by the user, in a context of its own."""
         context = self.context
-        context.scope = Scope(dict(given), dict(context.initial))
+        context.scope = GroupScope(dict(provided), dict(context.initial))
         description = self.description(path)
         if description is None:
             context.problem(Location(path), "no ROS 2 launch file of the workspace; correct its path")
-            self.declared.update(given)
+            self.declared.update(provided)
             return
         self.inside(path, description.actions, ())
 
@@ -115,7 +115,7 @@ class Run:
         """Perform *action* if its tests hold; if that is not known, under a condition that they do."""
         context = self.context
         undecided = self.undecided(action)
-        handler = handler or _HANDLERS.get(action.kind, Run.setting if action.kind in SETTERS else None)
+        handler = handler or _HANDLERS.get(action.kind, LaunchEvaluation.setting if action.kind in SETTERS else None)
         key = presences.key_of(context, action) if not (action.kind == "arg" and len(self.chain) == 1) else None
         before = presences.stored(context, key) if key is not None else None
         if undecided is not None:
@@ -202,7 +202,7 @@ class Run:
             self.context.spend(len(outer.configurations) // 4 + len(outer.environment) // 4)
             inner = outer.copy()
             if not self.flag(action, "forwarding"):
-                inner = Scope({}, dict(self.context.initial))
+                inner = GroupScope({}, dict(self.context.initial))
             inner.configurations.update(keep)
             self.context.scope = inner
             self.actions(action.children, conditions)
@@ -247,7 +247,7 @@ class Run:
         self.components(action, conditions, target)
 
     def components(self, action: Action, conditions: _Conditions, container: Text) -> None:
-        def load(run: Run, child: Action, under: _Conditions) -> None:
+        def load(run: LaunchEvaluation, child: Action, under: _Conditions) -> None:
             run.context.facts.taken()
             run.nodes.append(ros2.started(run.context, component(run.context, child, under, container)))
 
@@ -265,7 +265,9 @@ class Run:
             self.nodes.append(ros2.started(self.context, started))
             return
         asking = loading(self.context, action, conditions)
-        self.nodes += [each for each in (started, asking) if each is not None]  # a command, which has nodes
+        self.nodes += [
+            other_node for other_node in (started, asking) if other_node is not None
+        ]  # a command, which has nodes
         ros2.command(self.context, self.context.text(action.get("cmd") or ()), action.location)
 
     def event(self, action: Action, conditions: _Conditions) -> None:
@@ -287,7 +289,7 @@ class Run:
             return
         try:
             made = action.function(self.context)
-        except Exhausted:
+        except LaunchBudgetExhausted:
             raise
         except Exception as err:
             self.context.problem(action.location, f"what this function returns is not known: {err}")
@@ -296,17 +298,17 @@ class Run:
         self.actions(tuple(made or ()), conditions)
 
 
-_Handler = Callable[[Run, Action, _Conditions], None]
+_Handler = Callable[[LaunchEvaluation, Action, _Conditions], None]
 _HANDLERS: Mapping[str, _Handler] = {
-    "arg": Run.arg,
-    "group": Run.group,
+    "arg": LaunchEvaluation.arg,
+    "group": LaunchEvaluation.group,
     "include": include,
-    "node": Run.node,
-    "lifecycle-node": Run.node,
-    "container": Run.node,
-    "load": Run.load_components,
-    "executable": Run.executable,
-    "event": Run.event,
-    "opaque": Run.opaque,
-    "list": Run.nested,
+    "node": LaunchEvaluation.node,
+    "lifecycle-node": LaunchEvaluation.node,
+    "container": LaunchEvaluation.node,
+    "load": LaunchEvaluation.load_components,
+    "executable": LaunchEvaluation.executable,
+    "event": LaunchEvaluation.event,
+    "opaque": LaunchEvaluation.opaque,
+    "list": LaunchEvaluation.nested,
 }

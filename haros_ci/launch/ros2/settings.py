@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
-from haros_ci.launch.ros2.context import NAMESPACE, Context, GlobalParameter, GlobalRemap, Scope
+from haros_ci.launch.ros2.context import NAMESPACE, Context, GlobalParameter, GlobalRemap, GroupScope
 from haros_ci.launch.ros2.node import joined_namespace
 from haros_ci.launch.ros2.parameters import performed_values
 from haros_ci.launch.ros2.substitutions import truth_of
@@ -67,7 +67,7 @@ def reset_environment(context: Context, action: Action) -> None:
 
 def reset(context: Context, action: Action) -> None:
     """Clear the configurations, namespace, remaps and parameters of all nodes among them, but for those kept."""
-    context.scope = Scope(kept(context, action), context.scope.environment)
+    context.scope = GroupScope(kept(context, action), context.scope.environment)
 
 
 def kept(context: Context, action: Action) -> dict[str, Text]:
@@ -108,7 +108,7 @@ def set_parameter(context: Context, action: Action) -> None:
         scope.parameters.append(made)
 
 
-def doubt(context: Context, before: Scope, counts: tuple[int, int], conditions: tuple[Condition, ...]) -> None:
+def doubt(context: Context, before: GroupScope, counts: tuple[int, int], conditions: tuple[Condition, ...]) -> None:
     """What has been set since *before* under *conditions* may be set, or not."""
     scope = context.scope
     reason = f"it depends on the condition {quoted(conditions[-1].condition)}, which is not decided"

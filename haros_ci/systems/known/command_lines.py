@@ -190,14 +190,14 @@ def _bag_play(words: Sequence[str], file: File | None) -> Iterator[KnownEndpoint
 def _played(line: Line, file: File | None) -> dict[str, str] | str:
     """The topics that are played, with their types ("": not known), or why they are not known."""
     topics = _recorded(line, file)
-    asked = dict.fromkeys(line.options.get("--topics", []))
+    requested = dict.fromkeys(line.options.get("--topics", []))
     if topics is None:
-        return dict.fromkeys(asked, "") if asked else "what the recording has decides"
-    if asked:
+        return dict.fromkeys(requested, "") if requested else "what the recording has decides"
+    if requested:
         return {
             name: kind
             for name, kind in topics.items()
-            if name in asked or f"/{name}" in asked or name.lstrip("/") in asked
+            if name in requested or f"/{name}" in requested or name.lstrip("/") in requested
         }
     if line.has("-e", "--regex", "--exclude-regex", "-x", "--exclude"):
         return "its options choose among the topics of the recording"

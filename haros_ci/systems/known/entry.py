@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from haros_ci.systems.known.text import Each, Template, Test
+from haros_ci.systems.known.text import Repetition, Template, Test
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +40,7 @@ class KnownEndpoint:
     value: Any = None
     value_reason: str = ""
     implicit: bool = False
-    each: Each | None = None
+    each: Repetition | None = None
     present: tuple[Test, ...] = ()
     absent: tuple[Test, ...] = ()
     distributions: tuple[str, ...] = ()

@@ -15,7 +15,7 @@ from haros_ci.systems.known.parameter import declared
 from haros_ci.systems.known.quality import quality
 from haros_ci.systems.known.shape import SUBFOLDERS
 from haros_ci.systems.known.start import Start, called, filled
-from haros_ci.systems.known.text import Each, Test, fields, literal
+from haros_ci.systems.known.text import Repetition, Test, fields, literal
 
 _NAME = re.compile(r"~|[~/]?[A-Za-z0-9_?][A-Za-z0-9_?/]*")
 _MOST = 1000
@@ -81,12 +81,12 @@ def _ends(known: KnownEndpoint, start: Start) -> Iterator[Endpoint]:
 def _undecided(known: KnownEndpoint, start: Start) -> list[Unknown] | None:
     """Why it is not known that the endpoint is there; None if it is not."""
     unknowns = []
-    for tests, wanted in ((known.present, True), (known.absent, False)):
+    for tests, expected in ((known.present, True), (known.absent, False)):
         for test in tests:
             held = _holds(test, start)
             if isinstance(held, Unknown):
                 unknowns.append(held)
-            elif held is not wanted:
+            elif held is not expected:
                 return None
     return unknowns
 
@@ -94,14 +94,14 @@ def _undecided(known: KnownEndpoint, start: Start) -> list[Unknown] | None:
 def _end(known: KnownEndpoint, start: Start, unknowns: list[Unknown]) -> Endpoint | None:
     if known.kind == "parameters":
         return declared(known, start, unknowns)
-    text, said = filled(known.name, start)
+    text, messages = filled(known.name, start)
     if not text:
         return None
     if text.startswith("~/"):
         text = text[1:] if start.ros == 1 else f"~{text[2:]}"
     if not _NAME.fullmatch(text):
-        said, text = [*said, Unknown("name", f"{text[:60]!r} is no ROS name")], UNKNOWN
-    unknowns = list(dict.fromkeys([*unknowns, *said]))
+        messages, text = [*messages, Unknown("name", f"{text[:60]!r} is no ROS name")], UNKNOWN
+    unknowns = list(dict.fromkeys([*unknowns, *messages]))
     full = resolve(text, start.namespace, start.name)
     type_name, untyped = _type(known, start)
     if untyped is not None:
@@ -112,13 +112,13 @@ def _end(known: KnownEndpoint, start: Start, unknowns: list[Unknown]) -> Endpoin
     topic = known.kind in ("publishers", "subscribers")
     if topic and start.ros == 2:
         number = known.queue_size if isinstance(known.queue_size, int) else None
-        qos, said = quality(known, start, number, known.latched is True)
-        unknowns += said
+        qos, messages = quality(known, start, number, known.latched is True)
+        unknowns += messages
     elif topic:
         queue = _setting(known.queue_size, start, "queue_size", int, unknowns)
     elif start.ros == 2 and known.qos is not None:
-        qos, said = quality(known, start, None, None)
-        unknowns += said
+        qos, messages = quality(known, start, None, None)
+        unknowns += messages
     if known.kind == "publishers" and start.ros == 1:
         latched = _setting(known.latched, start, "latched", bool, unknowns)
     return Endpoint(
@@ -142,9 +142,9 @@ def _type(known: KnownEndpoint, start: Start) -> tuple[str | None, Unknown | Non
     """The type, as this version of ROS writes it."""
     name = known.type
     if known.type_text is not None:
-        name, said = filled(known.type_text, start)
-        if said:
-            return None, replace(said[0], field="type")
+        name, messages = filled(known.type_text, start)
+        if messages:
+            return None, replace(messages[0], field="type")
         if not re.fullmatch(r"\w+(/\w+){1,2}", name):
             return None, Unknown("type", f"{name[:60]!r} is no type")
     if name is None:
@@ -157,49 +157,49 @@ def _type(known: KnownEndpoint, start: Start) -> tuple[str | None, Unknown | Non
     return "/".join(parts), None
 
 
-def _setting(given: Any, start: Start, field: str, kind: type, unknowns: list[Unknown]) -> Any:
-    if given is None:
+def _setting(provided: Any, start: Start, field: str, kind: type, unknowns: list[Unknown]) -> Any:
+    if provided is None:
         unknowns.append(Unknown(field, "the data on this node does not tell it"))
-    if not isinstance(given, Test):
-        return given
-    value = start.value(given.about)
-    if value is None and given.default is not None:
-        value = literal(given.default)
+    if not isinstance(provided, Test):
+        return provided
+    value = start.value(provided.about)
+    if value is None and provided.default is not None:
+        value = literal(provided.default)
     if type(value) is kind:
         return value
     shape = "true or false" if kind is bool else "a whole number"
-    why = value if isinstance(value, Unknown) else Unknown(field, f"{given.about} is not {shape}")
+    why = value if isinstance(value, Unknown) else Unknown(field, f"{provided.about} is not {shape}")
     unknowns.append(replace(why, field=field))
     return None
 
 
-def _items(each: Each | None, start: Start) -> Iterator[tuple[object, Unknown | None]]:
-    if each is None:
+def _items(entry: Repetition | None, start: Start) -> Iterator[tuple[object, Unknown | None]]:
+    if entry is None:
         yield None, None
-    elif each.kind == "args":
-        words, why = start.words(int(each.about))
-        shaped = ((fields(each.shape, word) if each.shape else word) for word in words)
+    elif entry.kind == "args":
+        words, why = start.words(int(entry.about))
+        shaped = ((fields(entry.shape, word) if entry.shape else word) for word in words)
         yield from ((item, None) for item in shaped if item is not None)
         if why is not None:
             yield UNKNOWN, why
-    elif each.kind == "children":
-        yield from _children(each.about, start)
-    elif each.kind == "file":
-        yield from _content(each.about, start)
-    elif each.kind == "numbered":
+    elif entry.kind == "children":
+        yield from _children(entry.about, start)
+    elif entry.kind == "file":
+        yield from _content(entry.about, start)
+    elif entry.kind == "numbered":
         for n in range(_NUMBERED):
-            value = start.value(f"{each.about}{n}")
+            value = start.value(f"{entry.about}{n}")
             if value is None:
                 return
             yield value, None
             if isinstance(value, Unknown) and value.field == "presence":
                 return
     else:
-        value = start.value(each.about)
+        value = start.value(entry.about)
         if isinstance(value, (list, tuple)):
             yield from ((item, None) for item in value[:_MOST])
         elif value is not None:
-            why = value if isinstance(value, Unknown) else Unknown("name", f"{each.about} is no list")
+            why = value if isinstance(value, Unknown) else Unknown("name", f"{entry.about} is no list")
             yield UNKNOWN, replace(why, field="name")
 
 
@@ -246,8 +246,8 @@ def _holds(test: Test, start: Start) -> bool | Unknown:
     default = literal(test.default) if test.default is not None else None
     if value is None:
         value = default
-    elif test.wanted is None and isinstance(default, bool) and not isinstance(value, bool):
+    elif test.expected is None and isinstance(default, bool) and not isinstance(value, bool):
         return Unknown("conditions", f"it depends on {about}, which is neither true nor false")
-    if test.wanted is not None:
-        return value in (literal(test.wanted), test.wanted)
+    if test.expected is not None:
+        return value in (literal(test.expected), test.expected)
     return value not in (None, False, "", 0)

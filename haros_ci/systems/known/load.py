@@ -59,8 +59,8 @@ def load_user(data: Mapping[Any, Any], where: str) -> tuple[Mapping[str, Mapping
         if not isinstance(package, str) or not re.fullmatch(PACKAGE, package):
             problems.append(Problem(where, f"known_nodes: {shown(package)!r} is no name of a package"))
             continue
-        read, said = read_package(nodes, package, where, f"known_nodes.{package}.")
-        problems += said
+        read, notes = read_package(nodes, package, where, f"known_nodes.{package}.")
+        problems += notes
         if read:
             found[package] = MappingProxyType(by_every_name(read))
     return MappingProxyType(found), tuple(problems)

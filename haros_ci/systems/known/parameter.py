@@ -16,13 +16,13 @@ _NAME = re.compile(r"[\w?][\w?./-]*")
 
 def declared(known: KnownEndpoint, start: Start, unknowns: list[Unknown]) -> Endpoint | None:
     """One declaration of ROS 2: ``/ns/node:dotted.name``, its default, and as *effective* what is set, else the default."""
-    name, said = filled(known.name, start)
+    name, messages = filled(known.name, start)
     name = name.lstrip("~")
     if not name:
         return None
     if not _NAME.fullmatch(name):
-        said, name = [*said, Unknown("name", f"{name[:60]!r} is no name of a parameter")], UNKNOWN
-    unknowns = list(dict.fromkeys([*unknowns, *said]))
+        messages, name = [*messages, Unknown("name", f"{name[:60]!r} is no name of a parameter")], UNKNOWN
+    unknowns = list(dict.fromkeys([*unknowns, *messages]))
     if known.type is None:
         unknowns.append(Unknown("type", known.type_reason))
     if known.value_reason:

@@ -76,8 +76,8 @@ def quality(
         return replace(_RELIABLE, depth=queue, durability="transient_local" if latched else "volatile"), []
     qos = _RELIABLE
     unknowns: list[Unknown] = []
-    for key, given in known.qos:
-        value = _value(key, given, start)
+    for key, written in known.qos:
+        value = _value(key, written, start)
         if isinstance(value, Unknown):
             unknowns.append(value)
             if key == "preset":
@@ -93,18 +93,18 @@ def quality(
     return qos, unknowns
 
 
-def _value(key: str, given: object, start: Start) -> Any:
-    if isinstance(given, Why):
-        return Unknown("qos", given.reason)
-    if not isinstance(given, text.Test):
-        return given
-    value = start.value(given.about)
-    if value is None and given.default is not None:
-        value = text.literal(given.default)
+def _value(key: str, provided: object, start: Start) -> Any:
+    if isinstance(provided, Why):
+        return Unknown("qos", provided.reason)
+    if not isinstance(provided, text.Test):
+        return provided
+    value = start.value(provided.about)
+    if value is None and provided.default is not None:
+        value = text.literal(provided.default)
     if isinstance(value, Unknown):
         return replace(value, field="qos")
     if key in WORDS and isinstance(value, str) and value.lower() in WORDS[key]:
         return value.lower()
     if key not in WORDS and isinstance(value, int) and not isinstance(value, bool) and 0 <= value < _LARGEST:
         return value
-    return Unknown("qos", f"{given.about} is no {key} that is known")
+    return Unknown("qos", f"{provided.about} is no {key} that is known")

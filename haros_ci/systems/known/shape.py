@@ -43,7 +43,7 @@ T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
-class _Reading:
+class _ShapeReading:
     where: str
     problems: list[Problem]
     ros: int | None = None
@@ -83,7 +83,7 @@ def read_package(
     *where* is the file, *at* the place in it, *ros* the version of nodes that do not tell theirs (None: both). What has
     not the form of docs/known-nodes.md is left out.
     """
-    reading = _Reading(where, [], ros)
+    reading = _ShapeReading(where, [], ros)
     nodes: dict[str, KnownNode] = {}
     if not isinstance(data, Mapping):
         reading.say(at.rstrip(".") or where, "it must be a map of node types")
@@ -101,7 +101,7 @@ def shown(value: object) -> str:
     return str(value)[:100] if value is None or isinstance(value, (str, int, float)) else type(value).__name__
 
 
-def _node(entry: object, name: object, package: str, at: str, reading: _Reading) -> KnownNode | None:
+def _node(entry: object, name: object, package: str, at: str, reading: _ShapeReading) -> KnownNode | None:
     if not isinstance(name, str) or not re.fullmatch(r"[\w./+:-]{1,200}", name):
         reading.say(at, "this is no node type: write the executable, or the look-up name of a nodelet")
         return None
@@ -171,7 +171,7 @@ def _node(entry: object, name: object, package: str, at: str, reading: _Reading)
     )
 
 
-def _endpoint(item: object, kind: str, at: str, reading: _Reading) -> KnownEndpoint | None:
+def _endpoint(item: object, kind: str, at: str, reading: _ShapeReading) -> KnownEndpoint | None:
     if not isinstance(item, Mapping):
         reading.say(at, f"it must be a map with a name and a type, not {type(item).__name__}")
         return None
@@ -220,7 +220,7 @@ def _keys_of(kind: str, ros: int | None) -> tuple[str, ...]:
     return (*COMMON_KEYS, *own.get(kind, ()), *quality)
 
 
-def _type(value: object, kind: str, at: str, reading: _Reading) -> tuple[str | None, str, text.Template | None]:
+def _type(value: object, kind: str, at: str, reading: _ShapeReading) -> tuple[str | None, str, text.Template | None]:
     words = ROS2_PARAMETER_TYPES if kind == "parameters" else PARAMETER_TYPES
     if kind in PARAMETERS and value in words:
         return str(value), "", None
@@ -229,8 +229,8 @@ def _type(value: object, kind: str, at: str, reading: _Reading) -> tuple[str | N
     if kind not in PARAMETERS and isinstance(value, str) and "{" in value:
         return None, "", reading.parsed(text.template, value, at)
     if kind not in PARAMETERS and isinstance(value, str) and (found := _TYPE.fullmatch(value)):
-        wanted = {1: (None,), 2: (SUBFOLDERS[kind],), None: (None, SUBFOLDERS[kind])}
-        if found[1] in wanted[reading.ros]:
+        requested = {1: (None,), 2: (SUBFOLDERS[kind],), None: (None, SUBFOLDERS[kind])}
+        if found[1] in requested[reading.ros]:
             return value, "", None
     form = f"one of {', '.join(words)}" if kind in PARAMETERS else "package/Name"
     if kind not in PARAMETERS and reading.ros == 2:
@@ -239,7 +239,7 @@ def _type(value: object, kind: str, at: str, reading: _Reading) -> tuple[str | N
     return None, "", None
 
 
-def _qos(item: Mapping[Any, Any], at: str, reading: _Reading) -> Policies | None:
+def _qos(item: Mapping[Any, Any], at: str, reading: _ShapeReading) -> Policies | None:
     if "qos" not in item:
         return None
     try:
@@ -260,7 +260,7 @@ def _reason(parts: text.Template | None) -> str:
     return only.about if isinstance(only, text.Hole) else ""
 
 
-def _or_test(value: object, plain: type[T], at: str, reading: _Reading) -> T | text.Test | None:
+def _or_test(value: object, plain: type[T], at: str, reading: _ShapeReading) -> T | text.Test | None:
     if value is None or (isinstance(value, plain) and (plain is bool or not isinstance(value, bool))):
         return value
     if isinstance(value, str):
@@ -269,12 +269,12 @@ def _or_test(value: object, plain: type[T], at: str, reading: _Reading) -> T | t
     return None
 
 
-def _tests(value: object, at: str, reading: _Reading) -> tuple[text.Test, ...]:
+def _tests(value: object, at: str, reading: _ShapeReading) -> tuple[text.Test, ...]:
     items = value if isinstance(value, list) else [] if value is None else [value]
     return tuple(made for item in items if (made := reading.parsed(text.test, item, at)) is not None)
 
 
-def _distributions(entry: Mapping[Any, Any], at: str, reading: _Reading) -> tuple[str, ...] | None:
+def _distributions(entry: Mapping[Any, Any], at: str, reading: _ShapeReading) -> tuple[str, ...] | None:
     value = entry.get("distributions")
     if value is None:
         return ()

@@ -21,7 +21,7 @@ class Start:
     """One node being started; *item* is that of a list, None outside one.
 
     *ros* is 1 or 2. *below* gives the names of the parameters that are set for the node and begin with a text, *file*
-    the content of a YAML file; either is None where that cannot be told.
+    the content of a YAML file; either is None where that is not known.
     """
 
     name: str
@@ -131,9 +131,9 @@ def filled(template: Template, start: Start) -> tuple[str, list[Unknown]]:
             continue
         value = _content(part, start)
         if value is None and part.default is not None:
-            inner, said = filled(part.default, start)
+            inner, messages = filled(part.default, start)
             text += inner
-            unknowns += said
+            unknowns += messages
         elif isinstance(value, str):
             text += value
         else:

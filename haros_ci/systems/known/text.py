@@ -47,11 +47,11 @@ class Test:
     kind: str
     about: str
     default: str | None
-    wanted: str | None
+    expected: str | None
 
 
 @dataclass(frozen=True, slots=True)
-class Each:
+class Repetition:
     """``args:1``, ``~list`` or ``~name#`` (``~name0``, ``~name1``, ... up to the first that is not set).
 
     ``~group.*`` are the names of what is set below a prefix, ``file:~path`` the list in a YAML file. ``args:0 as
@@ -100,7 +100,7 @@ def test(text: str) -> Test:
     return Test(kind, found[2], found[3], found[4])
 
 
-def each(text: str) -> Each:
+def each(text: str) -> Repetition:
     """A list: ``~parameter``, ``~parameter#``, ``~group.*``, ``file:~parameter``, ``args:1`` or ``args:0 as {a}@{b}``."""
     found = _LIST.fullmatch(text.strip())
     if found is None or (found[3] and found[5]):
@@ -108,9 +108,9 @@ def each(text: str) -> Each:
     if found[1]:
         if found[2] and not _is_shape(found[2]):
             raise ValueError("the shape of an argument is written as {topic}@{type}")
-        return Each("args", found[1], found[2] or "")
+        return Repetition("args", found[1], found[2] or "")
     kinds = {None: "file" if found[3] else "param", "#": "numbered", ".*": "children"}
-    return Each(kinds[found[5]], found[4])
+    return Repetition(kinds[found[5]], found[4])
 
 
 def _is_shape(text: str) -> bool:
@@ -122,9 +122,9 @@ def _is_shape(text: str) -> bool:
 def fields(shape: str, word: str) -> dict[str, str] | None:
     """The fields of *word*, None if it has not the *shape*: no field has a character that stands between fields."""
     literals = _FIELD.split(shape)[::2]
-    apart = re.escape("".join(literals + list("@[]")))
+    differing = re.escape("".join(literals + list("@[]")))
     pattern = "".join(
-        re.escape(part) if n % 2 == 0 else f"(?P<{part}>[^{apart}]+)" for n, part in enumerate(_FIELD.split(shape))
+        re.escape(part) if n % 2 == 0 else f"(?P<{part}>[^{differing}]+)" for n, part in enumerate(_FIELD.split(shape))
     )
     found = re.fullmatch(pattern, word)
     return found.groupdict() if found else None

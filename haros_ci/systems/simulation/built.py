@@ -8,17 +8,17 @@ from dataclasses import replace
 
 from haros_ci.follow.libraries.gazebo import SPACE, Sdf
 from haros_ci.model.architecture import Endpoint, Node, Unknown
-from haros_ci.robot.nodes import Node as Element
+from haros_ci.robot.nodes import XmlNode as Element
 from haros_ci.systems.gazebo_plugins import Given
 from haros_ci.systems.simulation.endpoints import Spawned
-from haros_ci.systems.simulation.uses import Use
+from haros_ci.systems.simulation.uses import PluginUse
 
 #: Elements of one plug-in that are read, and how deep in one another.
 MOST, DEEPEST = 2_000, 20
 UNCERTAIN = "it stands in the description under a condition that is not known"
 
 
-def given(use: Use, spawned: Spawned) -> Given:
+def given(use: PluginUse, spawned: Spawned) -> Given:
     """What a plug-in is given; a spawner adds its namespace (gazebo_ros_api_plugin.cpp, walkChildAddRobotNamespace)."""
     sdf = _sdf(use.element, [MOST], 0)
     if spawned.namespace and sdf.child(SPACE) is None:
@@ -41,7 +41,7 @@ def _sdf(element: Element, left: list[int], depth: int) -> Sdf:
     )
 
 
-def under(host: Node, use: Use, spawned: Spawned) -> Node:
+def under(host: Node, use: PluginUse, spawned: Spawned) -> Node:
     """The *host* of a plug-in under the conditions of what brings it."""
     doubt = () if use.element.certain else (Unknown("conditions", UNCERTAIN, use.element.location),)
     return replace(host, conditions=(*host.conditions, *spawned.conditions), unknowns=doubt)
@@ -49,7 +49,7 @@ def under(host: Node, use: Use, spawned: Spawned) -> Node:
 
 def moved(plugin: Node, host: Node) -> Iterator[Endpoint]:
     """The endpoints of a followed *plugin* as the *host* has them."""
-    conditions = tuple(each for each in plugin.conditions if each not in host.conditions)
-    doubt = tuple(each for each in plugin.unknowns if each.field == "conditions")
+    conditions = tuple(condition for condition in plugin.conditions if condition not in host.conditions)
+    doubt = tuple(unknown for unknown in plugin.unknowns if unknown.field == "conditions")
     for end in plugin.endpoints:
         yield replace(end, conditions=(*end.conditions, *conditions), unknowns=(*end.unknowns, *doubt))

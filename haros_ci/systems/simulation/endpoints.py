@@ -9,16 +9,16 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from haros_ci.graph.names import UNKNOWN, clean, resolve
-from haros_ci.graph.ros2_process import RosNode, Rule, named, ros_arguments
+from haros_ci.graph.ros2_process import RemappingRule, RosNode, named, ros_arguments
 from haros_ci.model.architecture import Condition, Endpoint, Node, Unknown
 from haros_ci.model.location import Location
-from haros_ci.robot.nodes import Node as Element
-from haros_ci.robot.unknown import Unknown as NotKnown
+from haros_ci.robot.nodes import XmlNode as Element
+from haros_ci.robot.unknown import UnknownValue as NotKnown
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.known.instantiate import instantiate
 from haros_ci.systems.ros2_implicit import implicit
 from haros_ci.systems.simulation.table import KnownPlugin
-from haros_ci.systems.simulation.uses import Use, value
+from haros_ci.systems.simulation.uses import PluginUse, value
 
 _FILLED = re.compile(r"\{(\w+)\}")
 #: The element that names the controller manager that a plug-in makes.
@@ -35,7 +35,7 @@ class Spawned:
     conditions: tuple[Condition, ...] = ()
 
 
-def element(use: Use, known: KnownPlugin, name: str) -> Any:
+def element(use: PluginUse, known: KnownPlugin, name: str) -> Any:
     """What a plug-in reads from the element called *name*: data, None if it is not there, or why it is not known."""
     if name == "model":
         return use.model if use.model != "?" else Unknown("name", "which model it is in, is not known")
@@ -46,18 +46,18 @@ def element(use: Use, known: KnownPlugin, name: str) -> Any:
     if name == "cameras":
         return list(use.cameras)
     default = known.elements.get(name)
-    given = value(use.element, name)
-    if isinstance(given, NotKnown):
+    text = value(use.element, name)
+    if isinstance(text, NotKnown):
         return Unknown("name", f"<{name}> of the plug-in: {_UNREAD}", use.element.location)
-    if given is None:
+    if text is None:
         return filled(default, use, known) if isinstance(default, str) else default
     if isinstance(default, bool):
-        truth = {"true": True, "1": True, "false": False, "0": False}.get(given.lower())
+        truth = {"true": True, "1": True, "false": False, "0": False}.get(text.lower())
         return truth if truth is not None else Unknown("value", f"<{name}> is neither true nor false")
-    return given
+    return text
 
 
-def filled(text: str, use: Use, known: KnownPlugin) -> str | Unknown:
+def filled(text: str, use: PluginUse, known: KnownPlugin) -> str | Unknown:
     """*text* of a row with the elements that it has in braces; an Unknown if one is not known."""
     parts = _FILLED.split(text)
     for at in range(1, len(parts), 2):
@@ -68,7 +68,7 @@ def filled(text: str, use: Use, known: KnownPlugin) -> str | Unknown:
     return "".join(parts)
 
 
-def is_idle(use: Use, known: KnownPlugin) -> bool:
+def is_idle(use: PluginUse, known: KnownPlugin) -> bool:
     """Whether the plug-in makes nothing for sure: it stands where it is not loaded, or lacks what it needs."""
     if known.at != use.at:
         return True
@@ -76,7 +76,7 @@ def is_idle(use: Use, known: KnownPlugin) -> bool:
 
 
 def ros1_endpoints(
-    use: Use, known: KnownPlugin, node: Node, spawned: Spawned, parameter: Callable[[str], object | None]
+    use: PluginUse, known: KnownPlugin, node: Node, spawned: Spawned, parameter: Callable[[str], object | None]
 ) -> Iterator[Endpoint]:
     """What a ROS 1 plug-in makes on *node*, the simulator; *parameter* asks the parameter server."""
     space = _namespace(use, known, spawned)
@@ -86,7 +86,7 @@ def ros1_endpoints(
     start = f"{node.name}/"
     remaps = dict(node.remaps)
 
-    def given(full: str) -> object | None:
+    def provided(full: str) -> object | None:
         return element(use, known, full[len(start) :]) if full.startswith(start) else parameter(full)
 
     ends = instantiate(
@@ -94,7 +94,7 @@ def ros1_endpoints(
         name=node.name,
         namespace=namespace,
         arguments=(),
-        parameter=given,
+        parameter=provided,
         remap=lambda full: remaps.get(full, full),
     )
     for end in ends:
@@ -103,23 +103,23 @@ def ros1_endpoints(
 
 
 def ros2_nodes(
-    use: Use,
+    use: PluginUse,
     known: KnownPlugin,
     simulator: Node,
     spawned: Spawned,
-    process: tuple[Rule, ...] = (),
+    process: tuple[RemappingRule, ...] = (),
     beside: KnownNode | None = None,
 ) -> Iterator[Node]:
     """The node that a ROS 2 plug-in makes, and the one *beside* it; *process* are the rules that the server is started with."""
     inner = next(use.element.all("ros"), use.element)
-    given = namespace_of(use, spawned)
+    text = namespace_of(use, spawned)
     name, why = known.called or use.name, None
     rules, unread = _rules(inner)
     rules = (*rules, *process)
-    if name is None or isinstance(given, NotKnown) or unread:
+    if name is None or isinstance(text, NotKnown) or unread:
         why = Unknown("name", "what the description gives it is not known", use.element.location)
     own = name if name is not None else UNKNOWN
-    space = UNKNOWN if isinstance(given, NotKnown) else given or "/"
+    space = UNKNOWN if isinstance(text, NotKnown) else text or "/"
     full, space = named(own, clean(f"/{space}"), rules)
     places = [(full, known.node)]
     if beside is not None:
@@ -142,24 +142,24 @@ def ros2_nodes(
             rules=(),
             class_name=None,
             source="known-node",
-            unknowns=tuple(each for each in (why, _doubt(use)) if each is not None),
+            unknowns=tuple(unknown for unknown in (why, _doubt(use)) if unknown is not None),
         )
         yield replace(node, endpoints=tuple(_ros2_ends(use, known, what, node, space, rules, inner, spawned)))
 
 
-def namespace_of(use: Use, spawned: Spawned) -> str | NotKnown | None:
+def namespace_of(use: PluginUse, spawned: Spawned) -> str | NotKnown | None:
     """The namespace that a ROS 2 plug-in is given: by its spawner, else by ``<namespace>``."""
     inner = next(use.element.all("ros"), use.element)
     return value(inner, "namespace") if spawned.namespace in (None, "") else spawned.namespace
 
 
-def beside_name(use: Use, known: KnownPlugin) -> str | None:
+def beside_name(use: PluginUse, known: KnownPlugin) -> str | None:
     """What the node is called that a plug-in makes besides, a controller manager; None if that is not known."""
     name = element(use, known, MANAGER_NAME)
     return name if isinstance(name, str) else None
 
 
-def on_server(known: KnownPlugin, node: Node, rules: tuple[Rule, ...]) -> tuple[Endpoint, ...]:
+def on_server(known: KnownPlugin, node: Node, rules: tuple[RemappingRule, ...]) -> tuple[Endpoint, ...]:
     """What a plug-in on the server's command line makes on *node*."""
     space = node.name.rpartition("/")[0] or "/"
     itself = RosNode(node.name, space, space, "node", "", node.location or Location(""), rules=rules)
@@ -185,23 +185,25 @@ def by_simulated_time(node: Node) -> Node:
 
 
 def _ros2_ends(
-    use: Use,
+    use: PluginUse,
     known: KnownPlugin,
     what: KnownNode,
     node: Node,
     space: str,
-    rules: tuple[Rule, ...],
+    rules: tuple[RemappingRule, ...],
     inner: Element,
     spawned: Spawned,
 ) -> Iterator[Endpoint]:
     itself = RosNode(node.name, space, space, "node", "", use.element.location, rules=rules)
     parameters = _parameters(inner)
 
-    def asked(full: str) -> object | None:
+    def requested(full: str) -> object | None:
         name = full.rpartition(":")[2]
         return parameters[name] if name in parameters else element(use, known, name)
 
-    ends = instantiate(what, name=node.name, namespace=space, arguments=(), parameter=asked, remap=itself.remap, ros=2)
+    ends = instantiate(
+        what, name=node.name, namespace=space, arguments=(), parameter=requested, remap=itself.remap, ros=2
+    )
     has_qos = next(inner.all("qos"), None) is not None
     for end in ends:
         if has_qos and end.kind in ("publishers", "subscribers"):
@@ -213,7 +215,7 @@ def _ros2_ends(
             yield replace(end, source="known-node")
 
 
-def _placed(end: Endpoint, use: Use, spawned: Spawned, more: tuple[Unknown, ...]) -> Endpoint:
+def _placed(end: Endpoint, use: PluginUse, spawned: Spawned, more: tuple[Unknown, ...]) -> Endpoint:
     doubt = _doubt(use)
     unknowns = (*end.unknowns, *more, *((replace(doubt, field="conditions"),) if doubt is not None else ()))
     return replace(
@@ -221,31 +223,31 @@ def _placed(end: Endpoint, use: Use, spawned: Spawned, more: tuple[Unknown, ...]
     )
 
 
-def _doubt(use: Use) -> Unknown | None:
+def _doubt(use: PluginUse) -> Unknown | None:
     if use.element.certain:
         return None
     why = "it stands in the description under a condition that is not known"
     return Unknown("conditions", why, use.element.location)
 
 
-def _namespace(use: Use, known: KnownPlugin, spawned: Spawned) -> str | Unknown:
+def _namespace(use: PluginUse, known: KnownPlugin, spawned: Spawned) -> str | Unknown:
     """The namespace as the plug-in gives it to its node handle."""
     rule = known.space
     if rule.ignored:
         return ""
-    given = _given_namespace(use, spawned)
-    if isinstance(given, Unknown):
-        return given
+    written = _given_namespace(use, spawned)
+    if isinstance(written, Unknown):
+        return written
     text: str | None = None  # what is given is taken as it is
-    if given is None:
+    if written is None:
         text = rule.missing
-    elif given == "":
+    elif written == "":
         text = rule.empty
-    elif not given.strip("/"):
+    elif not written.strip("/"):
         text = rule.slash
     parts = []
     for part in (rule.above, text, rule.below):
-        made = filled(part, use, known) if part is not None else given or ""
+        made = filled(part, use, known) if part is not None else written or ""
         if isinstance(made, Unknown):
             return made
         parts.append(made)
@@ -253,25 +255,25 @@ def _namespace(use: Use, known: KnownPlugin, spawned: Spawned) -> str | Unknown:
     return whole if not rule.above or whole.startswith("/") else whole.lstrip("/")
 
 
-def _given_namespace(use: Use, spawned: Spawned) -> str | Unknown | None:
+def _given_namespace(use: PluginUse, spawned: Spawned) -> str | Unknown | None:
     """``<robotNamespace>`` of the plug-in, else the namespace that its model is spawned with; None: neither is given."""
-    given = value(use.element, "robotNamespace")
-    if isinstance(given, NotKnown):
+    text = value(use.element, "robotNamespace")
+    if isinstance(text, NotKnown):
         return Unknown("name", f"<robotNamespace> of the plug-in: {_UNREAD}", use.element.location)
-    if given is None:
-        given = spawned.namespace
-        if given is not None and UNKNOWN in given:
+    if text is None:
+        text = spawned.namespace
+        if text is not None and UNKNOWN in text:
             return Unknown("name", "the namespace that its model is spawned with is not known")
-    return given
+    return text
 
 
-def _cameras(use: Use, side: str) -> object:
+def _cameras(use: PluginUse, side: str) -> object:
     if "?" in use.cameras or not use.cameras:
         return Unknown("conditions", "the cameras of the sensor are not known", use.element.location)
     return any(side in name for name in use.cameras)
 
 
-def _rules(inner: Element) -> tuple[tuple[Rule, ...], bool]:
+def _rules(inner: Element) -> tuple[tuple[RemappingRule, ...], bool]:
     """The rules of ``<remapping>`` and ``<argument>``, and whether one of them is not known."""
     words: list[str] = []
     unread = False

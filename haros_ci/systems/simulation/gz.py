@@ -10,13 +10,13 @@ from dataclasses import replace
 
 from haros_ci.graph.names import clean
 from haros_ci.graph.ros2_process import Parameters
-from haros_ci.graph.words import Words, split
+from haros_ci.graph.words import CommandLineArguments, split
 from haros_ci.model.architecture import Node
 from haros_ci.model.launch import LaunchedNode
 from haros_ci.systems.simulation.descriptions import Descriptions, itself_of
 from haros_ci.systems.simulation.endpoints import Spawned
-from haros_ci.systems.simulation.simulators import Found, gather, option
-from haros_ci.systems.simulation.trees import Tree
+from haros_ci.systems.simulation.simulators import SimulatorPlugins, gather, option
+from haros_ci.systems.simulation.trees import DescriptionTree
 from haros_ci.values.abstract import Known
 
 PACKAGES = ("ros_gz_sim", "ros_ign_gazebo")
@@ -30,9 +30,9 @@ def is_spawner(node: LaunchedNode) -> bool:
     return node.package in PACKAGES and node.type == SPAWNER
 
 
-def found(texts: Descriptions, spawner: LaunchedNode) -> Found:
+def found(texts: Descriptions, spawner: LaunchedNode) -> SimulatorPlugins:
     """The plug-ins of what a *spawner* brings that know ROS."""
-    into = Found()
+    into = SimulatorPlugins()
     words = split(spawner.arguments)
     named = Parameters(spawner.parameters).get(itself_of(spawner, CALLED).name, "name")
     model = option(words.rest, "-name") or (str(named.value) if isinstance(named, Known) else None)
@@ -41,23 +41,25 @@ def found(texts: Descriptions, spawner: LaunchedNode) -> Found:
     return into
 
 
-def _description(texts: Descriptions, spawner: LaunchedNode, words: Words) -> Tree:
-    given = Parameters(spawner.parameters)
+def _description(texts: Descriptions, spawner: LaunchedNode, words: CommandLineArguments) -> DescriptionTree:
+    provided = Parameters(spawner.parameters)
     itself = itself_of(spawner, CALLED)
     text, name = option(words.rest, "-string"), option(words.rest, "-param")
     if text is not None:
         return texts.of_text(text, spawner)
-    if name is not None or given.get(itself.name, "string") not in (None, Known("")):
-        return texts.of_parameter(given.get(itself.name, name or "string"), spawner.location, spawner.name or SPAWNER)
+    if name is not None or provided.get(itself.name, "string") not in (None, Known("")):
+        return texts.of_parameter(
+            provided.get(itself.name, name or "string"), spawner.location, spawner.name or SPAWNER
+        )
     more = list(words.rest)
-    for each in ("file", "topic"):
-        value = given.get(itself.name, each)
+    for item in ("file", "topic"):
+        value = provided.get(itself.name, item)
         if isinstance(value, Known) and isinstance(value.value, str) and value.value:
-            more += [f"-{each}", value.value]
+            more += [f"-{item}", value.value]
     return texts.of_spawner(spawner, replace(words, rest=tuple(more)), CALLED)
 
 
-def host(spawner: LaunchedNode, into: Found) -> Node:
+def host(spawner: LaunchedNode, into: SimulatorPlugins) -> Node:
     """A node of the simulator's process for the plug-ins of what a *spawner* brings; the process is called as the first of them."""
     name = clean(f"/{into.uses[0][1].called or into.uses[0][0].name or '?'}")
     return Node(

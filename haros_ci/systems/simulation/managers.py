@@ -9,17 +9,17 @@ from haros_ci.graph.names import clean
 from haros_ci.model.launch import LaunchedNode, ParameterRule
 from haros_ci.model.location import Location
 from haros_ci.robot.places import as_launched
-from haros_ci.robot.unknown import Unknown as NotKnown
+from haros_ci.robot.unknown import UnknownValue as NotKnown
 from haros_ci.systems.simulation.endpoints import Spawned, beside_name, namespace_of
 from haros_ci.systems.simulation.table import KnownPlugin
-from haros_ci.systems.simulation.uses import Use
+from haros_ci.systems.simulation.uses import PluginUse
 
 #: Package and type of the known node that is a controller manager.
 MANAGER = ("controller_manager", "ros2_control_node")
 
 
 def manager(
-    use: Use,
+    use: PluginUse,
     known: KnownPlugin,
     spawned: Spawned,
     by: LaunchedNode,

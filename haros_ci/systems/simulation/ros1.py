@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 from haros_ci.graph.names import clean, resolve
 from haros_ci.graph.parameters import ParameterServer
-from haros_ci.graph.words import Words, split
+from haros_ci.graph.words import CommandLineArguments, split
 from haros_ci.model.architecture import Node, Parameter
 from haros_ci.model.launch import Launched, Started
 from haros_ci.model.location import Location
@@ -21,7 +21,7 @@ from haros_ci.systems.simulation.ros1_managers import asked, controllers
 from haros_ci.systems.simulation.simulators import (
     PACKAGE,
     SERVERS,
-    Found,
+    SimulatorPlugins,
     completed,
     gather,
     of_file_or_model,
@@ -30,7 +30,7 @@ from haros_ci.systems.simulation.simulators import (
     spawned_by,
     unpredictable,
 )
-from haros_ci.systems.simulation.trees import Tree, Trees
+from haros_ci.systems.simulation.trees import DescriptionTree, DescriptionTrees
 from haros_ci.systems.system import Job
 from haros_ci.systems.system import launched as launched_job
 
@@ -40,20 +40,25 @@ ACCOUNTED = frozenset(("gazebo_ros_api_plugin", "gazebo_ros_paths_plugin"))
 
 
 def simulation(
-    types: Types, launched: Launched, server: ParameterServer, trees: Trees, environment: Mapping[str, str]
+    types: Types, launched: Launched, server: ParameterServer, trees: DescriptionTrees, environment: Mapping[str, str]
 ) -> Simulation:
     """What is simulated of what was *launched*. *server* has the parameters that are set."""
-    servers = [each for each in launched.nodes if each.package == PACKAGE and each.type in SERVERS]
+    servers = [node for node in launched.nodes if node.package == PACKAGE and node.type in SERVERS]
     if not servers:
         return Simulation(types, launched, server, [])
     parameters: dict[str, list[Parameter]] = {}
-    for each in launched.parameters:
-        parameters.setdefault(each.name, []).append(each)
+    for parameter in launched.parameters:
+        parameters.setdefault(parameter.name, []).append(parameter)
     spawners = [
-        (each, split(each.arguments)) for each in launched.nodes if each.package == PACKAGE and each.type in SPAWNERS
+        (node, split(node.arguments)) for node in launched.nodes if node.package == PACKAGE and node.type in SPAWNERS
     ]
     models = _Models(len(servers) == 1, spawners, parameters, trees, environment)
-    return Simulation(types, launched, server, [(each, models.found(each, types.gazebo)) for each in servers])
+    return Simulation(
+        types,
+        launched,
+        server,
+        [(other_started, models.found(other_started, types.gazebo)) for other_started in servers],
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +68,7 @@ class Simulation:
     types: Types
     launched: Launched
     parameters: ParameterServer
-    servers: list[tuple[Started, Found]]
+    servers: list[tuple[Started, SimulatorPlugins]]
 
     def jobs(self) -> Iterator[Job]:
         """The plug-ins that the workspace builds, each to be followed in the simulator's node."""
@@ -76,7 +81,9 @@ class Simulation:
         """*nodes*, where each simulator has what its plug-ins make."""
         if not self.servers:
             return tuple(nodes)
-        by_place: dict[tuple[str, Location | None], Found] = {(s.name, s.location): into for s, into in self.servers}
+        by_place: dict[tuple[str, Location | None], SimulatorPlugins] = {
+            (s.name, s.location): into for s, into in self.servers
+        }
         reasons = tuple(unpredictable(nodes, SPAWNERS))
         plugins = [node for node in nodes if node.kind == PLUGIN]
         done = []
@@ -92,7 +99,7 @@ class Simulation:
             done.append(self._completed(node, into, plugins))
         return tuple(done)
 
-    def _completed(self, node: Node, into: Found, plugins: Sequence[Node]) -> Node:
+    def _completed(self, node: Node, into: SimulatorPlugins, plugins: Sequence[Node]) -> Node:
         """The simulator *node* with what is loaded *into* it, *plugins* that the workspace builds included."""
         made = [
             end
@@ -110,20 +117,20 @@ class Simulation:
 class _Models:
     #: Whether there is one simulator only.
     is_alone: bool
-    spawners: list[tuple[Started, Words]]
+    spawners: list[tuple[Started, CommandLineArguments]]
     #: What is set on the parameter server, by name.
     parameters: Mapping[str, list[Parameter]]
-    trees: Trees
+    trees: DescriptionTrees
     environment: Mapping[str, str]
 
-    def found(self, server: Started, ours: Mapping[str, Sequence[GazeboPlugin]]) -> Found:
+    def found(self, server: Started, ours: Mapping[str, Sequence[GazeboPlugin]]) -> SimulatorPlugins:
         """The plug-ins of a *server*; *ours* are those that the workspace builds."""
         into = of_server(self.trees, server, 1, ACCOUNTED, ours)
         for spawner, words in self.spawners:
             self._spawn(spawner, words, server, into)
         return into
 
-    def _spawn(self, spawner: Started, words: Words, server: Started, into: Found) -> None:
+    def _spawn(self, spawner: Started, words: CommandLineArguments, server: Started, into: SimulatorPlugins) -> None:
         target = option(words.rest, "-gazebo_namespace")
         if target is not None and "?" not in target and clean(target) != server.name and not self.is_alone:
             return
@@ -135,24 +142,24 @@ class _Models:
         spawned = spawned_by(spawner, server, option(words.rest, "-model"), space)
         gather(self.trees, self._description(spawner, words), spawned, 1, into, spawner.location)
 
-    def _description(self, spawner: Started, words: Words) -> Tree:
+    def _description(self, spawner: Started, words: CommandLineArguments) -> DescriptionTree:
         tree = of_file_or_model(self.trees, words.rest)
         if tree is not None:
             return tree
         parameter = option(words.rest, "-param")
         if parameter is None:
-            return Tree(None, f"what {spawner.name} spawns is not known")
+            return DescriptionTree(None, f"what {spawner.name} spawns is not known")
         name = resolve(parameter, spawner.namespace, spawner.name)
-        given = self.parameters.get(name, ())
-        if len(given) != 1 or given[0].conditions or "?" in parameter:
-            why = "is set by no launch file" if not given else "is not known"
-            return Tree(None, f"the parameter {name} that {spawner.name} spawns {why}")
-        return self._text(given[0])
+        parameters = self.parameters.get(name, ())
+        if len(parameters) != 1 or parameters[0].conditions or "?" in parameter:
+            why = "is set by no launch file" if not parameters else "is not known"
+            return DescriptionTree(None, f"the parameter {name} that {spawner.name} spawns {why}")
+        return self._text(parameters[0])
 
-    def _text(self, parameter: Parameter) -> Tree:
+    def _text(self, parameter: Parameter) -> DescriptionTree:
         if parameter.command:
             return self.trees.of_command(parameter.command, self.environment)
         if isinstance(parameter.value, str) and not parameter.unknowns and parameter.location is not None:
             return self.trees.of_text(parameter.value, parameter.location)
-        why = next((each.reason for each in parameter.unknowns), "it is no text")
-        return Tree(None, f"the value of {parameter.name} is not known: {why}")
+        why = next((unknown.reason for unknown in parameter.unknowns), "it is no text")
+        return DescriptionTree(None, f"the value of {parameter.name} is not known: {why}")

@@ -18,7 +18,7 @@ from haros_ci.model.launch import Started
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.known.instantiate import instantiate
 from haros_ci.systems.outside import as_data
-from haros_ci.systems.simulation.simulators import Found
+from haros_ci.systems.simulation.simulators import SimulatorPlugins
 from haros_ci.values.abstract import Known
 
 PACKAGE = "controller_manager"
@@ -41,17 +41,17 @@ class Asked:
 
 def asked(nodes: Iterable[Started]) -> Iterator[Asked]:
     """What the spawners among *nodes* ask for."""
-    for each in nodes:
-        words = split(each.arguments).rest
-        if each.package != PACKAGE:
+    for node in nodes:
+        words = split(node.arguments).rest
+        if node.package != PACKAGE:
             continue
-        if each.type in ("spawner", "spawner.py"):
+        if node.type in ("spawner", "spawner.py"):
             space, names = _spawned(words)
             yield Asked(
-                each, resolve(space, each.namespace, each.name) if space else clean(f"/{each.namespace}"), names
+                node, resolve(space, node.namespace, node.name) if space else clean(f"/{node.namespace}"), names
             )
-        elif each.type == PACKAGE and words[:1] and words[0] in LOADING:
-            yield Asked(each, clean(f"/{each.namespace}"), tuple(words[1:]))
+        elif node.type == PACKAGE and words[:1] and words[0] in LOADING:
+            yield Asked(node, clean(f"/{node.namespace}"), tuple(words[1:]))
 
 
 def _spawned(words: Sequence[str]) -> tuple[str, tuple[str, ...]]:
@@ -76,12 +76,12 @@ def controllers(
     every: Iterable[Asked],
     server: ParameterServer,
     known: Callable[[str, str, int], KnownNode | None],
-    into: Found,
+    into: SimulatorPlugins,
 ) -> Iterator[Endpoint]:
     """What the controllers make that the managers on *node*, which has *made* these endpoints, are asked for; *into* takes why one is not known."""
     spaces = {end.name.removesuffix(f"/{SERVICE}") or "/" for end in made if end.name.endswith(f"/{SERVICE}")}
     for ask in every:
-        if ask.namespace not in spaces and not any("?" in each for each in (ask.namespace, *spaces)):
+        if ask.namespace not in spaces and not any("?" in space for space in (ask.namespace, *spaces)):
             continue
         for name in ask.names if spaces else ():
             full = clean(f"{ask.namespace}/{name}")
@@ -89,15 +89,15 @@ def controllers(
             kind = value.value if isinstance(value, Known) and isinstance(value.value, str) else "?"
             found = known(kind.partition("/")[0], kind, 1) if "?" not in full else None
             if found is None:
-                said = f": it is a {kind}" if kind != "?" else ""
-                into.lose(f"what the controller {name} makes is not known{said}", ask.by.location)
+                message = f": it is a {kind}" if kind != "?" else ""
+                into.lose(f"what the controller {name} makes is not known{message}", ask.by.location)
                 continue
             yield from _made(node, found, full, ask, server)
 
 
 def _made(node: Node, found: KnownNode, full: str, ask: Asked, server: ParameterServer) -> Iterator[Endpoint]:
     remaps = dict(node.remaps)
-    conditions = tuple(each for each in ask.by.conditions if each not in node.conditions)
+    conditions = tuple(condition for condition in ask.by.conditions if condition not in node.conditions)
     ends = instantiate(
         found,
         name=full,

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from haros_ci.graph.ros2_process import Rule
-from haros_ci.graph.words import Words, split
+from haros_ci.graph.ros2_process import RemappingRule
+from haros_ci.graph.words import CommandLineArguments, split
 from haros_ci.model.architecture import Node
 from haros_ci.model.launch import LaunchedNode, LaunchedSystem, ParameterRule
 from haros_ci.model.location import Location
@@ -23,7 +23,7 @@ from haros_ci.systems.simulation.managers import MANAGER, manager
 from haros_ci.systems.simulation.simulators import (
     PACKAGE,
     SERVERS,
-    Found,
+    SimulatorPlugins,
     completed,
     gather,
     of_server,
@@ -32,30 +32,32 @@ from haros_ci.systems.simulation.simulators import (
     unpredictable,
 )
 from haros_ci.systems.simulation.table import KnownPlugin, plugins, silent
-from haros_ci.systems.simulation.trees import Tree, Trees
-from haros_ci.systems.simulation.uses import Use
+from haros_ci.systems.simulation.trees import DescriptionTree, DescriptionTrees
+from haros_ci.systems.simulation.uses import PluginUse
 
 SPAWNERS = frozenset(("spawn_entity.py",))
 
 
 def simulation(
     launched: LaunchedSystem,
-    trees: Trees,
+    trees: DescriptionTrees,
     environment: Mapping[str, str],
     known: Callable[[str, str, int], KnownNode | None],
 ) -> Simulation | None:
     """What is simulated of what was *launched*; None if no simulator is in it. *known* looks up nodes that the data describes."""
     nodes = launched.nodes
-    servers = [each for each in nodes if each.package == PACKAGE and each.type in SERVERS]
-    created = [each for each in nodes if gz.is_spawner(each)]
+    servers = [node for node in nodes if node.package == PACKAGE and node.type in SERVERS]
+    created = [node for node in nodes if gz.is_spawner(node)]
     if not servers and not created:
         return None
     texts = descriptions(launched, trees, environment)
-    spawners = [(each, split(each.arguments)) for each in nodes if each.package == PACKAGE and each.type in SPAWNERS]
-    brought = [(each, words, texts.of_spawner(each, words, "spawn_entity")) for each, words in spawners if servers]
+    spawners = [(node, split(node.arguments)) for node in nodes if node.package == PACKAGE and node.type in SPAWNERS]
+    brought = [
+        (spawner, words, texts.of_spawner(spawner, words, "spawn_entity")) for spawner, words in spawners if servers
+    ]
     return Simulation(
-        [(each, _found(trees, each, brought)) for each in servers],
-        [(each, found) for each in created if (found := gz.found(texts, each)).uses],
+        [(server, _found(trees, server, brought)) for server in servers],
+        [(node, found) for node in created if (found := gz.found(texts, node)).uses],
         known,
     )
 
@@ -64,8 +66,8 @@ def simulation(
 class Simulation:
     """The simulators of a configuration with their plug-ins, and spawners of the new Gazebo with those of what they bring."""
 
-    servers: list[tuple[LaunchedNode, Found]]
-    created: list[tuple[LaunchedNode, Found]]
+    servers: list[tuple[LaunchedNode, SimulatorPlugins]]
+    created: list[tuple[LaunchedNode, SimulatorPlugins]]
     known: Callable[[str, str, int], KnownNode | None]
 
     def managers(self, rules_of: Callable[[str, Location], Iterable[ParameterRule]]) -> tuple[LaunchedNode, ...]:
@@ -78,7 +80,7 @@ class Simulation:
 
     def complete(self, nodes: Sequence[Node]) -> tuple[Node, ...]:
         """*nodes* with what plug-ins make."""
-        by_place = {(each.type, each.location): (each, into) for each, into in self.servers}
+        by_place = {(server.type, server.location): (server, into) for server, into in self.servers}
         reasons = tuple(unpredictable(nodes, SPAWNERS)) if self.servers else ()
         done: list[Node] = []
         for node in nodes:
@@ -95,38 +97,42 @@ class Simulation:
             done += self._made(gz.host(spawner, into), (), into)
         return tuple(done)
 
-    def _uses(self) -> Iterator[tuple[LaunchedNode, Use, KnownPlugin, Spawned]]:
+    def _uses(self) -> Iterator[tuple[LaunchedNode, PluginUse, KnownPlugin, Spawned]]:
         for by, into in (*self.servers, *self.created):
             for use, known, spawned in into.uses:
                 yield by, use, known, spawned
 
-    def _with_plugins(self, server: Node, started: LaunchedNode, into: Found) -> list[Node]:
+    def _with_plugins(self, server: Node, started: LaunchedNode, into: SimulatorPlugins) -> list[Node]:
         """The *server* with what its plug-ins make on it, and the nodes that the plug-ins make in its process."""
         named = [plugins(2)[name] for name in into.libraries if name in _of_system()]
         rules = started_by(started).rules
-        own = [end for each in named for end in on_server(each, server, rules)]
+        own = [end for plugin in named for end in on_server(plugin, server, rules)]
         return [by_simulated_time(completed(server, own, into.lost)), *self._made(server, rules, into)]
 
-    def _made(self, host: Node, rules: tuple[Rule, ...], into: Found) -> list[Node]:
+    def _made(self, host: Node, rules: tuple[RemappingRule, ...], into: SimulatorPlugins) -> list[Node]:
         """The nodes that plug-ins make in the process of *host*, under its *rules*."""
         made: dict[str, Node] = {}
         for use, known, spawned in into.uses:
             beside = self.known(*known.beside, 2) if known.beside is not None else None
-            for each in ros2_nodes(use, known, host, spawned, rules, beside):
-                made.setdefault(each.name, by_simulated_time(each) if each.package == MANAGER[0] else each)
+            for node in ros2_nodes(use, known, host, spawned, rules, beside):
+                made.setdefault(node.name, by_simulated_time(node) if node.package == MANAGER[0] else node)
         return list(made.values())
 
 
-def _found(trees: Trees, server: LaunchedNode, brought: Iterable[tuple[LaunchedNode, Words, Tree]]) -> Found:
+def _found(
+    trees: DescriptionTrees,
+    server: LaunchedNode,
+    brought: Iterable[tuple[LaunchedNode, CommandLineArguments, DescriptionTree]],
+) -> SimulatorPlugins:
     """The plug-ins of a *server*, with what is *brought* to it: each spawner with its command line and its description."""
     into = of_server(trees, server, 2, _of_system() | silent())
-    for each, words, tree in brought:
+    for node, words, tree in brought:
         model, space = option(words.rest, "-entity"), option(words.rest, "-robot_namespace")
-        spawned = spawned_by(each, server, model, space)
-        gather(trees, tree, spawned, 2, into, each.location)
+        spawned = spawned_by(node, server, model, space)
+        gather(trees, tree, spawned, 2, into, node.location)
     return into
 
 
 def _of_system() -> frozenset[str]:
     """The plug-ins of the table that stand on the server's command line."""
-    return frozenset(name for name, each in plugins(2).items() if each.at == "system")
+    return frozenset(name for name, plugin in plugins(2).items() if plugin.at == "system")

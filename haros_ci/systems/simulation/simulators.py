@@ -13,8 +13,8 @@ from haros_ci.model.location import Location
 from haros_ci.systems.gazebo_plugins import GazeboPlugin
 from haros_ci.systems.simulation.endpoints import Spawned, is_idle
 from haros_ci.systems.simulation.table import KnownPlugin, library_of, plugins, silent
-from haros_ci.systems.simulation.trees import MODEL, Tree, Trees
-from haros_ci.systems.simulation.uses import Include, Use, found
+from haros_ci.systems.simulation.trees import MODEL, DescriptionTree, DescriptionTrees
+from haros_ci.systems.simulation.uses import ModelInclude, PluginUse, found
 
 #: The package of the simulator, and its programs.
 PACKAGE = "gazebo_ros"
@@ -40,7 +40,7 @@ TOO_MANY = "it has more plug-ins and models than are looked at"
 
 
 @dataclass(slots=True)
-class Found:
+class SimulatorPlugins:
     """The plug-ins of one simulator, each with its row and how it was brought; *lost* says where there may be more.
 
     *ours* are the plug-ins that the workspace builds, by library, *built* those of them that are used. *libraries* are the plug-ins that its command line names; *included* is the number of models that others include,
@@ -48,8 +48,8 @@ class Found:
     """
 
     ours: Mapping[str, Sequence[GazeboPlugin]] = field(default_factory=dict)
-    uses: list[tuple[Use, KnownPlugin, Spawned]] = field(default_factory=list)
-    built: list[tuple[Use, GazeboPlugin, Spawned]] = field(default_factory=list)
+    uses: list[tuple[PluginUse, KnownPlugin, Spawned]] = field(default_factory=list)
+    built: list[tuple[PluginUse, GazeboPlugin, Spawned]] = field(default_factory=list)
     lost: dict[str, Location | None] = field(default_factory=dict)
     libraries: tuple[str, ...] = ()
     included: int = 0
@@ -97,17 +97,17 @@ def command_line(words: Iterable[str]) -> CommandLine:
 
 
 def of_server(
-    trees: Trees,
+    trees: DescriptionTrees,
     server: Started | LaunchedNode,
     ros: int,
     accounted: Container[str],
     ours: Mapping[str, Sequence[GazeboPlugin]] = NONE,
-) -> Found:
+) -> SimulatorPlugins:
     """What the command line of a *server* brings: the plug-ins of its world, and those that it names itself.
 
     What it names and is not *accounted* for may make more than is known.
     """
-    into = Found(ours)
+    into = SimulatorPlugins(ours)
     line = command_line(split(server.arguments).rest)
     into.libraries = line.plugins
     if line.world is None:
@@ -124,11 +124,11 @@ def spawned_by(
     spawner: Started | LaunchedNode, server: Started | LaunchedNode, model: str | None, namespace: str | None
 ) -> Spawned:
     """How a *spawner* brings the *model* that its command line names, in that *namespace*, to the *server*."""
-    conditions = tuple(each for each in spawner.conditions if each not in server.conditions)
+    conditions = tuple(condition for condition in spawner.conditions if condition not in server.conditions)
     return Spawned(model="?" if not model or "?" in model else model, namespace=namespace, conditions=conditions)
 
 
-def of_file_or_model(trees: Trees, words: Sequence[str]) -> Tree | None:
+def of_file_or_model(trees: DescriptionTrees, words: Sequence[str]) -> DescriptionTree | None:
     """The description that a spawner's *words* name as a file or as a model of the database; None if they name neither."""
     file, model = option(words, "-file"), option(words, "-database")
     if file is not None:
@@ -147,7 +147,13 @@ def option(words: Sequence[str], name: str) -> str | None:
 
 
 def gather(
-    trees: Trees, tree: Tree, spawned: Spawned, ros: int, into: Found, place: Location | None, depth: int = 0
+    trees: DescriptionTrees,
+    tree: DescriptionTree,
+    spawned: Spawned,
+    ros: int,
+    into: SimulatorPlugins,
+    place: Location | None,
+    depth: int = 0,
 ) -> None:
     """The plug-ins of a description, and of the models that it includes."""
     if tree.reason:
@@ -158,17 +164,19 @@ def gather(
         into.lose(TOO_MANY, place)
         return
     into.elements += sum(1 for _ in tree.root.walk())
-    for each in found(tree.root, spawned.model):
+    for use in found(tree.root, spawned.model):
         if max(len(into.uses) + len(into.built), into.included) >= MOST or depth > DEEPEST:
             into.lose(TOO_MANY, place)
             return
-        if isinstance(each, Use):
-            _take(each, spawned, ros, into)
+        if isinstance(use, PluginUse):
+            _take(use, spawned, ros, into)
         else:
-            _include(trees, each, spawned, ros, into, depth)
+            _include(trees, use, spawned, ros, into, depth)
 
 
-def _include(trees: Trees, include: Include, spawned: Spawned, ros: int, into: Found, depth: int) -> None:
+def _include(
+    trees: DescriptionTrees, include: ModelInclude, spawned: Spawned, ros: int, into: SimulatorPlugins, depth: int
+) -> None:
     if include.uri is None:
         into.lose("which model an <include> brings is not known", include.element.location)
         return
@@ -178,13 +186,13 @@ def _include(trees: Trees, include: Include, spawned: Spawned, ros: int, into: F
     gather(trees, trees.of_model(include.uri), inner, ros, into, include.element.location, depth + 1)
 
 
-def _take(use: Use, spawned: Spawned, ros: int, into: Found) -> None:
+def _take(use: PluginUse, spawned: Spawned, ros: int, into: SimulatorPlugins) -> None:
     if use.filename is None:
         into.lose("which library a plug-in is, is not known", use.element.location)
         return
     library = library_of(use.filename)
     known, own = plugins(ros).get(library), into.ours.get(library, ())
-    if known is not None and (not own or any(each.package == known.package for each in own)):
+    if known is not None and (not own or any(gazebo_plugin.package == known.package for gazebo_plugin in own)):
         if not is_idle(use, known):
             into.uses.append((use, known, spawned))
     elif len(own) == 1:
@@ -199,11 +207,11 @@ def completed(node: Node, made: Iterable[Endpoint], lost: Mapping[str, Location 
     ends: list[Endpoint] = []
     reason = next(iter(lost), "")
     for end in node.endpoints:
-        if not any(each.reason == UNDECIDED for each in end.unknowns):
+        if not any(unknown.reason == UNDECIDED for unknown in end.unknowns):
             ends.append(end)
         elif lost:
-            said = tuple(replace(u, reason=reason) if u.reason == UNDECIDED else u for u in end.unknowns)
-            ends.append(replace(end, unknowns=said))
+            messages = tuple(replace(u, reason=reason) if u.reason == UNDECIDED else u for u in end.unknowns)
+            ends.append(replace(end, unknowns=messages))
     unknowns = tuple(Unknown("endpoints", why, place or node.location) for why, place in lost.items())
     return replace(node, endpoints=tuple(dict.fromkeys((*ends, *made))), unknowns=(*node.unknowns, *unknowns))
 

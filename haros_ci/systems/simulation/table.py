@@ -82,7 +82,9 @@ def silent() -> frozenset[str]:
 def problems(ros: int) -> tuple[Problem, ...]:
     """What has a wrong shape in the data files."""
     return tuple(
-        each for path in _files(ros) for each in read_rows(parse(path.read_text(encoding="utf-8")), path.name, ros)[1]
+        problem
+        for path in _files(ros)
+        for problem in read_rows(parse(path.read_text(encoding="utf-8")), path.name, ros)[1]
     )
 
 
@@ -96,26 +98,26 @@ def read_rows(data: object, where: str, ros: int) -> tuple[dict[str, KnownPlugin
     if not isinstance(data, Mapping):
         return {}, [Problem(where, "it must be a map of libraries")]
     found: dict[str, KnownPlugin] = {}
-    said: list[Problem] = []
+    notes: list[Problem] = []
     for library, row in data.items():
         made = _row(shown(library), row, where, ros)
         if isinstance(made, KnownPlugin):
             found[made.library] = made
         else:
-            said += made
-    return found, said
+            notes += made
+    return found, notes
 
 
 def _row(library: str, row: object, where: str, ros: int) -> KnownPlugin | list[Problem]:
     if not isinstance(row, Mapping):
         return [Problem(where, f"{library}: it must be a map")]
     wrong = (*_wrong_origin(row), *_wrong_elements(row), *_wrong_naming(row, ros))
-    said = [Problem(where, f"{library}: {each}") for each in wrong]
+    notes = [Problem(where, f"{library}: {item}") for item in wrong]
     ends = {key: row[key] for key in row if key in KINDS}
     nodes, more = read_package({library: ends}, "plugins", where, ros=ros)
-    said += more
-    if said or library not in nodes:
-        return said
+    notes += more
+    if notes or library not in nodes:
+        return notes
     beside = row.get("beside")
     return KnownPlugin(
         library=library,
@@ -153,7 +155,7 @@ def _wrong_elements(row: Mapping[Any, Any]) -> Iterator[str]:
         yield "elements must be a map of names and plain defaults"
         elements = {}
     requires = row.get("requires", [])
-    if not isinstance(requires, list) or not all(each in elements for each in requires):
+    if not isinstance(requires, list) or not all(require in elements for require in requires):
         yield "requires must be a list of some of its elements"
 
 

@@ -15,10 +15,10 @@ from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
 from haros_ci.robot.commands import xacro_command
 from haros_ci.robot.expand import expand
-from haros_ci.robot.nodes import Node
+from haros_ci.robot.nodes import XmlNode
 from haros_ci.robot.places import by_builds, found
-from haros_ci.robot.sources import Sources
-from haros_ci.robot.unknown import Unknown
+from haros_ci.robot.sources import DescriptionSources
+from haros_ci.robot.unknown import UnknownValue
 from haros_ci.systems.simulation.stock import MODELS, WORLDS
 
 MODEL = "model://"
@@ -26,22 +26,22 @@ _EMPTY = Location(".")
 
 
 @dataclass(frozen=True, slots=True)
-class Tree:
+class DescriptionTree:
     """A description; *root* is None where there is none, *reason* says why, or why it may not be all of it."""
 
-    root: Node | None
+    root: XmlNode | None
     reason: str = ""
 
 
 @dataclass(slots=True)
-class Trees:
+class DescriptionTrees:
     """Reads descriptions of *workspace*, each once; *builds* say where installed files come from."""
 
     workspace: Workspace
     builds: Mapping[str, Build]
     _finder: Finder | None = field(default=None, init=False)
-    _sources: Sources | None = field(default=None, init=False)
-    _read: dict[tuple[object, ...], Tree] = field(default_factory=dict, init=False)
+    _sources: DescriptionSources | None = field(default=None, init=False)
+    _read: dict[tuple[object, ...], DescriptionTree] = field(default_factory=dict, init=False)
     _models: dict[str, list[str]] | None = field(default=None, init=False)
 
     @property
@@ -51,76 +51,78 @@ class Trees:
         return self._finder
 
     @property
-    def sources(self) -> Sources:
+    def sources(self) -> DescriptionSources:
         if self._sources is None:
-            self._sources = Sources(self.workspace, by_builds(self.finder))
+            self._sources = DescriptionSources(self.workspace, by_builds(self.finder))
         return self._sources
 
-    def of_command(self, command: str, environment: Mapping[str, str]) -> Tree:
+    def of_command(self, command: str, environment: Mapping[str, str]) -> DescriptionTree:
         """What a launch file's *command* prints in an *environment*, if it is xacro."""
         call = xacro_command(command)
         if call is None:
             if re.fullmatch(r"cat [^\s'\"]+|cat '[^']+'|cat \$\([\w-]+ [^\s)]+\)\S+", command.strip()):
                 return self.of_file(command.strip()[4:].strip("'"))
-            return Tree(None, f"what the command {command[:100]!r} prints is not known")
+            return DescriptionTree(None, f"what the command {command[:100]!r} prints is not known")
         path = found(self.finder, call.file).path
         if path is None:
-            return Tree(None, f"{call.file} is not in the workspace")
+            return DescriptionTree(None, f"{call.file} is not in the workspace")
         return self.of_xacro(path, call.arguments, environment)
 
-    def of_xacro(self, path: str, arguments: Mapping[str, str | Unknown], environment: Mapping[str, str]) -> Tree:
+    def of_xacro(
+        self, path: str, arguments: Mapping[str, str | UnknownValue], environment: Mapping[str, str]
+    ) -> DescriptionTree:
         """The file at *path* as xacro expands it."""
-        given = tuple(sorted((name, str(value)) for name, value in arguments.items()))
-        key = (path, given, key_of(environment))
+        provided = tuple(sorted((name, str(value)) for name, value in arguments.items()))
+        key = (path, provided, key_of(environment))
         if key not in self._read:
             made = expand(self.sources, path, arguments, legacy=self._is_old(path), environment=environment)
             why = "" if made.is_whole else f"a part of {path} includes, or depends on, what is not known"
-            self._read[key] = Tree(made.root, why if made.root is not None else f"{path} could not be read")
+            self._read[key] = DescriptionTree(made.root, why if made.root is not None else f"{path} could not be read")
         return self._read[key]
 
-    def of_file(self, text: str) -> Tree:
+    def of_file(self, text: str) -> DescriptionTree:
         """The file that a launch file names *text*, as it is."""
         if "?" in text:
-            return Tree(None, f"which file {text} is, is not known")
+            return DescriptionTree(None, f"which file {text} is, is not known")
         path = found(self.finder, text).path if text.startswith("$(") else None
         if path is None:
-            return Tree(None, f"{text or 'a file'} is not in the workspace")
+            return DescriptionTree(None, f"{text or 'a file'} is not in the workspace")
         return self.of_path(path)
 
-    def of_path(self, path: str) -> Tree:
+    def of_path(self, path: str) -> DescriptionTree:
         """The file at *path* as it is."""
         root = self.sources.read(path)
-        return Tree(root, "" if root is not None else f"{path} is no XML, or could not be read")
+        return DescriptionTree(root, "" if root is not None else f"{path} is no XML, or could not be read")
 
-    def of_text(self, text: str, location: Location) -> Tree:
+    def of_text(self, text: str, location: Location) -> DescriptionTree:
         """A description that is written out."""
         key = ("text", text, location.path)
         if key not in self._read:
             root = self.sources.parsed(text, location.path)
-            self._read[key] = Tree(root, "" if root is not None else "the description is no XML")
+            self._read[key] = DescriptionTree(root, "" if root is not None else "the description is no XML")
         return self._read[key]
 
-    def of_world(self, text: str) -> Tree:
+    def of_world(self, text: str) -> DescriptionTree:
         """The world that a simulator is given on its command line; one of Gazebo's own has no plug-ins that make something in ROS."""
         if posixpath.basename(text) in WORLDS and (not text.startswith("$(") or "gazebo_ros)" in text):
-            return Tree(Node("sdf", {}, _EMPTY))
-        return self.of_file(text) if text else Tree(Node("sdf", {}, _EMPTY))
+            return DescriptionTree(XmlNode("sdf", {}, _EMPTY))
+        return self.of_file(text) if text else DescriptionTree(XmlNode("sdf", {}, _EMPTY))
 
-    def of_model(self, uri: str) -> Tree:
+    def of_model(self, uri: str) -> DescriptionTree:
         """The model that an ``<include>`` names; of Gazebo's own models those are known that have no plug-ins."""
         if not uri.startswith(MODEL):
             if uri.startswith("file://"):
-                return Tree(None, f"where {uri} is, is not known")
-            return Tree(None, f"the model {uri or '?'} is not in the workspace")
+                return DescriptionTree(None, f"where {uri} is, is not known")
+            return DescriptionTree(None, f"the model {uri or '?'} is not in the workspace")
         name = uri.removeprefix(MODEL).strip("/")
         places = [at for at in self._by_name().get(name.rpartition("/")[2], []) if f"/{at}".endswith(f"/{name}")]
         if len(places) == 1:
             return self._of_directory(places[0])
         if not places and name in MODELS:
-            return Tree(Node("sdf", {}, _EMPTY))
+            return DescriptionTree(XmlNode("sdf", {}, _EMPTY))
         if places:
-            return Tree(None, f"there are several models called {name}: {', '.join(places[:3])}")
-        return Tree(None, f"the model {name} is not in the workspace")
+            return DescriptionTree(None, f"there are several models called {name}: {', '.join(places[:3])}")
+        return DescriptionTree(None, f"the model {name} is not in the workspace")
 
     def _by_name(self) -> dict[str, list[str]]:
         if self._models is None:
@@ -131,10 +133,10 @@ class Trees:
                     self._models.setdefault(folder.rpartition("/")[2], []).append(folder)
         return self._models
 
-    def _of_directory(self, folder: str) -> Tree:
+    def _of_directory(self, folder: str) -> DescriptionTree:
         config = self.sources.read(f"{folder}/model.config")
         named = [] if config is None else list(config.all("sdf"))
-        latest = max(named, key=lambda each: _version(each.given("version")), default=None)
+        latest = max(named, key=lambda node: _version(node.given("version")), default=None)
         file = latest.text.strip() if latest is not None and isinstance(latest.text, str) else "model.sdf"
         return self.of_path(posixpath.normpath(f"{folder}/{file}"))
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from haros_ci.robot.nodes import Node
-from haros_ci.robot.unknown import Unknown
+from haros_ci.robot.nodes import XmlNode
+from haros_ci.robot.unknown import UnknownValue
 
 #: Elements below one another that are looked into.
 DEEPEST = 60
@@ -27,7 +27,7 @@ _THROUGH = ("sdf", "gazebo", "link", "joint", "collision", *_LOADING)
 
 
 @dataclass(frozen=True, slots=True)
-class Use:
+class PluginUse:
     """A ``<plugin>`` in a description.
 
     *filename* and *name* are None where they are not known. *at* is the kind of its parent, *model* the name of the model around
@@ -37,7 +37,7 @@ class Use:
 
     filename: str | None
     name: str | None
-    element: Node
+    element: XmlNode
     at: str
     model: str = ""
     sensor: str | None = ""
@@ -46,46 +46,46 @@ class Use:
 
 
 @dataclass(frozen=True, slots=True)
-class Include:
+class ModelInclude:
     """An ``<include>`` of a model by its *uri*, None where it is not known; it is called *name* there, if that is given."""
 
     uri: str | None
     name: str | None
-    element: Node
+    element: XmlNode
 
 
-def found(root: Node, model: str = "") -> Iterator[Use | Include]:
+def found(root: XmlNode, model: str = "") -> Iterator[PluginUse | ModelInclude]:
     """The plug-ins and includes of a description; the outermost model of it is called *model*, if that is given."""
-    start = Use(None, None, root, "", model)
+    start = PluginUse(None, None, root, "", model)
     if root.tag == "robot":
         yield from _of_urdf(root, replace(start, at="model", model=model or root.given("name") or "?"))
     elif root.tag in ("world", "model"):
-        yield from _inside(Node("sdf", {}, root.location, children=[root]), start, model, 0)
+        yield from _inside(XmlNode("sdf", {}, root.location, children=[root]), start, model, 0)
     else:
         yield from _inside(root, start, model, 0)
 
 
-def value(element: Node, name: str) -> str | Unknown | None:
+def value(element: XmlNode, name: str) -> str | UnknownValue | None:
     """The text of the first child called *name*, without blanks around it; None if there is none."""
     child = next(element.all(name), None)
     if child is None:
         return None
-    return child.text.strip() if isinstance(child.text, str) and child.certain else Unknown()
+    return child.text.strip() if isinstance(child.text, str) and child.certain else UnknownValue()
 
 
-def _of_urdf(root: Node, around: Use) -> Iterator[Use | Include]:
+def _of_urdf(root: XmlNode, around: PluginUse) -> Iterator[PluginUse | ModelInclude]:
     for extension in root.all("gazebo"):
         reference = extension.given("reference")
         if reference == "":
             for plugin in extension.all("plugin"):
                 yield _use(plugin, around)
         for tag in ("sensor", "visual"):
-            for each in extension.all(tag):
+            for node in extension.all(tag):
                 if reference != "":
-                    yield from _inside(Node("link", {}, each.location, children=[each]), around, around.model, 1)
+                    yield from _inside(XmlNode("link", {}, node.location, children=[node]), around, around.model, 1)
 
 
-def _inside(node: Node, around: Use, model: str, depth: int) -> Iterator[Use | Include]:
+def _inside(node: XmlNode, around: PluginUse, model: str, depth: int) -> Iterator[PluginUse | ModelInclude]:
     if depth > DEEPEST:
         return
     for child in node.children:
@@ -98,24 +98,24 @@ def _inside(node: Node, around: Use, model: str, depth: int) -> Iterator[Use | I
             yield from _inside(child, _entered(child, node, around, model), model, depth + 1)
 
 
-def _entered(child: Node, parent: Node, around: Use, model: str) -> Use:
+def _entered(child: XmlNode, parent: XmlNode, around: PluginUse, model: str) -> PluginUse:
     """*around* as it is inside *child*, with the name of the model and the sensor that this is."""
     if child.tag in ("model", "actor"):
         is_outer = parent.tag in ("sdf", "gazebo", "world")
-        given = child.given("name")
-        name = (model if is_outer and parent.tag != "world" and model else given) or "?"
+        text = child.given("name")
+        name = (model if is_outer and parent.tag != "world" and model else text) or "?"
         return replace(around, model=name if is_outer else "?")
     if child.tag == "sensor":
         return replace(
             around,
             sensor=child.given("name"),
             sensor_type=child.given("type"),
-            cameras=tuple(each.given("name") or "?" for each in child.all("camera")),
+            cameras=tuple(node.given("name") or "?" for node in child.all("camera")),
         )
     return around
 
 
-def _use(plugin: Node, around: Use) -> Use:
+def _use(plugin: XmlNode, around: PluginUse) -> PluginUse:
     return replace(
         around,
         filename=plugin.given("filename"),
@@ -124,6 +124,6 @@ def _use(plugin: Node, around: Use) -> Use:
     )
 
 
-def _include(element: Node) -> Include:
+def _include(element: XmlNode) -> ModelInclude:
     uri, name = value(element, "uri"), value(element, "name")
-    return Include(uri if isinstance(uri, str) else None, name if isinstance(name, str) else None, element)
+    return ModelInclude(uri if isinstance(uri, str) else None, name if isinstance(name, str) else None, element)

@@ -8,7 +8,7 @@ import json
 from fuzz.targets.kit import ROOT, Entry, parts, ros_package, sound, text_of, workspace
 
 from haros_ci.analysis.architecture import architecture
-from haros_ci.bounded_yaml import Limits, YamlFault
+from haros_ci.bounded_yaml import YamlFault, YamlLimits
 from haros_ci.bounded_yaml import data as yaml_data
 from haros_ci.config.settings import Settings
 from haros_ci.extract.launch.ros2_entity import compose, loaded
@@ -93,7 +93,7 @@ def parameter_yaml(data: bytes) -> object:
     except YamlFault as err:
         assert err.line >= 1 and str(err)
     try:
-        yaml_data(text, Limits())
+        yaml_data(text, YamlLimits())
     except YamlFault as err:
         assert err.line >= 1 and str(err)
     return found, loaded(text), values_in(text, "bot/p.yaml")

@@ -8,7 +8,7 @@ import os
 from fuzz.targets.kit import ROOT, Entry, parts, refused, ros_package, text_of, workspace
 
 from haros_ci.analysis.architecture import api_rows, known_types
-from haros_ci.analysis.wanted import configurations
+from haros_ci.analysis.requested import configurations
 from haros_ci.behaviour.clauses import Reader
 from haros_ci.behaviour.comparing import Compared, excluded, follows
 from haros_ci.behaviour.deciding import Predicate, is_always, is_never

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 from haros_ci.follow import activation, call_arguments, conversions
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import harmless
-from haros_ci.follow.run import Run
+from haros_ci.follow.run import Walk
 from haros_ci.syntax import Class
 from haros_ci.values.abstract import Callable, Cell, Choice, Known, Mapped, Object, Pointer, Sequence, Text, Value
 from haros_ci.values.state import joined
 
 if TYPE_CHECKING:
-    from haros_ci.follow.call_arguments import Argument
+    from haros_ci.follow.call_arguments import PassedArgument
 
 #: Structs inside structs, and their members in all, that are forgotten.
 DEEP = 4
@@ -23,7 +23,7 @@ MEMBERS = 200
 PLAIN = frozenset(("__init__", "__repr__", "__str__", "__eq__", "__ne__", "__hash__", "__lt__"))
 
 
-def given(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> None:
+def forget_passed(run: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> None:
     """Forget what a function that is not known is given by reference or address.
 
     Texts, numbers, lists, maps and structs; objects with methods keep what they have, as most are only registered.
@@ -48,7 +48,7 @@ def _is_data(value: Value) -> bool:
     return isinstance(value, Known) and issubclass(value.kind, (list, dict))
 
 
-def called(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> None:
+def called(run: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> None:
     """Lambdas that are given to a function that is not known may run there, any number of times."""
     for argument in args:
         function = argument.value
@@ -56,7 +56,7 @@ def called(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> Non
             continue
         parameters = function.function.parameters[len(function.bound) :]
         values = tuple(
-            call_arguments.Argument(run.opaque(f"what {name} gives", frame, None, run.type_in(p.type, frame)))
+            call_arguments.PassedArgument(run.opaque(f"what {name} gives", frame, None, run.type_in(p.type, frame)))
             for p in parameters
             if p.default is None and not p.name.startswith("*")
         )
@@ -75,7 +75,9 @@ def called(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> Non
                 )
 
 
-def method(run: Run, frame: Frame, receiver: Value, cell: Cell | None, name: str, args: tuple[Argument, ...]) -> Value:
+def method(
+    run: Walk, frame: Frame, receiver: Value, cell: Cell | None, name: str, args: tuple[PassedArgument, ...]
+) -> Value:
     """A method of a text or container of which nothing is known: it may change what it is called on and given."""
     reason = f"{name} may change it"
     if isinstance(receiver, (Sequence, Mapped)):
@@ -83,11 +85,11 @@ def method(run: Run, frame: Frame, receiver: Value, cell: Cell | None, name: str
     elif cell is not None and (frame.source.program.language != "python" or _is_data(receiver)):
         forget(run, frame, cell, reason)
     called(run, frame, name, args)
-    given(run, frame, name, args)
+    forget_passed(run, frame, name, args)
     return run.opaque(f"what {name} returns is not known", frame)
 
 
-def forget(run: Run, frame: Frame, cell: Cell, reason: str) -> None:
+def forget(run: Walk, frame: Frame, cell: Cell, reason: str) -> None:
     """What *cell* holds is not known any more, unless it is a constant."""
     if cell.type is not None and "c" in cell.type.marks:
         return
@@ -100,7 +102,7 @@ def forget(run: Run, frame: Frame, cell: Cell, reason: str) -> None:
 
 
 def _forget_inside(
-    run: Run, frame: Frame, value: Sequence | Mapped | Object, reason: str, left: list[int], depth: int
+    run: Walk, frame: Frame, value: Sequence | Mapped | Object, reason: str, left: list[int], depth: int
 ) -> None:
     """Forget the elements of a container, the members of a struct, what an iterator leads to, a stream's text."""
     left[0] -= 1
@@ -128,7 +130,7 @@ def _forget_inside(
             forget(run, frame, cell, reason)
 
 
-def is_plain(run: Run, value: Object) -> bool:
+def is_plain(run: Walk, value: Object) -> bool:
     """Whether an object's class has no methods but constructors and operators: it is a struct."""
     source, definition = value.definition
     key = ("plain", definition.name, source.path)
@@ -152,7 +154,7 @@ def _is_method(name: str, kind: str, definition: Class) -> bool:
     )
 
 
-def _is_kept(run: Run, name: str, number: int, count: int) -> bool:
+def _is_kept(run: Walk, name: str, number: int, count: int) -> bool:
     """Whether every declaration of a function of that name takes its argument by value or as a constant."""
     found = [f for _, f in run.index.functions.get(name, ()) if len(f.parameters) >= count]
     if not found:
