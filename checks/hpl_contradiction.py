@@ -34,7 +34,7 @@ def _excluded(properties: Properties, group: list[Stated]) -> Iterator[Finding]:
             reason = excluded(one, second) if other is not stated else None
             if reason is not None:
                 message = f"This assumption and the one at {line_of(other.location)} cannot hold together: {reason}; correct one of them"
-                yield found(stated, one.said.at, message, other.identity, related=((other.location, other.identity),))
+                yield found(stated, one.stated.at, message, other.identity, related=((other.location, other.identity),))
 
 
 CHECK = Check(

@@ -17,7 +17,7 @@ def check(properties: Properties) -> Iterator[Finding]:
 
     first: dict[tuple[str, str, str], Location] = {}
     for stated in properties.stated:
-        given = stated.parsed.said("id") if stated.parsed is not None else None
+        given = stated.parsed.metadata_of("id") if stated.parsed is not None else None
         if given is None:
             continue
         place = stated.at(given.value_at)

@@ -39,7 +39,7 @@ def _implied(properties: Properties, group: list[Stated]) -> Iterator[Finding]:
             message = (
                 f"This property {how} the one at {line_of(other.location)}; leave {'one of them' if same else 'it'} out"
             )
-            yield found(stated, one.said.at, message, related=((other.location, other.identity),))
+            yield found(stated, one.stated.at, message, related=((other.location, other.identity),))
             break
 
 

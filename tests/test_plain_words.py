@@ -15,52 +15,10 @@ import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
 
-#: Directories and modules whose words are plain; the list only grows.
-ROOMS = (
-    "checks",
-    "haros_ci/api",
-    "haros_ci/bounded_python",
-    "haros_ci/bounded_yaml",
-    "haros_ci/changes",
-    "haros_ci/checking",
-    "haros_ci/code",
-    "haros_ci/commands",
-    "haros_ci/config",
-    "haros_ci/declared",
-    "haros_ci/graph",
-    "haros_ci/haros_json",
-    "haros_ci/haros_plugins",
-    "haros_ci/index",
-    "haros_ci/interfaces",
-    "haros_ci/keeping",
-    "haros_ci/knowledge",
-    "haros_ci/linters",
-    "haros_ci/measuring",
-    "haros_ci/plugins",
-    "haros_ci/query",
-    "haros_ci/results",
-    "haros_ci/robot",
-    "haros_ci/security",
-    "haros_ci/shards",
-    "haros_ci/substitutions",
-    "haros_ci/workspace",
-    "haros_ci/baselines.py",
-    "haros_ci/brought.py",
-    "haros_ci/cli.py",
-    "haros_ci/errors.py",
-    "haros_ci/forks.py",
-    "haros_ci/hosting.py",
-    "haros_ci/internal_errors.py",
-    "haros_ci/interruption.py",
-    "haros_ci/linting.py",
-    "haros_ci/own_sources.py",
-    "haros_ci/pipeline.py",
-    "haros_ci/registry.py",
-    "haros_ci/scratch.py",
-    "haros_ci/streams.py",
-    "haros_ci/timing.py",
-    "haros_ci/writing.py",
-)
+#: Directories whose words are plain.
+ROOMS = ("checks", "haros_ci")
+#: Directories below them that are not yet.
+NOT_YET = ("haros_ci/html_page/",)
 
 #: Not a name of a variable, parameter, function, class or field. In their places: the name of the element, ``reported``, ``requested`` or
 #: ``expected``, ``unknown``, ``exceeded``, ``message``.
@@ -72,7 +30,9 @@ PROSE = re.compile(
 #: Places of NAMES where they mean something, each with the reason.
 ALLOWED = {
     ("haros_ci/api/testing.py", "said"): "a name of haros_ci.api.testing that plug-ins use",
-    ("haros_ci/query/queries.py", "wanted"): "a keyword of run(), which analysis/inspection.py passes",
+    ("haros_ci/model/api.py", "each"): "a key of API rows (docs/adding-an-api.md)",
+    ("haros_ci/systems/known/entry.py", "each"): "a key of known nodes (docs/known-nodes.md)",
+    ("haros_ci/systems/known/text.py", "each"): "the reader of that key",
 }
 
 #: Where a name may be bound, to parse few files.
@@ -88,6 +48,8 @@ def _sources() -> tuple[tuple[str, str], ...]:
     for room in ROOMS:
         path = ROOT / room
         for file in sorted(path.rglob("*.py")) if path.is_dir() else (path,):
+            if file.relative_to(ROOT).as_posix().startswith(NOT_YET):
+                continue
             text = file.read_text(encoding="utf-8")
             if _SUSPECT.search(text) or PROSE.search(text):
                 found.append((file.relative_to(ROOT).as_posix(), text))

@@ -66,7 +66,7 @@ def architecture(
 ) -> Architecture:
     """The architecture of *workspace* as *settings* (hints, API rows, configurations of the project file) want it.
 
-    *wanted* replaces the configurations of the project file; *environment* is what ``$(env)`` of launch files sees. With *exact*
+    *requested* replaces the configurations of the project file; *environment* is what ``$(env)`` of launch files sees. With *exact*
     libclang fills what is not known, where headers are installed. Up to so many *processes* do the work.
     """
     options: dict[str, Any] = {
@@ -153,7 +153,7 @@ def varied(
 def filled(
     result: Mapping[Place, tuple[ExactCall, ...]], path: str, line: int, column: int, name: str, count: int
 ) -> tuple[tuple[tuple[str | None, Any], ...], tuple[str | None, ...]] | None:
-    """What the exact tier has *told* of a call's arguments (type, value) and template arguments; None if nothing."""
+    """What the exact tier knows of a call's arguments (type, value) and template arguments; None if nothing."""
     call = pick(result.get((path, line, column), ()), name, count)
     if call is None:
         return None

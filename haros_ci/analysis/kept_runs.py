@@ -51,10 +51,10 @@ def kept_run(name: str, make: Make, workspace: Workspace, past: Base | None, set
 
 @dataclass(frozen=True, slots=True)
 class Output:
-    """What a command writes: *content* to where it was asked to, *said* line by line to the standard error."""
+    """What a command writes: *content* to where it was asked to, *messages* line by line to the standard error."""
 
     content: bytes
-    said: tuple[str, ...] = ()
+    messages: tuple[str, ...] = ()
 
 
 def kept_output(
@@ -72,7 +72,7 @@ def kept_output(
     output = make()
     packed = zlib.compress(output.content, 1)
     if len(output.content) <= MAX_OUTPUT and len(packed) <= MAX_PACKED:
-        store.put(GROUP, f"{name} {key}", key, [list(output.said), b64encode(packed).decode()])
+        store.put(GROUP, f"{name} {key}", key, [list(output.messages), b64encode(packed).decode()])
     return output
 
 

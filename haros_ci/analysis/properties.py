@@ -24,9 +24,9 @@ YAML = (".yaml", ".yml")
 
 @dataclass(frozen=True, slots=True)
 class Read:
-    """What the checks have *said* of properties, the *paths* of the files with them, and how many there are."""
+    """The *outcome* of the checks of properties, the *paths* of the files with them, and how many there are."""
 
-    said: Checked
+    outcome: Checked
     paths: frozenset[str]
     count: int
 
@@ -49,12 +49,12 @@ def checked(
     _demand(nodes, {node.type for system in every for node in system.nodes}, "node")
     project = project_of(made, workspace, every)
     owners = (*(Owner("configuration", name) for name in configurations), *(Owner("node", name) for name in nodes))
-    stated = [stated for path in files for stated in _stated(project, path, owners or (WORKSPACE,))]
-    project = project_of(made, workspace, every, stated=stated)
+    properties = [stated for path in files for stated in _stated(project, path, owners or (WORKSPACE,))]
+    project = project_of(made, workspace, every, stated=properties)
     checks = [check for check in architectures.registry.checks if check.id.startswith(PREFIX)]
-    message = run_on_project(checks, project, own.TOOL)
-    count = sum(stated.parsed is not None for stated in stated)
-    return Read(message, frozenset(stated.source.path for stated in stated), count)
+    outcome = run_on_project(checks, project, own.TOOL)
+    count = sum(stated.parsed is not None for stated in properties)
+    return Read(outcome, frozenset(stated.source.path for stated in properties), count)
 
 
 def _stated(project: Project, path: str, owners: Iterable[Owner]) -> Iterator[Stated]:

@@ -144,7 +144,7 @@ class Reader:
         left, members = binary.left, binary.right
         if isinstance(members, (Range, SetOf)) and _is_term(left, self.scene):
             ends = (members.low, members.high) if isinstance(members, Range) else members.values
-            values = [value for each in ends if (value := folded(each, self.scene)) is not None]
+            values = [value for end in ends if (value := folded(end, self.scene)) is not None]
             if len(values) == len(ends) <= MOST_CONDITIONS:
                 inside = self._in_range if isinstance(members, Range) else self._in_set
                 return inside(left, members, values, positive)
@@ -157,8 +157,8 @@ class Reader:
         return ((above, below),) if positive else ((above,), (below,))
 
     def _in_set(self, term: Expression, members: Range | SetOf, values: list[Scalar], positive: bool) -> Clauses:
-        atoms = [self._atom(term, "=", each, positive) for each in values]
-        return tuple((each,) for each in atoms) if positive else (tuple(atoms),)
+        atoms = [self._atom(term, "=", value, positive) for value in values]
+        return tuple((atom,) for atom in atoms) if positive else (tuple(atoms),)
 
     def domain(self, term: Expression) -> Domain:
         """The values that a field, or the length of one, can have."""
@@ -183,7 +183,7 @@ def _all(one: Clauses, other: Clauses) -> Clauses:
     if len(one) * len(other) > MOST_CLAUSES:
         raise TooMany
     found = tuple(dict.fromkeys(tuple(dict.fromkeys((*a, *b))) for a, b in product(one, other)))
-    if any(len(each) > MOST_CONDITIONS for each in found):
+    if any(len(item) > MOST_CONDITIONS for item in found):
         raise TooMany
     return found
 
@@ -199,32 +199,32 @@ joined = _all
 
 def is_possible(clause: Clause) -> bool:
     """Whether the conditions of *clause* can hold together; True where that is not known."""
-    opaque = {each.text: each.is_positive for each in clause if isinstance(each, Opaque)}
-    if any(isinstance(each, Opaque) and opaque[each.text] is not each.is_positive for each in clause):
+    opaque = {value.text: value.is_positive for value in clause if isinstance(value, Opaque)}
+    if any(isinstance(value, Opaque) and opaque[value.text] is not value.is_positive for value in clause):
         return False
     terms: dict[str, list[Atom]] = {}
-    for each in clause:
-        if isinstance(each, Atom):
-            terms.setdefault(each.term, []).append(each)
+    for atom in clause:
+        if isinstance(atom, Atom):
+            terms.setdefault(atom.term, []).append(atom)
     return all(_has_value(atoms) for atoms in terms.values())
 
 
 def is_decided(clause: Clause) -> bool:
     """Whether ``is_possible`` looks into all of *clause*."""
-    return not any(isinstance(each, Opaque) for each in clause)
+    return not any(isinstance(item, Opaque) for item in clause)
 
 
 def _has_value(atoms: list[Atom]) -> bool:
     domain = atoms[0].domain
-    if domain.has_nan and all(each.takes_nan for each in atoms):
+    if domain.has_nan and all(atom.takes_nan for atom in atoms):
         return True
-    fixed = [each.value for each in atoms if each.operator == "="]
+    fixed = [atom.value for atom in atoms if atom.operator == "="]
     if fixed:
-        return _fits(fixed[0], domain) and all(_holds(fixed[0], each.operator, each.value) for each in atoms)
-    if any(isinstance(each.value, str) for each in atoms):
+        return _fits(fixed[0], domain) and all(_holds(fixed[0], atom.operator, atom.value) for atom in atoms)
+    if any(isinstance(atom.value, str) for atom in atoms):
         return True  # a text differs from so many others
-    excluded = {each.value for each in atoms if each.operator == "!="}
-    if any(isinstance(each, bool) for each in excluded):
+    excluded = {atom.value for atom in atoms if atom.operator == "!="}
+    if any(isinstance(item, bool) for item in excluded):
         return len(excluded) < 2
     return _interval(atoms, domain, excluded)
 
@@ -253,9 +253,9 @@ def _first_integer(low: float, is_open: bool) -> float:
 
 def _bounds(atoms: Iterable[Atom], sign: str) -> Iterator[tuple[float, bool]]:
     """The bounds below (*sign* ``>``) or above (``<``), each with whether it is itself left out."""
-    for each in atoms:
-        if each.operator in (sign, f"{sign}=") and not isinstance(each.value, str):
-            yield each.value, each.operator == sign
+    for atom in atoms:
+        if atom.operator in (sign, f"{sign}=") and not isinstance(atom.value, str):
+            yield atom.value, atom.operator == sign
 
 
 def _fits(value: Scalar, domain: Domain) -> bool:

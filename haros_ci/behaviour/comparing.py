@@ -22,23 +22,23 @@ Read = Callable[[Event], Predicate]
 class Compared:
     """A property, and how the predicates of its events are read."""
 
-    said: Property
+    stated: Property
     read: Read
 
     @property
     def pattern(self) -> Pattern:
-        return self.said.pattern
+        return self.stated.pattern
 
     @property
     def bound(self) -> float:
         """Seconds; without one there is no end."""
-        bound = self.said.pattern.bound
+        bound = self.stated.pattern.bound
         return math.inf if bound is None else bound.seconds
 
     @property
     def is_plain(self) -> bool:
         """Whether no event says anything of another message."""
-        return not any(next(free_variables(event), None) for event in self.said.events)
+        return not any(next(free_variables(event), None) for event in self.stated.events)
 
 
 def follows(one: Compared, other: Compared) -> bool:
@@ -75,7 +75,7 @@ def excluded(one: Compared, other: Compared) -> str | None:
         return None
     asked = events_text(one.pattern.behaviour)
     if asks is PatternKind.SOME and forbids is PatternKind.NO and one.bound <= other.bound:
-        opens = one.said.scope.activator
+        opens = one.stated.scope.activator
         when = f" once {events_text(opens)} has come" if opens else ""
         return f"one asks for {asked}{when}, the other forbids it"
     is_forbidden = forbids is PatternKind.NO and other.bound == math.inf
@@ -90,7 +90,7 @@ def _may_compare(one: Compared, other: Compared) -> bool:
     """Whether aliases mean the same in both: none says anything of another message, or all but the bound and the behaviour is the same text."""
     if one.is_plain and other.is_plain:
         return True
-    first, second = one.said, other.said
+    first, second = one.stated, other.stated
     same_scope = scope_text(first.scope) == scope_text(second.scope)
     return (
         same_scope
@@ -102,10 +102,10 @@ def _may_compare(one: Compared, other: Compared) -> bool:
 
 def _covers(wide: Compared, narrow: Compared) -> bool:
     """Whether *wide* counts wherever *narrow* does: the same scope, or always, for what a wider scope only makes stronger."""
-    if scope_text(wide.said.scope) == scope_text(narrow.said.scope):
+    if scope_text(wide.stated.scope) == scope_text(narrow.stated.scope):
         return True
     kind = wide.pattern.kind
-    is_wide = wide.said.scope.kind is ScopeKind.GLOBALLY
+    is_wide = wide.stated.scope.kind is ScopeKind.GLOBALLY
     return is_wide and (kind is PatternKind.FORBIDS or (kind is PatternKind.NO and wide.bound == math.inf))
 
 
@@ -120,5 +120,6 @@ def _triggers_in(narrow: Compared, wide: Compared) -> bool:
 def _within(events: tuple[Event, ...], read: Read, others: tuple[Event, ...], read_other: Read) -> bool:
     """Whether every message that is one of *events* is one of *others*."""
     return all(
-        any(each.topic == other.topic and implies(read(each), read_other(other)) for other in others) for each in events
+        any(event.topic == other.topic and implies(read(event), read_other(other)) for other in others)
+        for event in events
     )

@@ -43,7 +43,7 @@ def is_never(predicate: Predicate) -> bool:
 
 def is_always(predicate: Predicate) -> bool:
     """Whether every message matches: its opposite never holds. An array may be shorter than an index asks, so then nothing is certain."""
-    if any(isinstance(each, Item) for each in parts(predicate.expression)):
+    if any(isinstance(part, Item) for part in parts(predicate.expression)):
         return False
     try:
         return not any(map(is_possible, predicate.clauses(False)))
@@ -66,7 +66,7 @@ def implies(one: Predicate, other: Predicate) -> bool:
 def overlap(one: Predicate, other: Predicate) -> bool:
     """Whether some message matches both, for certain."""
     try:
-        return any(is_decided(each) and is_possible(each) for each in _both(one.clauses(), other.clauses()))
+        return any(is_decided(item) and is_possible(item) for item in _both(one.clauses(), other.clauses()))
     except TooMany:
         return False
 
@@ -78,4 +78,4 @@ def _both(one: Clauses, other: Clauses) -> Clauses:
 
 
 def _items(predicate: Predicate) -> set[str]:
-    return {predicate.reader.term(each) for each in parts(predicate.expression) if isinstance(each, Item)}
+    return {predicate.reader.term(part) for part in parts(predicate.expression) if isinstance(part, Item)}

@@ -30,7 +30,7 @@ FindFile = Callable[[str], tuple[str, str] | None]
 
 @dataclass(frozen=True, slots=True)
 class Owner:
-    """What a property is about: a *configuration* or a *node* (``package/executable``) of this name, or everything (*workspace*, "")."""
+    """What a property is about: ``configuration`` or ``node`` (``package/executable``) of this name, or everything (``workspace``, "")."""
 
     kind: str
     name: str
@@ -58,7 +58,7 @@ class Stated:
         """The property's id, else its canonical text; the text itself if it is none."""
         if self.parsed is None:
             return " ".join(self.source.text.split())[:200]
-        given = self.parsed.said("id")
+        given = self.parsed.metadata_of("id")
         return canonical(self.parsed) if given is None else given.value
 
     def at(self, place: Place) -> Location:
@@ -87,8 +87,8 @@ def in_file(text: str, path: str, owner: Owner = WORKSPACE, *, is_axiom: bool = 
     """The properties of a ``.hpl`` file, and its faults."""
     source = Source(path, text, Lines(text))
     properties, faults = read_file(text)
-    for each in properties:
-        yield Stated(owner, is_axiom, source, source.location(each.at), each)
+    for property_ in properties:
+        yield Stated(owner, is_axiom, source, source.location(property_.at), property_)
     for fault in faults:
         yield Stated(owner, is_axiom, source, source.location(fault.at), fault=fault)
 
@@ -114,8 +114,8 @@ class _Reader:
                 if item.data is not None:
                     yield self.refused(owner, item, f"{key!r} must be a list", f"write {key}: ['globally: no /topic']")
                 continue
-            for each in item.data:
-                yield from self.file(owner, each) if key == FILES else (self.one(owner, key in AXIOMS, each),)
+            for element in item.data:
+                yield from self.file(owner, element) if key == FILES else (self.one(owner, key in AXIOMS, element),)
 
     def one(self, owner: Owner, is_axiom: bool, value: Value) -> Stated:
         if not value.is_text:
@@ -140,13 +140,13 @@ class _Reader:
             return
         found = self.find(str(value.data)) if value.is_text else None
         if found is None:
-            said = (
+            message = (
                 f"there is no file {value.data} of properties in the workspace"
                 if value.is_text
                 else "the name of a file must be text"
             )
             yield self.refused(
-                owner, value, said, "name it as package/path/file.hpl, or from the root of the workspace"
+                owner, value, message, "name it as package/path/file.hpl, or from the root of the workspace"
             )
             return
         yield from in_file(found[1], found[0], owner)

@@ -234,7 +234,7 @@ class Expressions:
         return found
 
     def _made(self, made: Expression) -> Expression:
-        height = 1 + max((self.heights[id(each)] for each in children(made)), default=0)
+        height = 1 + max((self.heights[id(child)] for child in children(made)), default=0)
         if height > HIGHEST or len(self.kept) >= MOST_PARTS:
             most = f"{HIGHEST} operators in a row" if height > HIGHEST else f"{MOST_PARTS} parts"
             raise HplFault(f"a predicate of more than {most}", made.at, "take it apart")

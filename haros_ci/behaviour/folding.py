@@ -24,7 +24,7 @@ _ARITHMETIC: dict[str, Callable[[float, float], float]] = {
 
 
 def folded(expression: Expression, scene: Scene | None) -> Scalar | None:
-    """The value; None if it depends on a message, or cannot be told. No value is NaN."""
+    """The value; None if it depends on a message, or is not known. No value is NaN."""
     match expression:
         case Literal(value=value):
             return None if isinstance(value, float) and math.isnan(value) else value

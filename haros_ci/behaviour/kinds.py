@@ -60,14 +60,14 @@ def takes(function: str, arguments: Sequence[int]) -> bool:
     """Whether *function* can be called with arguments of these kinds."""
     for row in PARAMETERS[function]:
         more = arguments[len(row) :]
-        fits = len(arguments) >= len(row) and all(given & wanted for given, wanted in zip(arguments, row))
-        if fits and (not more or (function in VARIADIC and len(row) > 1 and all(each & NUMBER for each in more))):
+        fits = len(arguments) >= len(row) and all(argument & parameter for argument, parameter in zip(arguments, row))
+        if fits and (not more or (function in VARIADIC and len(row) > 1 and all(number & NUMBER for number in more))):
             return True
     return False
 
 
 def signature(function: str) -> str:
     """What *function* takes, in words."""
-    rows = [", ".join(in_words(each) for each in row) for row in PARAMETERS[function]]
+    rows = [", ".join(in_words(number) for number in row) for row in PARAMETERS[function]]
     more = ", …" if function in VARIADIC else ""
     return " or ".join(f"({row}{more if ',' in row else ''})" for row in rows)

@@ -73,7 +73,7 @@ def mistyped(event: Event, known: Callable[[Expression], int | None]) -> tuple[M
 def bindings(property: Property) -> Iterator[tuple[Event, Mapping[str, Event]]]:
     """Each event with the aliases of other events that it can use."""
     scope, pattern = property.scope, property.pattern
-    opened = {each.alias: each for each in scope.activator if each.alias is not None}
+    opened = {event.alias: event for event in scope.activator if event.alias is not None}
     for event in scope.activator:
         yield event, {}
     first, second = pattern.trigger, pattern.behaviour
@@ -81,7 +81,7 @@ def bindings(property: Property) -> Iterator[tuple[Event, Mapping[str, Event]]]:
         first, second = second, first
     for event in first:
         yield event, opened
-    known = {**opened, **{each.alias: each for each in first if each.alias is not None}}
+    known = {**opened, **{event.alias: event for event in first if event.alias is not None}}
     for event in second:
         yield event, known
     for event in scope.terminator:
@@ -98,12 +98,12 @@ def free_variables(event: Event) -> Iterator[Variable]:
 def unused_aliases(property: Property) -> Iterator[Event]:
     """The events with an alias that no other event uses."""
     used = {
-        id(known[each.name])
+        id(known[variable.name])
         for event, known in bindings(property)
-        for each in free_variables(event)
-        if each.name in known
+        for variable in free_variables(event)
+        if variable.name in known
     }
-    yield from (each for each in property.events if each.alias is not None and id(each) not in used)
+    yield from (event for event in property.events if event.alias is not None and id(event) not in used)
 
 
 def _free(expression: Expression, bound: frozenset[str]) -> Iterator[Variable]:
@@ -115,8 +115,8 @@ def _free(expression: Expression, bound: frozenset[str]) -> Iterator[Variable]:
         yield from _free(expression.domain, bound)
         yield from _free(expression.condition, bound | {expression.variable})
         return
-    for each in children(expression):
-        yield from _free(each, bound)
+    for child in children(expression):
+        yield from _free(child, bound)
 
 
 def _groups(property: Property) -> tuple[tuple[Event, ...], ...]:
@@ -125,9 +125,9 @@ def _groups(property: Property) -> tuple[tuple[Event, ...], ...]:
 
 
 def _of_aliases(event: Event, known: Mapping[str, Event]) -> Iterator[Mistake]:
-    for each in free_variables(event):
-        if each.name not in known:
-            yield Mistake(Slip.UNBOUND, each.at, f"@{each.name}: {_missing(each.name, known)}")
+    for variable in free_variables(event):
+        if variable.name not in known:
+            yield Mistake(Slip.UNBOUND, variable.at, f"@{variable.name}: {_missing(variable.name, known)}")
     if event.alias is not None and event.alias in known and event.alias_at is not None:
         yield Mistake(
             Slip.TWICE, event.alias_at, f"the alias {event.alias} is given twice; give this event another one"
@@ -135,7 +135,7 @@ def _of_aliases(event: Event, known: Mapping[str, Event]) -> Iterator[Mistake]:
 
 
 def _missing(name: str, known: Mapping[str, Event]) -> str:
-    there = ", ".join(f"@{each}" for each in sorted(known))
+    there = ", ".join(f"@{item}" for item in sorted(known))
     return f"no event before this one has the alias {name}; " + (
         f"there is {there}" if there else f"write 'as {name}' behind its topic"
     )
@@ -170,20 +170,22 @@ class _Kinds:
             self.agree()
         return self.found
 
-    def cast(self, expression: Expression, wanted: int) -> None:
-        """Narrow to *wanted*, which is a mistake if nothing is left."""
-        narrowed = self.of[id(expression)] & wanted
+    def cast(self, expression: Expression, expected: int) -> None:
+        """Narrow to *expected*, which is a mistake if nothing is left."""
+        narrowed = self.of[id(expression)] & expected
         if not narrowed:
             is_ = kinds.in_words(self.of[id(expression)])
-            self.say(expression.at, f"{expression_text(expression)} is {is_}, where {kinds.in_words(wanted)} is needed")
-        self.of[id(expression)] = narrowed or wanted
+            self.say(
+                expression.at, f"{expression_text(expression)} is {is_}, where {kinds.in_words(expected)} is needed"
+            )
+        self.of[id(expression)] = narrowed or expected
 
     def say(self, at: Place, message: str, slip: Slip = Slip.KIND) -> None:
         self.found.append(Mistake(slip, at, message))
 
     def visit(self, expression: Expression) -> None:
-        for each in children(expression):
-            self.visit(each)
+        for child in children(expression):
+            self.visit(child)
         self.of[id(expression)] = self.kind(expression)
 
     def kind(self, expression: Expression) -> int:
@@ -191,16 +193,18 @@ class _Kinds:
             case Literal(value=value):
                 return kinds.BOOL if isinstance(value, bool) else kinds.TEXT if isinstance(value, str) else kinds.NUMBER
             case Variable(name=name):
-                return self.told(expression, kinds.MESSAGE if name == self.alias else kinds.ITEM)
+                return self.known_or(expression, kinds.MESSAGE if name == self.alias else kinds.ITEM)
             case SetOf(values=values):
                 return self.all_cast(values, kinds.PRIMITIVE, kinds.SET)
             case Range(low=low, high=high):
                 return self.all_cast((low, high), kinds.NUMBER, kinds.RANGE)
             case Field(base=base):
-                return self.all_cast(() if base is None else (base,), kinds.MESSAGE, self.told(expression, kinds.FIELD))
+                return self.all_cast(
+                    () if base is None else (base,), kinds.MESSAGE, self.known_or(expression, kinds.FIELD)
+                )
             case Item(base=base, index=index):
                 self.cast(base, kinds.ARRAY)
-                return self.all_cast((index,), kinds.NUMBER, self.told(expression, kinds.FIELD))
+                return self.all_cast((index,), kinds.NUMBER, self.known_or(expression, kinds.FIELD))
             case Unary(operator=operator, operand=operand):
                 return self.all_cast((operand,), kinds.UNARY[operator], kinds.UNARY[operator])
             case Call():
@@ -210,17 +214,17 @@ class _Kinds:
             case Quantifier():
                 return self.quantifier(expression)
 
-    def told(self, expression: Expression, usual: int) -> int:
+    def known_or(self, expression: Expression, usual: int) -> int:
         known = self.known(expression)
         return usual if known is None else known
 
-    def all_cast(self, expressions: tuple[Expression, ...], wanted: int, result: int) -> int:
-        for each in expressions:
-            self.cast(each, wanted)
+    def all_cast(self, expressions: tuple[Expression, ...], expected: int, result: int) -> int:
+        for expression in expressions:
+            self.cast(expression, expected)
         return result
 
     def call(self, call: Call) -> int:
-        given = [self.argument(each) for each in call.arguments]
+        given = [self.argument(argument) for argument in call.arguments]
         if not kinds.takes(call.name, given):
             words = ", ".join(map(kinds.in_words, given))
             self.say(call.at, f"{call.name} takes {kinds.signature(call.name)}, not ({words})")
@@ -248,7 +252,7 @@ class _Kinds:
         self.cast(quantifier.domain, kinds.COMPOUND)
         self.cast(quantifier.condition, kinds.BOOL)
         name, at = quantifier.variable, quantifier.variable_at
-        if any(isinstance(each, Variable) and each.name == name for each in parts(quantifier.domain)):
+        if any(isinstance(part, Variable) and part.name == name for part in parts(quantifier.domain)):
             self.say(at, f"the members that {name} stands for depend on @{name} itself", Slip.VARIABLE)
         members = kinds.PRIMITIVE
         if isinstance(quantifier.domain, SetOf):
@@ -258,16 +262,16 @@ class _Kinds:
         elif isinstance(quantifier.domain, Range):
             members = kinds.NUMBER
         used = False
-        for each in parts(quantifier.condition):
-            if isinstance(each, Quantifier) and each.variable == name:
+        for part in parts(quantifier.condition):
+            if isinstance(part, Quantifier) and part.variable == name:
                 self.say(
-                    each.variable_at, f"the variable {name} is bound twice; give this one another name", Slip.VARIABLE
+                    part.variable_at, f"the variable {name} is bound twice; give this one another name", Slip.VARIABLE
                 )
-            elif isinstance(each, Variable) and each.name == name:
+            elif isinstance(part, Variable) and part.name == name:
                 used = True
-                if not self.of[id(each)] & members:
-                    needed = kinds.in_words(self.of[id(each)])
-                    self.say(each.at, f"@{name} is {kinds.in_words(members)}, where {needed} is needed")
+                if not self.of[id(part)] & members:
+                    needed = kinds.in_words(self.of[id(part)])
+                    self.say(part.at, f"@{name} is {kinds.in_words(members)}, where {needed} is needed")
         if not used:
             self.say(at, f"the variable {name} is never used; write @{name} in the condition", Slip.VARIABLE)
         return kinds.BOOL
@@ -276,14 +280,14 @@ class _Kinds:
         """All that is said of one field, or of one variable, must fit together."""
         assert self.root is not None
         kept: dict[str, int] = {}
-        for each in parts(self.root):
-            if isinstance(each, (Field, Item, Variable)):
-                key = expression_text(each)
+        for part in parts(self.root):
+            if isinstance(part, (Field, Item, Variable)):
+                key = expression_text(part)
                 own = f"@{self.alias}." if self.alias is not None else ""
                 key = key.removeprefix(own) if own else key
                 before = kept.get(key, kinds.ANY)
-                if not before & self.of[id(each)]:
-                    is_, was = kinds.in_words(self.of[id(each)]), kinds.in_words(before)
-                    self.say(each.at, f"{key} is used as {is_} here, and as {was} elsewhere in the predicate")
+                if not before & self.of[id(part)]:
+                    is_, was = kinds.in_words(self.of[id(part)]), kinds.in_words(before)
+                    self.say(part.at, f"{key} is used as {is_} here, and as {was} elsewhere in the predicate")
                     return
-                kept[key] = before & self.of[id(each)]
+                kept[key] = before & self.of[id(part)]

@@ -50,7 +50,7 @@ class Constant:
 
     @property
     def value(self) -> bool | int | float | str | None:
-        """None if it cannot be told."""
+        """None if it is not known."""
         if self.type in TEXTS:
             return self.written.strip().strip("\"'")
         if self.type == "bool":
@@ -95,7 +95,9 @@ class Messages:
         found = self.known.find("msg", f"{package}/{short}")
         if struct is None or found is None:
             return None
-        constants = {each.name: (each.type, each.value) for each in found.sections[0] if each.is_constant}
+        constants = {
+            section.name: (section.type, section.value) for section in found.sections[0] if section.is_constant
+        }
         if frozenset(constants) != struct.constants:  # not the same ones in all distributions
             return None
         return Message(f"{package}/{short}", struct.fields, constants)

@@ -108,14 +108,14 @@ def _metadata(scanner: Scanner) -> tuple[Metadata, ...]:
         other = scanner.other_metadata()
         if other is not None:
             value = unquoted(other[1]) if other[1].startswith('"') else other[1].rstrip()
-            each = Metadata(scanner.place(begin), other[0], value, scanner.place(begin))
+            metadata = Metadata(scanner.place(begin), other[0], value, scanner.place(begin))
         else:
-            each = _known_metadata(scanner, begin)
-        if any(one.key == each.key for one in found) and each.key in KNOWN_METADATA:
-            raise HplFault(f"a second {each.key!r} of one property", each.at, "keep one of them")
-        found.append(each)
+            metadata = _known_metadata(scanner, begin)
+        if any(one.key == metadata.key for one in found) and metadata.key in KNOWN_METADATA:
+            raise HplFault(f"a second {metadata.key!r} of one property", metadata.at, "keep one of them")
+        found.append(metadata)
         if len(found) > MOST_METADATA:
-            raise HplFault(f"more than {MOST_METADATA} entries of metadata", each.at, "leave some out")
+            raise HplFault(f"more than {MOST_METADATA} entries of metadata", metadata.at, "leave some out")
     return tuple(found)
 
 

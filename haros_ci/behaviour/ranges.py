@@ -15,11 +15,11 @@ from haros_ci.interfaces.definitions import FieldType
 
 def outside(predicate: Expression | None, scene: Scene) -> Iterator[tuple[Expression, str]]:
     """Each number that is outside of what a field or an array has, with a sentence on it."""
-    for each in parts(predicate):
-        if isinstance(each, Item):
-            yield from _index(each, scene)
-        elif isinstance(each, Binary) and each.operator in (*COMPARISONS, "in"):
-            yield from _compared(each, scene)
+    for part in parts(predicate):
+        if isinstance(part, Item):
+            yield from _index(part, scene)
+        elif isinstance(part, Binary) and part.operator in (*COMPARISONS, "in"):
+            yield from _compared(part, scene)
 
 
 def _compared(comparison: Binary, scene: Scene) -> Iterator[tuple[Expression, str]]:

@@ -83,9 +83,9 @@ class Scanner:
 
     def sign(self, *signs: str) -> str | None:
         """The first of *signs* that comes next."""
-        for each in signs:
-            if self.text.startswith(each, self.at):
-                return self._taken(len(each))
+        for sign in signs:
+            if self.text.startswith(sign, self.at):
+                return self._taken(len(sign))
         return None
 
     def is_sign(self, sign: str) -> bool:
@@ -134,10 +134,10 @@ class Scanner:
     def fault(self, expected: str, help: str = "") -> HplFault:
         """The fault that something else comes next than what was *expected*."""
         found = self.next_text()
-        said = (
+        message = (
             f"expected {expected}, found {short(found)!r}" if found else f"expected {expected}, but the text ends here"
         )
-        return HplFault(said, self.here(), help)
+        return HplFault(message, self.here(), help)
 
     def _matched(self, pattern: re.Pattern[str]) -> str | None:
         match = pattern.match(self.text, self.at)

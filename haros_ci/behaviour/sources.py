@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from haros_ci.behaviour.tree import Place
-from haros_ci.bounded_yaml import MERGE, TAG, Composer, YamlLimits, Scalar, YamlFault
+from haros_ci.bounded_yaml import MERGE, TAG, Composer, Scalar, YamlFault, YamlLimits
 from haros_ci.model.location import Location
 
 LIMITS = YamlLimits(1_000_000, 50, 100_000, 1_000)

@@ -53,12 +53,12 @@ def pattern_text(pattern: Pattern) -> str:
     behaviour, trigger = events_text(pattern.behaviour), events_text(pattern.trigger)
     match pattern.kind:
         case PatternKind.SOME | PatternKind.NO:
-            said = f"{pattern.kind.value} {behaviour}"
+            text = f"{pattern.kind.value} {behaviour}"
         case PatternKind.REQUIRES:
-            said = f"{behaviour} requires {trigger}"
+            text = f"{behaviour} requires {trigger}"
         case _:
-            said = f"{trigger} {pattern.kind.value} {behaviour}"
-    return said if pattern.bound is None else f"{said} within {time_text(pattern.bound.seconds)}"
+            text = f"{trigger} {pattern.kind.value} {behaviour}"
+    return text if pattern.bound is None else f"{text} within {time_text(pattern.bound.seconds)}"
 
 
 def time_text(seconds: float) -> str:
@@ -73,7 +73,7 @@ def _digits(number: float) -> str:
 
 
 def events_text(events: tuple[Event, ...]) -> str:
-    texts = [event_text(each) for each in events]
+    texts = [event_text(event) for event in events]
     return texts[0] if len(texts) == 1 else f"({' or '.join(texts)})"
 
 
@@ -136,4 +136,4 @@ def _at_least(expression: Expression, rank: int) -> str:
 
 
 def _list(values: tuple[Expression, ...]) -> str:
-    return ", ".join(_at_least(each, 6) for each in values)
+    return ", ".join(_at_least(value, 6) for value in values)

@@ -197,9 +197,9 @@ class Property:
     pattern: Pattern
     metadata: tuple[Metadata, ...] = ()
 
-    def said(self, key: str) -> Metadata | None:
+    def metadata_of(self, key: str) -> Metadata | None:
         """The metadata of this *key*."""
-        return next((each for each in self.metadata if each.key == key), None)
+        return next((entry for entry in self.metadata if entry.key == key), None)
 
     @property
     def events(self) -> tuple[Event, ...]:
@@ -236,6 +236,6 @@ def parts(expression: Expression | None) -> Iterator[Expression]:
     """*expression* and everything in it, from left to right."""
     stack = [] if expression is None else [expression]
     while stack:
-        each = stack.pop()
-        yield each
-        stack.extend(reversed(children(each)))
+        item = stack.pop()
+        yield item
+        stack.extend(reversed(children(item)))

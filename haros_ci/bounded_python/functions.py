@@ -37,13 +37,13 @@ def _sum(values: Iterable[Any], start: Any = 0) -> Any:
     """The sum; that of lists grows with the square of their number."""
     found = items(values)
     if any(isinstance(item, (list, tuple)) for item in (start, *found)):
-        raise NotFollowed(message="adds up lists, which is not interpreted")
+        raise NotFollowed(description="adds up lists, which is not interpreted")
     return sum(found, start)
 
 
 def _sorted(*values: Any, key: object = None, reverse: Any = False) -> Any:
     if key is not None:
-        raise NotFollowed(message="sorts by a key, which is not interpreted")
+        raise NotFollowed(description="sorts by a key, which is not interpreted")
     return sorted(*values, reverse=reverse)
 
 

@@ -40,12 +40,12 @@ class TooMuch(Exception):
 
 
 class NotFollowed(Exception):
-    """A computation that is not followed: *node* is the syntax that is not interpreted, *said* a description, where the kind of node is not enough."""
+    """A computation that is not followed: *node* is the syntax that is not interpreted, *description* says it where the kind of node is not enough."""
 
-    def __init__(self, node: ast.AST | None = None, message: str = "") -> None:
-        super().__init__(message)
+    def __init__(self, node: ast.AST | None = None, description: str = "") -> None:
+        super().__init__(description)
         self.node = node
-        self.description = message
+        self.description = description
 
 
 class Module(dict[str, Any]):
@@ -101,7 +101,7 @@ def check_operation(op: ast.operator, left: Any, right: Any, limits: Limits) -> 
         if isinstance(left, int) and isinstance(right, int) and left.bit_length() * abs(right) > limits.bits:
             raise TooMuch("number")
     elif isinstance(op, ast.Mod) and isinstance(left, str) and not _PLAIN_FORMATS.match(left):
-        raise NotFollowed(message="formats text in a way that is not interpreted")
+        raise NotFollowed(description="formats text in a way that is not interpreted")
 
 
 def check_text_method(name: str, text: str, arguments: list[Any], limits: Limits) -> None:

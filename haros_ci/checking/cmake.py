@@ -138,7 +138,7 @@ class CMake:
 
     @cached_property
     def mentioners(self) -> Mapping[str, frozenset[str]]:
-        """The words of *mentioned*, each with the names of the commands."""
+        """Every word of the commands, with the names of the commands that have it."""
         found: dict[str, set[str]] = {}
         for command in self.commands:
             if command.name not in _QUIET:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from haros_ci.bounded_yaml import YamlLimits, YamlFault, nodes
+from haros_ci.bounded_yaml import YamlFault, YamlLimits, nodes
 from haros_ci.checking.system import System
 from haros_ci.model.architecture import Parameter
 from haros_ci.model.location import Location

@@ -186,7 +186,7 @@ class _Confirmation:
     def __init__(self, under: Under | None) -> None:
         self.under = under
         self.systems: dict[tuple[str, Assigned], System | None] = {}
-        self.said: dict[tuple[str, str, Assigned], frozenset[tuple[object, ...]]] = {}
+        self.known_outcomes: dict[tuple[str, str, Assigned], frozenset[tuple[object, ...]]] = {}
 
     def __call__(self, outcome: _ConfirmedFinding) -> bool:
         run = outcome.check.run
@@ -199,13 +199,13 @@ class _Confirmation:
         if system is None:
             return False
         key = (outcome.check.id, *place)
-        if key not in self.said:
+        if key not in self.known_outcomes:
             with stage("confirmations"):
                 found = (_with_arguments(outcome.check, finding, system) for finding in run(system))
-                self.said[key] = frozenset(
+                self.known_outcomes[key] = frozenset(
                     checked.key for checked in found if checked is not None and not checked.arguments
                 )
-        return outcome.key in self.said[key]
+        return outcome.key in self.known_outcomes[key]
 
 
 def subject(about: Iterable[About]) -> tuple[str, ...]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 
-from haros_ci.bounded_yaml import YamlLimits, YamlTooLarge, YamlFault, check
+from haros_ci.bounded_yaml import YamlFault, YamlLimits, YamlTooLarge, check
 
 #: Text that a program fills in before it is YAML.
 _TEMPLATE = re.compile(r"\{\{|\{%|<%|@\(|\$\(|\bxmlns:")

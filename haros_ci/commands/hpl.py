@@ -37,9 +37,9 @@ def hpl(flags: Mapping[str, Any]) -> int:
         click.echo(f"warning: {trouble}", err=True)
     run = replace(
         own_run(workspace, known),
-        results=selected(read.said.results, selection, workspace),
-        notifications=read.said.notifications,
-        successful=not read.said.notifications,
+        results=selected(read.outcome.results, selection, workspace),
+        notifications=read.outcome.notifications,
+        successful=not read.outcome.notifications,
     )
     report = Report(
         runs=tuple(

@@ -52,7 +52,7 @@ def model(flags: Mapping[str, Any]) -> int:
     if arguments and not flags["launch"]:
         raise UserError("--arg is for the launch files of --launch", help="name them: --launch package/launch/x.launch")
     options: dict[str, Any] = {
-        "wanted": None,
+        "requested": None,
         "alternatives": False,
         "environment": environment,
         "known_nodes": not flags["no_known_nodes"],
@@ -62,7 +62,7 @@ def model(flags: Mapping[str, Any]) -> int:
     if flags["launch"]:
         from haros_ci.analysis.requested import chosen
 
-        options["wanted"] = chosen(workspace, flags["launch"], arguments, "command line")
+        options["requested"] = chosen(workspace, flags["launch"], arguments, "command line")
 
     def make() -> tuple[Architecture, tuple[str, ...]]:
         with stage("loading"):  # what is kept does without all that follows nodes
@@ -99,7 +99,7 @@ def model(flags: Mapping[str, Any]) -> int:
         )
         is_binary = flags["format"] == "sqlite"
         kept = kept_output("model", output, workspace, key, store, is_binary=is_binary)
-        end(store, kept.said)
+        end(store, kept.messages)
         put_content(kept.content, format, path)
     else:
         found, messages = make()

@@ -10,7 +10,7 @@ import re
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
-from haros_ci.bounded_yaml import MERGE, TAG, Composer, YamlLimits, Scalar, YamlFault
+from haros_ci.bounded_yaml import MERGE, TAG, Composer, Scalar, YamlFault, YamlLimits
 from haros_ci.config.suggestion import quoted
 from haros_ci.errors import UserError
 

@@ -37,7 +37,7 @@ _QUIET = {
 
 @dataclass(frozen=True, slots=True)
 class TextSite:
-    """A call of a file as text, at its place; *made* is the full name of the class that it constructs."""
+    """A call of a file as text, at its place."""
 
     source: Source
     call: TextCall

@@ -20,7 +20,7 @@ from haros_ci.follow import (
 )
 from haros_ci.follow.frames import NEXT, RAISED, Frame
 from haros_ci.follow.libraries import library
-from haros_ci.follow.run import DEPTH, Walk
+from haros_ci.follow.walk import DEPTH, Walk
 from haros_ci.index.index import EITHER, Source
 from haros_ci.index.types import STRINGS, is_smart_pointer
 from haros_ci.model.architecture import Condition
@@ -44,50 +44,50 @@ MANY = 20_000
 TOO_DEEP = "the code is nested too deeply to be followed"
 
 
-def choose(run: Walk, frame: Frame, function: Callable, args: tuple[call_arguments.PassedArgument, ...]) -> Callable:
+def choose(walk: Walk, frame: Frame, function: Callable, args: tuple[call_arguments.PassedArgument, ...]) -> Callable:
     """The overload of a free function or method that takes these arguments."""
     definition = function.function
-    if not definition.name or definition.kind == "lambda" or overloads.is_any(run, definition):
+    if not definition.name or definition.kind == "lambda" or overloads.is_any(walk, definition):
         return function
     if function.source.separator == ".":
-        chosen = overloads.decorated(run, definition)
+        chosen = overloads.decorated(walk, definition)
         return function if chosen is definition else replace(function, function=chosen)
     if function.frame is not None:
         return function
-    candidates = run.index.near(run.index.functions, definition.name, function.source, run.files)
+    candidates = walk.index.near(walk.index.functions, definition.name, function.source, walk.files)
     if len(candidates) < 2:
         return function
     arguments = (*(call_arguments.PassedArgument(value or Opaque("an argument")) for value in function.bound), *args)
-    source, chosen = methods.overload(run, candidates, arguments)
+    source, chosen = methods.overload(walk, candidates, arguments)
     return replace(function, source=source, function=chosen)
 
 
 def invoke(
-    run: Walk,
+    walk: Walk,
     frame: Frame,
     function: Callable,
     args: tuple[call_arguments.PassedArgument, ...],
     targs: tuple[syntax.Argument, ...] = (),
 ) -> Value:
     """Follow a function of the workspace with these arguments."""
-    run.step()
+    walk.step()
     definition = function.function
     if definition.body is None:
-        source, definition = methods.with_body(run, [(function.source, definition)])
+        source, definition = methods.with_body(walk, [(function.source, definition)])
         function = Callable(source, definition, function.this, function.bound, function.frame, function.templates)
     inner_scope = definition.owner or definition.name.rpartition(function.source.separator)[0]
     templates: Mapping[str, syntax.Argument] = function.templates
     if function.this is not None and definition.owner:
-        of_base = methods.templates_of(run, function.this, definition.owner)
+        of_base = methods.templates_of(walk, function.this, definition.owner)
         templates = {**templates, **of_base} if of_base else templates
     if definition.templates:
         explicit = {
-            n: run.type_in(t, frame)
+            n: walk.type_in(t, frame)
             for n, t in zip(definition.templates, targs, strict=False)
             if isinstance(t, syntax.Type)
         }
         templates = {**templates, **_deduced(definition, args), **explicit}
-        templates = defaulted(run, function.source, inner_scope, definition, templates, args)
+        templates = defaulted(walk, function.source, inner_scope, definition, templates, args)
     inner = Frame(
         function.source,
         inner_scope,
@@ -95,54 +95,54 @@ def invoke(
         function.this,
         templates=templates,
         outer=function.frame,
-        mark=run.state.mark(),
+        mark=walk.state.mark(),
     )
-    returns = run.type_in(definition.returns, inner)
+    returns = walk.type_in(definition.returns, inner)
     if definition.body is None:
-        found = library.unknown_call(run, frame, definition.name, args)
+        found = library.unknown_call(walk, frame, definition.name, args)
         return conversions.converted(found, returns) if returns.name not in ("", "void", "auto") else found
-    if len(run.active) >= DEPTH or run.active.count(definition) > 1:
-        library.unknown_call(run, frame, definition.name, args)
-        inert.skipped(run, inner, function, definition, returns, _with_bound(function.bound, args))
-        return run.opaque("calls are nested too deeply to be followed", frame, None, returns)
+    if len(walk.active) >= DEPTH or walk.active.count(definition) > 1:
+        library.unknown_call(walk, frame, definition.name, args)
+        inert.skipped(walk, inner, function, definition, returns, _with_bound(function.bound, args))
+        return walk.opaque("calls are nested too deeply to be followed", frame, None, returns)
     arguments = _with_bound(function.bound, args)
-    makes_nothing = not inert.may_make(run, function, arguments, inner.templates)
-    spent, times = run.spent.get(id(definition), (0, 0))
+    makes_nothing = not inert.may_make(walk, function, arguments, inner.templates)
+    spent, times = walk.spent.get(id(definition), (0, 0))
     is_long = spent > SPENT and (spent > SHORT * times or spent > SPENT_SHORT)
     if (
         is_long
-        and run.listed
+        and walk.listed
         and spent <= SPENT_ASKED
-        and any(_is_plugin(run, argument.value) for argument in arguments)
+        and any(_is_plugin(walk, argument.value) for argument in arguments)
     ):
         is_long = False
-    idle = run.idle.get(id(definition), 0) if run.is_called_back and not makes_nothing else 0
+    idle = walk.idle.get(id(definition), 0) if walk.is_called_back and not makes_nothing else 0
     if idle > IDLE:
-        return inert.skipped(run, inner, function, definition, returns, arguments)
-    if (makes_nothing and (is_long or inert.is_inert(run, function, definition, returns, arguments))) or (
-        run.quiet and spent > (REHEARSED if run.quiet_steps < MANY else SPENT)
+        return inert.skipped(walk, inner, function, definition, returns, arguments)
+    if (makes_nothing and (is_long or inert.is_inert(walk, function, definition, returns, arguments))) or (
+        walk.quiet and spent > (REHEARSED if walk.quiet_steps < MANY else SPENT)
     ):
-        return inert.skipped(run, inner, function, definition, returns, arguments)
-    bind(run, frame, inner, definition, arguments)
-    before, there = run.steps, run.extent()
-    run.beyond += frame.is_dead
+        return inert.skipped(walk, inner, function, definition, returns, arguments)
+    bind(walk, frame, inner, definition, arguments)
+    before, there = walk.steps, walk.extent()
+    walk.beyond += frame.is_dead
     try:
-        value = conversions.converted(follow_body(run, inner, definition), returns)
+        value = conversions.converted(follow_body(walk, inner, definition), returns)
     finally:
-        run.beyond -= frame.is_dead
-    value = copies.returned(run, inner, definition, returns, value)
-    if makes_nothing or run.quiet:
-        spent, times = run.spent.get(id(definition), (0, 0))
-        run.spent[id(definition)] = spent + run.steps - before, times + 1
-    elif run.is_called_back:
-        is_idle = run.extent() == there and run.steps - before > 1
-        run.idle[id(definition)] = run.idle.get(id(definition), 0) + run.steps - before if is_idle else 0
+        walk.beyond -= frame.is_dead
+    value = copies.returned(walk, inner, definition, returns, value)
+    if makes_nothing or walk.quiet:
+        spent, times = walk.spent.get(id(definition), (0, 0))
+        walk.spent[id(definition)] = spent + walk.steps - before, times + 1
+    elif walk.is_called_back:
+        is_idle = walk.extent() == there and walk.steps - before > 1
+        walk.idle[id(definition)] = walk.idle.get(id(definition), 0) + walk.steps - before if is_idle else 0
     return value
 
 
-def _is_plugin(run: Walk, value: Value) -> bool:
+def _is_plugin(walk: Walk, value: Value) -> bool:
     """Whether a value is the look-up name of a plug-in of which the program goes through all names."""
-    return isinstance(value, Known) and any(value.value in run.context.declared.get(base, ()) for base in run.listed)
+    return isinstance(value, Known) and any(value.value in walk.context.declared.get(base, ()) for base in walk.listed)
 
 
 def _with_bound(
@@ -182,7 +182,7 @@ def _deduced(definition: Function, args: tuple[call_arguments.PassedArgument, ..
 
 
 def defaulted(
-    run: Walk,
+    walk: Walk,
     source: Source,
     scope: str,
     definition: Function,
@@ -201,7 +201,7 @@ def defaulted(
     found = dict(templates)
     for name, kind in definition.template_defaults:
         if name not in found and not any(_mentions(type_, name) for type_ in provided):
-            found[name] = run.resolved(kind, scope, source, found)
+            found[name] = walk.resolved(kind, scope, source, found)
     return found
 
 
@@ -212,15 +212,15 @@ def _mentions(kind: syntax.Type, name: str) -> bool:
 
 
 def bind(
-    run: Walk, frame: Frame, inner: Frame, function: Function, args: tuple[call_arguments.PassedArgument, ...]
+    walk: Walk, frame: Frame, inner: Frame, function: Function, args: tuple[call_arguments.PassedArgument, ...]
 ) -> None:
     """Declare the parameters of *function* in *inner*: references are the caller's cells, the rest are copies."""
     positional = [argument for argument in args if not argument.keyword]
     named = {argument.keyword: argument for argument in args if argument.keyword}
     for number, parameter in enumerate(function.parameters):
-        kind = run.type_in(parameter.type, inner)
+        kind = walk.type_in(parameter.type, inner)
         if parameter.name.startswith("*"):
-            value: Value = _collected(run, frame, function, parameter.name, positional, named)
+            value: Value = _collected(walk, frame, function, parameter.name, positional, named)
             inner.declare(parameter.name.lstrip("*"), Cell(value))
             positional = []
             continue
@@ -228,11 +228,11 @@ def bind(
         if argument is None and ("*" in named or "**" in named):
             argument = named.get("*", named.get("**"))
         if argument is None:
-            default = parameter.default or _declared_default(run, function, number)
+            default = parameter.default or _declared_default(walk, function, number)
             if default is not None:
-                value = conversions.converted(expressions.evaluate(run, inner, default), kind)
+                value = conversions.converted(expressions.evaluate(walk, inner, default), kind)
             else:
-                value = run.opaque("an argument that is given from outside", inner, function.line, kind)
+                value = walk.opaque("an argument that is given from outside", inner, function.line, kind)
             inner.declare(parameter.name, Cell(value, kind if kind.name else None))
             continue
         if "&" in kind.marks and argument.cell is not None and not kind.marks.rstrip("&").endswith("c"):
@@ -241,11 +241,11 @@ def bind(
         value = argument.value
         is_open = parameter.type.name in ("", "auto") or parameter.type.name in function.templates
         if isinstance(value, (Sequence, Mapped)) or argument.cell is not None:
-            value = copies.passed(run, inner, value, kind, argument, is_open)
+            value = copies.passed(walk, inner, value, kind, argument, is_open)
         if kind.name and isinstance(value, Known) and issubclass(value.kind, str) and not is_smart_pointer(kind):
-            owner = run.class_of(kind.name, inner.source) if kind.name not in STRINGS else None
+            owner = walk.class_of(kind.name, inner.source) if kind.name not in STRINGS else None
             if owner is not None:
-                value = construct.create(run, inner, kind.bare(), (argument,), Location(inner.source.path))
+                value = construct.create(walk, inner, kind.bare(), (argument,), Location(inner.source.path))
         if kind.name:
             value = conversions.converted(value, kind)
         declared = kind if kind.name and kind.name != "auto" and kind.name not in inner.templates else argument.type
@@ -255,7 +255,7 @@ def bind(
 
 
 def _collected(
-    run: Walk,
+    walk: Walk,
     frame: Frame,
     function: Function,
     name: str,
@@ -265,23 +265,23 @@ def _collected(
     """What ``*name`` or ``**name`` holds: the arguments that no other parameter takes, if all of them are known."""
     if not name.startswith("**"):
         if "*" in named:
-            return Sequence(Cell(run.opaque(call_arguments.UNPACKED, frame)))
+            return Sequence(Cell(walk.opaque(call_arguments.UNPACKED, frame)))
         return Sequence(Cell(tuple(Cell(argument.value) for argument in positional)))
     if "*" in named or "**" in named:
-        return Mapped(Cell(run.opaque("keyword arguments", frame)))
+        return Mapped(Cell(walk.opaque("keyword arguments", frame)))
     taken = {parameter.name for parameter in function.parameters}
     return Mapped(Cell({key: Cell(argument.value) for key, argument in named.items() if key not in taken}))
 
 
-def _declared_default(run: Walk, function: Function, number: int) -> Expression | None:
+def _declared_default(walk: Walk, function: Function, number: int) -> Expression | None:
     """A default argument that stands at the function's declaration, and not at its definition."""
     found = None
-    declarations = [*run.index.functions.get(function.name, ())]
-    if function.owner and function.owner not in run.index.classes:  # defined under a using-directive
+    declarations = [*walk.index.functions.get(function.name, ())]
+    if function.owner and function.owner not in walk.index.classes:  # defined under a using-directive
         tail = "::".join(function.name.split("::")[-2:])
         declarations += [
             definition
-            for definition in run.index.by_tail.get(tail, ())
+            for definition in walk.index.by_tail.get(tail, ())
             if definition[1].name.endswith(f"::{function.name}")
         ]
     for _, declared in declarations:
@@ -294,37 +294,37 @@ def _declared_default(run: Walk, function: Function, number: int) -> Expression 
     return found
 
 
-def follow_body(run: Walk, inner: Frame, function: Function) -> Value:
+def follow_body(walk: Walk, inner: Frame, function: Function) -> Value:
     """Execute a function's body in its frame and join what all its ways out return and leave behind."""
 
-    trace = run.index.trace
+    trace = walk.index.trace
     if trace is not None:
         trace.bodies.add((inner.source.path, function.name))
-    run.active.append(function)
+    walk.active.append(function)
     mark = inner.mark
     path = inner.source.path
     guards = [Condition("#if", text, Location(path, line, column)) for line, column, text in function.guards]
-    run.conditions += guards
-    loops, run.loops = run.loops, []
+    walk.conditions += guards
+    loops, walk.loops = walk.loops, []
     try:
-        ended = statements.execute(run, inner, function.body or ())
+        ended = statements.execute(walk, inner, function.body or ())
     except RecursionError:
-        if not run.quiet:
-            run.gaps.setdefault(TOO_DEEP, Location(path, function.line))
-        return run.opaque(TOO_DEEP, inner, function.line)
+        if not walk.quiet:
+            walk.gaps.setdefault(TOO_DEEP, Location(path, function.line))
+        return walk.opaque(TOO_DEEP, inner, function.line)
     finally:
-        run.loops = loops
-        run.active.pop()
-        del run.conditions[len(run.conditions) - len(guards) :]
-    run.is_raised = run.is_raised or (ended == RAISED and not inner.exits)
+        walk.loops = loops
+        walk.active.pop()
+        del walk.conditions[len(walk.conditions) - len(guards) :]
+    walk.is_raised = walk.is_raised or (ended == RAISED and not inner.exits)
     if inner.exits:
         branches = list(inner.exits)
         if ended == NEXT and not inner.is_dead:
-            branches.append(run.state.since(mark))
-        run.state.undo(mark)
-        run.state.merge(branches)
+            branches.append(walk.state.since(mark))
+        walk.state.undo(mark)
+        walk.state.merge(branches)
     if not inner.returned:
-        return NONE if ended == NEXT else run.opaque("it does not return as things are", inner, function.line)
+        return NONE if ended == NEXT else walk.opaque("it does not return as things are", inner, function.line)
     value = inner.returned[0]
     for other in inner.returned[1:]:
         value = join(value, other)

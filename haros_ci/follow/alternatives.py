@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence as Sequence_
 
     from haros_ci.follow.frames import Frame
-    from haros_ci.follow.run import Walk
+    from haros_ci.follow.walk import Walk
     from haros_ci.syntax import Type
     from haros_ci.values.state import Writes
 
@@ -25,39 +25,39 @@ if TYPE_CHECKING:
 NESTED = 3
 
 
-def mark(run: Walk, base: str, options: Sequence_[Value]) -> None:
+def mark(walk: Walk, base: str, options: Sequence_[Value]) -> None:
     """Of the objects among *options*, plug-ins of the class *base*, one exists."""
-    run.alternatives.append((base, tuple(option for option in options if isinstance(option, Object))))
+    walk.alternatives.append((base, tuple(option for option in options if isinstance(option, Object))))
 
 
-def are(run: Walk, options: Sequence_[Value]) -> bool:
+def are(walk: Walk, options: Sequence_[Value]) -> bool:
     """Whether *options* are objects of which one exists."""
-    return any(all(any(option is object_ for object_ in group) for option in options) for _, group in run.alternatives)
+    return any(all(any(option is object_ for object_ in group) for option in options) for _, group in walk.alternatives)
 
 
-def of_base(run: Walk, base: str) -> tuple[Object, ...]:
+def of_base(walk: Walk, base: str) -> tuple[Object, ...]:
     """What an object of the class *base* may be that is not known: the plug-ins that have been loaded so far."""
-    return tuple(object_ for known, group in run.alternatives if known == base for object_ in group)
+    return tuple(object_ for known, group in walk.alternatives if known == base for object_ in group)
 
 
-def looked_up(run: Walk, frame: Frame, cell: Cell) -> Cell:
+def looked_up(walk: Walk, frame: Frame, cell: Cell) -> Cell:
     """One element of a list; of the look-up names of plug-ins none is picked where the program does not come as things are."""
-    if (run.dead or frame.is_dead) and id(cell.value) in run.look_ups:
-        return Cell(run.opaque("it is one of the plug-ins that there are", frame, None, cell.type), cell.type)
+    if (walk.dead or frame.is_dead) and id(cell.value) in walk.look_ups:
+        return Cell(walk.opaque("it is one of the plug-ins that there are", frame, None, cell.type), cell.type)
     return cell
 
 
-def element(run: Walk, kind: Type, name: str) -> Type | None:
+def element(walk: Walk, kind: Type, name: str) -> Type | None:
     """The type of what the method *name* of a container of plug-ins gives; None if it is no such container."""
     if name not in ("at", "front", "back") or kind.name not in SEQUENCES | MAPS or not kind.arguments:
         return None
     held = kind.of(1 if kind.name in MAPS and len(kind.arguments) > 1 else 0)
-    return held if held is not None and of_base(run, pointee(held).name) else None
+    return held if held is not None and of_base(walk, pointee(held).name) else None
 
 
-def have(run: Walk, this: Object | None) -> bool:
+def have(walk: Walk, this: Object | None) -> bool:
     """Whether *this* is a plug-in, or of the class of one."""
-    return this is not None and any(this.name == object_.name for _, group in run.alternatives for object_ in group)
+    return this is not None and any(this.name == object_.name for _, group in walk.alternatives for object_ in group)
 
 
 def certain(options: Sequence_[Value], branches: list[Writes]) -> None:
@@ -69,9 +69,9 @@ def certain(options: Sequence_[Value], branches: list[Writes]) -> None:
                 other.update(own)
 
 
-def own(run: Walk, writes: Writes) -> Writes:
+def own(walk: Walk, writes: Writes) -> Writes:
     """What a way writes to plug-ins, which are there on this way only: it holds wherever they are."""
-    objects = (object_ for _, group in run.alternatives for object_ in group)
+    objects = (object_ for _, group in walk.alternatives for object_ in group)
     return {cell: writes[cell] for object_ in objects for cell in _cells(object_, NESTED) if cell in writes}
 
 

@@ -26,7 +26,7 @@ from haros_ci.follow import (
 )
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import python_lists, texts, tuples
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.types import MAPS, SEQUENCES
 from haros_ci.syntax import Expression, Type
 from haros_ci.values.abstract import (
@@ -54,52 +54,52 @@ TIES = frozenset(map(syntax.Name, ("std::tie", "boost::tie", "tie")))
 ACCESSORS = frozenset(("at", "front", "back"))
 
 
-def assignment(run: Walk, frame: Frame, expression: syntax.Assignment) -> Value:
+def assignment(walk: Walk, frame: Frame, expression: syntax.Assignment) -> Value:
     """``=`` and its kin: the target holds the value from here on."""
     symbol, target, source = expression.operator, expression.target, expression.value
     python = frame.source.program.language == "python"
     if isinstance(target, syntax.ListLiteral):
-        return _unpack(run, frame, target.items, expressions.evaluate(run, frame, source))
+        return _unpack(walk, frame, target.items, expressions.evaluate(walk, frame, source))
     if isinstance(target, syntax.Call) and target.callee in TIES and symbol == "=":
-        return _unpack(run, frame, target.arguments, expressions.evaluate(run, frame, source))
-    run.references = None
-    value = expressions.evaluate(run, frame, source)
+        return _unpack(walk, frame, target.arguments, expressions.evaluate(walk, frame, source))
+    walk.references = None
+    value = expressions.evaluate(walk, frame, source)
     if (
         python
         and isinstance(target, syntax.Member)
         and symbol == "="
-        and properties.assigned(run, frame, target, value)
+        and properties.assigned(walk, frame, target, value)
     ):
         return value
     is_lvalue = not python and (
-        not isinstance(source, (syntax.Call, syntax.New, syntax.ListLiteral)) or run.references is not None
+        not isinstance(source, (syntax.Call, syntax.New, syntax.ListLiteral)) or walk.references is not None
     )
-    cell = _target(run, frame, target)
+    cell = _target(walk, frame, target)
     if cell is None:
-        uncertain.lost(run, frame, target, value if symbol == "=" else run.opaque("it is changed", frame))
+        uncertain.lost(walk, frame, target, value if symbol == "=" else walk.opaque("it is changed", frame))
         return value
     held = cell.value
     if not python and isinstance(held, Object) and held.definition is not None and _is_own(held, cell.type):
         argument = call_arguments.PassedArgument(value, None, conversions.value_type(value))
-        method = methods.method_of(run, held, f"operator{symbol}", (argument,))
+        method = methods.method_of(walk, held, f"operator{symbol}", (argument,))
         if method is not None and method.function.body is not None:
-            return activation.invoke(run, frame, method, (argument,))
+            return activation.invoke(walk, frame, method, (argument,))
     if symbol != "=":
         if python and isinstance(held, Sequence) and symbol[0] in python_lists.CHANGING:
-            return python_lists.changed(run, frame, held, symbol[0], value)
-        value = operators.binary(run, frame, symbol[:-1], held, value)
+            return python_lists.changed(walk, frame, held, symbol[0], value)
+        value = operators.binary(walk, frame, symbol[:-1], held, value)
     elif isinstance(source, syntax.ListLiteral) and not python and cell.type is not None:
-        value = braces.from_list(run, frame, cell.type, value)
+        value = braces.from_list(walk, frame, cell.type, value)
     elif is_lvalue:
-        value = copies.copied(run, value, _copied_type(run, frame, cell.type, source))
+        value = copies.copied(walk, value, _copied_type(walk, frame, cell.type, source))
     if cell.type is not None:
         value = conversions.converted(value, cell.type)
         if isinstance(held, Sequence) and isinstance(value, Sequence) and value.type is None:
             value.type = held.type
     is_own = not python and symbol == "=" and isinstance(held, Object) and _is_own(held, cell.type)
-    if is_own and isinstance(held, Object) and _fill(run, held, value):
+    if is_own and isinstance(held, Object) and _fill(walk, held, value):
         return held
-    run.state.write(cell, value)
+    walk.state.write(cell, value)
     return value
 
 
@@ -108,32 +108,32 @@ def _is_own(held: Object, kind: Type | None) -> bool:
     return kind is not None and copies.is_by_value(kind) and kind.name == held.name
 
 
-def _copied_type(run: Walk, frame: Frame, kind: Type | None, source: Expression) -> Type | None:
-    return kind if kind is not None else copies.static_copy(run, frame, source)
+def _copied_type(walk: Walk, frame: Frame, kind: Type | None, source: Expression) -> Type | None:
+    return kind if kind is not None else copies.static_copy(walk, frame, source)
 
 
-def _fill(run: Walk, held: Object, value: Value) -> bool:
+def _fill(walk: Walk, held: Object, value: Value) -> bool:
     """Assign to an object in its place, as pointers lead to it: member by member. False if it is none of the class."""
     if held is value or held.definition is None:
         return held is value
     same = isinstance(value, Object) and value.definition is not None
     for name, member in held.fields.items():
-        if copies.is_reference(run, held, name):
+        if copies.is_reference(walk, held, name):
             continue
         if same and isinstance(value, Object) and name in value.fields:
-            run.state.write(member, value.fields[name].value)
+            walk.state.write(member, value.fields[name].value)
         else:
-            run.state.write(member, Opaque(uncertain.UNCERTAIN, None, member.type))
+            walk.state.write(member, Opaque(uncertain.UNCERTAIN, None, member.type))
     if not same or not isinstance(value, Object):
         return False
     for name, member in value.fields.items():
         if name not in held.fields:
             fresh = held.fields[name] = Cell(Opaque("it is not set before", None, member.type), member.type)
-            run.state.write(fresh, member.value)
+            walk.state.write(fresh, member.value)
     return value.definition[1] is held.definition[1]
 
 
-def _unpack(run: Walk, frame: Frame, targets: tuple[Expression, ...], value: Value) -> Value:
+def _unpack(walk: Walk, frame: Frame, targets: tuple[Expression, ...], value: Value) -> Value:
     items: list[Value] | None = None
     if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
         items = [cell.value for cell in value.content.value]
@@ -143,102 +143,102 @@ def _unpack(run: Walk, frame: Frame, targets: tuple[Expression, ...], value: Val
         items is not None and len(items) == len(targets) and not any(isinstance(item, syntax.Star) for item in targets)
     )
     for index, item in enumerate(targets):
-        one: Value = run.opaque("it is unpacked from what is not known", frame)
+        one: Value = walk.opaque("it is unpacked from what is not known", frame)
         if known and items is not None:
             one = items[index]
         if isinstance(item, syntax.Star):
             item = item.value
         if isinstance(item, syntax.ListLiteral):
-            _unpack(run, frame, item.items, one)
+            _unpack(walk, frame, item.items, one)
             continue
-        cell = _target(run, frame, item)
+        cell = _target(walk, frame, item)
         if cell is None:
-            uncertain.lost(run, frame, item, one)
+            uncertain.lost(walk, frame, item, one)
         else:
-            run.state.write(cell, conversions.converted(one, cell.type))
+            walk.state.write(cell, conversions.converted(one, cell.type))
     return value
 
 
-def _target(run: Walk, frame: Frame, target: Expression) -> Cell | None:
+def _target(walk: Walk, frame: Frame, target: Expression) -> Cell | None:
     """The cell to assign to; Python makes it where there is none."""
     python = frame.source.program.language == "python"
     if python and isinstance(target, syntax.Name):
-        is_module = run.modules.get(frame.source.path) is frame
+        is_module = walk.modules.get(frame.source.path) is frame
         scopes = frame.scopes[:1] if is_module else reversed(frame.scopes)
         cell = next((scope[target.name] for scope in scopes if target.name in scope), None)
         if cell is None:
             cell = frame.scopes[0][target.name] = Cell(NONE)
         return cell
-    cell = expressions.cell_of(run, frame, target)
+    cell = expressions.cell_of(walk, frame, target)
     if cell is None and python and isinstance(target, syntax.Subscript):
-        return _entry(run, frame, target)
+        return _entry(walk, frame, target)
     if cell is None and isinstance(target, syntax.Member):
-        owner = expressions.evaluate(run, frame, target.object)
+        owner = expressions.evaluate(walk, frame, target.object)
         if isinstance(owner, Pointer):
             owner = owner.cell.value
         if isinstance(owner, Object) and "[of]" not in owner.fields:
-            cell = owner.fields[target.name] = Cell(run.opaque(_unset(run, owner), frame))
+            cell = owner.fields[target.name] = Cell(walk.opaque(_unset(walk, owner), frame))
         elif isinstance(owner, Module):
-            before = members.attribute(run, owner, target.name, frame)
-            cell = lookup.module_frame(run, owner.source).scopes[0][target.name] = Cell(before)
+            before = members.attribute(walk, owner, target.name, frame)
+            cell = lookup.module_frame(walk, owner.source).scopes[0][target.name] = Cell(before)
         elif isinstance(owner, ClassValue) and python:
             key = (owner.source.path, f"{owner.definition.name}.{target.name}")
-            cell = run.globals[key] = Cell(members.attribute(run, owner, target.name, frame))
+            cell = walk.globals[key] = Cell(members.attribute(walk, owner, target.name, frame))
     if cell is None and isinstance(target, syntax.Call) and not python:
-        run.references = None
-        expressions.evaluate(run, frame, target)
-        if run.references is not None and len(run.references) == 1:
-            return run.references[0]
+        walk.references = None
+        expressions.evaluate(walk, frame, target)
+        if walk.references is not None and len(walk.references) == 1:
+            return walk.references[0]
     return cell
 
 
-def _unset(run: Walk, owner: Object) -> str:
+def _unset(walk: Walk, owner: Object) -> str:
     """Why an attribute that is assigned to for the first time is not known on the paths that do not come there."""
     if owner.definition is None or owner.definition[0].separator != ".":
         return "it is not set before"
-    inherits = any(base != "object" for base in methods.library_bases(run, *owner.definition))
+    inherits = any(base != "object" for base in methods.library_bases(walk, *owner.definition))
     return UNSET_OR_INHERITED if inherits else UNSET
 
 
-def _entry(run: Walk, frame: Frame, target: syntax.Subscript) -> Cell | None:
+def _entry(walk: Walk, frame: Frame, target: syntax.Subscript) -> Cell | None:
     """The new entry of a dictionary that Python assigns to; None for all that is no dictionary, or is not known."""
-    container, key, _ = _parts(run, frame, target)
+    container, key, _ = _parts(walk, frame, target)
     pairs: Any = container.content.value if isinstance(container, Mapped) else None
     if not isinstance(pairs, dict) or not isinstance(key, Known) or issubclass(key.kind, (list, dict)):
         return None
     if len(pairs) >= LIST_LIMIT:
         return None
-    cell = Cell(run.opaque("it is not set before", frame))
+    cell = Cell(walk.opaque("it is not set before", frame))
     assert isinstance(container, Mapped)
-    run.state.write(container.content, {**pairs, key.value: cell})
+    walk.state.write(container.content, {**pairs, key.value: cell})
     return cell
 
 
-def indexed(run: Walk, frame: Frame, expression: syntax.Subscript) -> Value:
+def indexed(walk: Walk, frame: Frame, expression: syntax.Subscript) -> Value:
     """``a[b]``."""
-    container, key, kind = _parts(run, frame, expression)
+    container, key, kind = _parts(walk, frame, expression)
     if isinstance(key, Object) and key.name == "slice":
-        return slices.part(run, frame, container, key)
+        return slices.part(walk, frame, container, key)
     if isinstance(key, Choice) and isinstance(container, Mapped):
-        return _chosen(run, frame, container, key)
-    cell = element(run, frame, container, key, kind)
+        return _chosen(walk, frame, container, key)
+    cell = element(walk, frame, container, key, kind)
     if cell is not None:
         return cell.value
     if isinstance(container, Known) and isinstance(key, Known):
         if issubclass(container.kind, str) and frame.source.program.language != "python":
             if isinstance(key.value, int) and key.value >= 0 and container.ask("longer than", key.value):
                 return texts.number(letter(container, key.value))
-            return run.opaque("a character that is not known", frame)
+            return walk.opaque("a character that is not known", frame)
         try:
             return Known(container.value[key.value])
         except (LookupError, TypeError):
             if isinstance(container.value, (dict, list)) and frame.source.separator != ".":
                 return NONE  # yaml-cpp: an undefined node
-    if isinstance(container, Object) and (part := _of_object(run, frame, container, key)) is not None:
+    if isinstance(container, Object) and (part := _of_object(walk, frame, container, key)) is not None:
         return part
     cells = container.content.value if isinstance(container, Sequence) else ()
     if isinstance(cells, tuple) and isinstance(container, Sequence) and isinstance(key, Known):
-        return run.opaque(f"there is no element {key.value}: the list has {len(cells)}", frame)
+        return walk.opaque(f"there is no element {key.value}: the list has {len(cells)}", frame)
     if isinstance(cells, tuple) and cells and not isinstance(key, Known) and not braces.is_open(container):
         return any_of(cell.value for cell in cells)
     held = dispatch.entry(container) if not isinstance(key, Known) and frame.source.separator == "." else None
@@ -249,24 +249,24 @@ def indexed(run: Walk, frame: Frame, expression: syntax.Subscript) -> Value:
         kind = container.type.of(0)
     elif isinstance(container, Opaque) and container.type is not None and container.type.name in (SEQUENCES | MAPS):
         kind = container.type.of(len(container.type.arguments) - 1) if container.type.arguments else None
-    return run.opaque("an element that is not known", frame, None, kind)
+    return walk.opaque("an element that is not known", frame, None, kind)
 
 
-def _of_object(run: Walk, frame: Frame, container: Object, key: Value) -> Value | None:
+def _of_object(walk: Walk, frame: Frame, container: Object, key: Value) -> Value | None:
     """What ``operator[]`` of an object's class gives, or a part of a pair or struct that is taken apart."""
-    method = methods.method_of(run, container, "operator[]") if container.definition is not None else None
+    method = methods.method_of(walk, container, "operator[]") if container.definition is not None else None
     if method is not None:
-        return activation.invoke(run, frame, method, (call_arguments.PassedArgument(key),))
+        return activation.invoke(walk, frame, method, (call_arguments.PassedArgument(key),))
     part = tuples.part(container, key.value) if isinstance(key, Known) else None
     return part.value if part is not None else None
 
 
-def _chosen(run: Walk, frame: Frame, container: Mapped, key: Choice) -> Value:
+def _chosen(walk: Walk, frame: Frame, container: Mapped, key: Choice) -> Value:
     """The entry of one of several keys; Python does not go on with one that is not there."""
-    cells = [element(run, frame, container, option) for option in key.options]
+    cells = [element(walk, frame, container, option) for option in key.options]
     found = [cell.value for cell in cells if cell is not None]
     if not found or (len(found) < len(cells) and frame.source.separator != "."):
-        return run.opaque("an element that is not known", frame)
+        return walk.opaque("an element that is not known", frame)
     return any_of(found)
 
 
@@ -280,29 +280,29 @@ def any_of(values: Iterable[Value]) -> Value:
     return result if result is not None else NONE
 
 
-def _parts(run: Walk, frame: Frame, expression: syntax.Subscript) -> tuple[Value, Value, Type | None]:
+def _parts(walk: Walk, frame: Frame, expression: syntax.Subscript) -> tuple[Value, Value, Type | None]:
     """The container, the key and the type of the entries of ``a[b]``; arrays of objects are made here."""
     inner = expression.object
-    cell = expressions.cell_of(run, frame, inner) if isinstance(inner, call_arguments.LVALUES) else None
-    value = cell.value if cell is not None else expressions.evaluate(run, frame, inner)
-    key = expressions.evaluate(run, frame, expression.index)
+    cell = expressions.cell_of(walk, frame, inner) if isinstance(inner, call_arguments.LVALUES) else None
+    value = cell.value if cell is not None else expressions.evaluate(walk, frame, inner)
+    key = expressions.evaluate(walk, frame, expression.index)
     if isinstance(expression.index, syntax.Assignment):  # ``i++`` is lowered as ``++i`` is
-        key = run.opaque("an index that is counted on the way", frame)
+        key = walk.opaque("an index that is counted on the way", frame)
     if isinstance(value, Pointer):
         value = value.cell.value
     if cell is None or frame.source.program.language == "python":
         return value, key, None
-    if value == NONE and cell.type is not None and braces.is_array_of_objects(run, frame, cell.type):
-        value = braces.array(run, frame, [], cell.type)
-        run.state.write(cell, value)
+    if value == NONE and cell.type is not None and braces.is_array_of_objects(walk, frame, cell.type):
+        value = braces.array(walk, frame, [], cell.type)
+        walk.state.write(cell, value)
     kind = cell.type
     return value, key, kind.of(1) if kind is not None and kind.name in MAPS else None
 
 
-def accessed(run: Walk, frame: Frame, expression: syntax.Subscript | syntax.Call) -> Cell | None:
+def accessed(walk: Walk, frame: Frame, expression: syntax.Subscript | syntax.Call) -> Cell | None:
     """The cell of ``v[i]``, ``v.at(i)``, ``v.front()`` or ``v.back()``."""
     if isinstance(expression, syntax.Subscript):
-        return element(run, frame, *_parts(run, frame, expression))
+        return element(walk, frame, *_parts(walk, frame, expression))
     callee = expression.callee
     if (
         frame.source.program.language == "python"
@@ -312,17 +312,17 @@ def accessed(run: Walk, frame: Frame, expression: syntax.Subscript | syntax.Call
         return None
     if not isinstance(callee.object, call_arguments.LVALUES):
         return None
-    value = expressions.evaluate(run, frame, callee.object)
+    value = expressions.evaluate(walk, frame, callee.object)
     if isinstance(value, Pointer):
         value = value.cell.value
     if not isinstance(value, (Sequence, Mapped)) or (callee.name == "at") != (len(expression.arguments) == 1):
         return None
     provided = expression.arguments
-    at = expressions.evaluate(run, frame, provided[0]) if provided else Known(0 if callee.name == "front" else -1)
-    return element(run, frame, value, at)
+    at = expressions.evaluate(walk, frame, provided[0]) if provided else Known(0 if callee.name == "front" else -1)
+    return element(walk, frame, value, at)
 
 
-def element(run: Walk, frame: Frame, container: Value, key: Value, kind: Type | None = None) -> Cell | None:
+def element(walk: Walk, frame: Frame, container: Value, key: Value, kind: Type | None = None) -> Cell | None:
     """The cell of one element of a sequence or map; a map of C++ makes what is not there, as *kind* says."""
     if isinstance(container, Pointer):
         container = container.cell.value
@@ -330,9 +330,9 @@ def element(run: Walk, frame: Frame, container: Value, key: Value, kind: Type | 
         cells = container.content.value
         if isinstance(key, Known) and issubclass(key.kind, int) and -len(cells) <= key.value < len(cells):
             found: Cell = cells[key.value]
-            return found if not run.look_ups else alternatives.looked_up(run, frame, found)
+            return found if not walk.look_ups else alternatives.looked_up(walk, frame, found)
         if isinstance(key, Known) and issubclass(key.kind, int) and braces.is_open(container):
-            return braces.grown(run, frame, container, key.value)
+            return braces.grown(walk, frame, container, key.value)
         return None
     if isinstance(container, Mapped) and isinstance(container.content.value, dict) and isinstance(key, Known):
         try:
@@ -340,10 +340,10 @@ def element(run: Walk, frame: Frame, container: Value, key: Value, kind: Type | 
         except TypeError:
             return None
         if cell is None and isinstance(key.value, (str, int)) and frame.source.separator != ".":
-            value: Value = run.opaque("an entry that is not there", frame, None, kind)
-            if kind is not None and copies.is_by_value(kind) and run.class_of(kind.name, frame.source) is not None:
-                value = braces.made(run, frame, kind)
+            value: Value = walk.opaque("an entry that is not there", frame, None, kind)
+            if kind is not None and copies.is_by_value(kind) and walk.class_of(kind.name, frame.source) is not None:
+                value = braces.made(walk, frame, kind)
             cell = Cell(value, kind)
-            run.state.write(container.content, {**container.content.value, key.value: cell})
+            walk.state.write(container.content, {**container.content.value, key.value: cell})
         return cell
     return None

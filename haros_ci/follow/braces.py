@@ -8,7 +8,7 @@ from typing import Any
 from haros_ci import syntax
 from haros_ci.follow import call_arguments, construct, conversions, copies
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.types import INTEGERS, MAPS, SEQUENCES, STRINGS, is_smart_pointer
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
@@ -20,38 +20,38 @@ GROWN = 64
 OPEN = "[]"
 
 
-def from_list(run: Walk, frame: Frame, kind: Type, value: Value) -> Value:
+def from_list(walk: Walk, frame: Frame, kind: Type, value: Value) -> Value:
     """Braces as a variable of the resolved type *kind* holds them: an array, vector, map or object."""
     if not isinstance(value, Sequence) or value.type is not None or not isinstance(value.content.value, tuple):
         return value
     cells = value.content.value
     if "*" in kind.marks:
-        return array(run, frame, [cell.value for cell in cells], kind)
+        return array(walk, frame, [cell.value for cell in cells], kind)
     if kind.name in SEQUENCES:
-        return braced(run, frame, kind, [cell.value for cell in cells])
+        return braced(walk, frame, kind, [cell.value for cell in cells])
     if kind.name in MAPS:
-        return _pairs(run, frame, kind, [cell.value for cell in cells])
+        return _pairs(walk, frame, kind, [cell.value for cell in cells])
     if kind.name in ("", "auto") or is_smart_pointer(kind):
         return value
     arguments = tuple(
         call_arguments.PassedArgument(cell.value, None, conversions.value_type(cell.value)) for cell in cells
     )
-    return construct.create(run, frame, kind.bare(), arguments, Location(frame.source.path))
+    return construct.create(walk, frame, kind.bare(), arguments, Location(frame.source.path))
 
 
-def braced(run: Walk, frame: Frame, kind: Type, values: list[Value]) -> Value:
+def braced(walk: Walk, frame: Frame, kind: Type, values: list[Value]) -> Value:
     """A vector of the elements in braces."""
     inner = kind.of(0)
     first = values[0] if values else None
     if len(values) == 1 and isinstance(first, Sequence) and first.type is not None:
-        return copies.copied(run, first, kind.bare())
+        return copies.copied(walk, first, kind.bare())
     is_text = inner is not None and inner.name in STRINGS
     counted = conversions.value_type(first) if first is not None else None
     if any(isinstance(v, Object) and "[of]" in v.fields for v in values) or (
         is_text and counted is not None and counted.name in INTEGERS
     ):
-        return Sequence(Cell(run.opaque("a list of unknown length", frame)), kind)
-    return Sequence(Cell(tuple(Cell(fitted(run, frame, inner, value), inner) for value in values)), kind)
+        return Sequence(Cell(walk.opaque("a list of unknown length", frame)), kind)
+    return Sequence(Cell(tuple(Cell(fitted(walk, frame, inner, value), inner) for value in values)), kind)
 
 
 def is_text(argument: call_arguments.PassedArgument) -> bool:
@@ -64,46 +64,46 @@ def is_text(argument: call_arguments.PassedArgument) -> bool:
     )
 
 
-def _pairs(run: Walk, frame: Frame, kind: Type, values: list[Value]) -> Value:
+def _pairs(walk: Walk, frame: Frame, kind: Type, values: list[Value]) -> Value:
     inner = kind.of(1)
     made: dict[Any, Cell] = {}
     for value in values:
         pair: Any = value.content.value if isinstance(value, Sequence) else None
         if isinstance(value, Mapped) and len(values) == 1:
-            return copies.copied(run, value, kind)
+            return copies.copied(walk, value, kind)
         key = pair[0].value if isinstance(pair, tuple) and len(pair) == 2 else None
         if not isinstance(key, Known) or not issubclass(key.kind, (str, int)):
-            return Mapped(Cell(run.opaque("a map with computed keys", frame)))
-        made.setdefault(key.value, Cell(fitted(run, frame, inner, pair[1].value), inner))
+            return Mapped(Cell(walk.opaque("a map with computed keys", frame)))
+        made.setdefault(key.value, Cell(fitted(walk, frame, inner, pair[1].value), inner))
     return Mapped(Cell(made))
 
 
-def fitted(run: Walk, frame: Frame, kind: Type | None, value: Value) -> Value:
+def fitted(walk: Walk, frame: Frame, kind: Type | None, value: Value) -> Value:
     """*value* as an element or member of the resolved type *kind* is initialised with it."""
     if kind is None:
         return value
     if isinstance(value, Sequence) and value.type is None:
-        return from_list(run, frame, kind, value)
+        return from_list(walk, frame, kind, value)
     if (
         isinstance(value, Known)
         and issubclass(value.kind, str)
         and copies.is_by_value(kind)
         and kind.name not in STRINGS
     ):
-        if run.class_of(kind.name, frame.source) is not None:
+        if walk.class_of(kind.name, frame.source) is not None:
             argument = call_arguments.PassedArgument(value, None, conversions.value_type(value))
-            return construct.create(run, frame, kind.bare(), (argument,), Location(frame.source.path))
-    return conversions.converted(copies.copied(run, value, kind), kind)
+            return construct.create(walk, frame, kind.bare(), (argument,), Location(frame.source.path))
+    return conversions.converted(copies.copied(walk, value, kind), kind)
 
 
-def array(run: Walk, frame: Frame, values: list[Value], kind: Type) -> Value:
+def array(walk: Walk, frame: Frame, values: list[Value], kind: Type) -> Value:
     """An array in braces; *kind* is that of a pointer to its elements."""
     inner = syntax.Type(kind.name, kind.arguments, kind.marks.replace("*", "", 1))
     if kind.name == "char" and "*" not in inner.marks:
         if len(values) == 1 and isinstance(values[0], Known) and isinstance(values[0].value, str):
             return values[0]
-        return run.opaque("an array of characters", frame, None, kind)
-    cells = tuple(Cell(fitted(run, frame, inner, value), inner) for value in values)
+        return walk.opaque("an array of characters", frame, None, kind)
+    cells = tuple(Cell(fitted(walk, frame, inner, value), inner) for value in values)
     return Sequence(Cell(cells), syntax.Type("std::array", (inner,), "" if len(cells) > 1 else OPEN))
 
 
@@ -112,27 +112,27 @@ def is_open(container: Value) -> bool:
     return isinstance(container, Sequence) and container.type is not None and container.type.marks == OPEN
 
 
-def is_array_of_objects(run: Walk, frame: Frame, kind: Type | None) -> bool:
+def is_array_of_objects(walk: Walk, frame: Frame, kind: Type | None) -> bool:
     """Whether an uninitialised variable of this type, with an index, is an array of the workspace's objects."""
     if kind is None or kind.marks.count("*") != 1:
         return False
-    return run.class_of(kind.name, frame.source) is not None and not is_smart_pointer(kind)
+    return walk.class_of(kind.name, frame.source) is not None and not is_smart_pointer(kind)
 
 
-def grown(run: Walk, frame: Frame, container: Sequence, index: int) -> Cell | None:
+def grown(walk: Walk, frame: Frame, container: Sequence, index: int) -> Cell | None:
     """The element *index* of an array whose length is not known, constructed if need be."""
     cells: Any = container.content.value
     inner = container.type.of(0) if container.type is not None else None
     if inner is None or not 0 <= index < GROWN or not copies.is_by_value(inner):
         return None
-    if run.class_of(inner.name, frame.source) is None:
+    if walk.class_of(inner.name, frame.source) is None:
         return None
-    fresh = [Cell(made(run, frame, inner), inner) for _ in range(index + 1 - len(cells))]
-    run.state.write(container.content, (*cells, *fresh))
+    fresh = [Cell(made(walk, frame, inner), inner) for _ in range(index + 1 - len(cells))]
+    walk.state.write(container.content, (*cells, *fresh))
     found: Cell = container.content.value[index]
     return found
 
 
-def made(run: Walk, frame: Frame, kind: Type) -> Value:
+def made(walk: Walk, frame: Frame, kind: Type) -> Value:
     """A default-constructed value."""
-    return construct.create(run, frame, kind.bare(), (), Location(frame.source.path))
+    return construct.create(walk, frame, kind.bare(), (), Location(frame.source.path))

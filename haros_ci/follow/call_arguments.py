@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from haros_ci import syntax
 from haros_ci.follow import conversions, expressions, static_types
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.types import INTEGERS, REALS
 from haros_ci.syntax import Expression, Type
 from haros_ci.values.abstract import Cell, Mapped, Value
@@ -30,37 +30,37 @@ def is_scalar(kind: Type) -> bool:
     return name in INTEGERS or name in REALS or name in ("bool", "void", "") or set(name.split()) <= INTEGERS
 
 
-def arguments(run: Walk, frame: Frame, written: tuple[Expression, ...]) -> tuple[PassedArgument, ...]:
+def arguments(walk: Walk, frame: Frame, written: tuple[Expression, ...]) -> tuple[PassedArgument, ...]:
     """The arguments of a call, evaluated from left to right; unpacked sequences are spread where known."""
     result: list[PassedArgument] = []
     is_open = False  # what stands behind an unpacked list that is not known has no place that is known
     for expression in written:
         if isinstance(expression, syntax.Star):
-            items = static_types.elements(run, frame, expression.value)
+            items = static_types.elements(walk, frame, expression.value)
             if items is None:
-                result.append(PassedArgument(run.opaque(UNPACKED, frame), keyword="*"))
+                result.append(PassedArgument(walk.opaque(UNPACKED, frame), keyword="*"))
                 is_open = True
             elif not is_open:
                 result += [PassedArgument(item.value if isinstance(item, Cell) else item) for item in items]
             continue
         if isinstance(expression, syntax.DoubleStar):
-            argument_value = expressions.evaluate(run, frame, expression.value)
+            argument_value = expressions.evaluate(walk, frame, expression.value)
             cells = argument_value.content.value if isinstance(argument_value, Mapped) else None
             if isinstance(cells, dict) and all(isinstance(key, str) for key in cells):
                 result += [PassedArgument(cell.value, cell, None, key) for key, cell in cells.items()]
             else:
-                result.append(PassedArgument(run.opaque(UNPACKED, frame), keyword="**"))
+                result.append(PassedArgument(walk.opaque(UNPACKED, frame), keyword="**"))
             continue
         keyword = ""
         if isinstance(expression, syntax.Keyword):
             keyword, expression = expression.name, expression.value
-        cell = expressions.cell_of(run, frame, expression) if isinstance(expression, LVALUES) else None
-        value = cell.value if cell is not None else expressions.evaluate(run, frame, expression)
+        cell = expressions.cell_of(walk, frame, expression) if isinstance(expression, LVALUES) else None
+        value = cell.value if cell is not None else expressions.evaluate(walk, frame, expression)
         kind = cell.type if cell is not None and cell.type is not None else None
         if kind is None and isinstance(expression, TYPED):
-            kind = static_types.static_type(run, frame, expression)
+            kind = static_types.static_type(walk, frame, expression)
         if is_open and not keyword:
-            result.append(PassedArgument(run.opaque(UNPACKED, frame), keyword="*"))
+            result.append(PassedArgument(walk.opaque(UNPACKED, frame), keyword="*"))
             continue
         result.append(PassedArgument(value, cell, kind or conversions.value_type(value), keyword))
     return tuple(result)

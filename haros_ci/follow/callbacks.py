@@ -10,7 +10,7 @@ from haros_ci.follow import call_arguments, methods, partials
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.made import SEVERAL, Root, either
-from haros_ci.follow.run import CHAIN, ROOTS, Walk
+from haros_ci.follow.walk import CHAIN, ROOTS, Walk
 from haros_ci.model.architecture import Condition
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
@@ -28,7 +28,7 @@ TEARDOWN = frozenset(("on_deactivate", "on_cleanup", "on_shutdown", "on_error"))
 
 
 def register(
-    run: Walk,
+    walk: Walk,
     value: Value,
     others: tuple[call_arguments.PassedArgument, ...] = (),
     is_update: bool = False,
@@ -46,15 +46,15 @@ def register(
         value = partials.callback(value) or NONE
     if isinstance(value, Object) and value.definition is not None:
         separator = value.definition[0].separator
-        found = methods.method_of(run, value, "operator()" if separator == "::" else "__call__")
+        found = methods.method_of(walk, value, "operator()" if separator == "::" else "__call__")
         if found is None:
             return
         value = found
     if isinstance(value, Choice):
         for option in value.options:
-            register(run, option, others, is_update, doubt=ONE_OF)
+            register(walk, option, others, is_update, doubt=ONE_OF)
         return
-    if not isinstance(value, Callable) or run.is_raised:
+    if not isinstance(value, Callable) or walk.is_raised:
         return
     function = value.function
     if value.this is None and function.owner and value.frame is None:
@@ -64,39 +64,39 @@ def register(
                 value = Callable(value.source, function, inner, value.bound, value.frame, inner.templates)
                 break
     key = (id(value.function), value.this, len(value.bound))  # which keeps the object's identity from being used again
-    dead = run.ruled_out()
-    root = Root(value, tuple(run.conditions), is_update=is_update, is_setup=is_setup, doubt=doubt, dead=dead)
-    if key in run.known_roots:
-        _again(run, run.known_roots[key], root)
-    elif not _is_endless(run, value):
-        run.known_roots[key] = len(run.roots)
-        run.roots.append(root)
+    dead = walk.ruled_out()
+    root = Root(value, tuple(walk.conditions), is_update=is_update, is_setup=is_setup, doubt=doubt, dead=dead)
+    if key in walk.known_roots:
+        _again(walk, walk.known_roots[key], root)
+    elif not _is_endless(walk, value):
+        walk.known_roots[key] = len(walk.roots)
+        walk.roots.append(root)
 
 
-def _again(run: Walk, number: int, other: Root) -> None:
+def _again(walk: Walk, number: int, other: Root) -> None:
     """The root of that *number* is registered on an*other* way: what it makes stands under what both have in common.
 
     If it has been called back already, it is so once more, for what it makes then.
     """
-    if number >= len(run.roots) or run.roots[number].function.function is not other.function.function:
+    if number >= len(walk.roots) or walk.roots[number].function.function is not other.function.function:
         return
-    known = run.roots[number]
-    conditions, doubt = _in_common(run, known, other)
+    known = walk.roots[number]
+    conditions, doubt = _in_common(walk, known, other)
     dead = min(known.dead, other.dead)
     if (conditions, doubt, dead) == (known.conditions, known.doubt, known.dead):
         return
     merged = replace(known, conditions=conditions, doubt=doubt, dead=dead)
-    if number not in run.called:
-        run.roots[number] = merged
-    elif not run.quiet:
-        key = next(key for key, known_root in run.known_roots.items() if known_root == number)
-        run.known_roots[key] = len(run.roots)
-        run.roots.append(merged)
+    if number not in walk.called:
+        walk.roots[number] = merged
+    elif not walk.quiet:
+        key = next(key for key, known_root in walk.known_roots.items() if known_root == number)
+        walk.known_roots[key] = len(walk.roots)
+        walk.roots.append(merged)
 
 
-def _in_common(run: Walk, known: Root, other: Root) -> tuple[tuple[Condition, ...], str | None]:
+def _in_common(walk: Walk, known: Root, other: Root) -> tuple[tuple[Condition, ...], str | None]:
     """The conditions of what is registered on two ways, and its doubt; one that fewer branches rule out counts alone."""
-    conditions, is_all = either(known.conditions, other.conditions, run.pairs)
+    conditions, is_all = either(known.conditions, other.conditions, walk.pairs)
     if not is_all and known.dead != other.dead:  # as of two ways to one endpoint
         counting = known if known.dead < other.dead else other
         return counting.conditions, counting.doubt
@@ -104,7 +104,7 @@ def _in_common(run: Walk, known: Root, other: Root) -> tuple[tuple[Condition, ..
     return conditions, None if certain else known.doubt or other.doubt or (None if is_all else SEVERAL)
 
 
-def signature(run: Walk, frame: Frame, macro: str, written: tuple[Expression, ...]) -> Value:
+def signature(walk: Walk, frame: Frame, macro: str, written: tuple[Expression, ...]) -> Value:
     """``SLOT(method(types))`` and ``SIGNAL(...)`` call nothing: a slot of the object is called by a signal later (QObject)."""
     named: Expression = written[0] if len(written) == 1 else syntax.Null()
     if (
@@ -113,47 +113,47 @@ def signature(run: Walk, frame: Frame, macro: str, written: tuple[Expression, ..
         and isinstance(named, syntax.Call)
         and isinstance(named.callee, syntax.Name)
     ):
-        register(run, methods.method_of(run, frame.this, named.callee.name) or NONE)
-    return run.opaque(f"what {macro} is", frame)
+        register(walk, methods.method_of(walk, frame.this, named.callee.name) or NONE)
+    return walk.opaque(f"what {macro} is", frame)
 
 
-def _is_endless(run: Walk, function: Callable) -> bool:
+def _is_endless(walk: Walk, function: Callable) -> bool:
     """Whether callbacks go on registering *function*, each time for another object.
 
     In a rehearsal one stands for all of them: what it makes is seen where it is registered in earnest.
     """
-    registered = sum(root.function.function is function.function for root in run.roots)
-    if run.quiet:
+    registered = sum(root.function.function is function.function for root in walk.roots)
+    if walk.quiet:
         return registered > 0
-    if registered < (CHAIN if run.is_called_back else ROOTS):
+    if registered < (CHAIN if walk.is_called_back else ROOTS):
         return False
-    if run.relevance.makes(function.function, function.source):
+    if walk.relevance.makes(function.function, function.source):
         reason = f"{function.function.name or 'a function'} is called back for more objects than are followed"
-        run.gaps.setdefault(reason, Location(function.source.path, function.function.line))
+        walk.gaps.setdefault(reason, Location(function.source.path, function.function.line))
     return True
 
 
-def framework_entries(run: Walk, this: Object) -> None:
+def framework_entries(walk: Walk, this: Object) -> None:
     """Methods that a framework will call on *this*, as its library base classes say (``entry`` of a row)."""
-    for owner in library_objects.owners(run, this):
-        for row in run.rows.get(owner, ()):
+    for owner in library_objects.owners(walk, this):
+        for row in walk.rows.get(owner, ()):
             for name in row.entry:
-                method = methods.method_of(run, this, name)
+                method = methods.method_of(walk, this, name)
                 if method is not None and row.is_class:
-                    register(run, method, (), name in TEARDOWN, name in SETUP)
-    _entries_of_unknown_base(run, this)
+                    register(walk, method, (), name in TEARDOWN, name in SETUP)
+    _entries_of_unknown_base(walk, this)
 
 
-def _entries_of_unknown_base(run: Walk, this: Object) -> None:
+def _entries_of_unknown_base(walk: Walk, this: Object) -> None:
     """A nodelet whose base class is in a package outside: the manager initialises it, more is not known."""
     if this.definition is None or this.definition[0].separator != "::":
         return
-    if not any(found[1] is this.definition[1] for found in run.context.plugins.values()):
+    if not any(found[1] is this.definition[1] for found in walk.context.plugins.values()):
         return
-    method = methods.method_of(run, this, "onInit", ())
-    bases = [base for base in methods.library_bases(run, *this.definition) if base not in run.rows]
+    method = methods.method_of(walk, this, "onInit", ())
+    bases = [base for base in methods.library_bases(walk, *this.definition) if base not in walk.rows]
     if method is None or not bases:
         return
     message = f"the base class {bases[0]} is not in the workspace: what it makes and calls is not known"
-    run.gaps.setdefault(message, Location(this.definition[0].path, this.definition[1].line))
-    register(run, method)
+    walk.gaps.setdefault(message, Location(this.definition[0].path, this.definition[1].line))
+    register(walk, method)

@@ -27,7 +27,7 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import library
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.ros import api_rows, forwarding, ros2_parameters
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.types import is_smart_pointer, pointee
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
@@ -50,60 +50,62 @@ from haros_ci.values.abstract import (
 FOLD = syntax.Name("[fold]")
 
 
-def call(run: Walk, frame: Frame, expression: syntax.Call) -> Value:
+def call(walk: Walk, frame: Frame, expression: syntax.Call) -> Value:
     """The value of a call, with all that it makes, stores and registers on the way."""
     callee, written, targs = expression.callee, expression.arguments, expression.templates
     location = Location(frame.source.path, expression.line, expression.column)
     receiver: Value | None = None
     receiver_cell: Cell | None = None
     name = ""
-    twins.called(run, callee)
+    twins.called(walk, callee)
     if callee == FOLD:
-        return packs.folded(run, frame, written[0])
+        return packs.folded(walk, frame, written[0])
     if isinstance(callee, syntax.Member):
         name = callee.name
         receiver_cell = (
-            expressions.cell_of(run, frame, callee.object)
+            expressions.cell_of(walk, frame, callee.object)
             if isinstance(callee.object, call_arguments.LVALUES)
             else None
         )
-        receiver = receiver_cell.value if receiver_cell is not None else expressions.evaluate(run, frame, callee.object)
+        receiver = (
+            receiver_cell.value if receiver_cell is not None else expressions.evaluate(walk, frame, callee.object)
+        )
         smart = receiver_cell is not None and is_smart_pointer(receiver_cell.type)
-        args = call_arguments.arguments(run, frame, written)
+        args = call_arguments.arguments(walk, frame, written)
         if smart and receiver_cell is not None and name in library.POINTER_METHODS:
-            return library.pointer_method(run, receiver_cell, name, args)
+            return library.pointer_method(walk, receiver_cell, name, args)
         if isinstance(receiver, Pointer):
             receiver_cell, receiver = receiver.cell, receiver.cell.value
         elif isinstance(receiver, Object) and receiver.name == iterators.ITERATOR:
             of = iterators.pointed(receiver)
             receiver_cell, receiver = (of, of.value) if of is not None else (receiver_cell, receiver)
         if isinstance(receiver, Object) and receiver.name == ros2_parameters.PARAMETER:
-            kinds = tuple(run.type_in(targ, frame) if isinstance(targ, syntax.Type) else targ for targ in targs)
-            ros2_parameters.read_as(run, receiver, name, kinds)
+            kinds = tuple(walk.type_in(targ, frame) if isinstance(targ, syntax.Type) else targ for targ in targs)
+            ros2_parameters.read_as(walk, receiver, name, kinds)
         if isinstance(receiver, Choice) and frame.source.separator == "::":
             receiver = iterators.not_null(receiver)
         if isinstance(receiver, Choice):
             ways = [
-                partial(method_call, run, frame, option, cell, name, args, targs, location)
+                partial(method_call, walk, frame, option, cell, name, args, targs, location)
                 for option in receiver.options
                 for cell in [receiver_cell if isinstance(option, (Known, Text)) else None]
             ]
             settle = (
-                partial(alternatives.certain, receiver.options) if alternatives.are(run, receiver.options) else None
+                partial(alternatives.certain, receiver.options) if alternatives.are(walk, receiver.options) else None
             )
-            return run.either_way(ways, "it is called on one of several objects", settle)
-        return method_call(run, frame, receiver, receiver_cell, name, args, targs, location)
-    callee, targs = static_types.member_called(run, frame, callee, targs)
-    function = expressions.evaluate(run, frame, callee)
+            return walk.either_way(ways, "it is called on one of several objects", settle)
+        return method_call(walk, frame, receiver, receiver_cell, name, args, targs, location)
+    callee, targs = static_types.member_called(walk, frame, callee, targs)
+    function = expressions.evaluate(walk, frame, callee)
     if isinstance(function, Library) and function.name in callbacks.QT:
-        return callbacks.signature(run, frame, function.name, written)
+        return callbacks.signature(walk, frame, function.name, written)
     if isinstance(function, Pointer):
         function = function.cell.value
-    return apply(run, frame, function, call_arguments.arguments(run, frame, written), targs, location, callee)
+    return apply(walk, frame, function, call_arguments.arguments(walk, frame, written), targs, location, callee)
 
 
 def method_call(
-    run: Walk,
+    walk: Walk,
     frame: Frame,
     receiver: Value,
     cell: Cell | None,
@@ -114,79 +116,79 @@ def method_call(
 ) -> Value:
     """``receiver.name(args)``."""
     if isinstance(receiver, Library) and receiver.name == "super":
-        return super_call(run, frame, name, args, location)
+        return super_call(walk, frame, name, args, location)
     if name.startswith("spin") and isinstance(receiver, Object) and receiver.name.endswith("Executor"):
-        follow.interlude(run, frame)
-    modelled = library.method(run, frame, receiver, cell, name, args, location, targs)
+        follow.interlude(walk, frame)
+    modelled = library.method(walk, frame, receiver, cell, name, args, location, targs)
     if modelled is not None:
         return modelled
     if isinstance(receiver, Object):
-        method = methods.method_of(run, receiver, name, args)
+        method = methods.method_of(walk, receiver, name, args)
         if method is not None:
-            with forwarding.through(run, method.function, args, location):
-                return activation.invoke(run, frame, method, args, targs)
+            with forwarding.through(walk, method.function, args, location):
+                return activation.invoke(walk, frame, method, args, targs)
         field = receiver.fields.get(name)
         is_method = receiver.definition is None and any(
-            f"{owner}{frame.source.separator}{name}" in run.rows for owner in library_objects.owners(run, receiver)
+            f"{owner}{frame.source.separator}{name}" in walk.rows for owner in library_objects.owners(walk, receiver)
         )
         if field is not None and not is_method:
-            return apply(run, frame, field.value, args, targs, location, syntax.Name(name))
+            return apply(walk, frame, field.value, args, targs, location, syntax.Name(name))
         if "::" in name and receiver.definition is not None:
-            return _of_base(run, frame, receiver, name, args, targs, location)
+            return _of_base(walk, frame, receiver, name, args, targs, location)
         if frame.source.separator == ".":
-            of_class = members.of_class(run, receiver, name, frame)
+            of_class = members.of_class(walk, receiver, name, frame)
             if of_class is not None:
-                return apply(run, frame, of_class, args, targs, location, syntax.Name(name))
-        for owner in library_objects.owners(run, receiver):
-            if (called := f"{owner}{frame.source.separator}{name}") not in run.rows:
+                return apply(walk, frame, of_class, args, targs, location, syntax.Name(name))
+        for owner in library_objects.owners(walk, receiver):
+            if (called := f"{owner}{frame.source.separator}{name}") not in walk.rows:
                 continue
-            found = api_rows.call(run, frame, called, receiver, args, targs, location)
+            found = api_rows.call(walk, frame, called, receiver, args, targs, location)
             if found is not None:
                 return found
-        return library.unknown_call(run, frame, f"{receiver.name}::{name}", args)
+        return library.unknown_call(walk, frame, f"{receiver.name}::{name}", args)
     if isinstance(receiver, Opaque):
         kind = receiver.type or (cell.type if cell is not None else None)
         if kind is not None and kind.name:
             kind = pointee(kind)
-            loaded = alternatives.of_base(run, kind.name) if run.alternatives else ()
+            loaded = alternatives.of_base(walk, kind.name) if walk.alternatives else ()
             if loaded:
-                item = [partial(method_call, run, frame, one, None, name, args, targs, location) for one in loaded]
-                return run.either_way(item, "it is called on one of several objects")
-            if run.alternatives and (held := alternatives.element(run, kind, name)) is not None:
+                item = [partial(method_call, walk, frame, one, None, name, args, targs, location) for one in loaded]
+                return walk.either_way(item, "it is called on one of several objects")
+            if walk.alternatives and (held := alternatives.element(walk, kind, name)) is not None:
                 return Opaque(receiver.reason, receiver.location, held)
-            owner_class = run.class_of(kind.name, frame.source)
+            owner_class = walk.class_of(kind.name, frame.source)
             if owner_class is not None:
-                summary = library_objects.summary_object(run, owner_class, kind, receiver)
-                if methods.method_of(run, summary, name, args) is not None:
-                    dynamic.virtual(run, owner_class, name, location)
-                    return method_call(run, frame, summary, None, name, args, targs, location)
+                summary = library_objects.summary_object(walk, owner_class, kind, receiver)
+                if methods.method_of(walk, summary, name, args) is not None:
+                    dynamic.virtual(walk, owner_class, name, location)
+                    return method_call(walk, frame, summary, None, name, args, targs, location)
             else:
                 stand_in = Object(
                     kind.name, kind.arguments, namespace=receiver if kind.name in api_rows.HANDLES else None
                 )
-                for owner in library_objects.owners(run, stand_in):
+                for owner in library_objects.owners(walk, stand_in):
                     found = api_rows.call(
-                        run, frame, f"{owner}{frame.source.separator}{name}", stand_in, args, targs, location
+                        walk, frame, f"{owner}{frame.source.separator}{name}", stand_in, args, targs, location
                     )
                     if found is not None:
                         return found
         else:
-            handle = api_rows.node_class(run, name, frame.source.separator)
+            handle = api_rows.node_class(walk, name, frame.source.separator)
             if handle:
                 stand_in = Object(handle, namespace=receiver)
                 qualified = f"{handle}{frame.source.separator}{name}"
-                found = api_rows.call(run, frame, qualified, stand_in, args, targs, location)
+                found = api_rows.call(walk, frame, qualified, stand_in, args, targs, location)
                 if found is not None:
                     return found
-        return library.unknown_call(run, frame, name, args, receiver)
+        return library.unknown_call(walk, frame, name, args, receiver)
     if isinstance(receiver, Library) and receiver.this is None and _is_of_a_handle(frame, name, args):
-        space = run.opaque(f"what {receiver.name} is is not known", frame, location.line)
+        space = walk.opaque(f"what {receiver.name} is is not known", frame, location.line)
         stand_in = Object("ros::NodeHandle", namespace=space)
-        found = api_rows.call(run, frame, f"ros::NodeHandle::{name}", stand_in, args, targs, location)
+        found = api_rows.call(walk, frame, f"ros::NodeHandle::{name}", stand_in, args, targs, location)
         if found is not None:
             return found
-    function = members.attribute(run, receiver, name, frame)
-    return apply(run, frame, function, args, targs, location, syntax.Name(name))
+    function = members.attribute(walk, receiver, name, frame)
+    return apply(walk, frame, function, args, targs, location, syntax.Name(name))
 
 
 def _is_of_a_handle(frame: Frame, name: str, args: tuple[call_arguments.PassedArgument, ...]) -> bool:
@@ -198,7 +200,7 @@ def _is_of_a_handle(frame: Frame, name: str, args: tuple[call_arguments.PassedAr
 
 
 def _of_base(
-    run: Walk,
+    walk: Walk,
     frame: Frame,
     this: Object,
     name: str,
@@ -208,39 +210,39 @@ def _of_base(
 ) -> Value:
     """``this->Base::method(args)``: the method of that base class, whatever the object's own is."""
     head, _, last = name.rpartition("::")
-    meant = run.type_in(syntax.Type(head), frame)
-    owner = run.class_of(meant.name, frame.source)
-    found = methods.class_method(run, *owner, last, args) if owner is not None else None
+    meant = walk.type_in(syntax.Type(head), frame)
+    owner = walk.class_of(meant.name, frame.source)
+    found = methods.class_method(walk, *owner, last, args) if owner is not None else None
     if found is not None:
-        return activation.invoke(run, frame, Callable(*found, this, templates=this.templates), args, targs)
-    inherited = library_calls.inherited_call(run, frame, this, name, args, targs, location)
-    return inherited if inherited is not None else library.unknown_call(run, frame, f"{this.name}::{name}", args)
+        return activation.invoke(walk, frame, Callable(*found, this, templates=this.templates), args, targs)
+    inherited = library_calls.inherited_call(walk, frame, this, name, args, targs, location)
+    return inherited if inherited is not None else library.unknown_call(walk, frame, f"{this.name}::{name}", args)
 
 
 def super_call(
-    run: Walk, frame: Frame, name: str, args: tuple[call_arguments.PassedArgument, ...], location: Location
+    walk: Walk, frame: Frame, name: str, args: tuple[call_arguments.PassedArgument, ...], location: Location
 ) -> Value:
     """Python's ``super().name(...)``: the method of the next class up, of the workspace or of a library."""
     this = expressions.here(frame)
     function = frame.function
-    owner = run.class_of(function.owner, frame.source) if function is not None and function.owner else None
+    owner = walk.class_of(function.owner, frame.source) if function is not None and function.owner else None
     if this is None or owner is None:
-        return library.unknown_call(run, frame, f"super().{name}", args)
+        return library.unknown_call(walk, frame, f"super().{name}", args)
     for base in owner[1].bases:
-        found = methods.python_class(run, base, owner[0])
+        found = methods.python_class(walk, base, owner[0])
         if found is None:
             if name == "__init__":
-                for library_base in methods.library_bases(run, *owner):
-                    library_objects.construct_library(run, frame, this, syntax.Type(library_base), args, location)
+                for library_base in methods.library_bases(walk, *owner):
+                    library_objects.construct_library(walk, frame, this, syntax.Type(library_base), args, location)
             continue
-        method = methods.class_method(run, *found, name)
+        method = methods.class_method(walk, *found, name)
         if method is not None:
-            return activation.invoke(run, frame, Callable(*method, this), args)
-    return library.unknown_call(run, frame, f"super().{name}", args)
+            return activation.invoke(walk, frame, Callable(*method, this), args)
+    return library.unknown_call(walk, frame, f"super().{name}", args)
 
 
 def apply(
-    run: Walk,
+    walk: Walk,
     frame: Frame,
     function: Value,
     args: tuple[call_arguments.PassedArgument, ...],
@@ -251,9 +253,9 @@ def apply(
     """Call *function*, whatever kind of value it is."""
     if isinstance(function, Callable):
         if function.function.body is None and function.function.kind != "constructor":
-            source, definition = methods.with_body(run, [(function.source, function.function)])
+            source, definition = methods.with_body(walk, [(function.source, function.function)])
             if definition.body is None:
-                found = api_rows.call(run, frame, definition.name, function.this, args, targs, location)
+                found = api_rows.call(walk, frame, definition.name, function.this, args, targs, location)
                 if found is not None:
                     return found
             function = Callable(source, definition, function.this, function.bound, function.frame, function.templates)
@@ -262,28 +264,28 @@ def apply(
             assert isinstance(this, Object)
             function = Callable(function.source, function.function, this, function.bound, None, this.templates)
             args = args[1:]
-        function = activation.choose(run, frame, function, args)
-        with forwarding.through(run, function.function, args, location):
-            return activation.invoke(run, frame, function, args, targs)
+        function = activation.choose(walk, frame, function, args)
+        with forwarding.through(walk, function.function, args, location):
+            return activation.invoke(walk, frame, function, args, targs)
     if isinstance(function, ClassValue):
         owner = (function.source, function.definition)
-        resolved = tuple(run.type_in(t, frame) for t in targs if isinstance(t, syntax.Type))
-        return construct.instance(run, frame, owner, resolved, args, location)
+        resolved = tuple(walk.type_in(t, frame) for t in targs if isinstance(t, syntax.Type))
+        return construct.instance(walk, frame, owner, resolved, args, location)
     if isinstance(function, Library):
-        return library_calls.library_call(run, frame, function, args, targs, location, callee)
+        return library_calls.library_call(walk, frame, function, args, targs, location, callee)
     if isinstance(function, Object) and function.name == partials.PARTIAL:
         function, args = partials.called(function, args)
-        return apply(run, frame, function, args, targs, location, callee)
+        return apply(walk, frame, function, args, targs, location, callee)
     if isinstance(function, Object):
-        method = methods.method_of(run, function, "operator()" if frame.source.separator == "::" else "__call__")
+        method = methods.method_of(walk, function, "operator()" if frame.source.separator == "::" else "__call__")
         if method is not None:
-            return activation.invoke(run, frame, method, args, targs)
+            return activation.invoke(walk, frame, method, args, targs)
     if isinstance(function, Choice):
-        ways = [partial(apply, run, frame, option, args, targs, location, callee) for option in function.options]
-        return run.either_way(ways, "one of several functions is called")
+        ways = [partial(apply, walk, frame, option, args, targs, location, callee) for option in function.options]
+        return walk.either_way(ways, "one of several functions is called")
     if isinstance(function, Opaque):
-        dynamic.function(run, function, members.dotted(callee), location)
-    return library.unknown_call(run, frame, members.dotted(callee) or "a function", args)
+        dynamic.function(walk, function, members.dotted(callee), location)
+    return library.unknown_call(walk, frame, members.dotted(callee) or "a function", args)
 
 
 def _takes_self(function: Callable, args: tuple[call_arguments.PassedArgument, ...]) -> bool:
@@ -299,13 +301,13 @@ def _takes_self(function: Callable, args: tuple[call_arguments.PassedArgument, .
     )
 
 
-def new(run: Walk, frame: Frame, expression: syntax.New) -> Value:
+def new(walk: Walk, frame: Frame, expression: syntax.New) -> Value:
     """``new T(...)``: the object itself stands for its address."""
-    resolved = run.type_in(expression.type, frame)
+    resolved = walk.type_in(expression.type, frame)
     return construct.create(
-        run,
+        walk,
         frame,
         resolved.bare(),
-        call_arguments.arguments(run, frame, expression.arguments),
+        call_arguments.arguments(walk, frame, expression.arguments),
         Location(frame.source.path, expression.line, expression.column),
     )

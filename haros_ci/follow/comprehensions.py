@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from haros_ci import syntax
 from haros_ci.follow import activation, call_arguments, calls, conversions
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import LIST_LIMIT, NONE, Callable, Cell, Known, Mapped, Opaque, Sequence, Value
 
@@ -34,62 +34,62 @@ def items(value: Value) -> list[Value] | None:
     return None
 
 
-def comprehension(run: Walk, frame: Frame, is_flat: bool, args: tuple[PassedArgument, ...]) -> Value:
+def comprehension(walk: Walk, frame: Frame, is_flat: bool, args: tuple[PassedArgument, ...]) -> Value:
     """``[for](iterable, element, guard, the guard's text)``, see ``extract.python.comprehensions``.
 
     What a guard of which nothing is known lets through is made under it as a condition; the list is then not known.
     """
     if len(args) not in (2, 4) or not all(isinstance(a.value, Callable) for a in args[1:3]):
-        return Sequence(Cell(run.opaque("a list that is computed", frame)))
+        return Sequence(Cell(walk.opaque("a list that is computed", frame)))
     element, guard = args[1].value, args[2].value if len(args) == 4 else None
     assert isinstance(element, Callable)
     found = items(args[0].value)
-    if found is None or len(found) > (LONGEST if run.turns == 1 else LONGEST_INSIDE):
+    if found is None or len(found) > (LONGEST if walk.turns == 1 else LONGEST_INSIDE):
         reason = "a list made from one that is not known"
-        unknown = run.opaque(reason, frame)
-        run.either_way([lambda: NONE, lambda: _guarded(run, frame, element, guard, args, unknown) or NONE], reason)
+        unknown = walk.opaque(reason, frame)
+        walk.either_way([lambda: NONE, lambda: _guarded(walk, frame, element, guard, args, unknown) or NONE], reason)
         return Sequence(Cell(unknown))
     made: list[Cell] | None = []
-    run.turns *= 2
+    walk.turns *= 2
     for item in found:
-        value = _guarded(run, frame, element, guard, args, item)
+        value = _guarded(walk, frame, element, guard, args, item)
         if value is None:
             continue
         more = (items(value) if is_flat else [value]) if value is not MAYBE else None
         made = [*made, *map(Cell, more)] if made is not None and more is not None else None
         if made is not None and len(made) > LIST_LIMIT:
             made = None
-    run.turns //= 2
+    walk.turns //= 2
     if made is None:
-        return Sequence(Cell(run.opaque("a list of which not all elements are known", frame)))
+        return Sequence(Cell(walk.opaque("a list of which not all elements are known", frame)))
     return Sequence(Cell(tuple(made)))
 
 
 def _guarded(
-    run: Walk, frame: Frame, element: Callable, guard: Value | None, args: tuple[PassedArgument, ...], item: Value
+    walk: Walk, frame: Frame, element: Callable, guard: Value | None, args: tuple[PassedArgument, ...], item: Value
 ) -> Value | None:
     """One element; None where the guard keeps it out."""
     if not isinstance(guard, Callable):
-        return _call(run, frame, element, item)
-    holds = conversions.truth(_call(run, frame, guard, item))
+        return _call(walk, frame, element, item)
+    holds = conversions.truth(_call(walk, frame, guard, item))
     if holds is not None:
-        return _call(run, frame, element, item) if holds else None
+        return _call(walk, frame, element, item) if holds else None
     text = args[3].value
     shown = text.value if isinstance(text, Known) and issubclass(text.kind, str) else "if"
-    mark = run.state.mark()
-    with run.under("if", shown, frame, guard.function.line, guard.function.column):
-        _call(run, frame, element, item)
-    run.state.merge([{}, run.state.undo(mark)])
+    mark = walk.state.mark()
+    with walk.under("if", shown, frame, guard.function.line, guard.function.column):
+        _call(walk, frame, element, item)
+    walk.state.merge([{}, walk.state.undo(mark)])
     return MAYBE
 
 
-def _call(run: Walk, frame: Frame, function: Callable, item: Value) -> Value:
-    return activation.invoke(run, frame, function, (call_arguments.PassedArgument(item),))
+def _call(walk: Walk, frame: Frame, function: Callable, item: Value) -> Value:
+    return activation.invoke(walk, frame, function, (call_arguments.PassedArgument(item),))
 
 
-def applied(run: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> Value:
+def applied(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> Value:
     """``map(f, xs)`` and ``filter(f, xs)``."""
-    unknown = Sequence(Cell(run.opaque(f"a list made by {name}", frame)))
+    unknown = Sequence(Cell(walk.opaque(f"a list made by {name}", frame)))
     if len(args) != 2:
         return unknown
     function, found = args[0].value, items(args[1].value)
@@ -102,7 +102,7 @@ def applied(run: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]
             value: Value = item
         else:
             arguments = (call_arguments.PassedArgument(item),)
-            value = calls.apply(run, frame, function, arguments, (), location, syntax.Name(name))
+            value = calls.apply(walk, frame, function, arguments, (), location, syntax.Name(name))
         if name == "map":
             made.append(Cell(value))
             continue
@@ -114,10 +114,10 @@ def applied(run: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]
     return Sequence(Cell(tuple(made)))
 
 
-def dictionary(run: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value:
+def dictionary(walk: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value:
     """``dict(mapping or pairs, name=value)``, a new one."""
     made: dict[Any, Cell] = {}
-    unknown = Mapped(Cell(run.opaque("a dictionary made from what is not known", frame)))
+    unknown = Mapped(Cell(walk.opaque("a dictionary made from what is not known", frame)))
     for number, argument in enumerate(args):
         if argument.keyword in ("*", "**") or (number and not argument.keyword):
             return unknown

@@ -21,7 +21,7 @@ from haros_ci.follow import (
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.libraries import texts, tuples
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.index.ros_types import parameter_type
 from haros_ci.index.types import MAPS, NO_TYPE, SEQUENCES, STRINGS, is_smart_pointer, pointee
@@ -33,69 +33,69 @@ from haros_ci.values.abstract import FALSE, LIST_LIMIT, NONE, Cell, Known, Mappe
 NODES = frozenset(("rclcpp::Node", "rclcpp_lifecycle::LifecycleNode"))
 
 
-def declare(run: Walk, frame: Frame, variable: syntax.Variable) -> None:
+def declare(walk: Walk, frame: Frame, variable: syntax.Variable) -> None:
     """A local variable."""
     name, init = variable.name, variable.init
-    resolved = run.type_in(variable.type, frame)
+    resolved = walk.type_in(variable.type, frame)
     location = Location(frame.source.path, variable.line, variable.column)
     value_node = init.value if isinstance(init, syntax.Equals) else None
     if value_node is not None and "&" in resolved.marks:
-        cell = expressions.cell_of(run, frame, value_node)
+        cell = expressions.cell_of(walk, frame, value_node)
         if cell is None and "c" not in resolved.marks:
-            uncertain.exposed(run, frame, value_node)
+            uncertain.exposed(walk, frame, value_node)
         if cell is not None:
             frame.declare(name, cell)
             return
     declared = resolved if resolved.name != "auto" else None
-    value = initial(run, frame, resolved, init, location)
+    value = initial(walk, frame, resolved, init, location)
     is_call = isinstance(value_node, syntax.Call)
-    if is_call and "&" in resolved.marks and run.references is not None and len(run.references) == 1:
-        frame.declare(name, run.references[0])
+    if is_call and "&" in resolved.marks and walk.references is not None and len(walk.references) == 1:
+        frame.declare(name, walk.references[0])
         return
     if init is not None and resolved == syntax.AUTO and isinstance(value, (Object, Sequence, Mapped)):
-        declared = copies.static_copy(run, frame, value_node) if value_node is not None else None
+        declared = copies.static_copy(walk, frame, value_node) if value_node is not None else None
     frame.declare(name, Cell(value, declared))
 
 
-def copied(run: Walk, value: Value, kind: Type | None) -> Value:
+def copied(walk: Walk, value: Value, kind: Type | None) -> Value:
     """*value* as another variable of static type *kind* holds it in C++ (see ``copies.copied``)."""
-    return copies.copied(run, value, kind)
+    return copies.copied(walk, value, kind)
 
 
-def initial(run: Walk, frame: Frame, kind: Type, init: syntax.Init | None, location: Location) -> Value:
+def initial(walk: Walk, frame: Frame, kind: Type, init: syntax.Init | None, location: Location) -> Value:
     """The first value of a variable of the resolved type *kind*."""
     if isinstance(init, syntax.Equals):
         is_python = frame.source.program.language == "python"
         in_braces = init.value if isinstance(init.value, syntax.ListLiteral) and not is_python else None
         if in_braces is not None and not _is_list(kind) and "*" not in kind.marks:
-            return create(run, frame, kind, call_arguments.arguments(run, frame, in_braces.items), location)
-        run.references = None
-        value = expressions.evaluate(run, frame, init.value)
+            return create(walk, frame, kind, call_arguments.arguments(walk, frame, in_braces.items), location)
+        walk.references = None
+        value = expressions.evaluate(walk, frame, init.value)
         if in_braces is not None and kind.name not in ("auto", ""):
-            return braces.from_list(run, frame, kind, value)
-        value = copies.taken(run, frame, kind, init.value, value)
+            return braces.from_list(walk, frame, kind, value)
+        value = copies.taken(walk, frame, kind, init.value, value)
         if kind.name == "auto" or isinstance(value, Object):
             return value
         if (
             isinstance(value, Known)
             and issubclass(value.kind, str)
-            and run.class_of(kind.name, frame.source) is not None
+            and walk.class_of(kind.name, frame.source) is not None
         ):
-            return create(run, frame, kind, (call_arguments.PassedArgument(value),), location)
+            return create(walk, frame, kind, (call_arguments.PassedArgument(value),), location)
         if isinstance(value, Sequence):
             return Sequence(value.content, kind if kind.name in SEQUENCES else value.type, value.end)
         return conversions.converted(value, kind)
-    arguments = call_arguments.arguments(run, frame, init.arguments) if init is not None else ()
+    arguments = call_arguments.arguments(walk, frame, init.arguments) if init is not None else ()
     braced = init.arguments if isinstance(init, syntax.Braces) and arguments else ()
     is_braced = bool(braced)
     if is_braced and "*" in kind.marks and (len(arguments) > 1 or isinstance(braced[0], syntax.ListLiteral)):
-        return braces.array(run, frame, [argument.value for argument in arguments], kind)
+        return braces.array(walk, frame, [argument.value for argument in arguments], kind)
     if "*" in kind.marks or "&" in kind.marks:
         return arguments[0].value if arguments else NONE
     if is_braced and (kind.name in SEQUENCES or kind.name in MAPS):
         items = Sequence(Cell(tuple(Cell(argument.value) for argument in arguments)))
-        return braces.from_list(run, frame, kind, items)
-    return create(run, frame, kind, arguments, location)
+        return braces.from_list(walk, frame, kind, items)
+    return create(walk, frame, kind, arguments, location)
 
 
 def _is_list(kind: Type) -> bool:
@@ -103,7 +103,7 @@ def _is_list(kind: Type) -> bool:
 
 
 def create(
-    run: Walk, frame: Frame, kind: Type, arguments: tuple[call_arguments.PassedArgument, ...], location: Location
+    walk: Walk, frame: Frame, kind: Type, arguments: tuple[call_arguments.PassedArgument, ...], location: Location
 ) -> Value:
     """An instance of the resolved type *kind*, constructed from *arguments*."""
     if is_smart_pointer(kind):
@@ -112,22 +112,22 @@ def create(
     if name in STRINGS:
         return conversions.converted(texts.constructed(arguments), kind)
     if name in SEQUENCES:
-        return _vector(run, frame, kind, arguments)
+        return _vector(walk, frame, kind, arguments)
     if name in MAPS:
         value = arguments[0].value if arguments else Mapped(Cell({}))
         if not isinstance(value, Mapped):
-            return Mapped(Cell(run.opaque("a map that is built in a way that is not followed", frame)))
-        return copies.copied(run, value, kind)
+            return Mapped(Cell(walk.opaque("a map that is built in a way that is not followed", frame)))
+        return copies.copied(walk, value, kind)
     if name == tuples.TUPLE.name:
         return arguments[0].value if len(arguments) == 1 and len(kind.arguments) != 1 else tuples.made(arguments)
     if call_arguments.is_scalar(kind):
         if arguments:
             return conversions.converted(arguments[0].value, kind)
         return Opaque("it is not set before", location, kind)
-    owner = run.class_of(name, frame.source)
+    owner = walk.class_of(name, frame.source)
     if owner is None:
-        return library_objects.library_object(run, frame, kind, arguments, location)
-    return instance(run, frame, owner, kind.arguments, arguments, location)
+        return library_objects.library_object(walk, frame, kind, arguments, location)
+    return instance(walk, frame, owner, kind.arguments, arguments, location)
 
 
 #: Objects that a vector is filled with when it is constructed.
@@ -137,49 +137,47 @@ ZEROS = {"bool": FALSE, "int": Known(0), "double": Known(0.0)}
 
 
 def of_template(
-    run: Walk, frame: Frame, kind: Type, arguments: tuple[call_arguments.PassedArgument, ...], location: Location
+    walk: Walk, frame: Frame, kind: Type, arguments: tuple[call_arguments.PassedArgument, ...], location: Location
 ) -> Value:
     """``T{...}`` or ``T(...)`` of the type that a template parameter stands for, and elements that a list is made with."""
     if "*" in kind.marks:
         return arguments[0].value if arguments else NONE
     if not arguments and call_arguments.is_scalar(kind):
         return ZEROS.get(parameter_type(kind) or "", Opaque("its value is not known", location, kind))
-    return create(run, frame, kind, arguments, location)
+    return create(walk, frame, kind, arguments, location)
 
 
-def _vector(run: Walk, frame: Frame, kind: Type, arguments: tuple[call_arguments.PassedArgument, ...]) -> Value:
+def _vector(walk: Walk, frame: Frame, kind: Type, arguments: tuple[call_arguments.PassedArgument, ...]) -> Value:
     if not arguments and 0 < (number := tuples.number_of(kind, 1) or 0) <= OBJECTS:
         arguments = (call_arguments.PassedArgument(Known(number)),)
     if not arguments:
         return Sequence(Cell(()), kind)
     first = arguments[0].value
     if isinstance(first, Sequence):
-        twin = copies.copied(run, first, kind)
+        twin = copies.copied(walk, first, kind)
         return Sequence(twin.content, kind) if isinstance(twin, Sequence) else twin
     inner = kind.of(0) or NO_TYPE
     if inner.name in STRINGS and all(braces.is_text(argument) for argument in arguments):
-        items = Sequence(
-            Cell(tuple(Cell(argument.value) for argument in arguments))
-        )  # no other constructor takes texts
-        return braces.from_list(run, frame, kind, items)
+        items = Cell(tuple(Cell(argument.value) for argument in arguments))
+        return braces.from_list(walk, frame, kind, Sequence(items))  # no other constructor takes texts
     begin = create if tuples.is_unset(kind, inner) else of_template
     fill = arguments[1].value if len(arguments) > 1 else None
     within = fill.content.value if isinstance(fill, Sequence) else ()
     most = LIST_LIMIT // max(1, len(within) if isinstance(within, tuple) else 1)
-    if run.class_of(inner.name, frame.source) is not None:
+    if walk.class_of(inner.name, frame.source) is not None:
         most = min(most, OBJECTS)
     if isinstance(first, Known) and issubclass(first.kind, int) and 0 <= first.value <= most:
         cells = []
         for _ in range(first.value):
-            value = copies.copied(run, fill, inner) if fill is not None else None
-            start = value if value is not None else begin(run, frame, inner, (), Location(frame.source.path))
+            value = copies.copied(walk, fill, inner) if fill is not None else None
+            start = value if value is not None else begin(walk, frame, inner, (), Location(frame.source.path))
             cells.append(Cell(start, inner))
         return Sequence(Cell(tuple(cells)), kind)
-    return Sequence(Cell(run.opaque("a list of unknown length", frame)), kind)
+    return Sequence(Cell(walk.opaque("a list of unknown length", frame)), kind)
 
 
 def made_by_its_class(
-    run: Walk,
+    walk: Walk,
     frame: Frame,
     callee: Expression,
     kinds: tuple[syntax.Argument, ...],
@@ -192,15 +190,15 @@ def made_by_its_class(
     """
     if not isinstance(callee, syntax.Name) or not callee.name.endswith(("::make_shared", "::make_unique")):
         return None
-    kind = run.type_in(syntax.Type(callee.name.rpartition("::")[0], kinds), frame)
-    owner = run.class_of(kind.name, frame.source)
-    if owner is None or any(base in NODES for base in methods.library_bases(run, *owner)):
+    kind = walk.type_in(syntax.Type(callee.name.rpartition("::")[0], kinds), frame)
+    owner = walk.class_of(kind.name, frame.source)
+    if owner is None or any(base in NODES for base in methods.library_bases(walk, *owner)):
         return None
-    return create(run, frame, syntax.Type(kind.name, kind.arguments or kinds), args, location)
+    return create(walk, frame, syntax.Type(kind.name, kind.arguments or kinds), args, location)
 
 
 def instance(
-    run: Walk,
+    walk: Walk,
     frame: Frame,
     owner: tuple[Source, Class],
     targs: tuple[syntax.Argument, ...],
@@ -210,21 +208,21 @@ def instance(
     """A new object of a workspace's class: bases, then members in their order, then the constructor's body."""
     source, definition = owner
     if source.program.language != "python" and len(arguments) == 1:
-        twin = copies.duplicate(run, owner, arguments[0])
+        twin = copies.duplicate(walk, owner, arguments[0])
         if twin is not None:
             return twin
     templates = dict(zip(definition.templates, targs, strict=False))
     this = Object(definition.name, tuple(targs), owner, location=location, templates=templates)
     if source.program.language == "python":
-        python_construct(run, frame, this, arguments, location)
+        python_construct(walk, frame, this, arguments, location)
         return this
-    initialise(run, frame, this, owner, templates, arguments, location)
-    callbacks.framework_entries(run, this)
+    initialise(walk, frame, this, owner, templates, arguments, location)
+    callbacks.framework_entries(walk, this)
     return this
 
 
 def initialise(
-    run: Walk,
+    walk: Walk,
     frame: Frame,
     this: Object,
     owner: tuple[Source, Class],
@@ -236,87 +234,88 @@ def initialise(
 ) -> None:
     """Construct the part of *this* that *owner* declares, by the *chosen* constructor or else by the one that fits."""
     source, definition = owner
-    if run.index.trace is not None:
-        run.index.trace.paths.add(source.path)
+    if walk.index.trace is not None:
+        walk.index.trace.paths.add(source.path)
     short = definition.name.rpartition("::")[2]
-    found = chosen or methods.class_method(run, source, definition, short, arguments, methods.BASES)
+    found = chosen or methods.class_method(walk, source, definition, short, arguments, methods.BASES)
     where, function = found if found is not None else (source, None)
     if function is not None:
-        templates = activation.defaulted(run, where, definition.name, function, templates, arguments)
-    inner = Frame(where, definition.name, function, this, templates=templates, mark=run.state.mark())
+        templates = activation.defaulted(walk, where, definition.name, function, templates, arguments)
+    inner = Frame(where, definition.name, function, this, templates=templates, mark=walk.state.mark())
     inits: dict[str, syntax.Initializer] = {}
     body_at = location
     if function is not None:
-        activation.bind(run, frame, inner, function, arguments)
+        activation.bind(walk, frame, inner, function, arguments)
         for init in function.inits:
             inits[init.name.rpartition("::")[2]] = init
         if function.body is not None:
             body_at = Location(where.path, function.body_line, function.body_column)
         if short in inits and not _is_of_base(
-            run, inner, function, definition.name
+            walk, inner, function, definition.name
         ):  # delegates to another constructor
-            args = call_arguments.arguments(run, inner, inits[short].arguments)
+            args = call_arguments.arguments(walk, inner, inits[short].arguments)
             if depth < methods.BASES:
-                initialise(run, inner, this, owner, templates, args, location, depth + 1)
+                initialise(walk, inner, this, owner, templates, args, location, depth + 1)
             if function.body is not None:
-                activation.follow_body(run, inner, function)
+                activation.follow_body(walk, inner, function)
             return
     if depth > methods.BASES:
         return
-    bases = run.bases(source, definition, templates)
+    bases = walk.bases(source, definition, templates)
     passed = list(arguments) if function is None and not bases else []  # an aggregate
     for base in bases:
-        base_init = inits.get(base.name.rpartition("::")[2]) or _by_another_name(run, inner, definition, base.name)
-        args = call_arguments.arguments(run, inner, base_init.arguments) if base_init else ()
+        base_init = inits.get(base.name.rpartition("::")[2]) or _by_another_name(walk, inner, definition, base.name)
+        args = call_arguments.arguments(walk, inner, base_init.arguments) if base_init else ()
         if function is None and base is bases[0]:  # constructors are inherited
             args = arguments
-        base_owner = run.class_of(base.name, source)
+        base_owner = walk.class_of(base.name, source)
         if base_owner is not None and base_owner[1] is not definition:
             bound = dict(zip(base_owner[1].templates, base.arguments, strict=False))
-            initialise(run, inner, this, base_owner, bound, args, body_at, depth + 1)
+            initialise(walk, inner, this, base_owner, bound, args, body_at, depth + 1)
         elif base_owner is None:
-            library_objects.construct_library(run, inner, this, base, args, body_at)
+            library_objects.construct_library(walk, inner, this, base, args, body_at)
     declared = Frame(source, definition.name, None, this, templates=templates)
     for member in definition.fields:
         if member.is_static:
             continue
-        kind = run.type_in(member.type, declared)
+        kind = walk.type_in(member.type, declared)
         cell = this.fields[member.name] = Cell(NONE, kind)
         if passed:
-            cell.value = braces.fitted(run, declared, kind, passed.pop(0).value)
+            cell.value = braces.fitted(walk, declared, kind, passed.pop(0).value)
         elif member.name in inits:
             own = inits[member.name]
             is_one = "&" in kind.marks and len(own.arguments) == 1
-            referred = expressions.cell_of(run, inner, own.arguments[0]) if is_one else None
+            referred = expressions.cell_of(walk, inner, own.arguments[0]) if is_one else None
             if referred is not None:
                 this.fields[member.name] = referred
                 continue
             start = _as_value(kind, own.arguments)
-            cell.value = initial(run, inner, kind, start, Location(where.path, own.line, own.column))
+            cell.value = initial(walk, inner, kind, start, Location(where.path, own.line, own.column))
         elif member.init is not None:
-            cell.value = initial(run, declared, kind, member.init, Location(source.path, member.line, member.column))
+            cell.value = initial(walk, declared, kind, member.init, Location(source.path, member.line, member.column))
         elif "*" in kind.marks or "&" in kind.marks:
-            cell.value = run.opaque(f"the member {member.name} is not set before", declared, member.line, pointee(kind))
+            reason = f"the member {member.name} is not set before"
+            cell.value = walk.opaque(reason, declared, member.line, pointee(kind))
         elif not call_arguments.is_scalar(kind):
             at = body_at if function is not None else Location(source.path, member.line, member.column)
-            cell.value = initial(run, declared, kind, None, at)
+            cell.value = initial(walk, declared, kind, None, at)
         else:
             cell.value = Opaque(f"the member {member.name} is not set before", Location(source.path, member.line), kind)
     if function is not None and function.body is not None:
-        activation.follow_body(run, inner, function)
+        activation.follow_body(walk, inner, function)
 
 
-def _by_another_name(run: Walk, inner: Frame, definition: Class, base: str) -> syntax.Initializer | None:
+def _by_another_name(walk: Walk, inner: Frame, definition: Class, base: str) -> syntax.Initializer | None:
     """The initialiser of a *base* under an alias or macro: ``Base(name)`` where ``using Base = rclcpp::Node``."""
     members = {member.name for member in definition.fields}
     for init in inner.function.inits if inner.function is not None else ():
         written = init.type if init.type.name else syntax.Type(init.name)
-        if init.name not in members and run.type_in(written, inner).name == base:
+        if init.name not in members and walk.type_in(written, inner).name == base:
             return init
     return None
 
 
-def _is_of_base(run: Walk, inner: Frame, function: Function, name: str) -> bool:
+def _is_of_base(walk: Walk, inner: Frame, function: Function, name: str) -> bool:
     """Whether what a constructor initialises under the last part of its own class's *name* is a base of that name."""
     last = name.rpartition("::")[2]
     written = next(init for init in function.inits if init.name.rpartition("::")[2] == last)
@@ -324,7 +323,7 @@ def _is_of_base(run: Walk, inner: Frame, function: Function, name: str) -> bool:
     head = qualified.rpartition("::")[0].partition("<")[0]
     if head.rpartition("::")[2] == last:  # C::C, C<T>::C
         qualified = head
-    return "::" in qualified and run.type_in(syntax.Type(qualified), inner).name != name
+    return "::" in qualified and walk.type_in(syntax.Type(qualified), inner).name != name
 
 
 def _as_value(kind: Type, arguments: tuple[Expression, ...]) -> syntax.Init:
@@ -335,16 +334,16 @@ def _as_value(kind: Type, arguments: tuple[Expression, ...]) -> syntax.Init:
 
 
 def python_construct(
-    run: Walk, frame: Frame, this: Object, arguments: tuple[call_arguments.PassedArgument, ...], location: Location
+    walk: Walk, frame: Frame, this: Object, arguments: tuple[call_arguments.PassedArgument, ...], location: Location
 ) -> None:
     """``__init__``, and the constructors of libraries' base classes."""
     source, definition = this.definition
-    method = methods.method_of(run, this, "__init__")
+    method = methods.method_of(walk, this, "__init__")
     if method is not None:
-        activation.invoke(run, frame, method, arguments)
+        activation.invoke(walk, frame, method, arguments)
     else:
-        data_classes.construct(run, frame, this, arguments)
-    for base in methods.library_bases(run, source, definition):
+        data_classes.construct(walk, frame, this, arguments)
+    for base in methods.library_bases(walk, source, definition):
         if method is None:
-            library_objects.construct_library(run, frame, this, syntax.Type(base), arguments, location)
-    callbacks.framework_entries(run, this)
+            library_objects.construct_library(walk, frame, this, syntax.Type(base), arguments, location)
+    callbacks.framework_entries(walk, this)

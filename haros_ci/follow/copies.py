@@ -10,7 +10,7 @@ from haros_ci import syntax
 from haros_ci.follow import assignments, call_arguments, construct, expressions, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import qos_profiles, ros2_nodes
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.index.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer, pointee
 from haros_ci.model.location import Location
@@ -33,20 +33,20 @@ def is_by_value(kind: Type | None) -> bool:
     return "*" not in kind.marks and "&" not in kind.marks and not is_smart_pointer(kind)
 
 
-def copied(run: Walk, value: Value, kind: Type | None) -> Value:
+def copied(walk: Walk, value: Value, kind: Type | None) -> Value:
     """*value* as another variable of static type *kind* holds it in C++: objects, vectors and maps are copied.
 
     Pointers, references, objects of libraries and what is of no known type stay the same.
     """
     if isinstance(value, (Object, Sequence, Mapped, Choice)) and is_by_value(kind):
         assert kind is not None
-        return _copy(run, value, kind, DEEP, [CELLS])
+        return _copy(walk, value, kind, DEEP, [CELLS])
     return value
 
 
-def _copy(run: Walk, value: Value, kind: Type, depth: int, left: list[int]) -> Value:
+def _copy(walk: Walk, value: Value, kind: Type, depth: int, left: list[int]) -> Value:
     if isinstance(value, Choice):
-        return Choice(tuple(_copy(run, option, kind, depth, left) for option in value.options))
+        return Choice(tuple(_copy(walk, option, kind, depth, left) for option in value.options))
     if not isinstance(value, (Object, Sequence, Mapped)):
         return value
     if depth < 0 or left[0] < 0:
@@ -55,82 +55,82 @@ def _copy(run: Walk, value: Value, kind: Type, depth: int, left: list[int]) -> V
         cells: Any = value.content.value
         inner = kind.of(0) if kind.name in SEQUENCES else None
         if isinstance(cells, tuple):
-            cells = tuple(_twin(run, cell, cell.type or inner, depth, left) for cell in cells)
+            cells = tuple(_twin(walk, cell, cell.type or inner, depth, left) for cell in cells)
         return Sequence(Cell(cells), value.type or (kind if kind.name in SEQUENCES else None))
     if isinstance(value, Mapped):
         pairs: Any = value.content.value
         inner = kind.of(1) if kind.name in MAPS else None
         if isinstance(pairs, dict):
-            pairs = {key: _twin(run, cell, cell.type or inner, depth, left) for key, cell in pairs.items()}
+            pairs = {key: _twin(walk, cell, cell.type or inner, depth, left) for key, cell in pairs.items()}
         return Mapped(Cell(pairs))
     if value.definition is None:
         if value.name == ros2_nodes.NODE_OPTIONS:
             return ros2_nodes.copied(value)
         if value.name != PAIR and value.name not in qos_profiles.CLASSES:
             return value
-        return replace(value, fields={n: _twin(run, cell, cell.type, depth, left) for n, cell in value.fields.items()})
-    owner = run.class_of(kind.name, value.definition[0])
-    if owner is None or not derives(run, value.definition, owner[1]):
+        return replace(value, fields={n: _twin(walk, cell, cell.type, depth, left) for n, cell in value.fields.items()})
+    owner = walk.class_of(kind.name, value.definition[0])
+    if owner is None or not derives(walk, value.definition, owner[1]):
         return value
-    constructor = _copy_constructor(run, owner)
-    if constructor is not None and constructor not in run.active:
+    constructor = _copy_constructor(walk, owner)
+    if constructor is not None and constructor not in walk.active:
         argument = call_arguments.PassedArgument(value, Cell(value, syntax.Type(value.name, value.arguments, "")))
         where = value.location or Location(owner[0].path)
-        return construct.instance(run, Frame(owner[0], ""), owner, value.arguments, (argument,), where)
+        return construct.instance(walk, Frame(owner[0], ""), owner, value.arguments, (argument,), where)
     twin = replace(value, fields={})
     if owner[1] is not value.definition[1]:
         twin = replace(twin, name=owner[1].name, definition=owner)
     for name, cell in value.fields.items():
-        twin.fields[name] = cell if is_reference(run, value, name) else _twin(run, cell, cell.type, depth, left)
+        twin.fields[name] = cell if is_reference(walk, value, name) else _twin(walk, cell, cell.type, depth, left)
     return twin
 
 
-def _twin(run: Walk, cell: Cell, kind: Type | None, depth: int, left: list[int]) -> Cell:
+def _twin(walk: Walk, cell: Cell, kind: Type | None, depth: int, left: list[int]) -> Cell:
     left[0] -= 1
     if kind is not None and is_by_value(kind):
-        return Cell(_copy(run, cell.value, kind, depth - 1, left), cell.type)
+        return Cell(_copy(walk, cell.value, kind, depth - 1, left), cell.type)
     return Cell(cell.value, cell.type)
 
 
-def derives(run: Walk, one: tuple[Source, Class], base: Class, depth: int = 0) -> bool:
+def derives(walk: Walk, one: tuple[Source, Class], base: Class, depth: int = 0) -> bool:
     """Whether class *one* is *base* or derived from it."""
     if one[1] is base or one[1].name == base.name:
         return True
     if depth >= methods.BASES:
         return False
-    owners = [run.class_of(type_.name, one[0]) for type_ in run.bases(one[0], one[1], {})]
+    owners = [walk.class_of(type_.name, one[0]) for type_ in walk.bases(one[0], one[1], {})]
     others = [owner for owner in owners if owner is not None and owner[1] is not one[1]]
-    return any(derives(run, owner, base, depth + 1) for owner in others)
+    return any(derives(walk, owner, base, depth + 1) for owner in others)
 
 
-def is_reference(run: Walk, value: Object, name: str) -> bool:
+def is_reference(walk: Walk, value: Object, name: str) -> bool:
     """Whether a member is a reference."""
     source, definition = value.definition
     key = ("reference", source.path, definition.name, name)
-    if key not in run.found:
-        found = methods.field_of(run, source, definition, name, {})
-        run.found[key] = found is not None and "&" in found[2].marks
-    return bool(run.found[key])
+    if key not in walk.found:
+        found = methods.field_of(walk, source, definition, name, {})
+        walk.found[key] = found is not None and "&" in found[2].marks
+    return bool(walk.found[key])
 
 
-def _single(run: Walk, owner: tuple[Source, Class]) -> list[tuple[Function, Type]]:
+def _single(walk: Walk, owner: tuple[Source, Class]) -> list[tuple[Function, Type]]:
     """The constructors that take one argument, with its type."""
     source, definition = owner
     key = ("constructors of one", source.path, definition.name)
-    if key not in run.found:
+    if key not in walk.found:
         name = f"{definition.name}::{definition.name.rpartition('::')[2]}"
         frame = Frame(source, definition.name)
-        run.found[key] = [
-            (function, run.type_in(function.parameters[0].type, frame))
-            for _, function in run.index.near(run.index.functions, name, source, run.files)
+        walk.found[key] = [
+            (function, walk.type_in(function.parameters[0].type, frame))
+            for _, function in walk.index.near(walk.index.functions, name, source, walk.files)
             if function.parameters and all(p.default is not None for p in function.parameters[1:])
         ]
-    found: list[tuple[Function, Type]] = run.found[key]
+    found: list[tuple[Function, Type]] = walk.found[key]
     return found
 
 
-def _copy_constructor(run: Walk, owner: tuple[Source, Class]) -> Function | None:
-    for function, kind in _single(run, owner):
+def _copy_constructor(walk: Walk, owner: tuple[Source, Class]) -> Function | None:
+    for function, kind in _single(walk, owner):
         if (
             kind.name == owner[1].name
             and kind.marks.count("&") == 1
@@ -141,50 +141,50 @@ def _copy_constructor(run: Walk, owner: tuple[Source, Class]) -> Function | None
     return None
 
 
-def duplicate(run: Walk, owner: tuple[Source, Class], argument: call_arguments.PassedArgument) -> Value | None:
+def duplicate(walk: Walk, owner: tuple[Source, Class], argument: call_arguments.PassedArgument) -> Value | None:
     """``C(c)`` as a copy; None where it is no copy, or where a constructor of the class says what happens."""
     value = argument.value
     if isinstance(value, Opaque):
-        return _perhaps(run, owner, argument, value)
-    if not isinstance(value, Object) or value.definition is None or not derives(run, value.definition, owner[1]):
+        return _perhaps(walk, owner, argument, value)
+    if not isinstance(value, Object) or value.definition is None or not derives(walk, value.definition, owner[1]):
         return None
     if argument.type is not None and ("*" in argument.type.marks or is_smart_pointer(argument.type)):
         return None
-    for function, kind in _single(run, owner):
+    for function, kind in _single(walk, owner):
         if kind.name in function.templates or is_smart_pointer(kind) or "*" in kind.marks:
             return None
-        found = run.class_of(pointee(kind).name, owner[0])
-        if found is not None and derives(run, value.definition, found[1]) and function.body is not None:
+        found = walk.class_of(pointee(kind).name, owner[0])
+        if found is not None and derives(walk, value.definition, found[1]) and function.body is not None:
             return None
-    return copied(run, value, syntax.Type(owner[1].name, value.arguments, ""))
+    return copied(walk, value, syntax.Type(owner[1].name, value.arguments, ""))
 
 
 def _perhaps(
-    run: Walk, owner: tuple[Source, Class], argument: call_arguments.PassedArgument, value: Opaque
+    walk: Walk, owner: tuple[Source, Class], argument: call_arguments.PassedArgument, value: Opaque
 ) -> Opaque | None:
     """``C{x}`` for an aggregate and an *x* that is not known: a copy, unless its type says that it is a member."""
     source, definition = owner
     kind = value.type if value.type is not None and value.type.name not in ("", "auto") else argument.type
     if kind is not None and kind.name not in ("", "auto"):
-        found = run.class_of(kind.name, source) if "*" not in kind.marks else None
+        found = walk.class_of(kind.name, source) if "*" not in kind.marks else None
         is_told = call_arguments.is_scalar(kind) or kind.name in STRINGS or "::" in kind.name or "*" in kind.marks
-        if not derives(run, found, definition) if found is not None else is_told:  # else a template's parameter
+        if not derives(walk, found, definition) if found is not None else is_told:  # else a template's parameter
             return None
-    if methods.class_method(run, source, definition, definition.name.rpartition("::")[2]) is not None:
+    if methods.class_method(walk, source, definition, definition.name.rpartition("::")[2]) is not None:
         return None
     return Opaque(value.reason, value.location, syntax.Type(definition.name))
 
 
-def static_copy(run: Walk, frame: Frame, expression: Expression) -> Type | None:
+def static_copy(walk: Walk, frame: Frame, expression: Expression) -> Type | None:
     """The type of value that *expression* has, so that ``auto`` copies it; None where that is not known."""
     kind: Type | None = None
     if isinstance(expression, syntax.Cast):
-        kind = run.type_in(expression.type, frame)
+        kind = walk.type_in(expression.type, frame)
     elif isinstance(expression, syntax.Conditional):
-        return static_copy(run, frame, expression.then)
+        return static_copy(walk, frame, expression.then)
     elif isinstance(expression, syntax.Dereference):
         cell = (
-            expressions.cell_of(run, frame, expression.value)
+            expressions.cell_of(walk, frame, expression.value)
             if isinstance(expression.value, call_arguments.LVALUES)
             else None
         )
@@ -193,65 +193,65 @@ def static_copy(run: Walk, frame: Frame, expression: Expression) -> Type | None:
             return None
         kind = pointee(kind)
     elif isinstance(expression, syntax.Call) and isinstance(expression.callee, syntax.Name):
-        kind = run.type_in(syntax.Type(expression.callee.name, expression.templates, ""), frame)
-        is_class = kind.name in qos_profiles.CLASSES or run.class_of(kind.name, frame.source) is not None
+        kind = walk.type_in(syntax.Type(expression.callee.name, expression.templates, ""), frame)
+        is_class = kind.name in qos_profiles.CLASSES or walk.class_of(kind.name, frame.source) is not None
         return kind if is_class else None
     elif (
         isinstance(expression, syntax.Call)
         and isinstance(expression.callee, syntax.Member)
         and expression.callee.name in qos_profiles.CHAINED
     ):
-        kind = static_copy(run, frame, expression.callee.object)
+        kind = static_copy(walk, frame, expression.callee.object)
         return kind if kind is not None and kind.name in qos_profiles.CLASSES else None
     elif isinstance(expression, (syntax.Name, syntax.Member, syntax.Subscript, syntax.Call)):
-        cell = expressions.cell_of(run, frame, expression)
+        cell = expressions.cell_of(walk, frame, expression)
         kind = cell.type if cell is not None else None
     if kind is None or "*" in kind.marks or not is_by_value(kind.bare()):
         return None
     return kind.bare()
 
 
-def taken(run: Walk, frame: Frame, kind: Type, expression: Expression, value: Value) -> Value:
+def taken(walk: Walk, frame: Frame, kind: Type, expression: Expression, value: Value) -> Value:
     """The value of *expression* as a new variable of the resolved type *kind* takes it: copied if it is another's."""
     if frame.source.program.language == "python" or "*" in kind.marks or "&" in kind.marks:
         return value
-    if isinstance(expression, syntax.Call) and run.references is None:
+    if isinstance(expression, syntax.Call) and walk.references is None:
         if syntax.name_of(expression.callee) not in (*assignments.ACCESSORS, *qos_profiles.CHAINED):
             return value
     if isinstance(expression, (syntax.New, syntax.Lambda, syntax.Address, syntax.This)):
         return value
-    known = kind if kind.name not in ("auto", "") else static_copy(run, frame, expression)
+    known = kind if kind.name not in ("auto", "") else static_copy(walk, frame, expression)
     if known is None and isinstance(value, Sequence) and isinstance(expression, (syntax.Name, syntax.Member)):
         known = value.type or syntax.Type("std::vector")
-    return copied(run, value, known)
+    return copied(walk, value, known)
 
 
-def returned(run: Walk, inner: Frame, function: Function, returns: Type, value: Value) -> Value:
+def returned(walk: Walk, inner: Frame, function: Function, returns: Type, value: Value) -> Value:
     """What a call gives: a copy, or the value of the cells that are referred to, which the run keeps."""
-    run.references = None
+    walk.references = None
     if inner.source.program.language == "python" or not isinstance(returns.marks, str):
         return value
     if "&" in returns.marks:
-        written, local = _returning(run, function)
-        cells = [_referred(run, inner, expression, local) for expression in written]
-        run.references = tuple(cell for cell in cells if cell is not None) if all(cells) else ()
+        written, local = _returning(walk, function)
+        cells = [_referred(walk, inner, expression, local) for expression in written]
+        walk.references = tuple(cell for cell in cells if cell is not None) if all(cells) else ()
         return value
     if not isinstance(value, (Object, Sequence, Mapped, Choice)) or function.returns.name in function.templates:
         return value
-    written, local = _returning(run, function)
+    written, local = _returning(walk, function)
     if all(
         isinstance(e, (syntax.Call, syntax.New, syntax.ListLiteral)) or (isinstance(e, syntax.Name) and e.name in local)
         for e in written
     ):
         return value
-    return copied(run, value, returns)
+    return copied(walk, value, returns)
 
 
-def _returning(run: Walk, function: Function) -> tuple[list[Expression], set[str]]:
+def _returning(walk: Walk, function: Function) -> tuple[list[Expression], set[str]]:
     key = ("written", id(function))
-    if key not in run.found:
-        run.found[key] = (_written(function), function)
-    found: tuple[list[Expression], set[str]] = run.found[key][0]
+    if key not in walk.found:
+        walk.found[key] = (_written(function), function)
+    found: tuple[list[Expression], set[str]] = walk.found[key][0]
     return found
 
 
@@ -267,7 +267,7 @@ def _written(function: Function) -> tuple[list[Expression], set[str]]:
     return found, local
 
 
-def _referred(run: Walk, frame: Frame, expression: Expression, local: set[str]) -> Cell | None:
+def _referred(walk: Walk, frame: Frame, expression: Expression, local: set[str]) -> Cell | None:
     """The cell of a returned reference, after the function's end; None if it may be that of a local variable."""
     inner = expression
     while isinstance(inner, (syntax.Member, syntax.Subscript, syntax.Dereference, syntax.Cast)):
@@ -279,40 +279,40 @@ def _referred(run: Walk, frame: Frame, expression: Expression, local: set[str]) 
             return None
         inner = inner.object if isinstance(inner, (syntax.Member, syntax.Subscript)) else inner.value
     if isinstance(inner, syntax.This) or (isinstance(inner, syntax.Name) and inner.name not in local):
-        return expressions.cell_of(run, frame, expression)
+        return expressions.cell_of(walk, frame, expression)
     return None
 
 
 def passed(
-    run: Walk, inner: Frame, value: Value, kind: Type, argument: call_arguments.PassedArgument, is_open: bool
+    walk: Walk, inner: Frame, value: Value, kind: Type, argument: call_arguments.PassedArgument, is_open: bool
 ) -> Value:
     """An argument as a parameter of type *kind* takes it; if that is open, the argument's own type counts."""
     if inner.source.program.language == "python":
         return value
     if is_open:
-        return copied(run, value, argument.cell.type if argument.cell is not None and not kind.marks else None)
-    return copied(run, value, kind)
+        return copied(walk, value, argument.cell.type if argument.cell is not None and not kind.marks else None)
+    return copied(walk, value, kind)
 
 
-def by_value(run: Walk, frame: Frame, names: tuple[str, ...]) -> dict[str, Cell]:
+def by_value(walk: Walk, frame: Frame, names: tuple[str, ...]) -> dict[str, Cell]:
     """What a lambda captures by value, as it is where it is made; of all (``=``) texts, numbers, lists and maps."""
     found = {name: cell for scope in frame.scopes for name, cell in scope.items()} if "=" in names else {}
     found.update((name, cell) for name in names if (cell := frame.find(name)) is not None)
     return {
-        name: Cell(copied(run, cell.value, cell.type), cell.type)
+        name: Cell(copied(walk, cell.value, cell.type), cell.type)
         for name, cell in found.items()
         if f"&{name}" not in names
         and (isinstance(cell.value, CAPTURED) or (isinstance(cell.value, Object) and name in names))
-        and cell not in run.lasting
-        and all(cell is not static for static in run.statics.values())
+        and cell not in walk.lasting
+        and all(cell is not static for static in walk.statics.values())
     }
 
 
-def captures(run: Walk, frame: Frame, index: int) -> tuple[Function, tuple[syntax.Variable, ...]]:
+def captures(walk: Walk, frame: Frame, index: int) -> tuple[Function, tuple[syntax.Variable, ...]]:
     """A lambda without, and apart, the variables that its captures declare: they stand before its body's brace."""
     written = frame.source.program.functions[index]
     key = ("lambda", frame.source.path, index)
-    found: tuple[Function, Function, tuple[syntax.Variable, ...]] | None = run.found.get(key)
+    found: tuple[Function, Function, tuple[syntax.Variable, ...]] | None = walk.found.get(key)
     if found is None or found[0] is not written:
         body = written.body or ()
         captured: list[syntax.Variable] = []
@@ -322,5 +322,5 @@ def captures(run: Walk, frame: Frame, index: int) -> tuple[Function, tuple[synta
                 break
             captured.append(statement)
         function = syntax.replace(written, body=body[len(captured) :]) if captured else written
-        found = run.found[key] = (written, function, tuple(captured))
+        found = walk.found[key] = (written, function, tuple(captured))
     return found[1], found[2]

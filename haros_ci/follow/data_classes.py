@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from haros_ci import syntax
 from haros_ci.follow import activation, call_arguments, expressions, methods
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.syntax import Class, Field
 from haros_ci.values.abstract import Cell, Object, Opaque, Value
@@ -24,54 +24,54 @@ FIELD = ("field", "ib", "attrib")
 OTHER = "the constructor of its class is not known"
 
 
-def construct(run: Walk, frame: Frame, this: Object, args: tuple[PassedArgument, ...]) -> None:
+def construct(walk: Walk, frame: Frame, this: Object, args: tuple[PassedArgument, ...]) -> None:
     """Set the fields of *this* to *args*, or as their ``field(…)`` says, and call ``__post_init__``."""
     source, definition = this.definition
-    fields = _fields(run, source, definition, 0)
+    fields = _fields(walk, source, definition, 0)
     if not fields:
         return
-    is_other = any(base not in PLAIN for base in methods.library_bases(run, source, definition))
-    if is_other or methods.method_of(run, this, "__new__") is not None:
+    is_other = any(base not in PLAIN for base in methods.library_bases(walk, source, definition))
+    if is_other or methods.method_of(walk, this, "__new__") is not None:
         fields = {name: fields[name] for argument in args if (name := argument.keyword) and name in fields}
         args = tuple(argument for argument in args if argument.keyword)
-    _set(run, this, fields, args)
-    after = methods.method_of(run, this, "__post_init__")
+    _set(walk, this, fields, args)
+    after = methods.method_of(walk, this, "__post_init__")
     if after is not None:
-        activation.invoke(run, frame, after, ())
+        activation.invoke(walk, frame, after, ())
 
 
-def _set(run: Walk, this: Object, fields: dict[str, tuple[Source, Field]], args: tuple[PassedArgument, ...]) -> None:
+def _set(walk: Walk, this: Object, fields: dict[str, tuple[Source, Field]], args: tuple[PassedArgument, ...]) -> None:
     named = {argument.keyword: argument.value for argument in args if argument.keyword}
     rest = [argument.value for argument in args if not argument.keyword]
-    is_told = not rest or all(field.type.name for _, field in fields.values())
+    is_known = not rest or all(field.type.name for _, field in fields.values())
     for name, (where, field) in fields.items():
-        # where it is not told, which of them are fields is not
-        value = _first_of(run, where, _options(where, field), named.get(name), rest) if is_told else Opaque(OTHER)
-        if is_told and not named.keys().isdisjoint(("*", "**")):
+        # where that is not known, which of them are fields is not
+        value = _first_of(walk, where, _options(where, field), named.get(name), rest) if is_known else Opaque(OTHER)
+        if is_known and not named.keys().isdisjoint(("*", "**")):
             value = named.get(name) or Opaque(call_arguments.UNPACKED)
         if value is not None:
             this.fields[name] = Cell(value)
 
 
 def _first_of(
-    run: Walk, where: Source, options: dict[str, syntax.Expression], named: Value | None, rest: list[Value]
+    walk: Walk, where: Source, options: dict[str, syntax.Expression], named: Value | None, rest: list[Value]
 ) -> Value | None:
     """What a field begins with: one of the *rest* of the arguments, that of its name, or what its declaration says."""
     if options.get("init") == syntax.Boolean(False):
-        return _default(run, where, options)
+        return _default(walk, where, options)
     if rest:
         return rest.pop(0)
-    return named or _default(run, where, options)
+    return named or _default(walk, where, options)
 
 
-def _fields(run: Walk, source: Source, definition: Class, depth: int) -> dict[str, tuple[Source, Field]]:
+def _fields(walk: Walk, source: Source, definition: Class, depth: int) -> dict[str, tuple[Source, Field]]:
     """The annotated fields of a class, those of its bases first."""
     found: dict[str, tuple[Source, Field]] = {}
     if depth < methods.BASES:
-        for base in reversed(run.bases(source, definition, {})):
-            owner = methods.python_class(run, base, source)
+        for base in reversed(walk.bases(source, definition, {})):
+            owner = methods.python_class(walk, base, source)
             if owner is not None and owner[1] is not definition:
-                found.update(_fields(run, *owner, depth + 1))
+                found.update(_fields(walk, *owner, depth + 1))
     for field in definition.fields:
         if not field.type.name.endswith("ClassVar"):
             found[field.name] = (source, field)
@@ -86,10 +86,10 @@ def _options(source: Source, field: Field) -> dict[str, syntax.Expression]:
     return {argument.name: argument.value for argument in value.arguments if isinstance(argument, syntax.Keyword)}
 
 
-def _default(run: Walk, source: Source, options: dict[str, syntax.Expression]) -> Value | None:
+def _default(walk: Walk, source: Source, options: dict[str, syntax.Expression]) -> Value | None:
     """What ``field(default=…)`` or ``field(default_factory=…)`` begins with; None for a field that is not declared so."""
     inner = Frame(source, "")
     if "default" in options:
-        return expressions.evaluate(run, inner, options["default"])
+        return expressions.evaluate(walk, inner, options["default"])
     factory = options.get("default_factory", options.get("factory"))
-    return expressions.evaluate(run, inner, syntax.Call(factory, (), (), 0, 0)) if factory is not None else None
+    return expressions.evaluate(walk, inner, syntax.Call(factory, (), (), 0, 0)) if factory is not None else None

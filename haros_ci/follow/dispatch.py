@@ -7,7 +7,7 @@ from typing import Any
 
 from haros_ci.follow import callbacks, methods
 from haros_ci.follow.libraries import python_modules
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import Callable, ClassValue, Mapped, Object, Value, join
 
@@ -29,25 +29,25 @@ def entry(table: Value, default: Value | None = None) -> Value | None:
     return result if cells else None
 
 
-def kept(run: Walk, table: Value, value: Value) -> None:
+def kept(walk: Walk, table: Value, value: Value) -> None:
     """*value* is kept in *table* under a key that is not known, which hides what stands there: it may all be called."""
     cells: Any = table.content.value if isinstance(table, Mapped) else None
     for callable_ in (*(cell.value for cell in cells.values()), value) if isinstance(cells, dict) else (value,):
         if isinstance(callable_, Callable):
-            callbacks.register(run, callable_)
-        elif isinstance(callable_, ClassValue) and run.relevance.named(callable_.definition.name):
+            callbacks.register(walk, callable_)
+        elif isinstance(callable_, ClassValue) and walk.relevance.named(callable_.definition.name):
             message = (
                 f"class {callable_.definition.name} is kept under a key that is not known: who makes it is not seen"
             )
-            run.gaps.setdefault(message, Location(callable_.source.path, callable_.definition.line))
+            walk.gaps.setdefault(message, Location(callable_.source.path, callable_.definition.line))
 
 
-def subclasses(run: Walk, base: ClassValue) -> list[ClassValue]:
+def subclasses(walk: Walk, base: ClassValue) -> list[ClassValue]:
     """``Base.__subclasses__()``: the classes of what is imported that name *base* as their base, by file and line."""
-    files = python_modules.imported(run, [base.source, *(frame.source for frame in run.modules.values())])
+    files = python_modules.imported(walk, [base.source, *(frame.source for frame in walk.modules.values())])
     found = [
         (source, definition)
-        for classes in run.index.classes.values()
+        for classes in walk.index.classes.values()
         for source, definition in classes
         if source.path in files and source.separator == "."
     ]
@@ -56,6 +56,6 @@ def subclasses(run: Walk, base: ClassValue) -> list[ClassValue]:
         for source, definition in sorted(found, key=lambda item: (item[0].path, item[1].line))
         if any(
             owner is not None and owner[1] is base.definition
-            for owner in (methods.python_class(run, type_, source) for type_ in definition.bases)
+            for owner in (methods.python_class(walk, type_, source) for type_ in definition.bases)
         )
     ]

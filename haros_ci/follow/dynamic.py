@@ -6,7 +6,7 @@ from __future__ import annotations
 from haros_ci import syntax
 from haros_ci.follow import call_arguments, copies, lookup, methods
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Function, Statement
@@ -21,42 +21,44 @@ IMPORTED = "it is imported by a name that is not known"
 INTERFACES = ("msg", "srv", "action")
 
 
-def virtual(run: Walk, owner: tuple[Source, Class], name: str, location: Location) -> None:
+def virtual(walk: Walk, owner: tuple[Source, Class], name: str, location: Location) -> None:
     """A method of some object of class *owner*: what a class derived from it would make, is not known to be made."""
     if owner[0].separator != "::":
         return
-    key = ("overrider", owner[1].name, owner[0].path, name, run.relevance.made)
-    if key not in run.found:
-        run.found[key] = _overrider(run, owner, name)
-    if run.found[key] is not None:
-        message = f"{owner[1].name}::{name} is called on an object whose class is not known; it may be {run.found[key]}"
-        run.gaps.setdefault(message, location)
+    key = ("overrider", owner[1].name, owner[0].path, name, walk.relevance.made)
+    if key not in walk.found:
+        walk.found[key] = _overrider(walk, owner, name)
+    if walk.found[key] is not None:
+        message = (
+            f"{owner[1].name}::{name} is called on an object whose class is not known; it may be {walk.found[key]}"
+        )
+        walk.gaps.setdefault(message, location)
 
 
-def _overrider(run: Walk, owner: tuple[Source, Class], name: str) -> str | None:
+def _overrider(walk: Walk, owner: tuple[Source, Class], name: str) -> str | None:
     """The first class, by name, that defines virtual method *name* of *owner* anew so that it may make something."""
-    declared = methods.class_method(run, *owner, name)
-    if declared is None or not _is_virtual(run, declared[1].name):
+    declared = methods.class_method(walk, *owner, name)
+    if declared is None or not _is_virtual(walk, declared[1].name):
         return None
-    for other in sorted(run.index.classes):
-        found = [item for item in run.index.functions.get(f"{other}::{name}", ()) if item[1].body is not None]
-        if other == owner[1].name or not any(_adds(run, where, function, name) for where, function in found):
+    for other in sorted(walk.index.classes):
+        found = [item for item in walk.index.functions.get(f"{other}::{name}", ()) if item[1].body is not None]
+        if other == owner[1].name or not any(_adds(walk, where, function, name) for where, function in found):
             continue
-        for where, definition in run.index.classes[other]:
-            if run.index.sees(owner[0], where, run.files) and copies.derives(run, (where, definition), owner[1]):
+        for where, definition in walk.index.classes[other]:
+            if walk.index.sees(owner[0], where, walk.files) and copies.derives(walk, (where, definition), owner[1]):
                 return other
     return None
 
 
-def _adds(run: Walk, source: Source, function: Function, name: str) -> bool:
+def _adds(walk: Walk, source: Source, function: Function, name: str) -> bool:
     """Whether a method may make something but for what it has its base class do."""
-    if not run.relevance.makes(function, source):
+    if not walk.relevance.makes(function, source):
         return False
     rest = tuple(statement for statement in function.body or () if not _is_of_base(statement, name))
     key = ("rest", id(function))
-    if key not in run.found:
-        run.found[key] = (function, rest)
-    return run.relevance.matters(run.found[key][1], source, function)
+    if key not in walk.found:
+        walk.found[key] = (function, rest)
+    return walk.relevance.matters(walk.found[key][1], source, function)
 
 
 def _is_of_base(statement: Statement, name: str) -> bool:
@@ -70,40 +72,40 @@ def _is_of_base(statement: Statement, name: str) -> bool:
     return bool(statement.value.callee.name.endswith(f"::{name}"))
 
 
-def _is_virtual(run: Walk, name: str) -> bool:
-    return any(function.is_virtual for _, function in run.index.functions.get(name, ()))
+def _is_virtual(walk: Walk, name: str) -> bool:
+    return any(function.is_virtual for _, function in walk.index.functions.get(name, ()))
 
 
-def function(run: Walk, called: Opaque, name: str, location: Location) -> None:
+def function(walk: Walk, called: Opaque, name: str, location: Location) -> None:
     """A function object or pointer that is not known is called: what it makes is not known."""
     if called.reason == IMPORTED:
-        run.gaps.setdefault(f"{name or 'a function'} is called: {IMPORTED}", location)
+        walk.gaps.setdefault(f"{name or 'a function'} is called: {IMPORTED}", location)
     if called.type is not None and called.type.name in FUNCTIONS and "not set" not in called.reason:
-        run.gaps.setdefault(f"{name or 'a function'} is called, which is not known: {called.reason}", location)
+        walk.gaps.setdefault(f"{name or 'a function'} is called, which is not known: {called.reason}", location)
 
 
-def plugin(run: Walk, called: str | None, reason: str, location: Location) -> None:
+def plugin(walk: Walk, called: str | None, reason: str, location: Location) -> None:
     """A plug-in is loaded that is not known, or not in the workspace: what it makes is not known."""
     if called == "":
         return  # pluginlib throws
     what = f"the plug-in {called[:200]}" if called is not None else "a plug-in"
-    run.gaps.setdefault(f"{what} is loaded: {reason}", location)
+    walk.gaps.setdefault(f"{what} is loaded: {reason}", location)
 
 
-def module(run: Walk, frame: Frame, name: str, args: tuple[call_arguments.PassedArgument, ...]) -> Value | None:
+def module(walk: Walk, frame: Frame, name: str, args: tuple[call_arguments.PassedArgument, ...]) -> Value | None:
     """The Python module that one of ``IMPORTS`` gives: ``__import__`` alone gives the package that it is in."""
     expected = args[0].value if args else None
     if isinstance(expected, Known) and issubclass(expected.kind, str) and not expected.value.startswith("."):
         is_top = name == "__import__" and len(args) == 1
-        return lookup.imported(run, frame, expected.value.partition(".")[0] if is_top else expected.value)
+        return lookup.imported(walk, frame, expected.value.partition(".")[0] if is_top else expected.value)
     tail = expected.parts[-1] if isinstance(expected, Text) else None
     if isinstance(tail, str) and tail.endswith(tuple(f".{kind}" for kind in INTERFACES)):
         return None
-    return run.opaque(IMPORTED, frame) if args else None
+    return walk.opaque(IMPORTED, frame) if args else None
 
 
-def of_module(run: Walk, value: Opaque, name: Value, frame: Frame) -> Value:
+def of_module(walk: Walk, value: Opaque, name: Value, frame: Frame) -> Value:
     """``getattr`` of a module that is not known."""
     if isinstance(name, Known) and name.value in INTERFACES:
-        return run.opaque("the type of a message that is not known", frame)
+        return walk.opaque("the type of a message that is not known", frame)
     return value

@@ -24,7 +24,7 @@ from haros_ci.follow import (
 )
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import text_methods
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.types import is_smart_pointer, pointee
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
@@ -51,16 +51,16 @@ _Kind = TypeVar("_Kind", bound=Expression)
 _Evaluate = Function_[[Walk, Frame, Expression], Value]
 
 
-def evaluate(run: Walk, frame: Frame, expression: Expression) -> Value:
+def evaluate(walk: Walk, frame: Frame, expression: Expression) -> Value:
     """The value of *expression*; never raises, whatever it is."""
-    return EVALUATORS[type(expression)](run, frame, expression)
+    return EVALUATORS[type(expression)](walk, frame, expression)
 
 
 #: The last word of the names that libraries give their pointers: ``ModelPtr``, ``model_ptr``, not ``Xref``.
 _POINTER = re.compile(r"(?:Ptr|PTR|Pointer|Ref|(?:^|[_:])(?:ptr|pointer|ref))\Z")
 
 
-def holds(run: Walk, frame: Frame, expression: Expression, value: Value) -> bool | None:
+def holds(walk: Walk, frame: Frame, expression: Expression, value: Value) -> bool | None:
     """Whether *expression*, which has come to *value*, is true; None if that is not known.
 
     A library's object that is no pointer has its own say: what its ``operator bool`` tells is not known. A pointer under a name of
@@ -70,96 +70,98 @@ def holds(run: Walk, frame: Frame, expression: Expression, value: Value) -> bool
     if not result or not isinstance(value, Object) or value.definition is not None or frame.source.separator != "::":
         return result
     if not _POINTER.search(value.name):
-        cell = cell_of(run, frame, expression) if isinstance(expression, (syntax.Name, syntax.Member)) else None
+        cell = cell_of(walk, frame, expression) if isinstance(expression, (syntax.Name, syntax.Member)) else None
         kind = cell.type if cell is not None else None
         if kind is not None and kind.name == value.name and "*" not in kind.marks:
             return None
     return result
 
 
-def cell_of(run: Walk, frame: Frame, expression: Expression) -> Cell | None:
+def cell_of(walk: Walk, frame: Frame, expression: Expression) -> Cell | None:
     """The cell that *expression* names (an lvalue); None if it names none."""
     if isinstance(expression, syntax.Name):
-        return lookup.named_cell(run, frame, expression.name)
+        return lookup.named_cell(walk, frame, expression.name)
     if isinstance(expression, syntax.Member):
-        return members.member(run, evaluate(run, frame, expression.object), expression.name, frame)
+        return members.member(walk, evaluate(walk, frame, expression.object), expression.name, frame)
     if isinstance(expression, (syntax.Subscript, syntax.Call)):
-        return assignments.accessed(run, frame, expression)
+        return assignments.accessed(walk, frame, expression)
     if isinstance(expression, syntax.Dereference):
-        value = evaluate(run, frame, expression.value)
+        value = evaluate(walk, frame, expression.value)
         if isinstance(value, Pointer):
             return value.cell
         if isinstance(value, Object) and "[of]" in value.fields:
             return iterators.pointed(value)
         if isinstance(value, Object) and value.definition is not None:
             return Cell(value, syntax.Type(value.name, value.arguments))
-        return None if isinstance(value, Choice) else cell_of(run, frame, expression.value)
+        return None if isinstance(value, Choice) else cell_of(walk, frame, expression.value)
     if isinstance(expression, (syntax.Address, syntax.Keyword, syntax.Cast)):
-        return cell_of(run, frame, expression.value)
+        return cell_of(walk, frame, expression.value)
     return None
 
 
-def _this(run: Walk, frame: Frame, expression: syntax.This) -> Value:
+def _this(walk: Walk, frame: Frame, expression: syntax.This) -> Value:
     around: Frame | None = frame
     while around is not None:
         if around.this is not None:
             return properties.this(around.function, around.this)
         around = around.outer
-    return run.opaque("the object is not known", frame)
+    return walk.opaque("the object is not known", frame)
 
 
-def _conditional(run: Walk, frame: Frame, expression: syntax.Conditional) -> Value:
-    decided = holds(run, frame, expression.test, evaluate(run, frame, expression.test))
-    ways = [lambda side=side: evaluate(run, frame, side) for side in (expression.then, expression.other)]
+def _conditional(walk: Walk, frame: Frame, expression: syntax.Conditional) -> Value:
+    decided = holds(walk, frame, expression.test, evaluate(walk, frame, expression.test))
+    ways = [lambda side=side: evaluate(walk, frame, side) for side in (expression.then, expression.other)]
     if decided is None:
-        return run.either_way(ways, "it stands in one side of a conditional expression")
-    mark = run.state.mark()
-    with run.doubted("the other side of a conditional expression is taken as things are"):
+        return walk.either_way(ways, "it stands in one side of a conditional expression")
+    mark = walk.state.mark()
+    with walk.doubted("the other side of a conditional expression is taken as things are"):
         ways[1 if decided else 0]()
-    run.state.undo(mark)
+    walk.state.undo(mark)
     return ways[0 if decided else 1]()
 
 
-def _list(run: Walk, frame: Frame, expression: syntax.ListLiteral) -> Value:
+def _list(walk: Walk, frame: Frame, expression: syntax.ListLiteral) -> Value:
     items: list[Cell] = []
     for item in expression.items:
         if isinstance(item, syntax.Star):
-            more = static_types.elements(run, frame, item.value)
+            more = static_types.elements(walk, frame, item.value)
             if more is None or len(items) + len(more) > LIST_LIMIT:
-                return Sequence(Cell(run.opaque("a list with unpacked elements", frame)))
+                return Sequence(Cell(walk.opaque("a list with unpacked elements", frame)))
             items += [Cell(cell.value) if isinstance(cell, Cell) else Cell(cell) for cell in more]
             continue
-        items.append(Cell(evaluate(run, frame, item)))
+        items.append(Cell(evaluate(walk, frame, item)))
     return Sequence(Cell(tuple(items)))
 
 
-def _dict(run: Walk, frame: Frame, expression: syntax.DictLiteral) -> Value:
+def _dict(walk: Walk, frame: Frame, expression: syntax.DictLiteral) -> Value:
     pairs: dict[Any, Cell] = {}
     for key, item in expression.pairs:
         if key and isinstance(key, syntax.DoubleStar):
-            more = evaluate(run, frame, key.value)
+            more = evaluate(walk, frame, key.value)
             cells = more.content.value if isinstance(more, Mapped) else None
             if not isinstance(cells, dict):
-                return Mapped(Cell(run.opaque("a dictionary with unpacked entries", frame)))
+                return Mapped(Cell(walk.opaque("a dictionary with unpacked entries", frame)))
             pairs.update({name: Cell(cell.value) for name, cell in cells.items()})
             continue
-        found = evaluate(run, frame, key) if key else NONE
+        found = evaluate(walk, frame, key) if key else NONE
         if not isinstance(found, Known) or issubclass(found.kind, (list, dict)):
-            return Mapped(Cell(run.opaque("a dictionary with computed keys", frame)))
-        pairs[found.value] = Cell(evaluate(run, frame, item))
+            return Mapped(Cell(walk.opaque("a dictionary with computed keys", frame)))
+        pairs[found.value] = Cell(evaluate(walk, frame, item))
     return Mapped(Cell(pairs))
 
 
-def _lambda(run: Walk, frame: Frame, expression: syntax.Lambda) -> Value:
-    function, captured = copies.captures(run, frame, expression.function)
+def _lambda(walk: Walk, frame: Frame, expression: syntax.Lambda) -> Value:
+    function, captured = copies.captures(walk, frame, expression.function)
     around = kept(frame)
     for variable in captured:
         place = Location(frame.source.path, variable.line, variable.column)
-        held = construct.initial(run, frame, syntax.AUTO, variable.init, place)
-        kind = copies.static_copy(run, frame, variable.init.value) if isinstance(variable.init, syntax.Equals) else None
+        held = construct.initial(walk, frame, syntax.AUTO, variable.init, place)
+        kind = (
+            copies.static_copy(walk, frame, variable.init.value) if isinstance(variable.init, syntax.Equals) else None
+        )
         around.scopes = [*around.scopes, {variable.name: Cell(held, kind)}]
     if function.captures:
-        around.scopes = [*around.scopes, copies.by_value(run, frame, function.captures)]
+        around.scopes = [*around.scopes, copies.by_value(walk, frame, function.captures)]
     return Callable(frame.source, function, here(frame), frame=around)
 
 
@@ -174,15 +176,15 @@ def here(frame: Frame) -> Object | None:
     return frame.this if frame.this is not None or frame.outer is None else here(frame.outer)
 
 
-def _address(run: Walk, frame: Frame, expression: syntax.Address) -> Value:
-    cell = cell_of(run, frame, expression.value)
+def _address(walk: Walk, frame: Frame, expression: syntax.Address) -> Value:
+    cell = cell_of(walk, frame, expression.value)
     if cell is None or isinstance(cell.value, (Object, Callable)):
-        return evaluate(run, frame, expression.value)
+        return evaluate(walk, frame, expression.value)
     return Pointer(cell)
 
 
-def _dereference(run: Walk, frame: Frame, expression: syntax.Dereference) -> Value:
-    value = evaluate(run, frame, expression.value)
+def _dereference(walk: Walk, frame: Frame, expression: syntax.Dereference) -> Value:
+    value = evaluate(walk, frame, expression.value)
     if isinstance(value, Pointer):
         return value.cell.value
     if isinstance(value, Object) and value.name == iterators.ITERATOR:
@@ -190,7 +192,7 @@ def _dereference(run: Walk, frame: Frame, expression: syntax.Dereference) -> Val
         if cell is not None:
             return cell.value
         if not isinstance(value.fields["[of]"].value, Pointer):  # of a text
-            return run.opaque("an element that is not known", frame, None, iterators.kind(value))
+            return walk.opaque("an element that is not known", frame, None, iterators.kind(value))
     if isinstance(value, Opaque) and value.type is not None and is_smart_pointer(value.type):
         return Opaque(value.reason, value.location, pointee(value.type))
     end = (
@@ -199,31 +201,31 @@ def _dereference(run: Walk, frame: Frame, expression: syntax.Dereference) -> Val
     return value if end is None else end
 
 
-def _cast(run: Walk, frame: Frame, expression: syntax.Cast) -> Value:
-    value = evaluate(run, frame, expression.value)
-    kind = run.type_in(expression.type, frame)
+def _cast(walk: Walk, frame: Frame, expression: syntax.Cast) -> Value:
+    value = evaluate(walk, frame, expression.value)
+    kind = walk.type_in(expression.type, frame)
     if isinstance(value, Object) and value.definition is not None and "*" in kind.marks:
-        owner = run.class_of(kind.name, frame.source)
+        owner = walk.class_of(kind.name, frame.source)
         own = value.definition[1]
-        if owner is not None and owner[1] is not own and copies.derives(run, owner, own):
-            return run.opaque("whether it is cast to its own class", frame, None, kind.bare())
+        if owner is not None and owner[1] is not own and copies.derives(walk, owner, own):
+            return walk.opaque("whether it is cast to its own class", frame, None, kind.bare())
     return conversions.converted(value, kind)
 
 
-def _format(run: Walk, frame: Frame, expression: syntax.Format) -> Value:
+def _format(walk: Walk, frame: Frame, expression: syntax.Format) -> Value:
     show = printed if frame.source.program.language == "python" else None
-    return concatenate(tuple(evaluate(run, frame, part) for part in expression.parts), show)
+    return concatenate(tuple(evaluate(walk, frame, part) for part in expression.parts), show)
 
 
-def _unknown(run: Walk, frame: Frame, expression: syntax.Unknown) -> Value:
+def _unknown(walk: Walk, frame: Frame, expression: syntax.Unknown) -> Value:
     text = expression.text
     if text.startswith("del ") and frame.source.program.language == "python":
-        uncertain.deleted(run, frame, text)
-    return run.opaque(f"it is computed: {text}", frame)
+        uncertain.deleted(walk, frame, text)
+    return walk.opaque(f"it is computed: {text}", frame)
 
 
-def _unpacked(run: Walk, frame: Frame, expression: syntax.Star | syntax.DoubleStar) -> Value:
-    return run.opaque(f"it is computed: {'star' if isinstance(expression, syntax.Star) else 'starstar'}", frame)
+def _unpacked(walk: Walk, frame: Frame, expression: syntax.Star | syntax.DoubleStar) -> Value:
+    return walk.opaque(f"it is computed: {'star' if isinstance(expression, syntax.Star) else 'starstar'}", frame)
 
 
 def _on(kind: type[_Kind], value: Function_[[Walk, Frame, _Kind], Value]) -> tuple[type[Expression], _Evaluate]:
@@ -233,18 +235,18 @@ def _on(kind: type[_Kind], value: Function_[[Walk, Frame, _Kind], Value]) -> tup
 
 EVALUATORS: dict[type[Expression], _Evaluate] = dict(
     (
-        _on(syntax.String, lambda run, frame, e: Known(e.value)),
-        _on(syntax.Number, lambda run, frame, e: Known(e.value)),
-        _on(syntax.Boolean, lambda run, frame, e: Known(e.value)),
-        _on(syntax.Null, lambda run, frame, e: NONE),
-        _on(syntax.Name, lambda run, frame, e: lookup.name(run, frame, e)),
+        _on(syntax.String, lambda walk, frame, e: Known(e.value)),
+        _on(syntax.Number, lambda walk, frame, e: Known(e.value)),
+        _on(syntax.Boolean, lambda walk, frame, e: Known(e.value)),
+        _on(syntax.Null, lambda walk, frame, e: NONE),
+        _on(syntax.Name, lambda walk, frame, e: lookup.name(walk, frame, e)),
         _on(syntax.This, _this),
-        _on(syntax.Member, lambda run, frame, e: members.field(run, frame, e)),
-        _on(syntax.Subscript, lambda run, frame, e: assignments.indexed(run, frame, e)),
-        _on(syntax.Call, lambda run, frame, e: calls.call(run, frame, e)),
-        _on(syntax.New, lambda run, frame, e: calls.new(run, frame, e)),
-        _on(syntax.Operation, lambda run, frame, e: operators.operation(run, frame, e)),
-        _on(syntax.Assignment, lambda run, frame, e: assignments.assignment(run, frame, e)),
+        _on(syntax.Member, lambda walk, frame, e: members.field(walk, frame, e)),
+        _on(syntax.Subscript, lambda walk, frame, e: assignments.indexed(walk, frame, e)),
+        _on(syntax.Call, lambda walk, frame, e: calls.call(walk, frame, e)),
+        _on(syntax.New, lambda walk, frame, e: calls.new(walk, frame, e)),
+        _on(syntax.Operation, lambda walk, frame, e: operators.operation(walk, frame, e)),
+        _on(syntax.Assignment, lambda walk, frame, e: assignments.assignment(walk, frame, e)),
         _on(syntax.Conditional, _conditional),
         _on(syntax.Lambda, _lambda),
         _on(syntax.ListLiteral, _list),
@@ -253,8 +255,8 @@ EVALUATORS: dict[type[Expression], _Evaluate] = dict(
         _on(syntax.Address, _address),
         _on(syntax.Dereference, _dereference),
         _on(syntax.Cast, _cast),
-        _on(syntax.TypeName, lambda run, frame, e: Library(run.type_in(e.type, frame).name)),
-        _on(syntax.Keyword, lambda run, frame, e: evaluate(run, frame, e.value)),
+        _on(syntax.TypeName, lambda walk, frame, e: Library(walk.type_in(e.type, frame).name)),
+        _on(syntax.Keyword, lambda walk, frame, e: evaluate(walk, frame, e.value)),
         _on(syntax.Star, _unpacked),
         _on(syntax.DoubleStar, _unpacked),
         _on(syntax.Unknown, _unknown),

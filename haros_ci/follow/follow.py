@@ -14,7 +14,7 @@ from haros_ci.follow import activation, alternatives, call_arguments, construct,
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.made import Root, forget_again, forget_unowned
 from haros_ci.follow.ros import ros2_nodes
-from haros_ci.follow.run import ROOTS, OutOfSteps, Walk
+from haros_ci.follow.walk import ROOTS, OutOfSteps, Walk
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Function
@@ -64,36 +64,36 @@ class Entry:
         return self.source.path, function, self.definition.name if self.definition is not None else ""
 
 
-def follow(run: Walk, entry: Entry) -> bool:
+def follow(walk: Walk, entry: Entry) -> bool:
     """Follow the node; what it makes is in ``run.made``. False if it is larger than the budget."""
     frame = Frame(entry.source, "")
     try:
-        _start(run, frame, entry)
-        _call_back(run, frame)
+        _start(walk, frame, entry)
+        _call_back(walk, frame)
     except OutOfSteps:
         return False
     finally:
-        forget_unowned(run)
+        forget_unowned(walk)
     return True
 
 
-def _start(run: Walk, frame: Frame, entry: Entry) -> None:
+def _start(walk: Walk, frame: Frame, entry: Entry) -> None:
     if entry.begin is not None:
-        entry.begin(run, frame)
+        entry.begin(walk, frame)
     elif entry.definition is not None:
         owner = (entry.source, entry.definition)
-        args: tuple[call_arguments.PassedArgument, ...] = _component_arguments(run, entry)
-        construct.instance(run, frame, owner, (), args, Location(entry.source.path, entry.definition.line))
+        args: tuple[call_arguments.PassedArgument, ...] = _component_arguments(walk, entry)
+        construct.instance(walk, frame, owner, (), args, Location(entry.source.path, entry.definition.line))
         first: list[Root] = []
-        if run.context.process is None:  # what a nodelet's manager calls, before anything is called back
-            first, run.roots[:] = list(run.roots), []
+        if walk.context.process is None:  # what a nodelet's manager calls, before anything is called back
+            first, walk.roots[:] = list(walk.roots), []
         for root in first:
-            activation.invoke(run, frame, root.function, _arguments(run, root, frame))
+            activation.invoke(walk, frame, root.function, _arguments(walk, root, frame))
     elif entry.function is not None and entry.source.separator == ".":
-        lookup.module_frame(run, entry.source)
-        activation.invoke(run, frame, Callable(entry.source, entry.function), ())
+        lookup.module_frame(walk, entry.source)
+        activation.invoke(walk, frame, Callable(entry.source, entry.function), ())
     elif entry.function is not None:
-        words = run.context.arguments
+        words = walk.context.arguments
         args = ()
         if entry.function.parameters:
             argv = Opaque("the command line") if words is None else None
@@ -103,42 +103,42 @@ def _start(run: Walk, frame: Frame, entry: Entry) -> None:
                 call_arguments.PassedArgument(argv or Known(len(cells))),
                 call_arguments.PassedArgument(argv or Sequence(Cell(cells))),
             )
-        activation.invoke(run, frame, Callable(entry.source, entry.function), args)
+        activation.invoke(walk, frame, Callable(entry.source, entry.function), args)
     else:
-        lookup.module_frame(run, entry.source)
+        lookup.module_frame(walk, entry.source)
 
 
-def _component_arguments(run: Walk, entry: Entry) -> tuple[call_arguments.PassedArgument, ...]:
+def _component_arguments(walk: Walk, entry: Entry) -> tuple[call_arguments.PassedArgument, ...]:
     """What a component is constructed with: the options of its node (rclcpp_components/node_factory.hpp)."""
-    if run.context.process is None or entry.is_hosted or entry.source.separator == ".":
+    if walk.context.process is None or entry.is_hosted or entry.source.separator == ".":
         return ()
-    return (call_arguments.PassedArgument(ros2_nodes.options_for(run), type=syntax.Type("rclcpp::NodeOptions")),)
+    return (call_arguments.PassedArgument(ros2_nodes.options_for(walk), type=syntax.Type("rclcpp::NodeOptions")),)
 
 
-def _call_back(run: Walk, frame: Frame) -> None:
+def _call_back(walk: Walk, frame: Frame) -> None:
     """Follow the callbacks: each from the state after initialisation, joined with what the others leave behind."""
-    _set_up(run, frame)  # which is part of the beginning
-    run.is_called_back = True
+    _set_up(walk, frame)  # which is part of the beginning
+    walk.is_called_back = True
     done = 0
     effects: list[Writes] = []
-    while done < min(len(run.roots), ROOTS):
-        batch = run.roots[done:ROOTS]
-        _rehearse_all(run, frame)
-        effects = list(run.effects)
-        if run.rehearsed < CHEAP:  # what one leaves behind may change what another does
+    while done < min(len(walk.roots), ROOTS):
+        batch = walk.roots[done:ROOTS]
+        _rehearse_all(walk, frame)
+        effects = list(walk.effects)
+        if walk.rehearsed < CHEAP:  # what one leaves behind may change what another does
             for number, root in enumerate(batch, start=done):
-                effects[number] = _counted(effects[number], _rehearsed(run, frame, root, run.effects, number))
+                effects[number] = _counted(effects[number], _rehearsed(walk, frame, root, walk.effects, number))
         together = _disturbed(_together(effects))  # each of the batch begins with what holds now
-        for number, root in sorted(enumerate(batch, start=done), key=lambda item: _rank(run, item[1])):
-            if root.is_setup or not inert.may_make(run, root.function, ()):
+        for number, root in sorted(enumerate(batch, start=done), key=lambda item: _rank(walk, item[1])):
+            if root.is_setup or not inert.may_make(walk, root.function, ()):
                 continue
-            mark, known, made = run.state.mark(), len(run.roots), len(run.made)
-            _disturb_all(run, effects, number, together)
-            run.called.add(number)
-            _invoke(run, frame, run.roots[number])
-            _hand_on(run, known, run.state.undo(mark))
+            mark, known, made = walk.state.mark(), len(walk.roots), len(walk.made)
+            _disturb_all(walk, effects, number, together)
+            walk.called.add(number)
+            _invoke(walk, frame, walk.roots[number])
+            _hand_on(walk, known, walk.state.undo(mark))
             if root.is_update:
-                forget_again(run, made)
+                forget_again(walk, made)
         done += len(batch)
 
 
@@ -174,85 +174,85 @@ def _is_counted(value: Any) -> bool:
     return isinstance(value, Opaque) and value.reason == COUNTS
 
 
-def _rank(run: Walk, root: Root) -> tuple[bool, bool]:
+def _rank(walk: Walk, root: Root) -> tuple[bool, bool]:
     """Callbacks of plug-ins come first where a node is followed for these; those that change parameters come last."""
-    return root.is_update, bool(run.alternatives) and not alternatives.have(run, root.function.this)
+    return root.is_update, bool(walk.alternatives) and not alternatives.have(walk, root.function.this)
 
 
-def _set_up(run: Walk, frame: Frame) -> None:
+def _set_up(walk: Walk, frame: Frame) -> None:
     """Bring managed nodes up, and those that they make on the way: what that writes holds from then on."""
     done = 0
-    while done < min(len(run.roots), ROOTS):
-        root = run.roots[done]
+    while done < min(len(walk.roots), ROOTS):
+        root = walk.roots[done]
         if root.is_setup:
-            known = len(run.roots)
-            run.called.add(done)
-            _invoke(run, frame, root)
-            _hand_on(run, known, {})
+            known = len(walk.roots)
+            walk.called.add(done)
+            _invoke(walk, frame, root)
+            _hand_on(walk, known, {})
         done += 1
 
 
-def _rehearse_all(run: Walk, frame: Frame) -> None:
+def _rehearse_all(walk: Walk, frame: Frame) -> None:
     """What each callback writes by itself, however often it runs, for those that have not been asked yet."""
-    for number in range(len(run.effects), min(len(run.roots), ROOTS)):
+    for number in range(len(walk.effects), min(len(walk.roots), ROOTS)):
         begun = tick()
-        writes = _rehearsed(run, frame, run.roots[number], [], number)
-        if any(run.is_older(cell, begun) and _has_other_number(cell.value, value) for cell, value in writes.items()):
-            writes.update(_again(run, frame, run.roots[number], writes))
-        run.effects.append(writes)
+        writes = _rehearsed(walk, frame, walk.roots[number], [], number)
+        if any(walk.is_older(cell, begun) and _has_other_number(cell.value, value) for cell, value in writes.items()):
+            writes.update(_again(walk, frame, walk.roots[number], writes))
+        walk.effects.append(writes)
 
 
-def _again(run: Walk, frame: Frame, root: Root, writes: Writes) -> Writes:
+def _again(walk: Walk, frame: Frame, root: Root, writes: Writes) -> Writes:
     """The numbers that a callback changes once more after its *writes*; it takes nothing of what others may spend."""
-    rehearsed, spent = run.rehearsed, dict(run.spent)
-    found = _counted(writes, _rehearsed(run, frame, root, [writes], 0))
-    run.rehearsed, run.spent = rehearsed, spent
+    rehearsed, spent = walk.rehearsed, dict(walk.spent)
+    found = _counted(writes, _rehearsed(walk, frame, root, [writes], 0))
+    walk.rehearsed, walk.spent = rehearsed, spent
     return {cell: value for cell, value in found.items() if _is_counted(value)}
 
 
-def _rehearsed(run: Walk, frame: Frame, root: Root, others: list[Writes], number: int) -> Writes:
+def _rehearsed(walk: Walk, frame: Frame, root: Root, others: list[Writes], number: int) -> Writes:
     """What a callback writes, from a state that the *others* have disturbed."""
     if root.is_update or root.is_setup or root.is_tick:
         return {}
-    start = run.state.mark()
-    _disturb(run, others, number)
-    mark, known = run.state.mark(), len(run.roots)
-    before = run.steps
-    run.quiet += 1
+    start = walk.state.mark()
+    _disturb(walk, others, number)
+    mark, known = walk.state.mark(), len(walk.roots)
+    before = walk.steps
+    walk.quiet += 1
     try:
-        _invoke(run, frame, root)
+        _invoke(walk, frame, root)
     finally:
-        run.quiet -= 1
-        run.rehearsed += run.steps - before
-    writes = run.state.since(mark)
-    _hand_on(run, known, run.state.undo(start))
+        walk.quiet -= 1
+        walk.rehearsed += walk.steps - before
+    writes = walk.state.since(mark)
+    _hand_on(walk, known, walk.state.undo(start))
     return writes
 
 
-def _hand_on(run: Walk, known: int, writes: Writes) -> None:
+def _hand_on(walk: Walk, known: int, writes: Writes) -> None:
     """The callbacks that were registered after the first *known* ones begin with the *writes* of the one that did it."""
-    for number in range(known, len(run.roots)):
-        run.roots[number] = replace(run.roots[number], writes=writes)
+    for number in range(known, len(walk.roots)):
+        walk.roots[number] = replace(walk.roots[number], writes=writes)
 
 
-def interlude(run: Walk, frame: Frame) -> None:
+def interlude(walk: Walk, frame: Frame) -> None:
     """Callbacks are called here (``ros::spinOnce``): what they may write is joined with what holds."""
-    if run.is_interlude:
+    if walk.is_interlude:
         return
-    run.is_interlude = True
+    walk.is_interlude = True
     try:
-        _rehearse_all(run, frame)
+        _rehearse_all(walk, frame)
     finally:
-        run.is_interlude = False
-    _disturb(run, run.effects, -1)
+        walk.is_interlude = False
+    _disturb(walk, walk.effects, -1)
 
 
-def _disturb(run: Walk, effects: Sequence_[Writes], own: int) -> None:
+def _disturb(walk: Walk, effects: Sequence_[Writes], own: int) -> None:
     """Join what the callbacks leave behind with what holds; of its *own* a callback sees plain values only."""
-    _disturb_all(run, effects, own, _disturbed(_all_together(run) if effects is run.effects else _together(effects)))
+    _disturb_all(walk, effects, own, _disturbed(_all_together(walk) if effects is walk.effects else _together(effects)))
 
 
-def _disturb_all(run: Walk, effects: Sequence_[Writes], own: int, together: Mapping[Cell, Any]) -> None:
+def _disturb_all(walk: Walk, effects: Sequence_[Writes], own: int, together: Mapping[Cell, Any]) -> None:
     """The same where *together* is what holds after one or another of them, of the cells that this changes."""
     mine = effects[own] if 0 <= own < len(effects) else {}
     for cell, value in together.items():
@@ -261,9 +261,9 @@ def _disturb_all(run: Walk, effects: Sequence_[Writes], own: int, together: Mapp
                 if number != own and cell in writes:
                     after = _joined(cell.value, writes[cell])
                     if after is not cell.value:
-                        run.state.write(cell, after)
+                        walk.state.write(cell, after)
         else:
-            run.state.write(cell, value)
+            walk.state.write(cell, value)
 
 
 def _disturbed(together: Mapping[Cell, Any]) -> dict[Cell, Any]:
@@ -278,11 +278,11 @@ def _joined(held: Any, value: Any) -> Any:
     return joined(held, value)
 
 
-def _all_together(run: Walk) -> Mapping[Cell, Any]:
+def _all_together(walk: Walk) -> Mapping[Cell, Any]:
     """What each cell holds after one or another of the callbacks rehearsed so far; each is joined once."""
-    _together(run.effects[run.joined :], run.together)
-    run.joined = len(run.effects)
-    return run.together
+    _together(walk.effects[walk.joined :], walk.together)
+    walk.joined = len(walk.effects)
+    return walk.together
 
 
 def _together(effects: Iterable[Writes], found: dict[Cell, Any] | None = None) -> dict[Cell, Any]:
@@ -294,19 +294,19 @@ def _together(effects: Iterable[Writes], found: dict[Cell, Any] | None = None) -
     return found
 
 
-def _invoke(run: Walk, frame: Frame, root: Root) -> None:
-    before, dead = run.conditions[:], run.dead_root
-    run.conditions[:], run.dead_root, run.is_raised = root.conditions, root.dead, False
+def _invoke(walk: Walk, frame: Frame, root: Root) -> None:
+    before, dead = walk.conditions[:], walk.dead_root
+    walk.conditions[:], walk.dead_root, walk.is_raised = root.conditions, root.dead, False
     for cell, value in root.writes.items():
-        run.state.write(cell, value)
+        walk.state.write(cell, value)
     if root.is_tick:
-        run.idle.clear()  # what one node of a tree makes, others may have made
-    with run.doubted(root.doubt):
-        activation.invoke(run, frame, root.function, _arguments(run, root, frame))
-    run.conditions[:], run.dead_root = before, dead
+        walk.idle.clear()  # what one node of a tree makes, others may have made
+    with walk.doubted(root.doubt):
+        activation.invoke(walk, frame, root.function, _arguments(walk, root, frame))
+    walk.conditions[:], walk.dead_root = before, dead
 
 
-def _arguments(run: Walk, root: Root, frame: Frame) -> tuple[call_arguments.PassedArgument, ...]:
+def _arguments(walk: Walk, root: Root, frame: Frame) -> tuple[call_arguments.PassedArgument, ...]:
     """What a framework passes: a dynamic_reconfigure callback gets the configuration, all else is not known."""
     function = root.function.function
     found: list[call_arguments.PassedArgument] = []
@@ -317,12 +317,12 @@ def _arguments(run: Walk, root: Root, frame: Frame) -> tuple[call_arguments.Pass
             continue
         if parameter.default is not None or parameter.name.startswith("*"):
             break
-        kind = run.type_in(parameter.type, inner)
-        config: Object | None = run.config_objects.get(kind.name)
+        kind = walk.type_in(parameter.type, inner)
+        config: Object | None = walk.config_objects.get(kind.name)
         if config is not None:
             found.append(call_arguments.PassedArgument(config))
         else:
             found.append(
-                call_arguments.PassedArgument(run.opaque("what a callback is given", inner, function.line, kind))
+                call_arguments.PassedArgument(walk.opaque("what a callback is given", inner, function.line, kind))
             )
     return tuple(found)

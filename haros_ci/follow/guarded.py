@@ -6,28 +6,28 @@ from __future__ import annotations
 from haros_ci import syntax
 from haros_ci.follow import statements
 from haros_ci.follow.frames import NEXT, Frame
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.values.abstract import Cell
 from haros_ci.values.state import Writes, joined
 
 
-def preprocessor(run: Walk, frame: Frame, statement: syntax.Preprocessor) -> str:
+def preprocessor(walk: Walk, frame: Frame, statement: syntax.Preprocessor) -> str:
     """Follow each branch, and go on with their join; what they declare is there afterwards."""
     branches: list[tuple[str, Writes]] = []
     fresh: dict[str, Cell] = {}
     for branch in statement.branches:
-        mark = run.state.mark()
+        mark = walk.state.mark()
         declared: dict[str, Cell] = {}
-        with run.under("#if", branch.text, frame, branch.line, branch.column):
+        with walk.under("#if", branch.text, frame, branch.line, branch.column):
             frame.scopes.append(declared)
             ended = NEXT
             for item in branch.body:
-                run.step()
-                ended = statements.STATEMENTS[type(item)](run, frame, item)
+                walk.step()
+                ended = statements.STATEMENTS[type(item)](walk, frame, item)
                 if ended != NEXT:
                     break
             frame.scopes.pop()
-        writes = run.state.undo(mark)
+        writes = walk.state.undo(mark)
         for name, cell in declared.items():  # no scope of its own
             first = fresh.setdefault(name, cell)
             if first is not cell:  # one variable, declared by each branch anew
@@ -45,4 +45,4 @@ def preprocessor(run: Walk, frame: Frame, statement: syntax.Preprocessor) -> str
         for _, writes in branches:
             writes.setdefault(cell, value)
     frame.scopes[-1].update((name, cell) for name, cell in fresh.items() if name not in frame.scopes[-1])
-    return statements.merge(run, frame, branches, None)
+    return statements.merge(walk, frame, branches, None)

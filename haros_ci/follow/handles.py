@@ -20,7 +20,7 @@ def handle(applied: selectors.Applied, entry: Entry) -> Value:
 
     A handle that a nodelet makes itself is its process's, the manager's, and not its own (wiki.ros.org/nodelet).
     """
-    context = applied.run.context
+    context = applied.walk.context
     made_here = applied.row.call == "ros::NodeHandle"
     parent: Value = Known(context.process_namespace if made_here else context.namespace)
     if "parent" in entry.values:
@@ -51,13 +51,13 @@ def namespace_of(applied: selectors.Applied, value: Any) -> Value:
     if isinstance(value, Object):
         if value.namespace is not None:
             return value.namespace
-        return applied.run.opaque(f"the namespace of a {value.name}", applied.frame, applied.location.line)
+        return applied.walk.opaque(f"the namespace of a {value.name}", applied.frame, applied.location.line)
     if isinstance(value, Opaque) and value.type is not None and pointee(value.type).name not in STRINGS:
         return Opaque(f"the node handle is not known: {value.reason}", value.location)
     if isinstance(value, (Known, Text, Opaque)):
         return (
-            below(applied, Known(applied.run.context.namespace), value, applied.run.context.name)
+            below(applied, Known(applied.walk.context.namespace), value, applied.walk.context.name)
             if value != Known("")
-            else Known(applied.run.context.namespace)
+            else Known(applied.walk.context.namespace)
         )
-    return applied.run.opaque("the namespace is not known", applied.frame, applied.location.line)
+    return applied.walk.opaque("the namespace is not known", applied.frame, applied.location.line)

@@ -10,7 +10,7 @@ from typing import Any
 from haros_ci import syntax
 from haros_ci.follow import call_arguments, lookup, methods, partials
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.syntax import Function, Type
 from haros_ci.syntax.walk import Part, everything
@@ -44,7 +44,7 @@ CALLABLE = CALLED | {Choice, Pointer, Sequence, Mapped}
 
 
 def may_make(
-    run: Walk,
+    walk: Walk,
     function: Callable,
     args: tuple[call_arguments.PassedArgument, ...],
     templates: Mapping[str, syntax.Argument] | None = None,
@@ -53,39 +53,39 @@ def may_make(
 
     *templates* are what its template parameters stand for: it may construct them.
     """
-    if run.relevance.makes(function.function, function.source):
+    if walk.relevance.makes(function.function, function.source):
         return True
     for kind in (templates or {}).values():
-        if isinstance(kind, syntax.Type) and kind.name in run.index.classes and run.relevance.named(kind.name):
+        if isinstance(kind, syntax.Type) and kind.name in walk.index.classes and walk.relevance.named(kind.name):
             return True
     return (
-        any(a.value.__class__ in CALLABLE and _makes(run, a.value) for a in args)
-        or any(value.__class__ in CALLABLE and _makes(run, value) for value in function.bound)
-        or (function.source.separator == "." and function.this is not None and _holds(run, function.this))
+        any(a.value.__class__ in CALLABLE and _makes(walk, a.value) for a in args)
+        or any(value.__class__ in CALLABLE and _makes(walk, value) for value in function.bound)
+        or (function.source.separator == "." and function.this is not None and _holds(walk, function.this))
     )
 
 
-def _holds(run: Walk, this: Object) -> bool:
+def _holds(walk: Walk, this: Object) -> bool:
     """Whether a member of a Python object holds a function or class that makes something."""
     held = (cell.value for cell in this.fields.values())
-    return any(value.__class__ in HELD and _makes(run, value) for value in held)
+    return any(value.__class__ in HELD and _makes(walk, value) for value in held)
 
 
-def _makes(run: Walk, value: Any) -> bool:
+def _makes(walk: Walk, value: Any) -> bool:
     if isinstance(value, Callable):
-        return may_make(run, value, ())
+        return may_make(walk, value, ())
     if isinstance(value, ClassValue):
-        return run.relevance.named(value.definition.name)
+        return walk.relevance.named(value.definition.name)
     if isinstance(value, Library):
-        return run.relevance.named(value.name)
+        return walk.relevance.named(value.name)
     if isinstance(value, Object):
         if value.definition is None:
-            return value.name == partials.PARTIAL and any(_makes(run, cell.value) for cell in value.fields.values())
+            return value.name == partials.PARTIAL and any(_makes(walk, cell.value) for cell in value.fields.values())
         source, definition = value.definition
-        found = methods.class_method(run, source, definition, "operator()" if source.separator == "::" else "__call__")
-        return found is not None and run.relevance.makes(found[1], found[0])
+        found = methods.class_method(walk, source, definition, "operator()" if source.separator == "::" else "__call__")
+        return found is not None and walk.relevance.makes(found[1], found[0])
     if isinstance(value, Choice):
-        return any(_makes(run, option) for option in value.options)
+        return any(_makes(walk, option) for option in value.options)
     if isinstance(value, Pointer):
         return value.cell.value.__class__ in CALLED
     content = value.content.value if isinstance(value, (Sequence, Mapped)) else None
@@ -94,17 +94,17 @@ def _makes(run: Walk, value: Any) -> bool:
 
 
 def is_inert(
-    run: Walk, function: Callable, definition: Function, returns: Type, args: tuple[call_arguments.PassedArgument, ...]
+    walk: Walk, function: Callable, definition: Function, returns: Type, args: tuple[call_arguments.PassedArgument, ...]
 ) -> bool:
     """Whether a function that makes nothing need not be followed: it gives and changes numbers only."""
     if definition.kind == "constructor" or _is_short(definition):
         return False
     if returns.name and not call_arguments.is_scalar(returns) and returns.name != "bool":
         return False
-    changed = run.relevance.changes(definition, function.source)
-    if not changed.isdisjoint(run.relevance.shared) or not changed.isdisjoint(run.relevance.holding):
+    changed = walk.relevance.changes(definition, function.source)
+    if not changed.isdisjoint(walk.relevance.shared) or not changed.isdisjoint(walk.relevance.holding):
         return False
-    if function.source.separator == "::" and _pointers(run, changed):
+    if function.source.separator == "::" and _pointers(walk, changed):
         return False
     if function.frame is not None and any(function.frame.find(name) is not None for name in changed):
         return False
@@ -124,25 +124,25 @@ def is_inert(
 Pointers = dict[str, tuple[tuple[Source, str, syntax.Init | None, Type], ...]]
 
 
-def _pointers(run: Walk, names: frozenset[str]) -> Pointers:
+def _pointers(walk: Walk, names: frozenset[str]) -> Pointers:
     """The namespace-scope variables and static members of those *names* (their last parts) that point to constants.
 
     They are no constants themselves: for each its file, qualified name, initialiser and type.
     """
     key = ("pointers",)
-    if key not in run.found:
-        run.found[key] = _all_pointers(run)
-    every: Pointers = run.found[key]
+    if key not in walk.found:
+        walk.found[key] = _all_pointers(walk)
+    every: Pointers = walk.found[key]
     found = {name: every[name] for name in names & every.keys()}
-    trace = run.index.trace
+    trace = walk.index.trace
     if trace is not None:
         trace.names |= names
         trace.paths.update(where.path for item in found.values() for where, _, _, _ in item)
     return found
 
 
-def _all_pointers(run: Walk) -> Pointers:
-    index = run.index
+def _all_pointers(walk: Walk) -> Pointers:
+    index = walk.index
     variables = [(where, v.name, v) for item in dict.values(index.variables) for where, v in item]
     for item in dict.values(index.classes):
         variables += [(where, f"{c.name}::{f.name}", f) for where, c in item for f in c.fields if f.is_static]
@@ -197,7 +197,7 @@ def _returns_value(block: Part) -> bool:
 
 
 def skipped(
-    run: Walk,
+    walk: Walk,
     inner: Frame,
     function: Callable,
     definition: Function,
@@ -205,55 +205,55 @@ def skipped(
     args: tuple[call_arguments.PassedArgument, ...],
 ) -> Value:
     """What is known after a function that was not followed: the numbers that it may change are not."""
-    changed = run.relevance.changes(definition, function.source)
+    changed = walk.relevance.changes(definition, function.source)
     reason = f"{definition.name} may change it"
-    unknown = run.opaque(reason, inner, definition.line)
+    unknown = walk.opaque(reason, inner, definition.line)
     objects = [a.value.cell.value if isinstance(a.value, Pointer) else a.value for a in args] + [function.this]
     for this in objects:
         if isinstance(this, Object):
-            _forget_members(run, this, changed, unknown, 0)
+            _forget_members(walk, this, changed, unknown, 0)
     if function.source.separator == "::":
         for _, pointers in sorted(
-            _pointers(run, changed).items()
+            _pointers(walk, changed).items()
         ):  # those that are used later begin with what they are now
             for pointer in pointers:
-                lookup.global_cell(run, *pointer)
-    for (_, name), cell in run.globals.items():
+                lookup.global_cell(walk, *pointer)
+    for (_, name), cell in walk.globals.items():
         if name.rpartition("::")[2].rpartition(".")[2] in changed and not _is_constant(cell):
-            _forget(run, cell, replace(unknown, type=cell.type))
-    for module in run.modules.values():
+            _forget(walk, cell, replace(unknown, type=cell.type))
+    for module in walk.modules.values():
         for name in changed & module.scopes[0].keys():
-            _forget(run, module.scopes[0][name], unknown)
+            _forget(walk, module.scopes[0][name], unknown)
     if function.frame is not None:
         for name in changed:
             outer = function.frame.find(name)
             if outer is not None:
-                _forget(run, outer, replace(unknown, type=outer.type))
+                _forget(walk, outer, replace(unknown, type=outer.type))
     for parameter, argument in zip(definition.parameters, args, strict=False):
         marks = parameter.type.marks
         is_changed = "&" in marks and not marks.rstrip("&").endswith("c")
         if parameter.name in changed and (is_changed or ("*" in marks and "c" not in marks)):
             target = argument.value.cell if isinstance(argument.value, Pointer) else argument.cell
             if target is not None:
-                _forget(run, target, run.opaque(reason, inner, definition.line, target.type))
+                _forget(walk, target, walk.opaque(reason, inner, definition.line, target.type))
     if returns.name == "void":
         return NONE
-    return run.opaque(
+    return walk.opaque(
         f"what {definition.name} returns is computed", inner, definition.line, returns if returns.name else None
     )
 
 
-def _forget_members(run: Walk, this: Object, changed: frozenset[str], unknown: Opaque, depth: int) -> None:
+def _forget_members(walk: Walk, this: Object, changed: frozenset[str], unknown: Opaque, depth: int) -> None:
     for name, cell in this.fields.items():
         if name in changed:
-            _forget(run, cell, replace(unknown, type=cell.type))
+            _forget(walk, cell, replace(unknown, type=cell.type))
         elif isinstance(cell.value, Object) and cell.value.definition is not None and depth < NESTED:
-            _forget_members(run, cell.value, changed, unknown, depth + 1)
+            _forget_members(walk, cell.value, changed, unknown, depth + 1)
 
 
-def _forget(run: Walk, cell: Cell, unknown: Opaque) -> None:
+def _forget(walk: Walk, cell: Cell, unknown: Opaque) -> None:
     value = cell.value
     if isinstance(value, (Sequence, Mapped)):
-        run.state.write(value.content, unknown)
+        walk.state.write(value.content, unknown)
     elif isinstance(value, (Known, Choice, Text)):
-        run.state.write(cell, unknown)
+        walk.state.write(cell, unknown)

@@ -14,7 +14,7 @@ from haros_ci.follow.libraries import cpp as library_cpp
 from haros_ci.follow.libraries import numbers as library_numbers
 from haros_ci.follow.libraries import python_modules
 from haros_ci.follow.ros import qos
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index import macros as macros_
 from haros_ci.index.common_messages import COMMON, NAMES
 from haros_ci.index.index import EITHER, Source
@@ -23,43 +23,43 @@ from haros_ci.syntax import Expression, Type
 from haros_ci.values.abstract import Callable, Cell, ClassValue, Known, Library, Module, Object, Value, join, tick
 
 
-def named_cell(run: Walk, frame: Frame, name: str) -> Cell | None:
+def named_cell(walk: Walk, frame: Frame, name: str) -> Cell | None:
     cell = frame.find(name)
     if cell is not None:
         return cell
     if frame.source.program.language == "python":
         if frame.function is None and frame.scope:  # the body of a class
-            around = run.class_of(frame.scope, frame.source)
+            around = walk.class_of(frame.scope, frame.source)
             own = around is not None and any(field.name == name for field in around[1].fields)
             if own and around is not None:
-                return members.static_cell(run, *around, name)
-        module = module_frame(run, frame.source)
+                return members.static_cell(walk, *around, name)
+        module = module_frame(walk, frame.source)
         return module.scopes[0].get(name)
     this = frame.this
     if this is None and frame.outer is not None:
         this = frame.outer.this
     if this is not None and "::" not in name:
-        cell = members.member(run, this, name, frame) or library_cpp.protected(run, this, name)
+        cell = members.member(walk, this, name, frame) or library_cpp.protected(walk, this, name)
         if cell is not None:
             return cell
-    found = _found_variable(run, frame, name)
+    found = _found_variable(walk, frame, name)
     if found is None and "::" in name:  # a static member of what a template parameter or an alias stands for
         head, _, last = name.rpartition("::")
-        meant = run.type_in(syntax.Type(head), frame).name
-        found = _found_variable(run, frame, f"{meant}::{last}") if meant not in ("", head) else None
-    return global_cell(run, *found) if found is not None else None
+        meant = walk.type_in(syntax.Type(head), frame).name
+        found = _found_variable(walk, frame, f"{meant}::{last}") if meant not in ("", head) else None
+    return global_cell(walk, *found) if found is not None else None
 
 
-def _found_variable(run: Walk, frame: Frame, name: str) -> tuple[Source, str, syntax.Init | None, Type] | None:
-    if (key := ("variable", name, frame.scope, frame.source.path)) not in run.found:
-        run.found[key] = _variable(run, frame, name)
-    return run.found[key]
+def _found_variable(walk: Walk, frame: Frame, name: str) -> tuple[Source, str, syntax.Init | None, Type] | None:
+    if (key := ("variable", name, frame.scope, frame.source.path)) not in walk.found:
+        walk.found[key] = _variable(walk, frame, name)
+    return walk.found[key]
 
 
-def _variable(run: Walk, frame: Frame, name: str) -> tuple[Source, str, syntax.Init | None, Type] | None:
+def _variable(walk: Walk, frame: Frame, name: str) -> tuple[Source, str, syntax.Init | None, Type] | None:
     """The namespace-scope variable or static member that *name* means: its file, qualified name, initialiser, type."""
-    for candidate in run.index.scopes(name, frame.scope, frame.source):
-        found = run.index.near(run.index.variables, candidate, frame.source, run.files)
+    for candidate in walk.index.scopes(name, frame.scope, frame.source):
+        found = walk.index.near(walk.index.variables, candidate, frame.source, walk.files)
         if found:
             where, variable = found[0]
             if any(other.init != variable.init for _, other in found):
@@ -67,58 +67,58 @@ def _variable(run: Walk, frame: Frame, name: str) -> tuple[Source, str, syntax.I
             return where, variable.name, variable.init, variable.type
         head, colons, last = candidate.rpartition("::")
         if colons:
-            owner = run.class_of(head, frame.source)
+            owner = walk.class_of(head, frame.source)
             if owner is not None:
-                static = methods.field_of(run, owner[0], owner[1], last, {})
+                static = methods.field_of(walk, owner[0], owner[1], last, {})
                 if static is not None and static[1].is_static:
                     return static[0], candidate, static[1].init, static[2]
     return None
 
 
-def global_cell(run: Walk, source: Source, name: str, init: syntax.Init | None, kind: Type) -> Cell:
+def global_cell(walk: Walk, source: Source, name: str, init: syntax.Init | None, kind: Type) -> Cell:
     """The one cell of a namespace-scope variable or static member, made when it is first used."""
     key = (source.path, name)
-    cell = run.globals.get(key)
+    cell = walk.globals.get(key)
     if cell is None:
         frame = Frame(source, name.rpartition(source.separator)[0])
-        resolved = run.type_in(kind, frame)
-        mark, begun = run.state.mark(), tick()
-        cell = run.globals[key] = Cell(run.opaque(f"{name} is not set", frame, None, resolved), resolved)
+        resolved = walk.type_in(kind, frame)
+        mark, begun = walk.state.mark(), tick()
+        cell = walk.globals[key] = Cell(walk.opaque(f"{name} is not set", frame, None, resolved), resolved)
         if init is not None:
-            cell.value = construct.initial(run, frame, resolved, init, Location(source.path))
+            cell.value = construct.initial(walk, frame, resolved, init, Location(source.path))
         elif not init:
-            for where, variable in run.index.variables.get(name, ()):  # a static member's definition elsewhere
+            for where, variable in walk.index.variables.get(name, ()):  # a static member's definition elsewhere
                 if variable.init is not None:
                     there = Frame(where, frame.scope)
-                    cell.value = construct.initial(run, there, resolved, variable.init, Location(where.path))
+                    cell.value = construct.initial(walk, there, resolved, variable.init, Location(where.path))
                     break
-        run.state.settle(mark, begun)
-        run.lasting.add(cell)
+        walk.state.settle(mark, begun)
+        walk.lasting.add(cell)
     return cell
 
 
-def name(run: Walk, frame: Frame, expression: syntax.Name) -> Value:
+def name(walk: Walk, frame: Frame, expression: syntax.Name) -> Value:
     name = expression.name
-    cell = named_cell(run, frame, name)
+    cell = named_cell(walk, frame, name)
     if cell is not None:
         return cell.value
     if frame.source.program.language == "python":
-        return python_name(run, frame, name)
-    key = ("name", name, frame.scope, frame.source.path, run.numbered(frame.templates) if frame.templates else 0)
-    if key not in run.found:
-        run.found[key] = _global_name(run, frame, name)
-    value: Any = run.found[key]
+        return python_name(walk, frame, name)
+    key = ("name", name, frame.scope, frame.source.path, walk.numbered(frame.templates) if frame.templates else 0)
+    if key not in walk.found:
+        walk.found[key] = _global_name(walk, frame, name)
+    value: Any = walk.found[key]
     if isinstance(value, ObjectMacro):
-        return _expanded(run, frame, value, name)
-    if isinstance(value, Library) and run.context.process is not None:
+        return _expanded(walk, frame, value, name)
+    if isinstance(value, Library) and walk.context.process is not None:
         profile = qos.preset(value.name)
         if profile is not None:
             return profile
     if frame.this is not None and "::" not in name:
-        inherited = _inherited(run, frame, frame.this, name, value)
+        inherited = _inherited(walk, frame, frame.this, name, value)
         value = inherited if inherited is not None else value
-    if isinstance(value, Callable) and frame.this is not None and "::" not in name and _is_virtual(run, frame, value):
-        method = methods.method_of(run, frame.this, name)
+    if isinstance(value, Callable) and frame.this is not None and "::" not in name and _is_virtual(walk, frame, value):
+        method = methods.method_of(walk, frame.this, name)
         if method is not None:
             return method
     if isinstance(value, Callable) and value.function.owner and not value.function.is_static and frame.this is not None:
@@ -133,63 +133,63 @@ class ObjectMacro:
     bodies: tuple[Expression, ...]
 
 
-def _expanded(run: Walk, frame: Frame, macro: ObjectMacro, name: str) -> Value:
+def _expanded(walk: Walk, frame: Frame, macro: ObjectMacro, name: str) -> Value:
     """A macro's value where it stands; names in it mean there what they mean."""
     looking = ("expanding", frame.source.path, name)
-    if looking in run.found:
-        return run.opaque(f"the macro {name} is defined by itself", frame)
-    run.found[looking] = True
+    if looking in walk.found:
+        return walk.opaque(f"the macro {name} is defined by itself", frame)
+    walk.found[looking] = True
     try:
-        values = [expressions.evaluate(run, frame, body) for body in macro.bodies]
+        values = [expressions.evaluate(walk, frame, body) for body in macro.bodies]
     finally:
-        del run.found[looking]
+        del walk.found[looking]
     value = values[0]
     for other in values[1:]:
         value = join(value, other)
     return value
 
 
-def _inherited(run: Walk, frame: Frame, this: Object, name: str, value: Value) -> Callable | None:
+def _inherited(walk: Walk, frame: Frame, this: Object, name: str, value: Value) -> Callable | None:
     """The method *name* of a base class, which is meant before what the enclosing namespaces have of that name."""
     if isinstance(value, Callable) and value.function.owner and value.function.owner == frame.scope:
         return None
     key = ("inherited", name, frame.scope, frame.source.path, this.name)
-    if key not in run.found:
-        owner = run.class_of(frame.scope, frame.source) or this.definition
-        found = methods.class_method(run, owner[0], owner[1], name) if owner is not None else None
-        run.found[key] = found if found is not None and found[1].kind == "function" else None
-    method = run.found[key]
+    if key not in walk.found:
+        owner = walk.class_of(frame.scope, frame.source) or this.definition
+        found = methods.class_method(walk, owner[0], owner[1], name) if owner is not None else None
+        walk.found[key] = found if found is not None and found[1].kind == "function" else None
+    method = walk.found[key]
     return Callable(*method) if method is not None else None
 
 
-def _is_virtual(run: Walk, frame: Frame, value: Callable) -> bool:
+def _is_virtual(walk: Walk, frame: Frame, value: Callable) -> bool:
     """Whether the call of a method goes to the object's own class: not inside a constructor, where it is not yet of it."""
     if frame.function is None or frame.function.kind in ("constructor", "destructor"):
         return False
-    return any(function.is_virtual for _, function in run.index.functions.get(value.function.name, ()))
+    return any(function.is_virtual for _, function in walk.index.functions.get(value.function.name, ()))
 
 
-def _global_name(run: Walk, frame: Frame, name: str) -> Value | ObjectMacro:
+def _global_name(walk: Walk, frame: Frame, name: str) -> Value | ObjectMacro:
     """What a name that is no variable means in C++: a function, macro, class, or a library's name."""
-    index = run.index
+    index = walk.index
     for candidate in index.scopes(name, frame.scope, frame.source):
-        functions = index.near(index.functions, candidate, frame.source, run.files)
+        functions = index.near(index.functions, candidate, frame.source, walk.files)
         if functions:
-            return Callable(*methods.with_body(run, functions))
-    macros = index.near(index.macros, name, frame.source, run.files)
+            return Callable(*methods.with_body(walk, functions))
+    macros = index.near(index.macros, name, frame.source, walk.files)
     if macros:
         packages = {frame.source.package, *(source.package for source, _ in macros)}
         if any(name in index.defined.get(package, ()) for package in packages):
-            return run.opaque(f"the build defines {name}", frame)
+            return walk.opaque(f"the build defines {name}", frame)
         return ObjectMacro(tuple(macros_.expression(body) for _, body in macros))
-    resolved = run.type_in(syntax.Type(name), frame)
-    found = run.class_of(resolved.name, frame.source)
+    resolved = walk.type_in(syntax.Type(name), frame)
+    found = walk.class_of(resolved.name, frame.source)
     if found is not None:
         return ClassValue(*found)
     if "::" in name:
-        method = _of_its_base(run, frame, name)
+        method = _of_its_base(walk, frame, name)
         if method is None:
-            method = methods.tail_method(run, resolved.name if "::" in resolved.name else name, frame.source)
+            method = methods.tail_method(walk, resolved.name if "::" in resolved.name else name, frame.source)
         if method is not None:
             return Callable(*method)
     if resolved.name.endswith("string::npos"):
@@ -198,127 +198,127 @@ def _global_name(run: Walk, frame: Frame, name: str) -> Value | ObjectMacro:
     return Known(constant) if constant is not None else Library(resolved.name)
 
 
-def _of_its_base(run: Walk, frame: Frame, name: str) -> tuple[Source, syntax.Function] | None:
+def _of_its_base(walk: Walk, frame: Frame, name: str) -> tuple[Source, syntax.Function] | None:
     """``C::m`` where a base of the class defines the method."""
     head, _, last = name.rpartition("::")
-    owner = run.class_of(run.type_in(syntax.Type(head), frame).name, frame.source)
-    return methods.class_method(run, *owner, last) if owner is not None else None
+    owner = walk.class_of(walk.type_in(syntax.Type(head), frame).name, frame.source)
+    return methods.class_method(walk, *owner, last) if owner is not None else None
 
 
-def python_name(run: Walk, frame: Frame, name: str) -> Value:
+def python_name(walk: Walk, frame: Frame, name: str) -> Value:
     if name in ("True", "False", "None"):
         return Known({"True": True, "False": False, "None": None}[name])
-    found = run.index.near(run.index.classes, name, frame.source, run.files)
+    found = walk.index.near(walk.index.classes, name, frame.source, walk.files)
     if found and found[0][0].path == frame.source.path:
         return overloads.either([ClassValue(*item) for item in overloads.last(found)])
-    functions = [f for f in run.index.functions.get(name, ()) if f[0].path == frame.source.path]
+    functions = [f for f in walk.index.functions.get(name, ()) if f[0].path == frame.source.path]
     if frame.function is None and frame.scope:  # the body of a class
-        own = run.index.functions.get(f"{frame.scope}.{name}", ())
+        own = walk.index.functions.get(f"{frame.scope}.{name}", ())
         functions = [f for f in own if f[0].path == frame.source.path] or functions
     if functions:
         return overloads.either([Callable(*item) for item in overloads.last(functions)])
     looking = ("looking", frame.source.path, name)
-    if looking not in run.found:  # else modules import each other
-        run.found[looking] = True
+    if looking not in walk.found:  # else modules import each other
+        walk.found[looking] = True
         try:
-            value = _imported_name(run, frame, name)
+            value = _imported_name(walk, frame, name)
         finally:
-            del run.found[looking]
+            del walk.found[looking]
         if value is not None:
             return value
     if not hasattr(builtins, name):
-        return Library(_starred(run, frame.source, name) or name)
+        return Library(_starred(walk, frame.source, name) or name)
     return Library(name)
 
 
-def _imported_name(run: Walk, frame: Frame, name: str) -> Value | None:
+def _imported_name(walk: Walk, frame: Frame, name: str) -> Value | None:
     """What the file's imports of *name* mean: either of several, and of several modules with all their names the last."""
     targets = dict.fromkeys(alias.type.name for alias in frame.source.program.aliases if alias.name == name)
     value: Value | None = None
     for target in targets:
-        other = imported(run, frame, target)
+        other = imported(walk, frame, target)
         value = other if value is None else join(value, other)
     if value is not None:
         return value
     for alias in reversed(frame.source.program.aliases):
         if alias.name == "*":
-            value = imported(run, frame, f"{alias.type.name.removesuffix('.*')}.{name}")
+            value = imported(walk, frame, f"{alias.type.name.removesuffix('.*')}.{name}")
             if not isinstance(value, Library):
                 return value
     return None
 
 
-def _starred(run: Walk, source: Source, name: str) -> str | None:
+def _starred(walk: Walk, source: Source, name: str) -> str | None:
     """The message type that ``from pkg.msg import *`` brings in: defined in the workspace, or else by the one package outside."""
     outside = []
     for alias in reversed(source.program.aliases):  # of several the last counts
         module = alias.type.name.removesuffix(".*")
         package, _, kind = module.rpartition(".")
-        if alias.name == "*" and f"{module}.{name}" in run.rows:
+        if alias.name == "*" and f"{module}.{name}" in walk.rows:
             return f"{module}.{name}"
         if alias.name != "*" or kind not in ("msg", "srv"):
             continue
-        if f"{package}/{name}" in run.index.interfaces or _of_action(run, package, name):
+        if f"{package}/{name}" in walk.index.interfaces or _of_action(walk, package, name):
             return f"{module}.{name}"
         if name in COMMON.get(package, ()):
             return f"{module}.{name}"
-        if package not in run.index.packages and package not in COMMON:
+        if package not in walk.index.packages and package not in COMMON:
             outside.append(f"{module}.{name}")
     return outside[0] if len(outside) == 1 and name[:1].isupper() else None
 
 
-def _of_action(run: Walk, package: str, name: str) -> bool:
+def _of_action(walk: Walk, package: str, name: str) -> bool:
     """Whether *name* is a message of an action of the workspace (wiki.ros.org/actionlib: FooAction, FooGoal, ...)."""
     action = name
     for suffix in ("Action", "Goal", "Result", "Feedback"):
         base = name.removesuffix(suffix)
         action = base if base != name and base else action
-    return action != name and f"{package}/{action}" in run.index.interfaces
+    return action != name and f"{package}/{action}" in walk.index.interfaces
 
 
-def imported(run: Walk, frame: Frame, target: str) -> Value:
+def imported(walk: Walk, frame: Frame, target: str) -> Value:
     """What a dotted Python name means: a module, class, function or variable of the workspace, or a library's name."""
-    placed = python_modules.placed(run, frame.source, target)
+    placed = python_modules.placed(walk, frame.source, target)
     if placed is not None:
-        return _inside(run, frame, *placed)
+        return _inside(walk, frame, *placed)
     target = python_modules.absolute(frame.source, target)
     head, rest = target, list[str]()
     while head:
-        modules = run.index.modules.get(head)
+        modules = walk.index.modules.get(head)
         if modules:
             source = min(modules, key=lambda s: (s.package != frame.source.package, s.path))
-            if rest and is_generated(run, source, rest[-1]):
+            if rest and is_generated(walk, source, rest[-1]):
                 return Library(target)
-            bound = python_modules.bound(run, head) if not rest else None
-            return bound or _inside(run, frame, source, rest[::-1])
+            bound = python_modules.bound(walk, head) if not rest else None
+            return bound or _inside(walk, frame, source, rest[::-1])
         head, dot, last = head.rpartition(".")
         if not dot:
             break
         rest.append(last)
-    beside = python_modules.beside(run, frame.source, target)
-    return imported(run, frame, beside) if beside is not None else Library(python_modules.passed_on(target))
+    beside = python_modules.beside(walk, frame.source, target)
+    return imported(walk, frame, beside) if beside is not None else Library(python_modules.passed_on(target))
 
 
-def _inside(run: Walk, frame: Frame, source: Source, rest: list[str]) -> Value:
+def _inside(walk: Walk, frame: Frame, source: Source, rest: list[str]) -> Value:
     """A module, or what the names *rest* mean in it, one inside of the other."""
     value: Value = Module(source)
     for part in rest:
-        value = members.attribute(run, value, part, frame)
-    if rest and value is not run.found.get(("first", source.path, rest[0]), value):
-        return run.opaque("it is imported by value, and a function of its module assigns to it", frame)
+        value = members.attribute(walk, value, part, frame)
+    if rest and value is not walk.found.get(("first", source.path, rest[0]), value):
+        return walk.opaque("it is imported by value, and a function of its module assigns to it", frame)
     return value
 
 
-def is_generated(run: Walk, source: Source, name: str) -> bool:
+def is_generated(walk: Walk, source: Source, name: str) -> bool:
     """Whether *name* of a package's own Python module is the module that its interfaces are generated into.
 
     Both are installed into one Python package (wiki.ros.org/genpy, wiki.ros.org/dynamic_reconfigure).
     """
     if name not in ("msg", "srv", "cfg") or "." in source.module or not source.path.endswith("__init__.py"):
         return False
-    if f"{source.module}.{name}" in run.index.modules:
+    if f"{source.module}.{name}" in walk.index.modules:
         return False
-    return name not in module_frame(run, source).scopes[0]
+    return name not in module_frame(walk, source).scopes[0]
 
 
 def _rebound(source: Source) -> set[str]:
@@ -327,24 +327,24 @@ def _rebound(source: Source) -> set[str]:
     return {name for statement in statements if isinstance(statement, syntax.Global) for name in statement.names}
 
 
-def module_frame(run: Walk, source: Source) -> Frame:
+def module_frame(walk: Walk, source: Source) -> Frame:
     """A Python module's own scope; its body is followed once, when the module is first used."""
-    frame = run.modules.get(source.path)
+    frame = walk.modules.get(source.path)
     if frame is None:
         from haros_ci.follow import statements
 
-        mark, begun = run.state.mark(), tick()
-        frame = run.modules[source.path] = Frame(source, "")
-        if run.index.trace is not None:
-            run.index.trace.paths.add(source.path)
+        mark, begun = walk.state.mark(), tick()
+        frame = walk.modules[source.path] = Frame(source, "")
+        if walk.index.trace is not None:
+            walk.index.trace.paths.add(source.path)
         body = next((f for f in source.program.functions if f.kind == "module"), None)
         if body is not None and body.body:
             for statement in body.body:
-                run.step()
-                if statements.STATEMENTS[type(statement)](run, frame, statement) != NEXT:
+                walk.step()
+                if statements.STATEMENTS[type(statement)](walk, frame, statement) != NEXT:
                     break
-        run.state.settle(mark, begun)  # the next branch finds the module loaded
+        walk.state.settle(mark, begun)  # the next branch finds the module loaded
         for name in _rebound(source):
             if name in frame.scopes[0]:
-                run.found["first", source.path, name] = frame.scopes[0][name].value
+                walk.found["first", source.path, name] = frame.scopes[0][name].value
     return frame

@@ -11,7 +11,7 @@ from haros_ci import syntax
 from haros_ci.follow import alternatives, expressions, statements, static_types, thrown
 from haros_ci.follow.frames import BREAK, CONTINUE, NEXT, Frame, Loop
 from haros_ci.follow.made import forget_dead, go_back, keep
-from haros_ci.follow.run import TURNS, Walk
+from haros_ci.follow.walk import TURNS, Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Type
 from haros_ci.values.abstract import Cell, Known, Mapped, Object, Opaque, Partial, Sequence, Value, opaque_of, tick
@@ -29,119 +29,121 @@ NESTED = 8
 NAMED = "the list is a matter of parameters"
 
 
-def loop(run: Walk, frame: Frame, statement: syntax.Loop) -> str:
+def loop(walk: Walk, frame: Frame, statement: syntax.Loop) -> str:
     keyword, line, column, text = statement.keyword, statement.line, statement.column, statement.text
     first, test, body = statement.before, statement.test, statement.body
     frame.scopes.append({})
-    current = Loop(run.state.mark())
-    known = len(run.made)
+    current = Loop(walk.state.mark())
+    known = len(walk.made)
 
     step = body[-1] if body and isinstance(body[-1], syntax.Step) else None
 
     def one() -> str:
-        return statements.execute(run, frame, body[:-1] if step else body)
+        return statements.execute(walk, frame, body[:-1] if step else body)
 
     def after() -> None:
         if step is not None:
-            expressions.evaluate(run, frame, step.value)
+            expressions.evaluate(walk, frame, step.value)
 
     def after_and_test() -> None:
         after()
         if test is not None:
-            expressions.evaluate(run, frame, test)
+            expressions.evaluate(walk, frame, test)
 
     try:
         for item in first:
-            statements.STATEMENTS[type(item)](run, frame, item)
-        with run.under(keyword, text, frame, line, column):
-            ended = _turned(run, frame, statement, current, one, after)
+            statements.STATEMENTS[type(item)](walk, frame, item)
+        with walk.under(keyword, text, frame, line, column):
+            ended = _turned(walk, frame, statement, current, one, after)
             if ended is not None:
                 return ended
             current.turn = 0
-            matters = _matters(run, frame, body, test)
-            _widened(run, frame, current, matters, line, one, after_and_test)
-            return _leave(run, current, goes_on=True)
+            matters = _matters(walk, frame, body, test)
+            _widened(walk, frame, current, matters, line, one, after_and_test)
+            return _leave(walk, current, goes_on=True)
     finally:
         frame.scopes.pop()
-        forget_dead(run, known)
+        forget_dead(walk, known)
 
 
 def _turned(
-    run: Walk, frame: Frame, statement: syntax.Loop, loop: Loop, one: Callable[[], str], after: Callable[[], None]
+    walk: Walk, frame: Frame, statement: syntax.Loop, loop: Loop, one: Callable[[], str], after: Callable[[], None]
 ) -> str | None:
     """Go through a loop turn by turn, as long as that is known and worth it: how it ends; None if that is not seen."""
-    test, before = statement.test, run.steps - run.aside
-    worthwhile = _worthwhile(run, frame, statement.body, test)
+    test, before = statement.test, walk.steps - walk.aside
+    worthwhile = _worthwhile(walk, frame, statement.body, test)
     loop.is_endless = thrown.is_endless(test)
-    is_kept = loop.is_endless and worthwhile and not run.quiet
-    start, first = (keep(run), run.state.mark()) if is_kept else None, 0
+    is_kept = loop.is_endless and worthwhile and not walk.quiet
+    start, first = (keep(walk), walk.state.mark()) if is_kept else None, 0
     for turn in range(TURNS):
         if turn or statement.keyword != "do":
-            holds = _holds(run, frame, test)
+            holds = _holds(walk, frame, test)
             if holds is False:
-                return _leave(run, loop, goes_on=True)
+                return _leave(walk, loop, goes_on=True)
             if holds is None:
                 return None
-        if not worthwhile or run.steps - run.aside - before > LONG:
+        if not worthwhile or walk.steps - walk.aside - before > LONG:
             break
-        ended = _counted(run, frame, loop, turn, one, after)
+        ended = _counted(walk, frame, loop, turn, one, after)
         if ended != NEXT:
-            return _leave(run, loop, goes_on=False, ended=ended)
-        first = first or len(run.made)
-    if start is not None and len(run.made) > first:  # which of its turns there are is not known
-        go_back(run, start[0])
-        run.state.undo(start[1])
+            return _leave(walk, loop, goes_on=False, ended=ended)
+        first = first or len(walk.made)
+    if start is not None and len(walk.made) > first:  # which of its turns there are is not known
+        go_back(walk, start[0])
+        walk.state.undo(start[1])
         loop.breaks.clear()
     return None
 
 
-def _holds(run: Walk, frame: Frame, test: Expression | None) -> bool | None:
+def _holds(walk: Walk, frame: Frame, test: Expression | None) -> bool | None:
     """Whether the test of a loop is true; None if that is not known, or there is none."""
     if test is None:
         return None
-    return expressions.holds(run, frame, test, expressions.evaluate(run, frame, test))
+    return expressions.holds(walk, frame, test, expressions.evaluate(walk, frame, test))
 
 
-def _turn(run: Walk, frame: Frame, loop: Loop, body: Callable[[], str], after: Callable[[], None] | None = None) -> str:
+def _turn(
+    walk: Walk, frame: Frame, loop: Loop, body: Callable[[], str], after: Callable[[], None] | None = None
+) -> str:
     """One turn of a loop, and what comes *after* it if the loop goes on."""
-    ended = _body(run, frame, loop, body)
+    ended = _body(walk, frame, loop, body)
     if ended == NEXT and after is not None:
         after()
     return ended
 
 
 def _counted(
-    run: Walk, frame: Frame, loop: Loop, number: int, body: Callable[[], str], after: Callable[[], None] | None = None
+    walk: Walk, frame: Frame, loop: Loop, number: int, body: Callable[[], str], after: Callable[[], None] | None = None
 ) -> str:
     """The turn of that *number*, where they are gone through one by one."""
-    run.turns *= 2
-    run.turning.append(loop)
+    walk.turns *= 2
+    walk.turning.append(loop)
     loop.turn = number
     try:
-        return _turn(run, frame, loop, body, after)
+        return _turn(walk, frame, loop, body, after)
     finally:
-        run.turning.pop()
-        run.turns //= 2
+        walk.turning.pop()
+        walk.turns //= 2
 
 
-def _body(run: Walk, frame: Frame, loop: Loop, body: Callable[[], str]) -> str:
+def _body(walk: Walk, frame: Frame, loop: Loop, body: Callable[[], str]) -> str:
     """The body of a loop: the ways that continue are joined with the one that comes to its end."""
     was_dead = frame.is_dead
     loop.continues = []
     broken = len(loop.breaks)
-    run.loops.append(loop)
+    walk.loops.append(loop)
     try:
         ended = body()
     finally:
-        run.loops.pop()
+        walk.loops.pop()
     died = frame.is_dead and not was_dead
     frame.is_dead = was_dead
     if loop.continues:
         ways = list(loop.continues)
         if ended == NEXT and not died:
-            ways.append(run.state.since(loop.mark))
-        run.state.undo(loop.mark)
-        run.state.merge(ways)
+            ways.append(walk.state.since(loop.mark))
+        walk.state.undo(loop.mark)
+        walk.state.merge(ways)
         return NEXT
     if ended in (NEXT, CONTINUE) and not died:
         return NEXT
@@ -150,42 +152,42 @@ def _body(run: Walk, frame: Frame, loop: Loop, body: Callable[[], str]) -> str:
     return BREAK if died else ended
 
 
-def _leave(run: Walk, loop: Loop, *, goes_on: bool, ended: str = NEXT) -> str:
+def _leave(walk: Walk, loop: Loop, *, goes_on: bool, ended: str = NEXT) -> str:
     """The end of a loop: what was left by break is joined with what came to the end."""
     if not loop.breaks:
         return NEXT if goes_on or ended == BREAK else ended
     ways = list(loop.breaks)
     if goes_on:
-        ways.append(run.state.since(loop.mark))
-    run.state.undo(loop.mark)
-    run.state.merge(ways)
+        ways.append(walk.state.since(loop.mark))
+    walk.state.undo(loop.mark)
+    walk.state.merge(ways)
     return NEXT
 
 
-def _matters(run: Walk, frame: Frame, body: Block, test: Expression | None) -> bool:
+def _matters(walk: Walk, frame: Frame, body: Block, test: Expression | None) -> bool:
     blocks = (body,) if test is None else (body, test)
     function = frame.function
     if function is None and frame.source.separator == ".":  # the module's variables may hold functions
         function = next((function for function in frame.source.program.functions if function.kind == "module"), None)
-    return any(run.relevance.matters(block, frame.source, function) for block in blocks)
+    return any(walk.relevance.matters(block, frame.source, function) for block in blocks)
 
 
-def _worthwhile(run: Walk, frame: Frame, body: Block, test: Expression | None) -> bool:
+def _worthwhile(walk: Walk, frame: Frame, body: Block, test: Expression | None) -> bool:
     """Whether the turns of a loop are gone through one by one: it may make something or put a list together."""
-    if _matters(run, frame, body, test):
-        return run.turns < NESTED
+    if _matters(walk, frame, body, test):
+        return walk.turns < NESTED
     if (
-        run.turns < NESTED
+        walk.turns < NESTED
         and test is not None
         and isinstance(test, syntax.Operation)
-        and run.relevance.edits(body, frame.source)
+        and walk.relevance.edits(body, frame.source)
     ):
         return True
-    return run.turns == 1 and run.relevance.collects(body, frame.source)
+    return walk.turns == 1 and walk.relevance.collects(body, frame.source)
 
 
 def _widened(
-    run: Walk,
+    walk: Walk,
     frame: Frame,
     loop: Loop,
     matters: bool,
@@ -198,36 +200,36 @@ def _widened(
     *body* follows a turn. It is rehearsed until it changes nothing more that was known; then, if it *matters*, as it may
     make something, it is followed for what it makes (not in a rehearsal, which makes nothing).
     """
-    is_real = matters and not run.quiet
+    is_real = matters and not walk.quiet
     begun = tick()
-    for left in reversed(range(1 if run.quiet else REHEARSALS + is_real)):
-        inner = Loop(run.state.mark())
-        kept = keep(run) if is_real else None
-        run.turns *= 1 if is_real else NESTED
-        run.quiet += not is_real
+    for left in reversed(range(1 if walk.quiet else REHEARSALS + is_real)):
+        inner = Loop(walk.state.mark())
+        kept = keep(walk) if is_real else None
+        walk.turns *= 1 if is_real else NESTED
+        walk.quiet += not is_real
         try:
-            ended = _turn(run, frame, inner, body, after)
+            ended = _turn(walk, frame, inner, body, after)
         finally:
-            run.quiet -= not is_real
-            run.turns //= 1 if is_real else NESTED
-        writes = run.state.undo(inner.mark)
+            walk.quiet -= not is_real
+            walk.turns //= 1 if is_real else NESTED
+        writes = walk.state.undo(inner.mark)
         if is_real and not left:
             break
         ways = [item for way in (writes, *inner.breaks) for item in way.items()]
-        if not _forgotten(run, frame, line, begun, ways):
+        if not _forgotten(walk, frame, line, begun, ways):
             break
         if kept is not None:
-            go_back(run, kept)
-    before = run.state.since(loop.mark)
+            go_back(walk, kept)
+    before = walk.state.since(loop.mark)
     loop.breaks += [{**before, **way} for way in inner.breaks]
-    run.state.merge([alternatives.own(run, writes), writes] if ended == NEXT else [{}])
+    walk.state.merge([alternatives.own(walk, writes), writes] if ended == NEXT else [{}])
 
 
-def _forgotten(run: Walk, frame: Frame, line: int, begun: int, ways: list[tuple[Cell, Any]]) -> bool:
+def _forgotten(walk: Walk, frame: Frame, line: int, begun: int, ways: list[tuple[Cell, Any]]) -> bool:
     """Whether a turn has changed what was known before it; that is not known any more."""
     changed = False
     for cell, value in ways:
-        if not run.is_older(cell, begun):  # of the turn itself
+        if not walk.is_older(cell, begun):  # of the turn itself
             continue
         then = joined(cell.value, value)
         if then is cell.value or isinstance(then, (tuple, dict)) or opaque_of(then) is None:
@@ -238,17 +240,17 @@ def _forgotten(run: Walk, frame: Frame, line: int, begun: int, ways: list[tuple[
             continue
         changed = True
         result = Opaque("it changes in a loop", Location(frame.source.path, line), cell.type)
-        run.state.write(cell, Partial(result.reason, result.location, result.type, some) if some else result)
+        walk.state.write(cell, Partial(result.reason, result.location, result.type, some) if some else result)
     return changed
 
 
-def each(run: Walk, frame: Frame, statement: syntax.Each) -> str:
+def for_each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
     line, column, text = statement.line, statement.column, statement.text
     name, kind, iterable, body = statement.name, statement.type, statement.iterable, statement.body
-    items, others = static_types.some_elements(run, frame, iterable)
-    if run.is_raised:
+    items, others = static_types.some_elements(walk, frame, iterable)
+    if walk.is_raised:
         return NEXT
-    resolved = run.type_in(kind, frame)
+    resolved = walk.type_in(kind, frame)
 
     def turn(value: Value | Cell) -> str:
         frame.scopes.append({})
@@ -258,50 +260,50 @@ def each(run: Walk, frame: Frame, statement: syntax.Each) -> str:
             else:
                 inner = value.value if isinstance(value, Cell) else value
                 frame.declare(name, Cell(inner, resolved if resolved.name not in ("", "auto") else None))
-            return statements.execute(run, frame, body)
+            return statements.execute(walk, frame, body)
         finally:
             frame.scopes.pop()
 
-    current = Loop(run.state.mark())
-    with run.under("for", text, frame, line, column):
+    current = Loop(walk.state.mark())
+    with walk.under("for", text, frame, line, column):
         unknown: Value | None = None
         if others is not None:
-            kind_ = _element_type(run, frame, iterable, resolved)
+            kind_ = _element_type(walk, frame, iterable, resolved)
             unknown = Opaque("an element of a list that is not known", Location(frame.source.path, line), kind_)
         doubt = None
-        loads = run.context.of_base is not None and run.relevance.loads(body, frame.source)
+        loads = walk.context.of_base is not None and walk.relevance.loads(body, frame.source)
         if others is None and not items and loads:
             doubt = NAMED
-            unknown = Opaque(NAMED, Location(frame.source.path, line), _element_type(run, frame, iterable, resolved))
-        if items and (run.turns >= NESTED or len(items) > TURNS * 4):
+            unknown = Opaque(NAMED, Location(frame.source.path, line), _element_type(walk, frame, iterable, resolved))
+        if items and (walk.turns >= NESTED or len(items) > TURNS * 4):
             unknown = unknown or Opaque("an element in nested loops", Location(frame.source.path, line), resolved)
             items = []
-        known = len(run.made)
+        known = len(walk.made)
         for number, item in enumerate(items):
-            ended = _counted(run, frame, current, number, partial(turn, item))
-            forget_dead(run, known)
+            ended = _counted(walk, frame, current, number, partial(turn, item))
+            forget_dead(walk, known)
             if ended != NEXT:
-                return _leave(run, current, goes_on=False, ended=ended)
+                return _leave(walk, current, goes_on=False, ended=ended)
         if unknown is not None:
             current.turn = 0
-            matters = _matters(run, frame, body, None)
-            if others and matters and not run.quiet:
-                _possible(run, frame, current, [partial(turn, other) for other in others])
-            with run.doubted(doubt):
-                _widened(run, frame, current, loads or matters, line, partial(turn, unknown))
-    return _leave(run, current, goes_on=True)
+            matters = _matters(walk, frame, body, None)
+            if others and matters and not walk.quiet:
+                _possible(walk, frame, current, [partial(turn, other) for other in others])
+            with walk.doubted(doubt):
+                _widened(walk, frame, current, loads or matters, line, partial(turn, unknown))
+    return _leave(walk, current, goes_on=True)
 
 
-def _element_type(run: Walk, frame: Frame, iterable: Expression, written: Type) -> Type | None:
-    return static_types.element_type(run, frame, iterable) if written.name in ("", "auto") else written
+def _element_type(walk: Walk, frame: Frame, iterable: Expression, written: Type) -> Type | None:
+    return static_types.element_type(walk, frame, iterable) if written.name in ("", "auto") else written
 
 
-def _possible(run: Walk, frame: Frame, loop: Loop, turns: list[Callable[[], str]]) -> None:
+def _possible(walk: Walk, frame: Frame, loop: Loop, turns: list[Callable[[], str]]) -> None:
     """Turns for elements that a list has on some paths: what these make and leave behind may be so."""
-    mark = run.state.mark()
+    mark = walk.state.mark()
     for turn in turns:
-        with run.doubted(SOME_PATHS):
-            ended = _turn(run, frame, loop, turn)
-        writes = run.state.undo(mark)
-        run.state.merge([{}, writes] if ended == NEXT else [{}])
-        mark = run.state.mark()
+        with walk.doubted(SOME_PATHS):
+            ended = _turn(walk, frame, loop, turn)
+        writes = walk.state.undo(mark)
+        walk.state.merge([{}, writes] if ended == NEXT else [{}])
+        mark = walk.state.mark()

@@ -13,7 +13,7 @@ from haros_ci.model.location import Location
 from haros_ci.values.abstract import Callable, Cell
 
 if TYPE_CHECKING:
-    from haros_ci.follow.run import Walk
+    from haros_ci.follow.walk import Walk
 
 #: The reason where not all conditions are recorded.
 SEVERAL = "it is made on several ways, each under conditions of its own"
@@ -101,9 +101,9 @@ def either(
     return (other if len(other) < len(one) else one), True
 
 
-def make(run: Walk, made: MadeEntity) -> None:
+def make(walk: Walk, made: MadeEntity) -> None:
     """Keep *made* unless this is a rehearsal; of two ways to one endpoint the less conditional counts."""
-    if run.quiet or run.is_raised:
+    if walk.quiet or walk.is_raised:
         return
     key = (
         made.kind,
@@ -116,21 +116,21 @@ def make(run: Walk, made: MadeEntity) -> None:
         made.qos,
         made.node and made.node.name,
     )
-    known = run.made.get(key)
+    known = walk.made.get(key)
     conditions, unknowns = made.conditions, made.unknowns
-    if run.doubts:
-        unknowns = (*unknowns, ("conditions", run.doubts[-1], made.location))
+    if walk.doubts:
+        unknowns = (*unknowns, ("conditions", walk.doubts[-1], made.location))
     if known is not None:
-        other = replace(made, conditions=conditions, unknowns=unknowns, dead=run.ruled_out())
-        conditions, unknowns = _both(run, known, other)
+        other = replace(made, conditions=conditions, unknowns=unknowns, dead=walk.ruled_out())
+        conditions, unknowns = _both(walk, known, other)
         if known.type != made.type or known.is_strict != made.is_strict:
             made = _as_known(known, made)
-    dead = run.ruled_out() if known is None else min(run.ruled_out(), known.dead)
+    dead = walk.ruled_out() if known is None else min(walk.ruled_out(), known.dead)
     if dead != made.dead or conditions is not made.conditions or unknowns is not made.unknowns:
         made = replace(made, conditions=conditions, unknowns=unknowns, dead=dead)
     if known is not None and (known.conditions != conditions or known.dead != dead):
-        run.news += 1
-    run.made[key] = made
+        walk.news += 1
+    walk.made[key] = made
 
 
 def _as_known(known: MadeEntity, made: MadeEntity) -> MadeEntity:
@@ -143,10 +143,10 @@ def _as_known(known: MadeEntity, made: MadeEntity) -> MadeEntity:
 
 
 def _both(
-    run: Walk, known: MadeEntity, other: MadeEntity
+    walk: Walk, known: MadeEntity, other: MadeEntity
 ) -> tuple[tuple[Condition, ...], tuple[tuple[str, str, Location | None], ...]]:
     """The conditions and unknowns of what is made on two ways; one that fewer branches rule out as things are counts alone."""
-    conditions, is_all = either(known.conditions, other.conditions, run.pairs)
+    conditions, is_all = either(known.conditions, other.conditions, walk.pairs)
     unknowns = other.unknowns
     if not is_all and known.dead != other.dead:
         conditions = (known if known.dead < other.dead else other).conditions
@@ -155,72 +155,72 @@ def _both(
     return conditions, tuple(dict.fromkeys((*known.unknowns, *unknowns)))
 
 
-def keep(run: Walk) -> Kept:
+def keep(walk: Walk) -> Kept:
     """A snapshot of what the walk has recorded so far, to go back to."""
-    counts = len(run.nodes), len(run.names), len(run.alternatives)
-    sets = frozenset(run.statics), frozenset(run.offered)
-    return Kept(dict(run.made), dict(run.gaps), counts, sets, (tuple(run.roots), dict(run.known_roots)))
+    counts = len(walk.nodes), len(walk.names), len(walk.alternatives)
+    sets = frozenset(walk.statics), frozenset(walk.offered)
+    return Kept(dict(walk.made), dict(walk.gaps), counts, sets, (tuple(walk.roots), dict(walk.known_roots)))
 
 
-def go_back(run: Walk, kept: Kept) -> None:
+def go_back(walk: Walk, kept: Kept) -> None:
     """Drop what was recorded since the snapshot *kept*."""
-    run.made.clear()
-    run.made.update(kept.made)
-    run.gaps.clear()
-    run.gaps.update(kept.gaps)
+    walk.made.clear()
+    walk.made.update(kept.made)
+    walk.gaps.clear()
+    walk.gaps.update(kept.gaps)
     nodes, names, alternatives = kept.counts
-    del run.nodes[nodes:], run.names[names:], run.alternatives[alternatives:]
-    run.roots[:] = kept.roots[0]
-    run.known_roots = dict(kept.roots[1])
+    del walk.nodes[nodes:], walk.names[names:], walk.alternatives[alternatives:]
+    walk.roots[:] = kept.roots[0]
+    walk.known_roots = dict(kept.roots[1])
     statics, offered = kept.sets
-    for key in run.statics.keys() - statics:
-        del run.statics[key]
-    run.offered &= offered
+    for key in walk.statics.keys() - statics:
+        del walk.statics[key]
+    walk.offered &= offered
 
 
-def forget_again(run: Walk, known: int) -> None:
+def forget_again(walk: Walk, known: int) -> None:
     """Of what was made after the first *known*, drop what stands where the same was made before."""
-    every = list(run.made.items())
+    every = list(walk.made.items())
     before = {(made.kind, made.location) for _, made in every[:known]}
     for key, made in every[known:]:
         if (made.kind, made.location) in before:
-            del run.made[key]
+            del walk.made[key]
 
 
-def forget_dead(run: Walk, known: int) -> None:
+def forget_dead(walk: Walk, known: int) -> None:
     """Of what was made after the first *known*, drop what stands in branches that another turn of a loop takes.
 
     Where no turn takes all of the branches around a place, those count that take the most.
     """
-    if len(run.made) > known:
-        since = list(run.made.items())[known:]
+    if len(walk.made) > known:
+        since = list(walk.made.items())[known:]
         least: dict[tuple[str, Location], int] = {}
         for _, made in since:
             place = (made.kind, made.location)
             least[place] = min(made.dead, least.get(place, made.dead))
         for key, made in since:
             if made.dead > least[made.kind, made.location]:
-                del run.made[key]
+                del walk.made[key]
 
 
-def forget_unowned(run: Walk) -> None:
+def forget_unowned(walk: Walk) -> None:
     """Drop what is made on a node that is not known where the same call is seen to make it on one that is.
 
     It is another way to that: the conditions are those of both.
     """
     owned: dict[tuple[str, Location], list[Any]] = {}
-    for key, made in run.made.items():
+    for key, made in walk.made.items():
         if made.node is not None:
             owned.setdefault((made.kind, made.location), []).append(key)
-    for key, made in list(run.made.items()):
+    for key, made in list(walk.made.items()):
         same = owned.get((made.kind, made.location), ())
         if made.node is None and made.name.startswith("/?") and same:
-            del run.made[key]
+            del walk.made[key]
             for item in same:
-                known = run.made[item]
+                known = walk.made[item]
                 result = replace(
                     made, unknowns=tuple(unknown for unknown in made.unknowns if unknown[0] == "conditions")
                 )
-                conditions, unknowns = _both(run, known, result)
+                conditions, unknowns = _both(walk, known, result)
                 dead = min(known.dead, made.dead)
-                run.made[item] = replace(known, conditions=conditions, unknowns=unknowns, dead=dead)
+                walk.made[item] = replace(known, conditions=conditions, unknowns=unknowns, dead=dead)

@@ -11,7 +11,7 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import python as library_python
 from haros_ci.follow.libraries import python_modules
 from haros_ci.follow.ros import ros2_parameters
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.index.types import pointee
 from haros_ci.syntax import Class, Expression
@@ -33,7 +33,7 @@ from haros_ci.values.abstract import (
 )
 
 
-def member(run: Walk, value: Value, name: str, frame: Frame) -> Cell | None:
+def member(walk: Walk, value: Value, name: str, frame: Frame) -> Cell | None:
     """The cell of a data member; made where the class declares it (or Python may), None where there is none."""
     if isinstance(value, Pointer):
         value = value.cell.value
@@ -42,38 +42,38 @@ def member(run: Walk, value: Value, name: str, frame: Frame) -> Cell | None:
     ):
         value = of.value
     if not isinstance(value, Object):
-        return _of_module_or_class(run, value, name)
+        return _of_module_or_class(walk, value, name)
     cell = value.fields.get(name)
     if value.definition is None and name in ros2_parameters.READ_AS and "of" in value.fields:
-        ros2_parameters.read_as(run, value.fields["of"].value, name)
+        ros2_parameters.read_as(walk, value.fields["of"].value, name)
     if cell is None and value.definition is not None:
         source, definition = value.definition
         if source.program.language == "python":
-            cell = static_cell(run, source, definition, name)
+            cell = static_cell(walk, source, definition, name)
             if cell is not None:
                 return cell
-        found = methods.field_of(run, source, definition, name, value.templates)
+        found = methods.field_of(walk, source, definition, name, value.templates)
         if found is not None:
             where, declared, kind = found
             if declared.is_static:
-                return lookup.global_cell(run, where, f"{definition.name}{where.separator}{name}", declared.init, kind)
+                return lookup.global_cell(walk, where, f"{definition.name}{where.separator}{name}", declared.init, kind)
             cell = value.fields[name] = Cell(
-                run.opaque(f"the member {name} is not set before", frame, None, kind), kind
+                walk.opaque(f"the member {name} is not set before", frame, None, kind), kind
             )
     return cell
 
 
-def _of_module_or_class(run: Walk, value: Value, name: str) -> Cell | None:
+def _of_module_or_class(walk: Walk, value: Value, name: str) -> Cell | None:
     """The cell of a variable of a module, or of a class's own attribute."""
     if isinstance(value, Module):
-        return lookup.module_frame(run, value.source).scopes[0].get(name)
-    return static_cell(run, value.source, value.definition, name) if isinstance(value, ClassValue) else None
+        return lookup.module_frame(walk, value.source).scopes[0].get(name)
+    return static_cell(walk, value.source, value.definition, name) if isinstance(value, ClassValue) else None
 
 
-def static_cell(run: Walk, source: Source, definition: Class, name: str, depth: int = 0) -> Cell | None:
+def static_cell(walk: Walk, source: Source, definition: Class, name: str, depth: int = 0) -> Cell | None:
     """The cell of a class's own attribute, declared or assigned to, or that of its bases."""
     separator = source.separator
-    set_later = run.globals.get((source.path, f"{definition.name}{separator}{name}"))
+    set_later = walk.globals.get((source.path, f"{definition.name}{separator}{name}"))
     if set_later is not None:
         return set_later
     for declared in definition.fields:
@@ -81,63 +81,63 @@ def static_cell(run: Walk, source: Source, definition: Class, name: str, depth: 
             if not declared.is_static:
                 return None
             frame = Frame(source, definition.name)
-            kind = run.type_in(declared.type, frame)
-            return lookup.global_cell(run, source, f"{definition.name}{separator}{name}", declared.init, kind)
+            kind = walk.type_in(declared.type, frame)
+            return lookup.global_cell(walk, source, f"{definition.name}{separator}{name}", declared.init, kind)
     if depth < methods.BASES:
-        for base in run.bases(source, definition, {}):
-            owner = methods.python_class(run, base, source) if separator == "." else run.class_of(base.name, source)
+        for base in walk.bases(source, definition, {}):
+            owner = methods.python_class(walk, base, source) if separator == "." else walk.class_of(base.name, source)
             if owner is not None and owner[1] is not definition:
-                found = static_cell(run, owner[0], owner[1], name, depth + 1)
+                found = static_cell(walk, owner[0], owner[1], name, depth + 1)
                 if found is not None:
                     return found
     return None
 
 
-def attribute(run: Walk, value: Value, name: str, frame: Frame) -> Value:
+def attribute(walk: Walk, value: Value, name: str, frame: Frame) -> Value:
     """``value.name`` where it is no data member: a method, a module's content, a library's member."""
     if isinstance(value, Pointer):
         value = value.cell.value
     if isinstance(value, Module):
-        inner = lookup.module_frame(run, value.source)
+        inner = lookup.module_frame(walk, value.source)
         if name in inner.scopes[0]:
             return inner.scopes[0][name].value
-        deeper = run.index.modules.get(f"{value.source.module}.{name}")
+        deeper = walk.index.modules.get(f"{value.source.module}.{name}")
         if deeper:
-            return python_modules.bound(run, f"{value.source.module}.{name}") or Module(deeper[0])
-        placed = python_modules.placed(run, value.source, f".{name}") if not value.source.module else None
+            return python_modules.bound(walk, f"{value.source.module}.{name}") or Module(deeper[0])
+        placed = python_modules.placed(walk, value.source, f".{name}") if not value.source.module else None
         if placed is not None and not placed[1] and value.source.path.endswith("__init__.py"):
             return Module(placed[0])
-        if lookup.is_generated(run, value.source, name):
+        if lookup.is_generated(walk, value.source, name):
             return Library(f"{value.source.module}.{name}")
-        return lookup.python_name(run, inner, name)
+        return lookup.python_name(walk, inner, name)
     if isinstance(value, Library):
         if value.name == "sys" and name == "argv":
-            return library_python.argv(run)
+            return library_python.argv(walk)
         return Library(f"{value.name}.{name}" if frame.source.program.language == "python" else f"{value.name}::{name}")
     if isinstance(value, Object):
-        cell = member(run, value, name, frame)
+        cell = member(walk, value, name, frame)
         if cell is not None:
             return cell.value
-        method = methods.method_of(run, value, name)
+        method = methods.method_of(walk, value, name)
         if method is not None:
-            return activation.invoke(run, frame, method, ()) if properties.is_property(method.function) else method
+            return activation.invoke(walk, frame, method, ()) if properties.is_property(method.function) else method
         if frame.source.separator == ".":
-            held = of_class(run, value, name, frame)
+            held = of_class(walk, value, name, frame)
             if held is not None:
                 return held
         return Library(f"{value.name}{frame.source.separator}{name}", value)
     if isinstance(value, ClassValue):
-        found = methods.field_of(run, value.source, value.definition, name, {})
+        found = methods.field_of(walk, value.source, value.definition, name, {})
         if found is not None:
             separator = value.source.separator
             return lookup.global_cell(
-                run, found[0], f"{value.definition.name}{separator}{name}", found[1].init, found[2]
+                walk, found[0], f"{value.definition.name}{separator}{name}", found[1].init, found[2]
             ).value
-        unbound = methods.class_method(run, value.source, value.definition, name)
+        unbound = methods.class_method(walk, value.source, value.definition, name)
         if unbound is not None:
             return properties.of_class(value, *unbound)
         if value.source.separator == ".":
-            inside = class_inside(run, value.source, value.definition, name)
+            inside = class_inside(walk, value.source, value.definition, name)
             if inside is not None:
                 return inside
             if name == "__name__":
@@ -146,18 +146,18 @@ def attribute(run: Walk, value: Value, name: str, frame: Frame) -> Value:
     if isinstance(value, Choice):
         result: Value | None = None
         for option in value.options:
-            found_ = attribute(run, option, name, frame)
+            found_ = attribute(walk, option, name, frame)
             result = found_ if result is None else join(result, found_)
         return result if result is not None else NONE
     if isinstance(value, Opaque):
         kind = value.type
         if kind is not None and kind.name:
-            owner = run.class_of(pointee(kind).name, frame.source)
+            owner = walk.class_of(pointee(kind).name, frame.source)
             if owner is not None:
-                declared = methods.field_of(run, owner[0], owner[1], name, {})
+                declared = methods.field_of(walk, owner[0], owner[1], name, {})
                 if declared is not None:
                     return Opaque(value.reason, value.location, declared[2])
-                unbound = methods.class_method(run, owner[0], owner[1], name)
+                unbound = methods.class_method(walk, owner[0], owner[1], name)
                 if unbound is not None:
                     return Callable(*unbound)
             return Library(f"{pointee(kind).name}{frame.source.separator}{name}", value)
@@ -165,7 +165,7 @@ def attribute(run: Walk, value: Value, name: str, frame: Frame) -> Value:
     return Library(name, value)
 
 
-def of_class(run: Walk, value: Object, name: str, frame: Frame) -> Value | None:
+def of_class(walk: Walk, value: Object, name: str, frame: Frame) -> Value | None:
     """What a Python object's class has under *name* that is no method: an attribute, a class in it, ``__class__``.
 
     A function is a method there, be it a lambda or a method by another name.
@@ -175,9 +175,9 @@ def of_class(run: Walk, value: Object, name: str, frame: Frame) -> Value | None:
     if name == "__class__":
         return ClassValue(*value.definition)
     source, definition = value.definition
-    cell = static_cell(run, source, definition, name)
+    cell = static_cell(walk, source, definition, name)
     if cell is None:
-        return class_inside(run, source, definition, name)
+        return class_inside(walk, source, definition, name)
     held = cell.value
     if isinstance(held, Callable) and held.this is None:
         if not held.function.owner:
@@ -187,32 +187,32 @@ def of_class(run: Walk, value: Object, name: str, frame: Frame) -> Value | None:
     return held
 
 
-def class_inside(run: Walk, source: Source, definition: Class, name: str, depth: int = 0) -> ClassValue | None:
+def class_inside(walk: Walk, source: Source, definition: Class, name: str, depth: int = 0) -> ClassValue | None:
     """The Python class *name* that is defined inside of a class or one of its bases."""
     expected = f"{definition.name}.{name}"
-    found = [item for item in run.index.classes.get(expected, ()) if item[0].path == source.path]
+    found = [item for item in walk.index.classes.get(expected, ()) if item[0].path == source.path]
     if found:
         return ClassValue(*found[-1]) if len(found) == 1 else None
     if depth < methods.BASES:
-        for base in run.bases(source, definition, {}):
-            owner = methods.python_class(run, base, source)
+        for base in walk.bases(source, definition, {}):
+            owner = methods.python_class(walk, base, source)
             if owner is not None and owner[1] is not definition:
-                inside = class_inside(run, owner[0], owner[1], name, depth + 1)
+                inside = class_inside(walk, owner[0], owner[1], name, depth + 1)
                 if inside is not None:
                     return inside
     return None
 
 
-def field(run: Walk, frame: Frame, expression: syntax.Member) -> Value:
+def field(walk: Walk, frame: Frame, expression: syntax.Member) -> Value:
     if expression.name in enums.FIELDS and frame.source.separator == ".":
-        result = enums.field(run, frame, expression)
+        result = enums.field(walk, frame, expression)
         if result is not None:
             return result
-    value = expressions.evaluate(run, frame, expression.object)
-    cell = member(run, value, expression.name, frame)
+    value = expressions.evaluate(walk, frame, expression.object)
+    cell = member(walk, value, expression.name, frame)
     if cell is not None:
         return cell.value
-    return attribute(run, value, expression.name, frame)
+    return attribute(walk, value, expression.name, frame)
 
 
 def dotted(expression: Expression) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from haros_ci import syntax
 from haros_ci.follow import expressions, lookup, members, overloads
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Field, Function, Type
@@ -29,129 +29,129 @@ Found = tuple[Source, Function]
 
 
 def field_of(
-    run: Walk, source: Source, definition: Class, name: str, templates: Mapping[str, syntax.Argument], depth: int = 0
+    walk: Walk, source: Source, definition: Class, name: str, templates: Mapping[str, syntax.Argument], depth: int = 0
 ) -> Member | None:
     """The data member *name* of a class or its bases: where it is declared, and its resolved type."""
-    key = ("field", id(definition), name, run.numbered(templates) if templates else 0)
-    if key not in run.found:
-        run.found[key] = _field_of(run, source, definition, name, templates, depth)
-    found: Member | None = run.found[key]
+    key = ("field", id(definition), name, walk.numbered(templates) if templates else 0)
+    if key not in walk.found:
+        walk.found[key] = _field_of(walk, source, definition, name, templates, depth)
+    found: Member | None = walk.found[key]
     return found
 
 
 def _field_of(
-    run: Walk, source: Source, definition: Class, name: str, templates: Mapping[str, syntax.Argument], depth: int
+    walk: Walk, source: Source, definition: Class, name: str, templates: Mapping[str, syntax.Argument], depth: int
 ) -> Member | None:
     for declared in definition.fields:
         if declared.name == name:
-            return source, declared, run.resolved(declared.type, definition.name, source, templates)
+            return source, declared, walk.resolved(declared.type, definition.name, source, templates)
     if depth < BASES:
-        for base in run.bases(source, definition, templates):
-            owner = run.class_of(base.name, source)
+        for base in walk.bases(source, definition, templates):
+            owner = walk.class_of(base.name, source)
             if owner is not None and owner[1] is not definition:
                 bound = dict(zip(owner[1].templates, base.arguments, strict=False))
-                found = field_of(run, owner[0], owner[1], name, bound, depth + 1)
+                found = field_of(walk, owner[0], owner[1], name, bound, depth + 1)
                 if found is not None:
                     return found
     return None
 
 
 def class_method(
-    run: Walk, source: Source, definition: Class, name: str, arguments: Given = None, depth: int = 0
+    walk: Walk, source: Source, definition: Class, name: str, arguments: Given = None, depth: int = 0
 ) -> Found | None:
-    """The method *name* of a class or its bases; the arguments *given* choose between overloads."""
+    """The method *name* of a class or its bases; the *arguments* of the call choose between overloads."""
     separator = source.separator
     if separator == "::":
         key = ("methods", definition.name, name, source.path)
-        if key not in run.found:
-            candidates = run.index.near(run.index.functions, f"{definition.name}::{name}", source, run.files)
+        if key not in walk.found:
+            candidates = walk.index.near(walk.index.functions, f"{definition.name}::{name}", source, walk.files)
             if not any(function.body is not None for _, function in candidates):
-                candidates = [*overloads.nearest(run, _loose(run, definition.name, name), source), *candidates]
-            run.found[key] = candidates
-        candidates = run.found[key]
+                candidates = [*overloads.nearest(walk, _loose(walk, definition.name, name), source), *candidates]
+            walk.found[key] = candidates
+        candidates = walk.found[key]
     else:
-        candidates = run.index.near(run.index.functions, f"{definition.name}.{name}", source, run.files)
+        candidates = walk.index.near(walk.index.functions, f"{definition.name}.{name}", source, walk.files)
         candidates = overloads.python_methods([item for item in candidates if item[0].path == source.path])
     if candidates:
-        where, function = overload(run, candidates, arguments)
-        return where, overloads.decorated(run, function) if separator == "." else function
+        where, function = overload(walk, candidates, arguments)
+        return where, overloads.decorated(walk, function) if separator == "." else function
     if depth < BASES:
-        for base in run.bases(source, definition, {}):
-            owner = python_class(run, base, source) if separator == "." else run.class_of(base.name, source)
+        for base in walk.bases(source, definition, {}):
+            owner = python_class(walk, base, source) if separator == "." else walk.class_of(base.name, source)
             if owner is not None and owner[1] is not definition:
-                found = class_method(run, owner[0], owner[1], name, arguments, depth + 1)
+                found = class_method(walk, owner[0], owner[1], name, arguments, depth + 1)
                 if found is not None:
                     return found
     return None
 
 
-def python_class(run: Walk, base: Type, source: Source) -> tuple[Source, Class] | None:
-    value: Value = expressions.evaluate(run, lookup.module_frame(run, source), syntax.Name(base.name.split(".")[0]))
+def python_class(walk: Walk, base: Type, source: Source) -> tuple[Source, Class] | None:
+    value: Value = expressions.evaluate(walk, lookup.module_frame(walk, source), syntax.Name(base.name.split(".")[0]))
     for part in base.name.split(".")[1:]:
-        value = members.attribute(run, value, part, Frame(source, ""))
+        value = members.attribute(walk, value, part, Frame(source, ""))
     return (value.source, value.definition) if isinstance(value, ClassValue) else None
 
 
-def _as_node(run: Walk, name: str, source: Source, definition: Class) -> str:
+def _as_node(walk: Walk, name: str, source: Source, definition: Class) -> str:
     """The node of rclpy for a class ``Node`` of a library that is not known: it derives from it, and what else it makes is not known."""
-    if not name.endswith(".Node") or name in run.rows or run.context.process is None:
+    if not name.endswith(".Node") or name in walk.rows or walk.context.process is None:
         return name
     message = f"the base class {name} is not in the workspace: what it makes and calls is not known"
-    run.gaps.setdefault(message, Location(source.path, definition.line))
+    walk.gaps.setdefault(message, Location(source.path, definition.line))
     return "rclpy.node.Node"
 
 
-def library_bases(run: Walk, source: Source, definition: Class, depth: int = 0) -> list[str]:
+def library_bases(walk: Walk, source: Source, definition: Class, depth: int = 0) -> list[str]:
     """The names of all base classes that are not of the workspace."""
     key = ("bases", id(definition))
-    if key in run.found:
-        known: list[str] = run.found[key]
+    if key in walk.found:
+        known: list[str] = walk.found[key]
         return known
     found: list[str] = []
     if source.separator == "::" and depth == 0:
-        run.found[key] = found
+        walk.found[key] = found
     if depth < BASES:
-        for base in run.bases(source, definition, {}):
+        for base in walk.bases(source, definition, {}):
             if source.program.language == "python":
-                owner = python_class(run, base, source)
+                owner = python_class(walk, base, source)
                 name = base.name
                 if owner is None:
-                    value = expressions.evaluate(run, Frame(source, ""), syntax.Name(name.split(".")[0]))
+                    value = expressions.evaluate(walk, Frame(source, ""), syntax.Name(name.split(".")[0]))
                     name = ".".join((getattr(value, "name", name.split(".")[0]), *name.split(".")[1:]))
-                    name = _as_node(run, name, source, definition)
+                    name = _as_node(walk, name, source, definition)
             else:
-                owner, name = run.class_of(base.name, source), base.name
+                owner, name = walk.class_of(base.name, source), base.name
             if owner is None:
                 found.append(name)
             elif owner[1] is not definition:
-                found += library_bases(run, owner[0], owner[1], depth + 1)
+                found += library_bases(walk, owner[0], owner[1], depth + 1)
     return found
 
 
-def method_of(run: Walk, this: Object, name: str, arguments: Given = None) -> Callable | None:
+def method_of(walk: Walk, this: Object, name: str, arguments: Given = None) -> Callable | None:
     """The method *name* of an object, bound to it."""
     if this.definition is None:
         return None
     source, definition = this.definition
-    found = class_method(run, source, definition, name, arguments)
+    found = class_method(walk, source, definition, name, arguments)
     if found is None:
         return None
     return Callable(found[0], found[1], this, templates=this.templates)
 
 
-def templates_of(run: Walk, this: Object, owner: str) -> Mapping[str, syntax.Argument] | None:
+def templates_of(walk: Walk, this: Object, owner: str) -> Mapping[str, syntax.Argument] | None:
     """What the template parameters of *owner*, a base class of the object *this*, stand for; None if it has none."""
     if this.definition is None or this.definition[1].name == owner:
         return None
-    if not any(class_.templates for _, class_ in run.index.classes.get(owner, ())):
+    if not any(class_.templates for _, class_ in walk.index.classes.get(owner, ())):
         return None
     waiting = [(*this.definition, this.templates)]
     seen = 0
     while waiting and seen < BASES:
         source, definition, templates = waiting.pop(0)
         seen += 1
-        for base in run.bases(source, definition, templates):
-            found = run.class_of(base.name, source)
+        for base in walk.bases(source, definition, templates):
+            found = walk.class_of(base.name, source)
             if found is None:
                 continue
             bound = dict(zip(found[1].templates, base.arguments, strict=False))
@@ -161,14 +161,14 @@ def templates_of(run: Walk, this: Object, owner: str) -> Mapping[str, syntax.Arg
     return None
 
 
-def overload(run: Walk, candidates: list[Found], arguments: Given) -> Found:
-    """The definition that takes the arguments *given*, with its body if it has one; of several bodies none for certain."""
+def overload(walk: Walk, candidates: list[Found], arguments: Given) -> Found:
+    """The definition that takes the *arguments* of the call, with its body if it has one; of several bodies none for certain."""
     fitting = candidates
     if arguments is not None:
         fitting = [item for item in candidates if overloads.takes(item[1], len(arguments))] or candidates
     best = next((item for item in fitting if item[1].body is not None), fitting[0])
     if arguments is not None and len({overloads.signature(item[1]) for item in fitting}) > 1:
-        best = overloads.chosen(run, fitting, arguments)
+        best = overloads.chosen(walk, fitting, arguments)
     if best[1].body is None:
         bodies = [
             item
@@ -176,44 +176,44 @@ def overload(run: Walk, candidates: list[Found], arguments: Given) -> Found:
             if item[1].body is not None and len(item[1].parameters) == len(best[1].parameters)
         ]
         requested = overloads.signature(best[1])
-        elsewhere = [item for item in _defined(run, best) if item not in candidates]
+        elsewhere = [item for item in _defined(walk, best) if item not in candidates]
         candidates = [*candidates, *elsewhere]
         alike = (item for item in (*bodies, *elsewhere) if overloads.signature(item[1]) == requested)
         best = next(alike, (*elsewhere, *bodies, best)[0])
-    return overloads.any_of(run, best, candidates) if best[1].body is not None else best
+    return overloads.any_of(walk, best, candidates) if best[1].body is not None else best
 
 
-def _defined(run: Walk, declared: Found) -> list[Found]:
+def _defined(walk: Walk, declared: Found) -> list[Found]:
     """The definitions with as many parameters of a C++ function that is declared only, nearest first."""
     source, function = declared
     if source.separator == ".":
         return []
-    loose = _loose(run, function.owner, function.name.rpartition("::")[2]) if function.owner else []
+    loose = _loose(walk, function.owner, function.name.rpartition("::")[2]) if function.owner else []
     bodies = [
         item
-        for item in (*run.index.functions.get(function.name, ()), *loose)
+        for item in (*walk.index.functions.get(function.name, ()), *loose)
         if item[1].body is not None and len(item[1].parameters) == len(function.parameters)
     ]
-    return overloads.nearest(run, bodies, source)
+    return overloads.nearest(walk, bodies, source)
 
 
-def with_body(run: Walk, candidates: list[Found]) -> Found:
+def with_body(walk: Walk, candidates: list[Found]) -> Found:
     """The first that has a body, looked for under the same name in the files of the node if need be."""
     for item in candidates:
         if item[1].body is not None:
-            return overloads.any_of(run, item, candidates)
-    found = _defined(run, candidates[0])
+            return overloads.any_of(walk, item, candidates)
+    found = _defined(walk, candidates[0])
     requested = overloads.signature(candidates[0][1])
     alike = [item for item in found if overloads.signature(item[1]) == requested] or found
-    return overloads.any_of(run, alike[0], alike) if alike else candidates[0]
+    return overloads.any_of(walk, alike[0], alike) if alike else candidates[0]
 
 
-def _loose(run: Walk, owner: str, name: str) -> list[Found]:
+def _loose(walk: Walk, owner: str, name: str) -> list[Found]:
     """The definitions of the method *name* of the class *owner* that name the class under a using-directive, or in full
     within its own namespace (``namespace a { void a::C::m() {} }``)."""
     return [
         item
-        for item in run.index.by_tail.get(f"{owner.rpartition('::')[2]}::{name}", ())
+        for item in walk.index.by_tail.get(f"{owner.rpartition('::')[2]}::{name}", ())
         if item[1].body is not None
         and item[1].owner
         and (f"::{owner}".endswith(f"::{item[1].owner}") or _is_in_full(item[1].owner, owner))
@@ -226,12 +226,12 @@ def _is_in_full(written: str, owner: str) -> bool:
     return bool(sign) and written == f"{space}::{owner}" and owner.startswith(f"{space}::")
 
 
-def tail_method(run: Walk, name: str, source: Source) -> Found | None:
+def tail_method(walk: Walk, name: str, source: Source) -> Found | None:
     """``C::m`` where the class is known under a using-directive only."""
     tail = "::".join(name.split("::")[-2:])
     found = [
         item
-        for item in run.index.near(run.index.by_tail, tail, source, run.files)
+        for item in walk.index.near(walk.index.by_tail, tail, source, walk.files)
         if f"::{item[1].name}".endswith(f"::{name}") or f"::{name}".endswith(f"::{item[1].name}")
     ]
-    return overload(run, found, None) if found else None
+    return overload(walk, found, None) if found else None

@@ -11,7 +11,7 @@ from haros_ci import syntax
 from haros_ci.follow import activation, call_arguments, conversions, expressions, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import formats, python_kinds, python_lists, texts
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.types import STRINGS
 from haros_ci.syntax import Expression
 from haros_ci.values import iterators
@@ -56,54 +56,54 @@ BINARY = {
 MIRRORED = {"==": "==", "!=": "!=", "<": ">", ">": "<", "<=": ">=", ">=": "<="}
 
 
-def operation(run: Walk, frame: Frame, expression: syntax.Operation) -> Value:
+def operation(walk: Walk, frame: Frame, expression: syntax.Operation) -> Value:
     """A unary or binary operator, overloaded ones of the workspace included."""
     symbol, operands = expression.operator, expression.operands
     if symbol in ("&&", "||"):
-        return _logical(run, frame, symbol, operands)
-    left = expressions.evaluate(run, frame, operands[0])
+        return _logical(walk, frame, symbol, operands)
+    left = expressions.evaluate(walk, frame, operands[0])
     if len(operands) == 1:
         if symbol == "!":
-            return _negated(run, frame, expressions.holds(run, frame, operands[0], left))
-        return _unary(run, frame, symbol, left)
+            return _negated(walk, frame, expressions.holds(walk, frame, operands[0], left))
+        return _unary(walk, frame, symbol, left)
     if symbol in ("<<", ">>"):
-        return _shift(run, frame, symbol, operands, left)
-    right = expressions.evaluate(run, frame, operands[1])
+        return _shift(walk, frame, symbol, operands, left)
+    right = expressions.evaluate(walk, frame, operands[1])
     if symbol == ".*":
-        return _bound(run, frame, left, right)
+        return _bound(walk, frame, left, right)
     if isinstance(left, Object) and left.definition is not None:
         arguments = (call_arguments.PassedArgument(right, None, conversions.value_type(right)),)
-        method = methods.method_of(run, left, f"operator{symbol}", arguments)
+        method = methods.method_of(walk, left, f"operator{symbol}", arguments)
         if method is not None:
-            return activation.invoke(run, frame, method, arguments)
-    return binary(run, frame, symbol, left, right)
+            return activation.invoke(walk, frame, method, arguments)
+    return binary(walk, frame, symbol, left, right)
 
 
-def _bound(run: Walk, frame: Frame, left: Value, right: Value) -> Value:
+def _bound(walk: Walk, frame: Frame, left: Value, right: Value) -> Value:
     """``a.*m``, ``a->*m``: the method that *m* points to, of the object *a*."""
     this = left.cell.value if isinstance(left, Pointer) else left
     if isinstance(right, Callable) and isinstance(this, Object) and right.function.owner:
         return replace(right, this=this, templates=this.templates)
-    return run.opaque("it is a member that a pointer tells", frame)
+    return walk.opaque("it is a member that a pointer tells", frame)
 
 
-def binary(run: Walk, frame: Frame, symbol: str, left: Value, right: Value) -> Value:
+def binary(walk: Walk, frame: Frame, symbol: str, left: Value, right: Value) -> Value:
     """*symbol* applied to two values; Opaque where it cannot be computed."""
     if isinstance(left, Choice) and not isinstance(right, Choice):
-        return _over(left, lambda option: binary(run, frame, symbol, option, right))
+        return _over(left, lambda option: binary(walk, frame, symbol, option, right))
     if isinstance(right, Choice):
-        return _over(right, lambda option: binary(run, frame, symbol, left, option))
+        return _over(right, lambda option: binary(walk, frame, symbol, left, option))
     if symbol == "+" and (_is_text(left) or _is_text(right)):
         for value in (left, right):
             if isinstance(value, Known) and not issubclass(value.kind, (str, Character)):
-                return run.opaque("a number is added to a text", frame)
+                return walk.opaque("a number is added to a text", frame)
         return concatenate((left, right))
     if symbol == "/" and _is_text(left) and _is_text(right) and frame.source.separator == "::":  # std::filesystem::path
         return concatenate((left, Known("/"), right))
     if symbol == "%" and isinstance(left, Known) and issubclass(left.kind, str):
-        return formats.percent(run, frame, left.value, right)
+        return formats.percent(walk, frame, left.value, right)
     if isinstance(left, Sequence) or isinstance(right, Sequence):
-        whole = _of_lists(run, frame, symbol, left, right)
+        whole = _of_lists(walk, frame, symbol, left, right)
         if whole is not None:
             return whole
     if isinstance(left, Known) and isinstance(right, Known):
@@ -111,7 +111,7 @@ def binary(run: Walk, frame: Frame, symbol: str, left: Value, right: Value) -> V
             answer = _compared(symbol, left, right)
             if answer is not None:
                 return answer
-        return _computed(run, frame, symbol, left.value, right.value)
+        return _computed(walk, frame, symbol, left.value, right.value)
     if isinstance(left, Object) and symbol in ("+", "-") and isinstance(right, Known) and type(right.value) is int:
         further = iterators.moved(left, right.value if symbol == "+" else -right.value)
         if further is not None:
@@ -139,7 +139,7 @@ def binary(run: Walk, frame: Frame, symbol: str, left: Value, right: Value) -> V
         known, one_data = data_of(left)
         also, other_data = data_of(right)
         if known and also:
-            return _computed(run, frame, symbol, one_data, other_data)
+            return _computed(walk, frame, symbol, one_data, other_data)
     if symbol in ("in", "not in"):
         known, item = data_of(left)
         also, items = data_of(right)
@@ -150,17 +150,19 @@ def binary(run: Walk, frame: Frame, symbol: str, left: Value, right: Value) -> V
                 pass
     kind = conversions.value_type(left) or conversions.value_type(right)
     comparison = symbol in ("==", "!=", "<", ">", "<=", ">=", "in", "not in", "is", "is not")
-    return run.opaque("it is computed from what is not known", frame, None, syntax.Type("bool") if comparison else kind)
+    return walk.opaque(
+        "it is computed from what is not known", frame, None, syntax.Type("bool") if comparison else kind
+    )
 
 
-def _of_lists(run: Walk, frame: Frame, symbol: str, left: Value, right: Value) -> Value | None:
+def _of_lists(walk: Walk, frame: Frame, symbol: str, left: Value, right: Value) -> Value | None:
     """``+``, and Python's ``*`` and operators of sets; None if that is not known."""
     if symbol == "+" and isinstance(left, Sequence) and isinstance(right, Sequence):
         one, other = left.content.value, right.content.value
         if not isinstance(one, tuple) or not isinstance(other, tuple):
             return None
         if len(one) + len(other) > LIST_LIMIT:
-            return Sequence(Cell(run.opaque("it is a long list", frame)))
+            return Sequence(Cell(walk.opaque("it is a long list", frame)))
         return Sequence(Cell((*one, *other)))
     if frame.source.separator != ".":
         return None
@@ -190,14 +192,14 @@ def _over(choice: Choice, function: Any) -> Value:
     return result if result is not None else NONE
 
 
-def _computed(run: Walk, frame: Frame, symbol: str, left: Any, right: Any) -> Value:
+def _computed(walk: Walk, frame: Frame, symbol: str, left: Any, right: Any) -> Value:
     is_python = frame.source.program.language == "python"
     if not is_python and isinstance(left, int) and isinstance(right, int) and conversions.NPOS in (left, right):
         left, right = left % (conversions.NPOS + 1), right % (conversions.NPOS + 1)
     try:
         if symbol == "+":
             if isinstance(left, list) and isinstance(right, list) and len(left) + len(right) > LIST_LIMIT:
-                return run.opaque("it is a long list", frame)
+                return walk.opaque("it is a long list", frame)
             return Known(left + right)
         if symbol in ("is", "is not"):
             return Known((left is right) == (symbol == "is"))
@@ -217,48 +219,48 @@ def _computed(run: Walk, frame: Frame, symbol: str, left: Any, right: Any) -> Va
         if symbol in ("in", "not in"):
             return Known((left in right) == (symbol == "in"))
         if symbol == "*" and (isinstance(left, (str, list)) or isinstance(right, (str, list))):
-            return run.opaque("it is a repeated text", frame)
+            return walk.opaque("it is a repeated text", frame)
         if symbol in BINARY:
             result = BINARY[symbol](left, right)
             if not isinstance(result, int) or abs(result) < 2**256:
                 return Known(result)
     except (TypeError, ValueError, ZeroDivisionError, OverflowError):
         pass
-    return run.opaque("it cannot be computed", frame)
+    return walk.opaque("it cannot be computed", frame)
 
 
-def _logical(run: Walk, frame: Frame, symbol: str, operands: tuple[Expression, ...]) -> Value:
-    left = expressions.evaluate(run, frame, operands[0])
-    first = expressions.holds(run, frame, operands[0], left)
+def _logical(walk: Walk, frame: Frame, symbol: str, operands: tuple[Expression, ...]) -> Value:
+    left = expressions.evaluate(walk, frame, operands[0])
+    first = expressions.holds(walk, frame, operands[0], left)
     reason = f"it stands behind {symbol}"
-    mark = run.state.mark()
-    with run.doubted(reason if first is None or first is not (symbol == "&&") else None):
-        right = expressions.evaluate(run, frame, operands[1])
+    mark = walk.state.mark()
+    with walk.doubted(reason if first is None or first is not (symbol == "&&") else None):
+        right = expressions.evaluate(walk, frame, operands[1])
     if first is None:
-        run.state.merge([{}, run.state.undo(mark)])
+        walk.state.merge([{}, walk.state.undo(mark)])
     elif first is not (symbol == "&&"):  # not evaluated at all
-        run.state.undo(mark)
-    one, other = first, expressions.holds(run, frame, operands[1], right)
+        walk.state.undo(mark)
+    one, other = first, expressions.holds(walk, frame, operands[1], right)
     if frame.source.program.language == "python":
         if one is not None:
             return (right if one else left) if symbol == "&&" else (left if one else right)
-        return run.opaque("it is one or the other", frame)
+        return walk.opaque("it is one or the other", frame)
     if symbol == "&&" and (one is False or other is False):
         return FALSE
     if symbol == "||" and (one is True or other is True):
         return TRUE
     if one is not None and other is not None:
         return Known(one and other if symbol == "&&" else one or other)
-    return run.opaque("it is computed from what is not known", frame, None, syntax.Type("bool"))
+    return walk.opaque("it is computed from what is not known", frame, None, syntax.Type("bool"))
 
 
-def _negated(run: Walk, frame: Frame, holds: bool | None) -> Value:
+def _negated(walk: Walk, frame: Frame, holds: bool | None) -> Value:
     if holds is None:
-        return run.opaque("it is computed from what is not known", frame, None, syntax.Type("bool"))
+        return walk.opaque("it is computed from what is not known", frame, None, syntax.Type("bool"))
     return FALSE if holds else TRUE
 
 
-def _unary(run: Walk, frame: Frame, symbol: str, value: Value) -> Value:
+def _unary(walk: Walk, frame: Frame, symbol: str, value: Value) -> Value:
     if isinstance(value, Known) and issubclass(value.kind, (int, float)):
         if symbol == "-":
             return Known(-value.value)
@@ -266,31 +268,31 @@ def _unary(run: Walk, frame: Frame, symbol: str, value: Value) -> Value:
             return Known(~value.value)
         if symbol == "+":
             return value
-    return run.opaque("it is computed from what is not known", frame, None, conversions.value_type(value))
+    return walk.opaque("it is computed from what is not known", frame, None, conversions.value_type(value))
 
 
-def _shift(run: Walk, frame: Frame, symbol: str, operands: tuple[Expression, ...], left: Value) -> Value:
+def _shift(walk: Walk, frame: Frame, symbol: str, operands: tuple[Expression, ...], left: Value) -> Value:
     """``<<`` and ``>>``: overloads of the workspace, streams, YAML's extraction, integers."""
-    cell = expressions.cell_of(run, frame, operands[1])
-    right = cell.value if cell is not None else expressions.evaluate(run, frame, operands[1])
+    cell = expressions.cell_of(walk, frame, operands[1])
+    right = cell.value if cell is not None else expressions.evaluate(walk, frame, operands[1])
     if isinstance(left, Object):
         if left.definition is not None:
             kind = cell.type if cell is not None else conversions.value_type(right)
             arguments = (call_arguments.PassedArgument(right, cell, kind),)
-            method = methods.method_of(run, left, f"operator{symbol}", arguments)
+            method = methods.method_of(walk, left, f"operator{symbol}", arguments)
             if method is not None:
-                return activation.invoke(run, frame, method, arguments)
+                return activation.invoke(walk, frame, method, arguments)
         text = left.fields.get("[text]")
         if text is not None and symbol == "<<":
-            texts.insert(run, frame, left, right)
+            texts.insert(walk, frame, left, right)
             return left
         if text is not None and cell is not None:
-            return _token(run, frame, left, text, cell)
+            return _token(walk, frame, left, text, cell)
     if symbol == ">>" and cell is not None:
         if isinstance(left, Known) and not issubclass(left.kind, int):
-            run.state.write(cell, conversions.converted(left, cell.type))
+            walk.state.write(cell, conversions.converted(left, cell.type))
         else:
-            run.state.write(cell, run.opaque("it is read from a stream", frame, None, cell.type))
+            walk.state.write(cell, walk.opaque("it is read from a stream", frame, None, cell.type))
         return left
     if isinstance(left, Known) and isinstance(right, Known) and type(left.value) is type(right.value) is int:
         if 0 <= right.value < 64 and abs(left.value) < 2**192:
@@ -298,18 +300,18 @@ def _shift(run: Walk, frame: Frame, symbol: str, operands: tuple[Expression, ...
     return left
 
 
-def _token(run: Walk, frame: Frame, stream: Value, text: Cell, cell: Cell) -> Value:
+def _token(walk: Walk, frame: Frame, stream: Value, text: Cell, cell: Cell) -> Value:
     """The next word of a string stream; false (as the stream then is) where there is none."""
     if isinstance(text.value, Known) and cell.type is not None and cell.type.name in STRINGS:
         head, *rest = str(text.value.value).split(None, 1) or [""]
-        run.state.write(text, Known(rest[0] if rest else ""))
+        walk.state.write(text, Known(rest[0] if rest else ""))
         if not head:
             return FALSE
-        run.state.write(cell, Known(head))
+        walk.state.write(cell, Known(head))
         return stream
-    run.state.write(text, run.opaque("it is read bit by bit", frame))
-    run.state.write(cell, run.opaque("it is read from a stream", frame, None, cell.type))
-    return run.opaque("whether a stream has more", frame)
+    walk.state.write(text, walk.opaque("it is read bit by bit", frame))
+    walk.state.write(cell, walk.opaque("it is read from a stream", frame, None, cell.type))
+    return walk.opaque("whether a stream has more", frame)
 
 
 def _is_text(value: Value) -> bool:

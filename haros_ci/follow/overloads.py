@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.index import EITHER, Source
 from haros_ci.index.types import INTEGERS, REALS, STRINGS, is_smart_pointer, pointee
 from haros_ci.syntax import Block, Function, Type
@@ -50,11 +50,11 @@ ACCESSORS = frozenset(("setter", "deleter", "getter"))
 BASES = 12
 
 
-def nearest(run: Walk, found: list[Found], source: Source) -> list[Found]:
+def nearest(walk: Walk, found: list[Found], source: Source) -> list[Found]:
     """Of definitions elsewhere of what *source* declares: those of the node's own files, else of its package, else others."""
-    index = run.index
+    index = walk.index
     for fits in (
-        lambda other: other.path in run.files,
+        lambda other: other.path in walk.files,
         lambda other: other.path == source.path,
         lambda other: other.package == source.package,
     ):
@@ -64,15 +64,15 @@ def nearest(run: Walk, found: list[Found], source: Source) -> list[Found]:
                 item for item in near if item[0].path == source.path or source.path in index.reach(item[0].path)
             ]
             return informed or near
-    return [item for item in found if item[1].owner in index.classes or index.sees(source, item[0], run.files)]
+    return [item for item in found if item[1].owner in index.classes or index.sees(source, item[0], walk.files)]
 
 
-def chosen(run: Walk, candidates: list[Found], arguments: Sequence[PassedArgument]) -> Found:
+def chosen(walk: Walk, candidates: list[Found], arguments: Sequence[PassedArgument]) -> Found:
     """The overload that fits *arguments* best; of several that fit alike, none for certain."""
     ranked: list[tuple[int, Found]] = []
     for item in candidates:
         fits = [
-            _fit(run, item, parameter.type, argument)
+            _fit(walk, item, parameter.type, argument)
             for parameter, argument in zip(item[1].parameters, arguments, strict=False)
         ]
         ranked.append((-1 if NOT in fits else sum(fits), item))
@@ -80,8 +80,8 @@ def chosen(run: Walk, candidates: list[Found], arguments: Sequence[PassedArgumen
     best = sorted((item for score, item in ranked if score == top), key=lambda item: item[1].body is None)
     names = {signature(item[1]) for item in best}
     if len(names) == 1 or best[0][1].body is None:
-        return any_of(run, best[0], best) if best[0][1].body is not None else best[0]
-    return best[0][0], _unsure(run, best[0][1], tuple(item[1] for item in best))
+        return any_of(walk, best[0], best) if best[0][1].body is not None else best[0]
+    return best[0][0], _unsure(walk, best[0][1], tuple(item[1] for item in best))
 
 
 def takes(function: Function, count: int) -> bool:
@@ -91,18 +91,18 @@ def takes(function: Function, count: int) -> bool:
     return required <= count and (open_end or count <= len(function.parameters))
 
 
-def any_of(run: Walk, one: Found, candidates: Sequence[Found]) -> Found:
+def any_of(walk: Walk, one: Found, candidates: Sequence[Found]) -> Found:
     """*one*, or what stands for all that have its signature and another body."""
     if len(candidates) == 1 and candidates[0][1] is one[1]:
         return one
     key = ("any of", id(one[1]), *(id(function) for _, function in candidates))
-    known: Found | None = run.found.get(key)
+    known: Found | None = walk.found.get(key)
     if known is None:
-        known = run.found[key] = _any_of(run, one, candidates)
+        known = walk.found[key] = _any_of(walk, one, candidates)
     return known
 
 
-def _any_of(run: Walk, one: Found, candidates: Sequence[Found]) -> Found:
+def _any_of(walk: Walk, one: Found, candidates: Sequence[Found]) -> Found:
     requested = signature(one[1])
     alike = [
         item for item in candidates if item is one or (item[1].body is not None and signature(item[1]) == requested)
@@ -117,22 +117,22 @@ def _any_of(run: Walk, one: Found, candidates: Sequence[Found]) -> Found:
         and all(n == names[0] for n in names)
         and len({s.path for s, _ in different}) == 1
     ):
-        return one[0], _guarded(run, functions)
-    return one[0], _unsure(run, one[1], functions)
+        return one[0], _guarded(walk, functions)
+    return one[0], _unsure(walk, one[1], functions)
 
 
-def is_any(run: Walk, function: Function) -> bool:
+def is_any(walk: Walk, function: Function) -> bool:
     """Whether *function* stands for several, or for what a decorator makes of one."""
-    return ("any", id(function)) in run.found
+    return ("any", id(function)) in walk.found
 
 
-def decorated(run: Walk, function: Function) -> Function:
+def decorated(walk: Walk, function: Function) -> Function:
     """A Python function as its decorators leave it: with results that are not known where they may do anything."""
     for decorator in function.decorators:
         while isinstance(decorator, syntax.Call):
             decorator = decorator.callee
         if not isinstance(decorator, (syntax.Name, syntax.Member)) or decorator.name not in TRANSPARENT:
-            return _unsure(run, function, (function,))
+            return _unsure(walk, function, (function,))
     return function
 
 
@@ -190,32 +190,32 @@ def _same(one: object, other: object) -> bool:
     return True
 
 
-def _guarded(run: Walk, functions: tuple[Function, ...]) -> Function:
+def _guarded(walk: Walk, functions: tuple[Function, ...]) -> Function:
     """One function of the bodies under the branches of an #if."""
     branches = tuple(syntax.Branch(*function.guards[-1], function.body or ()) for function in functions)
-    return _made(run, functions, (syntax.Preprocessor(branches),), functions[0].guards[:-1])
+    return _made(walk, functions, (syntax.Preprocessor(branches),), functions[0].guards[:-1])
 
 
-def _unsure(run: Walk, function: Function, functions: tuple[Function, ...]) -> Function:
+def _unsure(walk: Walk, function: Function, functions: tuple[Function, ...]) -> Function:
     """*function* with results, and effects, that are not sure."""
     removed = (syntax.Return(syntax.Unknown(EITHER)),)
     branch = syntax.Branch(function.line, function.column, "", removed)
     body = (syntax.Preprocessor((branch,)), *(function.body or ()))
-    return _made(run, functions, body, function.guards)
+    return _made(walk, functions, body, function.guards)
 
 
 def _made(
-    run: Walk, functions: tuple[Function, ...], body: Block, guards: tuple[tuple[int, int, str], ...]
+    walk: Walk, functions: tuple[Function, ...], body: Block, guards: tuple[tuple[int, int, str], ...]
 ) -> Function:
     key = ("any of", *(id(function) for function in functions))
-    found: Function | None = run.found.get(key)
+    found: Function | None = walk.found.get(key)
     if found is None:
-        found = run.found[key] = syntax.replace(functions[0], body=body, guards=guards)
-        run.found["any", id(found)] = found
+        found = walk.found[key] = syntax.replace(functions[0], body=body, guards=guards)
+        walk.found["any", id(found)] = found
     return found
 
 
-def _fit(run: Walk, item: Found, written: Type, argument: PassedArgument) -> int:
+def _fit(walk: Walk, item: Found, written: Type, argument: PassedArgument) -> int:
     source, function = item
     value, type_ = argument.value, argument.type
     if type_ is None or not type_.name:
@@ -226,30 +226,30 @@ def _fit(run: Walk, item: Found, written: Type, argument: PassedArgument) -> int
         type_ = syntax.Type(value.name, value.arguments, "*")
     if written.name in function.templates:
         return GENERIC
-    kind = run.type_in(written, Frame(source, function.owner or function.name.rpartition("::")[0]))
-    owner = run.class_of(function.owner, source) if function.owner else None
+    kind = walk.type_in(written, Frame(source, function.owner or function.name.rpartition("::")[0]))
+    owner = walk.class_of(function.owner, source) if function.owner else None
     if owner is not None and kind.name in owner[1].templates:
         return GENERIC
-    fits = _conversion(run, source, kind, type_)
+    fits = _conversion(walk, source, kind, type_)
     is_own = type_ is not argument.type and fits == PERHAPS and (is_smart_pointer(kind) or "*" in kind.marks)
-    return NOT if is_own and _is_of_workspace(run, source, type_.name) and "void" not in pointee(kind).name else fits
+    return NOT if is_own and _is_of_workspace(walk, source, type_.name) and "void" not in pointee(kind).name else fits
 
 
-def _is_of_workspace(run: Walk, source: Source, name: str) -> bool:
+def _is_of_workspace(walk: Walk, source: Source, name: str) -> bool:
     """Whether a class and all its bases are defined in the workspace: what it converts to is known."""
     waiting, seen = [name], set[str]()
     while waiting:
         current = waiting.pop()
-        owner = run.class_of(current, source)
+        owner = walk.class_of(current, source)
         if owner is None or len(seen) > BASES:
             return False
         if current not in seen:
             seen.add(current)
-            waiting += [kind.name for kind in run.bases(owner[0], owner[1], {})]
+            waiting += [kind.name for kind in walk.bases(owner[0], owner[1], {})]
     return True
 
 
-def _conversion(run: Walk, source: Source, kind: Type, type_: Type) -> int:
+def _conversion(walk: Walk, source: Source, kind: Type, type_: Type) -> int:
     expected, shown = _sort(kind), _sort(type_)
     if expected in ("int", "real", "bool") and shown in ("int", "real", "bool"):
         if "*" in kind.marks:
@@ -263,21 +263,21 @@ def _conversion(run: Walk, source: Source, kind: Type, type_: Type) -> int:
         return NOT if expected in ("int", "real") else PERHAPS
     inner, actual = pointee(kind).name, pointee(type_).name
     if expected == "text":
-        return NOT if shown in ("real", "bool") or _has_no_conversion(run, source, actual) else PERHAPS
+        return NOT if shown in ("real", "bool") or _has_no_conversion(walk, source, actual) else PERHAPS
     if inner == actual or inner in (f"{actual}Ptr", f"{actual}ConstPtr"):
         return EXACT
-    return CONVERTED if _derives(run, source, actual, inner) else PERHAPS
+    return CONVERTED if _derives(walk, source, actual, inner) else PERHAPS
 
 
-def _has_no_conversion(run: Walk, source: Source, name: str) -> bool:
+def _has_no_conversion(walk: Walk, source: Source, name: str) -> bool:
     """Whether a class is of the workspace and neither it nor a base of it declares a conversion (``operator X``)."""
-    owner = run.class_of(name, source)
+    owner = walk.class_of(name, source)
     if owner is None:
         return False
-    if "conversions" not in run.found:
-        names = (name.partition("::operator ") for name in run.index.functions)
-        run.found["conversions"] = frozenset(owner for owner, found, _ in names if found)
-    return owner[1].name not in run.found["conversions"] and not run.bases(owner[0], owner[1], {})
+    if "conversions" not in walk.found:
+        names = (name.partition("::operator ") for name in walk.index.functions)
+        walk.found["conversions"] = frozenset(owner for owner, found, _ in names if found)
+    return owner[1].name not in walk.found["conversions"] and not walk.bases(owner[0], owner[1], {})
 
 
 def _sort(kind: Type) -> str:
@@ -294,15 +294,15 @@ def _sort(kind: Type) -> str:
     return "auto" if name == "auto" else name or "auto"
 
 
-def _derives(run: Walk, source: Source, name: str, base: str) -> bool:
+def _derives(walk: Walk, source: Source, name: str, base: str) -> bool:
     seen: set[str] = set()
     waiting = [name]
     while waiting and len(seen) < BASES:
         current = waiting.pop()
         if current == base:
             return True
-        owner = run.class_of(current, source)
+        owner = walk.class_of(current, source)
         if owner is not None and current not in seen:
             seen.add(current)
-            waiting += [kind.name for kind in run.bases(owner[0], owner[1], {})]
+            waiting += [kind.name for kind in walk.bases(owner[0], owner[1], {})]
     return False

@@ -6,13 +6,13 @@ from __future__ import annotations
 from haros_ci import syntax
 from haros_ci.follow import expressions
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.syntax import Expression
 from haros_ci.syntax.walk import everything
 from haros_ci.values.abstract import NONE, Cell, Sequence, Value
 
 
-def folded(run: Walk, frame: Frame, expression: Expression) -> Value:
+def folded(walk: Walk, frame: Frame, expression: Expression) -> Value:
     """Evaluate *expression* for the elements of the packs that it names, in their order; once where these are not known."""
     packs = _packs(frame)
     named = {node.name for node in everything(expression) if isinstance(node, syntax.Name)} & packs
@@ -20,12 +20,12 @@ def folded(run: Walk, frame: Frame, expression: Expression) -> Value:
     contents = [value.content.value for value in found.values() if isinstance(value, Sequence)]
     known = [content for content in contents if isinstance(content, tuple)]
     if not found or len(known) < len(found) or len({len(content) for content in known}) != 1:
-        with run.doubted("how many elements a pack has is not known"):
-            return expressions.evaluate(run, frame, expression)
+        with walk.doubted("how many elements a pack has is not known"):
+            return expressions.evaluate(walk, frame, expression)
     for row in zip(*known, strict=True):
         frame.scopes.append({name: Cell(cell.value, cell.type) for name, cell in zip(found, row, strict=True)})
         try:
-            expressions.evaluate(run, frame, expression)
+            expressions.evaluate(walk, frame, expression)
         finally:
             frame.scopes.pop()
     return NONE

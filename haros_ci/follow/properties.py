@@ -6,7 +6,7 @@ from __future__ import annotations
 from haros_ci import syntax
 from haros_ci.follow import activation, call_arguments, expressions, methods
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.syntax import Function
 from haros_ci.values.abstract import Callable, ClassValue, Object, Value
@@ -44,43 +44,43 @@ def this(function: Function | None, held: Object) -> Value:
     return ClassValue(*held.definition) if held.definition is not None and _is_of_class(function) else held
 
 
-def assigned(run: Walk, frame: Frame, target: syntax.Member, value: Value) -> bool:
+def assigned(walk: Walk, frame: Frame, target: syntax.Member, value: Value) -> bool:
     """Whether a property of a class of the workspace is assigned to, which its setter does."""
-    if not _has_setter(run, target.name):
+    if not _has_setter(walk, target.name):
         return False
-    owner = expressions.evaluate(run, frame, target.object)
-    method = _setter(run, owner, target.name) if isinstance(owner, Object) else None
+    owner = expressions.evaluate(walk, frame, target.object)
+    method = _setter(walk, owner, target.name) if isinstance(owner, Object) else None
     if method is not None:
-        activation.invoke(run, frame, method, (call_arguments.PassedArgument(value),))
+        activation.invoke(walk, frame, method, (call_arguments.PassedArgument(value),))
     return method is not None
 
 
-def _setter(run: Walk, this: Object, name: str) -> Callable | None:
+def _setter(walk: Walk, this: Object, name: str) -> Callable | None:
     """The method that an assignment to an attribute calls, of the object's class or its bases; None if there is none."""
     if this.definition is None:
         return None
-    found = methods.method_of(run, this, name)
+    found = methods.method_of(walk, this, name)
     if found is None:
         return None
     owner = found.function.owner
     own = [
         (source, function)
-        for source, function in run.index.functions.get(f"{owner}.{name}", ())
+        for source, function in walk.index.functions.get(f"{owner}.{name}", ())
         if source.path == found.source.path and _is_setter(function)
     ]
     return Callable(own[-1][0], own[-1][1], this) if own else None
 
 
-def _has_setter(run: Walk, name: str) -> bool:
+def _has_setter(walk: Walk, name: str) -> bool:
     """Whether an attribute of that name has a setter in some class."""
     key = ("setters",)
-    if key not in run.found:
-        run.found[key] = frozenset(
+    if key not in walk.found:
+        walk.found[key] = frozenset(
             name.rpartition(".")[2]
-            for name, found in dict.items(run.index.functions)
+            for name, found in dict.items(walk.index.functions)
             if any(source.separator == "." and _is_setter(function) for source, function in found)
         )
-    return name in run.found[key]
+    return name in walk.found[key]
 
 
 def _is_setter(function: Function) -> bool:

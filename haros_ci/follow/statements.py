@@ -10,7 +10,7 @@ from haros_ci import syntax
 from haros_ci.follow import construct, expressions, guarded, library_calls, lookup, loops, members, thrown
 from haros_ci.follow.frames import BREAK, CONTINUE, NEXT, RAISED, RETURN, THROW, Frame, Loop
 from haros_ci.follow.libraries import harmless
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Statement
 from haros_ci.values import abstract
@@ -23,15 +23,15 @@ _Kind = TypeVar("_Kind", bound=Statement)
 _Execute = Callable[[Walk, Frame, Statement], str]
 
 
-def execute(run: Walk, frame: Frame, block: Block) -> str:
+def execute(walk: Walk, frame: Frame, block: Block) -> str:
     """Follow the statements of *block* in a scope of their own; say how it ends."""
     frame.scopes.append({})
     try:
         for statement in block:
-            run.step()
-            ended = STATEMENTS[type(statement)](run, frame, statement)
-            if run.is_raised:
-                run.is_raised = False
+            walk.step()
+            ended = STATEMENTS[type(statement)](walk, frame, statement)
+            if walk.is_raised:
+                walk.is_raised = False
                 return RAISED
             if ended != NEXT:
                 return ended
@@ -40,37 +40,37 @@ def execute(run: Walk, frame: Frame, block: Block) -> str:
         frame.scopes.pop()
 
 
-def _do(run: Walk, frame: Frame, statement: syntax.Do) -> str:
-    expressions.evaluate(run, frame, statement.value)
-    return THROW if library_calls.ends_the_program(run, frame, statement.value) else NEXT
+def _do(walk: Walk, frame: Frame, statement: syntax.Do) -> str:
+    expressions.evaluate(walk, frame, statement.value)
+    return THROW if library_calls.ends_the_program(walk, frame, statement.value) else NEXT
 
 
-def _variable(run: Walk, frame: Frame, statement: syntax.Variable) -> str:
-    construct.declare(run, frame, statement)
+def _variable(walk: Walk, frame: Frame, statement: syntax.Variable) -> str:
+    construct.declare(walk, frame, statement)
     return NEXT
 
 
-def _static(run: Walk, frame: Frame, statement: syntax.Static) -> str:
+def _static(walk: Walk, frame: Frame, statement: syntax.Static) -> str:
     """A variable that is made once. What is made in a rehearsal is kept if it is plain data: all else has made nothing of note."""
     variable = statement.statement
     name = variable.name
     kinds = (kind.name if isinstance(kind, syntax.Type) else "" for kind in frame.templates.values())
     key = (" ".join((frame.source.path, str(variable.line), str(variable.column), *kinds)), name)
-    cell = run.globals.get(key) or run.statics.get(key)
+    cell = walk.globals.get(key) or walk.statics.get(key)
     if cell is None:
-        mark, begun = run.state.mark(), tick()
-        _variable(run, frame, variable)
-        run.state.settle(mark, begun)
+        mark, begun = walk.state.mark(), tick()
+        _variable(walk, frame, variable)
+        walk.state.settle(mark, begun)
         cell = frame.scopes[-1].get(name)
         is_plain = cell is not None and isinstance(cell.value, Known) and _starts_as_written(variable)
-        if cell is None or (run.quiet and not is_plain):
+        if cell is None or (walk.quiet and not is_plain):
             return NEXT
-        (run.globals if is_plain else run.statics)[key] = cell
+        (walk.globals if is_plain else walk.statics)[key] = cell
         if is_plain:
-            run.lasting.add(cell)
+            walk.lasting.add(cell)
         function = frame.function
-        if function is not None and not frame.templates and run.relevance.matters(statement, frame.source, function):
-            run.relevance = run.relevance.after(statement, function)
+        if function is not None and not frame.templates and walk.relevance.matters(statement, frame.source, function):
+            walk.relevance = walk.relevance.after(statement, function)
     frame.scopes[-1][name] = cell
     return NEXT
 
@@ -81,81 +81,81 @@ def _starts_as_written(variable: syntax.Variable) -> bool:
     return all(isinstance(literal, literals) for literal in syntax.started(variable.init))
 
 
-def _global(run: Walk, frame: Frame, statement: syntax.Global) -> str:
-    scope = lookup.module_frame(run, frame.source).scopes[0]
+def _global(walk: Walk, frame: Frame, statement: syntax.Global) -> str:
+    scope = lookup.module_frame(walk, frame.source).scopes[0]
     for name in statement.names:
-        frame.scopes[0][name] = scope.setdefault(name, Cell(run.opaque(f"{name} is not set", frame)))
+        frame.scopes[0][name] = scope.setdefault(name, Cell(walk.opaque(f"{name} is not set", frame)))
     return NEXT
 
 
-def _nonlocal(run: Walk, frame: Frame, statement: syntax.Nonlocal) -> str:
+def _nonlocal(walk: Walk, frame: Frame, statement: syntax.Nonlocal) -> str:
     for name in statement.names:
         cell = frame.outer.find(name) if frame.outer is not None else None
-        frame.scopes[0][name] = cell or Cell(run.opaque(f"{name} is not set", frame))
+        frame.scopes[0][name] = cell or Cell(walk.opaque(f"{name} is not set", frame))
     return NEXT
 
 
-def _if(run: Walk, frame: Frame, statement: syntax.If) -> str:
+def _if(walk: Walk, frame: Frame, statement: syntax.If) -> str:
     line, column, text = statement.line, statement.column, statement.text
     then, other, else_line, else_column = statement.then, statement.other, statement.else_line, statement.else_column
     if text.replace("'", '"').replace(" ", "").strip("()") in MAIN_GUARD and frame.source.program.language == "python":
-        return execute(run, frame, then) if frame.source.path in run.files else NEXT
-    holds = expressions.holds(run, frame, statement.test, expressions.evaluate(run, frame, statement.test))
-    if run.is_raised:
+        return execute(walk, frame, then) if frame.source.path in walk.files else NEXT
+    holds = expressions.holds(walk, frame, statement.test, expressions.evaluate(walk, frame, statement.test))
+    if walk.is_raised:
         return NEXT
-    if holds is not None and run.outer is not None:  # what a wrapper does not do as things are is nobody's
-        return execute(run, frame, then if holds else other)
+    if holds is not None and walk.outer is not None:  # what a wrapper does not do as things are is nobody's
+        return execute(walk, frame, then if holds else other)
     branches = []
-    mark = run.state.mark()
-    with run.under("if", text, frame, line, column):
-        ended = _followed(run, frame, then, holds is not False)
-    branches.append((ended, run.state.undo(mark)))
+    mark = walk.state.mark()
+    with walk.under("if", text, frame, line, column):
+        ended = _followed(walk, frame, then, holds is not False)
+    branches.append((ended, walk.state.undo(mark)))
     if else_line:
         path = frame.source.path
-        run.pairs[Location(path, else_line, else_column)] = Location(path, line, column)
-        with run.under("else", text, frame, else_line, else_column):
-            ended = _followed(run, frame, other, holds is not True)
-        branches.append((ended, run.state.undo(mark)))
+        walk.pairs[Location(path, else_line, else_column)] = Location(path, line, column)
+        with walk.under("else", text, frame, else_line, else_column):
+            ended = _followed(walk, frame, other, holds is not True)
+        branches.append((ended, walk.state.undo(mark)))
     else:
         branches.append((NEXT, {}))
-    return merge(run, frame, branches, None if holds is None else [0 if holds else 1])
+    return merge(walk, frame, branches, None if holds is None else [0 if holds else 1])
 
 
-def _followed(run: Walk, frame: Frame, block: Block, can_be: bool) -> str:
+def _followed(walk: Walk, frame: Frame, block: Block, can_be: bool) -> str:
     """Follow a branch; what one that cannot be taken returns does not count."""
     before = frame.is_dead
     frame.is_dead = before or not can_be
-    run.dead += not can_be
+    walk.dead += not can_be
     try:
-        return execute(run, frame, block)
+        return execute(walk, frame, block)
     finally:
         frame.is_dead = before
-        run.dead -= not can_be
+        walk.dead -= not can_be
 
 
-def merge(run: Walk, frame: Frame, branches: list[tuple[str, Writes]], live: list[int] | None) -> str:
+def merge(walk: Walk, frame: Frame, branches: list[tuple[str, Writes]], live: list[int] | None) -> str:
     """Go on with the join of the branches that can be taken; one that cannot is gone through for what it makes only."""
     chosen = branches if live is None else [branches[i] for i in live]
     going = [writes for ended, writes in chosen if ended == NEXT]
     if going:
-        run.state.merge(going)
+        walk.state.merge(going)
         return NEXT
     rest = [writes for ended, writes in branches if ended == NEXT]
-    if rest and not (run.loops and run.loops[-1].turn):  # what no turn reaches was gone through in the first
+    if rest and not (walk.loops and walk.loops[-1].turn):  # what no turn reaches was gone through in the first
         frame.is_dead = True
-        run.state.merge(rest)
+        walk.state.merge(rest)
         return NEXT
     ends = {ended for ended, _ in chosen}
     return next((ended for ended in (CONTINUE, BREAK, RETURN, THROW, RAISED) if ended in ends), NEXT)
 
 
-def _switch(run: Walk, frame: Frame, statement: syntax.Switch) -> str:
+def _switch(walk: Walk, frame: Frame, statement: syntax.Switch) -> str:
     line, column, text, test, cases = statement.line, statement.column, statement.text, statement.value, statement.cases
-    value = expressions.evaluate(run, frame, test)
+    value = expressions.evaluate(walk, frame, test)
     branches: list[tuple[str, Writes]] = []
     live: list[int] = []
     default = None
-    taken = _taken(run, frame, value, [case.value for case in cases])
+    taken = _taken(walk, frame, value, [case.value for case in cases])
     can_be = taken is None
     for index, case in enumerate(cases):
         if case.value is None:
@@ -167,42 +167,42 @@ def _switch(run: Walk, frame: Frame, statement: syntax.Switch) -> str:
             continue
         was_dead, is_dead = frame.is_dead, not can_be
         frame.is_dead = was_dead or is_dead
-        run.dead += is_dead
+        walk.dead += is_dead
         can_be = taken is None
-        loop = Loop(run.state.mark(), is_switch=True)
-        run.loops.append(loop)
+        loop = Loop(walk.state.mark(), is_switch=True)
+        walk.loops.append(loop)
         ended = NEXT
-        with run.under("switch", text, frame, line, column):
+        with walk.under("switch", text, frame, line, column):
             for following in cases[index:]:
-                ended = execute(run, frame, following.body)
+                ended = execute(walk, frame, following.body)
                 if ended != NEXT:
                     break
-        run.loops.pop()
+        walk.loops.pop()
         frame.is_dead = was_dead
-        run.dead -= is_dead
+        walk.dead -= is_dead
         ways = list(loop.breaks)
         if ended == NEXT:
-            ways.append(run.state.since(loop.mark))
-        writes = run.state.undo(loop.mark)
+            ways.append(walk.state.since(loop.mark))
+        writes = walk.state.undo(loop.mark)
         if ways:
-            run.state.merge(ways)
-            writes = run.state.undo(loop.mark)
+            walk.state.merge(ways)
+            writes = walk.state.undo(loop.mark)
         branches.append((NEXT if ways or ended == BREAK else ended, writes))
     if default is None:
         branches.append((NEXT, {}))
         default = len(branches) - 1
     if not branches:
         return NEXT
-    return merge(run, frame, branches, (live or [default]) if taken is not None else None)
+    return merge(walk, frame, branches, (live or [default]) if taken is not None else None)
 
 
-def _taken(run: Walk, frame: Frame, value: Value, labels: list[Expression | None]) -> set[int] | None:
+def _taken(walk: Walk, frame: Frame, value: Value, labels: list[Expression | None]) -> set[int] | None:
     """The numbers of the cases that a switch over *value* goes to, else the default's; None if that is not known."""
     if not isinstance(value, Known):
         return None
     found = set()
     for number, label in enumerate(labels):
-        expected = expressions.evaluate(run, frame, label) if label is not None else None
+        expected = expressions.evaluate(walk, frame, label) if label is not None else None
         if expected is not None and not isinstance(expected, Known):
             return None
         if expected is not None and expected.value == value.value:
@@ -210,43 +210,43 @@ def _taken(run: Walk, frame: Frame, value: Value, labels: list[Expression | None
     return found or {number for number, label in enumerate(labels) if label is None}
 
 
-def _try(run: Walk, frame: Frame, statement: syntax.Try) -> str:
+def _try(walk: Walk, frame: Frame, statement: syntax.Try) -> str:
     """A handler begins with anything that the block may have done by then; afterwards counts what it assigns itself.
 
     What else the block has left undone where it threw is not thought of: most never throw. A handler that gives up, as it
     returns false or nothing, is followed for what it makes, and not for what it leaves behind.
     """
     block, handlers = statement.body, statement.handlers
-    mark = run.state.mark()
+    mark = walk.state.mark()
     is_caught = frame.function is not None and frame.function.name != "main" and not harmless.are_ends(handlers)
-    run.trying += is_caught
+    walk.trying += is_caught
     try:
-        with thrown.left(run, handlers):
-            ended = execute(run, frame, block)
+        with thrown.left(walk, handlers):
+            ended = execute(walk, frame, block)
     finally:
-        run.trying -= is_caught
-    after = run.state.undo(mark)
+        walk.trying -= is_caught
+    after = walk.state.undo(mark)
     branches: list[tuple[str, Writes]] = [(ended, after)]
     for handler in handlers:
-        start = run.state.mark()
+        start = walk.state.mark()
         for cell, value in after.items():
-            run.state.write(cell, joined(cell.value, value))
-        begun = run.state.mark()
+            walk.state.write(cell, joined(cell.value, value))
+        begun = walk.state.mark()
         frame.scopes.append({})
         if handler.name:
-            kind = run.type_in(handler.type, frame)
-            frame.declare(handler.name, Cell(run.opaque("an exception", frame, handler.line, kind)))
+            kind = walk.type_in(handler.type, frame)
+            frame.declare(handler.name, Cell(walk.opaque("an exception", frame, handler.line, kind)))
         returned = len(frame.returned)
-        with run.under("catch", handler.text, frame, handler.line, handler.column):
-            how = execute(run, frame, handler.body)
+        with walk.under("catch", handler.text, frame, handler.line, handler.column):
+            how = execute(walk, frame, handler.body)
         frame.scopes.pop()
         if how == RETURN and ended not in (THROW, RAISED) and all(map(_is_failure, frame.returned[returned:])):
             del frame.returned[returned:], frame.exits[returned:]
-        own = run.state.since(begun)
-        run.state.undo(start)
+        own = walk.state.since(begun)
+        walk.state.undo(start)
         branches.append((how, {**after, **own}))
     is_passed_on = ended == RAISED and not any(map(thrown.catches, handlers))
-    return merge(run, frame, branches[:1] if is_passed_on else branches, None)
+    return merge(walk, frame, branches[:1] if is_passed_on else branches, None)
 
 
 def _is_failure(value: Value) -> bool:
@@ -256,56 +256,56 @@ def _is_failure(value: Value) -> bool:
     return value in (Known(False), Known(None))
 
 
-def _return(run: Walk, frame: Frame, statement: syntax.Return) -> str:
-    value = expressions.evaluate(run, frame, statement.value) if statement.value is not None else Known(None)
-    if not frame.is_dead and not run.is_raised:
+def _return(walk: Walk, frame: Frame, statement: syntax.Return) -> str:
+    value = expressions.evaluate(walk, frame, statement.value) if statement.value is not None else Known(None)
+    if not frame.is_dead and not walk.is_raised:
         frame.returned.append(value)
-        frame.exits.append(run.state.since(frame.mark))
+        frame.exits.append(walk.state.since(frame.mark))
     return RETURN
 
 
-def _throw(run: Walk, frame: Frame, statement: syntax.Throw) -> str:
+def _throw(walk: Walk, frame: Frame, statement: syntax.Throw) -> str:
     if statement.value is not None:
-        expressions.evaluate(run, frame, statement.value)
+        expressions.evaluate(walk, frame, statement.value)
     return THROW
 
 
-def _break(run: Walk, frame: Frame, statement: syntax.Break) -> str:
-    if run.loops and not frame.is_dead:
-        run.loops[-1].breaks.append(run.state.since(run.loops[-1].mark))
+def _break(walk: Walk, frame: Frame, statement: syntax.Break) -> str:
+    if walk.loops and not frame.is_dead:
+        walk.loops[-1].breaks.append(walk.state.since(walk.loops[-1].mark))
     return BREAK
 
 
-def _continue(run: Walk, frame: Frame, statement: syntax.Continue) -> str:
+def _continue(walk: Walk, frame: Frame, statement: syntax.Continue) -> str:
     if not frame.is_dead:
-        for loop in reversed(run.loops):
+        for loop in reversed(walk.loops):
             if not loop.is_switch:
-                loop.continues.append(run.state.since(loop.mark))
+                loop.continues.append(walk.state.since(loop.mark))
                 break
     return CONTINUE
 
 
-def _define(run: Walk, frame: Frame, statement: syntax.NestedFunction) -> str:
+def _define(walk: Walk, frame: Frame, statement: syntax.NestedFunction) -> str:
     function = frame.source.program.functions[statement.function]
     made = abstract.Callable(frame.source, function, frame.this, frame=expressions.kept(frame))
     frame.declare(statement.name, Cell(made))
     return NEXT
 
 
-def _class(run: Walk, frame: Frame, statement: syntax.NestedClass) -> str:
-    found = run.class_of(statement.name, frame.source)
+def _class(walk: Walk, frame: Frame, statement: syntax.NestedClass) -> str:
+    found = walk.class_of(statement.name, frame.source)
     if found is None:
         return NEXT
-    for field in found[1].fields if found[0] is frame.source and not run.quiet else ():
-        if field.init is not None and run.relevance.matters(field.init, frame.source):
-            members.static_cell(run, *found, field.name)
-    if run.modules.get(frame.source.path) is not frame:
+    for field in found[1].fields if found[0] is frame.source and not walk.quiet else ():
+        if field.init is not None and walk.relevance.matters(field.init, frame.source):
+            members.static_cell(walk, *found, field.name)
+    if walk.modules.get(frame.source.path) is not frame:
         frame.declare(statement.name.rpartition(frame.source.separator)[2], Cell(ClassValue(*found)))
     return NEXT
 
 
-def _import(run: Walk, frame: Frame, statement: syntax.Import) -> str:
-    frame.declare(statement.name, Cell(lookup.imported(run, frame, statement.target)))
+def _import(walk: Walk, frame: Frame, statement: syntax.Import) -> str:
+    frame.declare(statement.name, Cell(lookup.imported(walk, frame, statement.target)))
     return NEXT
 
 
@@ -322,12 +322,12 @@ STATEMENTS: dict[type[Statement], _Execute] = dict(
         _on(syntax.Global, _global),
         _on(syntax.Nonlocal, _nonlocal),
         _on(syntax.If, _if),
-        _on(syntax.Loop, lambda run, frame, s: loops.loop(run, frame, s)),
-        _on(syntax.Each, lambda run, frame, s: loops.each(run, frame, s)),
+        _on(syntax.Loop, lambda walk, frame, s: loops.loop(walk, frame, s)),
+        _on(syntax.Each, lambda walk, frame, s: loops.for_each(walk, frame, s)),
         _on(syntax.Switch, _switch),
         _on(syntax.Try, _try),
-        _on(syntax.Preprocessor, lambda run, frame, s: guarded.preprocessor(run, frame, s)),
-        _on(syntax.Nested, lambda run, frame, s: execute(run, frame, s.body)),
+        _on(syntax.Preprocessor, lambda walk, frame, s: guarded.preprocessor(walk, frame, s)),
+        _on(syntax.Nested, lambda walk, frame, s: execute(walk, frame, s.body)),
         _on(syntax.Return, _return),
         _on(syntax.Break, _break),
         _on(syntax.Continue, _continue),

@@ -6,7 +6,7 @@ from __future__ import annotations
 from haros_ci import syntax
 from haros_ci.follow import conversions, enums, expressions
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.types import SEQUENCES
 from haros_ci.syntax import Expression, Type
 from haros_ci.values import iterators
@@ -25,27 +25,27 @@ from haros_ci.values.abstract import (
 from haros_ci.values.state import certain, possible
 
 
-def elements(run: Walk, frame: Frame, expression: Expression) -> list[Value | Cell] | None:
+def elements(walk: Walk, frame: Frame, expression: Expression) -> list[Value | Cell] | None:
     """The elements that a loop goes through; None if they are not known."""
-    found, others = some_elements(run, frame, expression)
+    found, others = some_elements(walk, frame, expression)
     return found if others is None else None
 
 
 def some_elements(
-    run: Walk, frame: Frame, expression: Expression
+    walk: Walk, frame: Frame, expression: Expression
 ) -> tuple[list[Value | Cell], tuple[Cell, ...] | None]:
     """Elements that a loop goes through for sure, and objects that are elements on some paths: None if these are all.
 
     Where a branch is not taken, a text stands for the list that the branch is for: its letters are no elements.
     """
-    value = expressions.evaluate(run, frame, expression)
+    value = expressions.evaluate(walk, frame, expression)
     if isinstance(value, Pointer):
         value = value.cell.value
     if isinstance(value, Sequence) and isinstance(value.content.value, Opaque):
         return list(certain(value.content.value)), objects(value.content.value)
-    if isinstance(value, ClassValue) and (every := enums.elements(run, value)) is not None:
+    if isinstance(value, ClassValue) and (every := enums.elements(walk, value)) is not None:
         return [*every], None
-    is_dead = bool(run.dead or frame.is_dead)
+    is_dead = bool(walk.dead or frame.is_dead)
     found = (
         None if is_dead and isinstance(value, Known) and issubclass(value.kind, str) else _all_elements(frame, value)
     )
@@ -78,51 +78,51 @@ def _all_elements(frame: Frame, value: Value) -> list[Value | Cell] | None:
     return None
 
 
-def element_type(run: Walk, frame: Frame, expression: Expression) -> Type | None:
+def element_type(walk: Walk, frame: Frame, expression: Expression) -> Type | None:
     """The static type of a container's elements."""
-    kind = static_type(run, frame, expression)
+    kind = static_type(walk, frame, expression)
     if kind is not None and kind.name in SEQUENCES and kind.arguments:
         return kind.of(0)
     return None
 
 
 def member_called(
-    run: Walk, frame: Frame, callee: Expression, targs: tuple[syntax.Argument, ...]
+    walk: Walk, frame: Frame, callee: Expression, targs: tuple[syntax.Argument, ...]
 ) -> tuple[Expression, tuple[syntax.Argument, ...]]:
     """``decltype(a)::element_type::make`` with the class that it stands for, and this class's template arguments."""
     if not isinstance(callee, syntax.Name) or not callee.name.startswith("decltype("):
         return callee, targs
     inside, _, rest = callee.name[9:].partition(")")
     name = inside.removeprefix("this->").strip()
-    kind = static_type(run, frame, syntax.Name(name)) if name.isidentifier() and rest.startswith("::") else None
+    kind = static_type(walk, frame, syntax.Name(name)) if name.isidentifier() and rest.startswith("::") else None
     if kind is None:
         return callee, targs
     head, _, last = rest[2:].rpartition("::")
-    owner = run.type_in(syntax.Type(f"{kind.name}::{head}" if head else kind.name, kind.arguments, ""), frame)
+    owner = walk.type_in(syntax.Type(f"{kind.name}::{head}" if head else kind.name, kind.arguments, ""), frame)
     return syntax.Name(f"{owner.name}::{last}"), targs or owner.arguments
 
 
-def static_type(run: Walk, frame: Frame, expression: Expression) -> Type | None:
+def static_type(walk: Walk, frame: Frame, expression: Expression) -> Type | None:
     """The declared (resolved) type of *expression*; what it makes and changes is not kept."""
-    mark = run.state.mark()
-    run.quiet += 1
+    mark = walk.state.mark()
+    walk.quiet += 1
     try:
-        return _static_type(run, frame, expression)
+        return _static_type(walk, frame, expression)
     finally:
-        run.quiet -= 1
-        run.state.undo(mark)
+        walk.quiet -= 1
+        walk.state.undo(mark)
 
 
-def _static_type(run: Walk, frame: Frame, expression: Expression) -> Type | None:
+def _static_type(walk: Walk, frame: Frame, expression: Expression) -> Type | None:
     literal = LITERAL_TYPES.get(type(expression))
     if literal is not None:
         return literal
     if isinstance(expression, syntax.Number):
         return syntax.Type("int") if isinstance(expression.value, int) else syntax.Type("double")
     if isinstance(expression, (syntax.Address, syntax.Dereference, syntax.Keyword)):
-        return _static_type(run, frame, expression.value)
+        return _static_type(walk, frame, expression.value)
     if isinstance(expression, syntax.Cast):
-        return run.type_in(expression.type, frame)
+        return walk.type_in(expression.type, frame)
     if isinstance(expression, syntax.Operation) and expression.operator in (
         "==",
         "!=",
@@ -136,16 +136,16 @@ def _static_type(run: Walk, frame: Frame, expression: Expression) -> Type | None
     ):
         return syntax.Type("bool")
     if isinstance(expression, syntax.Operation):
-        kinds = [_static_type(run, frame, item) for item in expression.operands]
+        kinds = [_static_type(walk, frame, item) for item in expression.operands]
         known = [kind for kind in kinds if kind is not None]
         for name in ("std::string", "double", "float"):
             if any(kind.name == name for kind in known):
                 return syntax.Type(name)
         return known[0] if len(known) == len(kinds) and known else None
-    cell = expressions.cell_of(run, frame, expression)
+    cell = expressions.cell_of(walk, frame, expression)
     if cell is not None and cell.type is not None and cell.type.name not in ("", "auto"):
         return cell.type
-    value = cell.value if cell is not None else expressions.evaluate(run, frame, expression)
+    value = cell.value if cell is not None else expressions.evaluate(walk, frame, expression)
     return conversions.value_type(value)
 
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from haros_ci import syntax
 
 if TYPE_CHECKING:
-    from haros_ci.follow.run import Walk
+    from haros_ci.follow.walk import Walk
     from haros_ci.model.location import Location
     from haros_ci.syntax import Expression
 
@@ -22,14 +22,14 @@ if TYPE_CHECKING:
 CATCHING = ("KeyError", "LookupError", "Exception", "exception", "ParameterNotDeclared", "runtime_error", "...")
 
 
-def raises(run: Walk, name: str, location: Location, is_set: bool) -> bool:
+def raises(walk: Walk, name: str, location: Location, is_set: bool) -> bool:
     """Whether reading a parameter without a default, which something sets or nothing, raises an exception that ends a loop.
 
     In the first turn a loop goes on as if it were set. A later turn that asks for another name at that place raises, and has
-    not come to that (``run.is_raised``) where the first one had nothing either.
+    not come to that (``walk.is_raised``) where the first one had nothing either.
     """
-    loop = next((loop for loop in reversed(run.turning) if loop.is_endless), None)
-    if loop is None or run.dead or "?" in name:
+    loop = next((loop for loop in reversed(walk.turning) if loop.is_endless), None)
+    if loop is None or walk.dead or "?" in name:
         return False
     requested = loop.asked.setdefault(location, {})
     if is_set or not loop.turn:
@@ -37,7 +37,7 @@ def raises(run: Walk, name: str, location: Location, is_set: bool) -> bool:
         return False
     if not requested or requested.get(name) is False:
         return False
-    run.is_raised = not all(requested.values())
+    walk.is_raised = not all(requested.values())
     return True
 
 
@@ -55,9 +55,9 @@ def is_endless(test: Expression | None) -> bool:
 
 
 @contextmanager
-def left(run: Walk, handlers: tuple[syntax.Handler, ...]) -> Iterator[None]:
+def left(walk: Walk, handlers: tuple[syntax.Handler, ...]) -> Iterator[None]:
     """In the block of a ``try`` whose *handlers* leave the loop around it, exceptions end that loop."""
-    loop = run.loops[-1] if run.loops else None
+    loop = walk.loops[-1] if walk.loops else None
     if loop is None or loop.is_endless or not _leaves(handlers):
         yield
         return

@@ -11,7 +11,7 @@ from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Function
 
 if TYPE_CHECKING:
-    from haros_ci.follow.run import Walk
+    from haros_ci.follow.walk import Walk
     from haros_ci.values.abstract import Object
 
 #: Functions and methods after which a node may be gone.
@@ -39,39 +39,39 @@ class Standing:
     inside: tuple[Function, ...]
     is_called_back: bool
 
-    def stands(self, run: Walk, inside: tuple[Function, ...]) -> bool:
+    def stands(self, walk: Walk, inside: tuple[Function, ...]) -> bool:
         """Whether it is sure to be there still: the function that made it has not returned, or is the process's own."""
-        if self.is_called_back != run.is_called_back:
+        if self.is_called_back != walk.is_called_back:
             return len(self.inside) <= 1 and not self.is_called_back
         return self.inside == inside[: len(self.inside)]
 
 
-def called(run: Walk, callee: Expression) -> None:
+def called(walk: Walk, callee: Expression) -> None:
     """A call, after which a node may be gone."""
     name = syntax.name_of(callee)
     if name.rpartition("::")[2].rpartition(".")[2] in _ENDING:
-        run.has_ended = True
+        walk.has_ended = True
 
 
-def made(run: Walk, target: Object, name: str, coded: str, location: Location) -> None:
+def made(walk: Walk, target: Object, name: str, coded: str, location: Location) -> None:
     """The node *target* is made; *coded* is the name that it has without what the process is given."""
-    if run.quiet or run.conditions or run.doubts or run.dead or run.beyond or run.trying or "?" in name + coded:
+    if walk.quiet or walk.conditions or walk.doubts or walk.dead or walk.beyond or walk.trying or "?" in name + coded:
         return
     inside = tuple(
         function
-        for function in run.active
+        for function in walk.active
         if function.kind != "constructor" and not function.name.endswith(".__init__")
     )
-    if any(_has_scopes(function) for function in inside) or len(run.standing) >= MOST:
+    if any(_has_scopes(function) for function in inside) or len(walk.standing) >= MOST:
         return
     place = target.location or location
-    for other in run.standing:
+    for other in walk.standing:
         first = other.target.location or location
-        if other.target is target or first == place or run.has_ended:
+        if other.target is target or first == place or walk.has_ended:
             continue
-        if (other.name, other.coded) == (name, coded) and other.stands(run, inside):
-            run.twins.setdefault(name, Twin(name, first, place))
-    run.standing.append(Standing(target, name, coded, inside, run.is_called_back))
+        if (other.name, other.coded) == (name, coded) and other.stands(walk, inside):
+            walk.twins.setdefault(name, Twin(name, first, place))
+    walk.standing.append(Standing(target, name, coded, inside, walk.is_called_back))
 
 
 def _has_scopes(function: Function) -> bool:

@@ -9,7 +9,7 @@ from typing import Any
 from haros_ci import syntax
 from haros_ci.follow import conversions, copies, dispatch, expressions, members, unknown_calls
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.syntax import Expression
 from haros_ci.values.abstract import (
     NONE,
@@ -30,68 +30,68 @@ from haros_ci.values.abstract import (
 UNCERTAIN = "it is assigned to in a way that is not followed"
 
 
-def lost(run: Walk, frame: Frame, target: Expression, value: Value) -> None:
+def lost(walk: Walk, frame: Frame, target: Expression, value: Value) -> None:
     """What has no single cell is assigned to: all that may be meant is what it was or the value, or not known."""
     if (
         isinstance(target, syntax.Member)
         and isinstance(value, Callable)
-        and _passed_to_library(run, frame, target, value)
+        and _passed_to_library(walk, frame, target, value)
     ):
         return
     if isinstance(target, syntax.Cast):
-        lost(run, frame, target.value, value)
+        lost(walk, frame, target.value, value)
     elif isinstance(target, syntax.Conditional):
-        holds = conversions.truth(expressions.evaluate(run, frame, target.test))
+        holds = conversions.truth(expressions.evaluate(walk, frame, target.test))
         sides = (target.then, target.other)
         for side in sides if holds is None else (sides[0 if holds else 1],):
-            cell = expressions.cell_of(run, frame, side)
+            cell = expressions.cell_of(walk, frame, side)
             if cell is None:
-                lost(run, frame, side, value)
+                lost(walk, frame, side, value)
             elif holds is not None:
-                run.state.write(cell, conversions.converted(value, cell.type))
+                walk.state.write(cell, conversions.converted(value, cell.type))
             else:
-                _maybe(run, frame, cell, value)
+                _maybe(walk, frame, cell, value)
     elif isinstance(target, syntax.Member):
-        owners = _options(expressions.evaluate(run, frame, target.object))
+        owners = _options(expressions.evaluate(walk, frame, target.object))
         if isinstance(target.object, syntax.Subscript) and not any(isinstance(owner, Object) for owner in owners):
             owners = [
                 other_value
-                for held in _options(expressions.evaluate(run, frame, target.object.object))
+                for held in _options(expressions.evaluate(walk, frame, target.object.object))
                 for other_value in _held(held)
             ]
         for owner in owners:
             for option in _pointed(owner):
-                cell = members.member(run, option, target.name, frame)
+                cell = members.member(walk, option, target.name, frame)
                 if cell is not None:
-                    _maybe(run, frame, cell, value)
+                    _maybe(walk, frame, cell, value)
     elif isinstance(target, syntax.Dereference):
-        owner = expressions.evaluate(run, frame, target.value)
+        owner = expressions.evaluate(walk, frame, target.value)
         for other_value in owner.options if isinstance(owner, Choice) else (owner,):
             if isinstance(other_value, Pointer):
-                _maybe(run, frame, other_value.cell, value)
+                _maybe(walk, frame, other_value.cell, value)
             elif isinstance(other_value, Object) and "[of]" in other_value.fields:
-                _element(run, frame, other_value.fields["[of]"].value, value)
+                _element(walk, frame, other_value.fields["[of]"].value, value)
     elif isinstance(target, syntax.Subscript):
         python = frame.source.program.language == "python"
-        key = expressions.evaluate(run, frame, target.index)
-        for container in _options(expressions.evaluate(run, frame, target.object)):
+        key = expressions.evaluate(walk, frame, target.index)
+        for container in _options(expressions.evaluate(walk, frame, target.object)):
             if isinstance(container, (Sequence, Mapped)) and (isinstance(key, Known) or python):
                 if python:
-                    dispatch.kept(run, container, value)
-                run.state.write(container.content, run.opaque(UNCERTAIN, frame))
+                    dispatch.kept(walk, container, value)
+                walk.state.write(container.content, walk.opaque(UNCERTAIN, frame))
             elif isinstance(container, (Sequence, Mapped)):
-                _element(run, frame, container, value)
+                _element(walk, frame, container, value)
             elif isinstance(container, Known):
-                _inside(run, frame, target, container, key, value)
+                _inside(walk, frame, target, container, key, value)
     elif isinstance(target, syntax.Call) and isinstance(target.callee, syntax.Member):
-        cell = _root(run, frame, target.callee.object)
+        cell = _root(walk, frame, target.callee.object)
         if cell is not None:
-            _forget(run, frame, cell)
+            _forget(walk, frame, cell)
 
 
-def _passed_to_library(run: Walk, frame: Frame, target: syntax.Member, value: Callable) -> bool:
+def _passed_to_library(walk: Walk, frame: Frame, target: syntax.Member, value: Callable) -> bool:
     """A function is assigned to a member of a struct inside a library's object: the struct is made, as a part of it."""
-    inside = expressions.evaluate(run, frame, target.object)
+    inside = expressions.evaluate(walk, frame, target.object)
     if (
         not isinstance(inside, Library)
         or not isinstance(target.object, syntax.Member)
@@ -106,53 +106,53 @@ def _passed_to_library(run: Walk, frame: Frame, target: syntax.Member, value: Ca
     return True
 
 
-def _inside(run: Walk, frame: Frame, target: syntax.Subscript, container: Known, key: Value, value: Value) -> None:
+def _inside(walk: Walk, frame: Frame, target: syntax.Subscript, container: Known, key: Value, value: Value) -> None:
     """An element of known data or a character of a text is set: the variable holds other data."""
-    cell = expressions.cell_of(run, frame, target.object)
+    cell = expressions.cell_of(walk, frame, target.object)
     data: Any = container.value
     known, item = data_of(value)
     if cell is not None and cell.value is container and known and isinstance(key, Known):
         if isinstance(data, dict) and isinstance(key.value, (str, int)):
-            run.state.write(cell, Known({**data, key.value: item}))
+            walk.state.write(cell, Known({**data, key.value: item}))
             return
         if isinstance(data, list) and type(key.value) is int and -len(data) <= key.value < len(data):
             changed = [*data]
             changed[key.value] = item
-            run.state.write(cell, Known(changed))
+            walk.state.write(cell, Known(changed))
             return
-    cell = cell if cell is not None else _root(run, frame, target.object)
+    cell = cell if cell is not None else _root(walk, frame, target.object)
     if cell is not None:
-        _forget(run, frame, cell)
+        _forget(walk, frame, cell)
 
 
-def _element(run: Walk, frame: Frame, container: Value, value: Value) -> None:
+def _element(walk: Walk, frame: Frame, container: Value, value: Value) -> None:
     """Some element of a container is set."""
     if isinstance(container, Sequence) and isinstance(container.content.value, tuple):
         for cell in container.content.value:
-            _maybe(run, frame, cell, value)
+            _maybe(walk, frame, cell, value)
     elif isinstance(container, (Sequence, Mapped)):
-        run.state.write(container.content, run.opaque(UNCERTAIN, frame))
+        walk.state.write(container.content, walk.opaque(UNCERTAIN, frame))
 
 
-def _maybe(run: Walk, frame: Frame, cell: Cell, value: Value) -> None:
+def _maybe(walk: Walk, frame: Frame, cell: Cell, value: Value) -> None:
     """*cell* holds what it held, or *value*."""
     if isinstance(value, Object) and isinstance(cell.value, Object) and copies.is_by_value(cell.type):
-        _forget(run, frame, cell)
+        _forget(walk, frame, cell)
     else:
-        run.state.write(cell, join(cell.value, conversions.converted(value, cell.type)))
+        walk.state.write(cell, join(cell.value, conversions.converted(value, cell.type)))
 
 
-def _forget(run: Walk, frame: Frame, cell: Cell) -> None:
+def _forget(walk: Walk, frame: Frame, cell: Cell) -> None:
     if cell.value == NONE:
-        run.state.write(cell, run.opaque(UNCERTAIN, frame, None, cell.type))
+        walk.state.write(cell, walk.opaque(UNCERTAIN, frame, None, cell.type))
     else:
-        unknown_calls.forget(run, frame, cell, UNCERTAIN)
+        unknown_calls.forget(walk, frame, cell, UNCERTAIN)
 
 
-def _root(run: Walk, frame: Frame, expression: Expression) -> Cell | None:
+def _root(walk: Walk, frame: Frame, expression: Expression) -> Cell | None:
     """The nearest cell that an element, member or character is inside of."""
     while True:
-        cell = expressions.cell_of(run, frame, expression)
+        cell = expressions.cell_of(walk, frame, expression)
         if cell is not None:
             return cell
         if isinstance(expression, (syntax.Subscript, syntax.Member)):
@@ -187,17 +187,17 @@ def _pointed(value: Value) -> list[Value]:
     return [value]
 
 
-def exposed(run: Walk, frame: Frame, expression: Expression) -> None:
+def exposed(walk: Walk, frame: Frame, expression: Expression) -> None:
     """A reference to one of several is made: what they hold may be changed through it from here on."""
     for side in (expression.then, expression.other) if isinstance(expression, syntax.Conditional) else ():
-        cell = expressions.cell_of(run, frame, side)
+        cell = expressions.cell_of(walk, frame, side)
         if cell is None:
-            exposed(run, frame, side)
+            exposed(walk, frame, side)
         elif not isinstance(cell.value, Object):
-            _forget(run, frame, cell)
+            _forget(walk, frame, cell)
 
 
-def deleted(run: Walk, frame: Frame, text: str) -> None:
+def deleted(walk: Walk, frame: Frame, text: str) -> None:
     """Python's ``del``: variables have no value, lists and maps that lose an element are not known."""
     for target in text.removeprefix("del ").split(","):
         found = re.match(r"\s*(?:\(\s*)?([A-Za-z_]\w*(?:\s*\.\s*\w+)*)\s*([\[(.]?)", target)
@@ -207,12 +207,12 @@ def deleted(run: Walk, frame: Frame, text: str) -> None:
         expression: Expression = syntax.This() if first == "self" and frame.find("self") is None else syntax.Name(first)
         for part in rest:
             expression = syntax.Member(expression, part)
-        cell = expressions.cell_of(run, frame, expression)
+        cell = expressions.cell_of(walk, frame, expression)
         if cell is None:
             continue
         if not found[2]:
-            run.state.write(cell, run.opaque("it is deleted", frame))
+            walk.state.write(cell, walk.opaque("it is deleted", frame))
         elif isinstance(cell.value, (Sequence, Mapped)):
-            run.state.write(cell.value.content, run.opaque("something is deleted from it", frame))
+            walk.state.write(cell.value.content, walk.opaque("something is deleted from it", frame))
         else:
-            _forget(run, frame, cell)
+            _forget(walk, frame, cell)

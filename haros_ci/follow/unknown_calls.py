@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from haros_ci.follow import activation, call_arguments, conversions
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import harmless
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.syntax import Class
 from haros_ci.values.abstract import Callable, Cell, Choice, Known, Mapped, Object, Pointer, Sequence, Text, Value
 from haros_ci.values.state import joined
@@ -23,7 +23,7 @@ MEMBERS = 200
 PLAIN = frozenset(("__init__", "__repr__", "__str__", "__eq__", "__ne__", "__hash__", "__lt__"))
 
 
-def forget_passed(run: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> None:
+def forget_passed(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> None:
     """Forget what a function that is not known is given by reference or address.
 
     Texts, numbers, lists, maps and structs; objects with methods keep what they have, as most are only registered.
@@ -34,13 +34,13 @@ def forget_passed(run: Walk, frame: Frame, name: str, args: tuple[PassedArgument
         value = argument.value
         if isinstance(value, Pointer):
             if not is_harmless or not isinstance(value.cell.value, (Sequence, Mapped)):
-                forget(run, frame, value.cell, f"{name} may change it")
-        elif is_harmless or _is_kept(run, name, number, len(args)):
+                forget(walk, frame, value.cell, f"{name} may change it")
+        elif is_harmless or _is_kept(walk, name, number, len(args)):
             continue
         elif argument.cell is not None and not (is_python and not _is_data(value)):
-            forget(run, frame, argument.cell, f"{name} may change it")
+            forget(walk, frame, argument.cell, f"{name} may change it")
         elif isinstance(value, (Sequence, Mapped, Object)):
-            _forget_inside(run, frame, value, f"{name} may change it", [MEMBERS], DEEP)
+            _forget_inside(walk, frame, value, f"{name} may change it", [MEMBERS], DEEP)
 
 
 def _is_data(value: Value) -> bool:
@@ -48,7 +48,7 @@ def _is_data(value: Value) -> bool:
     return isinstance(value, Known) and issubclass(value.kind, (list, dict))
 
 
-def called(run: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> None:
+def called(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> None:
     """Lambdas that are given to a function that is not known may run there, any number of times."""
     for argument in args:
         function = argument.value
@@ -56,87 +56,87 @@ def called(run: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...])
             continue
         parameters = function.function.parameters[len(function.bound) :]
         values = tuple(
-            call_arguments.PassedArgument(run.opaque(f"what {name} gives", frame, None, run.type_in(p.type, frame)))
+            call_arguments.PassedArgument(walk.opaque(f"what {name} gives", frame, None, walk.type_in(p.type, frame)))
             for p in parameters
             if p.default is None and not p.name.startswith("*")
         )
-        mark = run.state.mark()
-        run.quiet += 1
+        mark = walk.state.mark()
+        walk.quiet += 1
         try:
-            activation.invoke(run, frame, function, values)
+            activation.invoke(walk, frame, function, values)
         finally:
-            run.quiet -= 1
-            writes = run.state.undo(mark)
+            walk.quiet -= 1
+            writes = walk.state.undo(mark)
         for cell, after in writes.items():
             if joined(cell.value, after) is not cell.value:
                 kind = cell.type or (conversions.value_type(after) if not isinstance(after, (tuple, dict)) else None)
-                run.state.write(
-                    cell, run.opaque(f"a function that is given to {name} may change it", frame, None, kind)
+                walk.state.write(
+                    cell, walk.opaque(f"a function that is given to {name} may change it", frame, None, kind)
                 )
 
 
 def method(
-    run: Walk, frame: Frame, receiver: Value, cell: Cell | None, name: str, args: tuple[PassedArgument, ...]
+    walk: Walk, frame: Frame, receiver: Value, cell: Cell | None, name: str, args: tuple[PassedArgument, ...]
 ) -> Value:
     """A method of a text or container of which nothing is known: it may change what it is called on and given."""
     reason = f"{name} may change it"
     if isinstance(receiver, (Sequence, Mapped)):
-        run.state.write(receiver.content, run.opaque(reason, frame))
+        walk.state.write(receiver.content, walk.opaque(reason, frame))
     elif cell is not None and (frame.source.program.language != "python" or _is_data(receiver)):
-        forget(run, frame, cell, reason)
-    called(run, frame, name, args)
-    forget_passed(run, frame, name, args)
-    return run.opaque(f"what {name} returns is not known", frame)
+        forget(walk, frame, cell, reason)
+    called(walk, frame, name, args)
+    forget_passed(walk, frame, name, args)
+    return walk.opaque(f"what {name} returns is not known", frame)
 
 
-def forget(run: Walk, frame: Frame, cell: Cell, reason: str) -> None:
+def forget(walk: Walk, frame: Frame, cell: Cell, reason: str) -> None:
     """What *cell* holds is not known any more, unless it is a constant."""
     if cell.type is not None and "c" in cell.type.marks:
         return
     value = cell.value
     if isinstance(value, (Known, Text, Choice)):
         kind = cell.type or conversions.value_type(value)
-        run.state.write(cell, run.opaque(reason, frame, None, kind))
+        walk.state.write(cell, walk.opaque(reason, frame, None, kind))
     elif isinstance(value, (Sequence, Mapped, Object)):
-        _forget_inside(run, frame, value, reason, [MEMBERS], DEEP)
+        _forget_inside(walk, frame, value, reason, [MEMBERS], DEEP)
 
 
 def _forget_inside(
-    run: Walk, frame: Frame, value: Sequence | Mapped | Object, reason: str, left: list[int], depth: int
+    walk: Walk, frame: Frame, value: Sequence | Mapped | Object, reason: str, left: list[int], depth: int
 ) -> None:
     """Forget the elements of a container, the members of a struct, what an iterator leads to, a stream's text."""
     left[0] -= 1
     if left[0] < 0 or depth < 0:
         return
     if isinstance(value, (Sequence, Mapped)):
-        run.state.write(value.content, run.opaque(reason, frame))
+        walk.state.write(value.content, walk.opaque(reason, frame))
         return
     if value.definition is None:
         for name in ("[text]", "[of]"):
             cell = value.fields.get(name)
             if cell is not None and isinstance(cell.value, (Sequence, Mapped)):
-                _forget_inside(run, frame, cell.value, reason, left, depth - 1)
+                _forget_inside(walk, frame, cell.value, reason, left, depth - 1)
             elif cell is not None:
                 inner = cell.value.cell if isinstance(cell.value, Pointer) else cell
-                run.state.write(inner, run.opaque(reason, frame, None, inner.type))
+                walk.state.write(inner, walk.opaque(reason, frame, None, inner.type))
         return
-    if not is_plain(run, value):
+    if not is_plain(walk, value):
         return
     for cell in value.fields.values():
         held = cell.value
         if isinstance(held, (Sequence, Mapped, Object)):
-            _forget_inside(run, frame, held, reason, left, depth - 1)
+            _forget_inside(walk, frame, held, reason, left, depth - 1)
         elif isinstance(held, (Known, Text, Choice)):
-            forget(run, frame, cell, reason)
+            forget(walk, frame, cell, reason)
 
 
-def is_plain(run: Walk, value: Object) -> bool:
+def is_plain(walk: Walk, value: Object) -> bool:
     """Whether an object's class has no methods but constructors and operators: it is a struct."""
     source, definition = value.definition
     key = ("plain", definition.name, source.path)
-    found = run.found.get(key)
+    found = walk.found.get(key)
     if found is None:
-        found = run.found[key] = not definition.bases and not any(
+        found = walk.found[key] = not definition.bases and not any(
             function.owner == definition.name and _is_method(function.name, function.kind, definition)
             for function in source.program.functions
         )
@@ -154,9 +154,9 @@ def _is_method(name: str, kind: str, definition: Class) -> bool:
     )
 
 
-def _is_kept(run: Walk, name: str, number: int, count: int) -> bool:
+def _is_kept(walk: Walk, name: str, number: int, count: int) -> bool:
     """Whether every declaration of a function of that name takes its argument by value or as a constant."""
-    found = [f for _, f in run.index.functions.get(name, ()) if len(f.parameters) >= count]
+    found = [f for _, f in walk.index.functions.get(name, ()) if len(f.parameters) >= count]
     if not found:
         return False
     marks = [f.parameters[number].type.marks for f in found if f.parameters[number].type.name]

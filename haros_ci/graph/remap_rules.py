@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from haros_ci.graph.names import resolve, resolve_target
-from haros_ci.graph.ros2_process import NAMES, SPACES, RosNode, RemappingRule, rule_of, schemed
+from haros_ci.graph.ros2_process import NAMES, SPACES, RemappingRule, RosNode, rule_of, schemed
 from haros_ci.model.architecture import Condition, RemapRule
 from haros_ci.model.location import Location
 from haros_ci.model.presence import ALWAYS, Presence

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from haros_ci.bounded_yaml import YamlLimits, YamlFault
+from haros_ci.bounded_yaml import YamlFault, YamlLimits
 from haros_ci.bounded_yaml import data as yaml_data
 from haros_ci.errors import UserError
 from haros_ci.haros_plugins.common import METRICS, RULES

@@ -57,14 +57,14 @@ def written(files: Mapping[str, str], followed: Iterable[tuple[Any, Followed]]) 
     """A record as JSON: paths and names once, what nodes of one library consulted once."""
     traces: dict[Consulted, int] = {}
     items = []
-    for key, other_followed in followed:
-        if other_followed.consulted is None:
+    for key, one in followed:
+        if one.consulted is None:
             continue
         try:
-            item = [to_json(key), *_written(other_followed)]
+            item = [to_json(key), *_written(one)]
         except Unfit:
             continue
-        items.append([traces.setdefault(other_followed.consulted, len(traces)), *item])
+        items.append([traces.setdefault(one.consulted, len(traces)), *item])
     paths = {path: number for number, path in enumerate(sorted(files))}
     names: dict[str, int] = {}
 
@@ -168,10 +168,10 @@ def read(
     """
     try:
         paths = sorted(earlier.files)
-        consulted = [_consulted(trace, paths, earlier.names) for trace in earlier.traces]
+        traces = [_consulted(trace, paths, earlier.names) for trace in earlier.traces]
     except (Unfit, ValueError, TypeError, error):
         return []
-    holding = [consulted if holds(consulted) else None for consulted in consulted]
+    holding = [consulted if holds(consulted) else None for consulted in traces]
     try:
         found = []
         for number, (trace, key, *item) in enumerate(earlier.followed):

@@ -9,7 +9,7 @@ from typing import Any
 
 from haros_ci.follow.made import MadeEntity
 from haros_ci.graph.parameters import Perhaps
-from haros_ci.graph.ros2_process import RosNode, RemappingRule
+from haros_ci.graph.ros2_process import RemappingRule, RosNode
 from haros_ci.model.architecture import KINDS, Condition, Qos
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import Known, Opaque
@@ -53,7 +53,7 @@ def _plain(value: Any, depth: int = 0) -> bool:
     return isinstance(value, dict) and all(isinstance(k, str) and _plain(v, depth + 1) for k, v in value.items())
 
 
-def _is_location(value: Any) -> bool:
+def _is_unknown(value: Any) -> bool:
     return (
         value.__class__ is tuple
         and len(value) == 3
@@ -92,7 +92,7 @@ CLASSES: dict[type, dict[str, Check]] = {
         "conditions": _conditions,
         "rules": _rules,
         "given": lambda value: value == {},
-        "why": lambda value: value is None or _is_location(("", *value)),
+        "why": lambda value: value is None or _is_unknown(("", *value)),
         "main": lambda value: value is None,
         "options": lambda value: isinstance(value, dict) and all(map(_flag, value.values())),
     },
@@ -115,7 +115,7 @@ CLASSES: dict[type, dict[str, Check]] = {
         "node": _optional(_is(RosNode)),
         "is_exact": _flag,
         "dead": _is(int),
-        "unknowns": _every(_is_location),
+        "unknowns": _every(_is_unknown),
         "written": _optional(_text),
     },
     Opaque: {"reason": _text, "location": _place, "type": lambda value: value is None},

@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from haros_ci.bounded_yaml import YamlLimits, YamlFault, data
+from haros_ci.bounded_yaml import YamlFault, YamlLimits, data
 
 LIMITS = YamlLimits(characters=50_000, depth=20, aliases=20)
 

@@ -121,7 +121,7 @@ class PythonBody:
                 paths += 1
             elif isinstance(node, ast.Lambda):
                 self.counts.apart += max(1, self._expression(node.body)) - 1
-                waiting.extend((*node.args.defaults, *(node for node in node.args.kw_defaults if node)))
+                waiting.extend((*node.args.defaults, *(default for default in node.args.kw_defaults if default)))
                 continue
             elif isinstance(node, ast.Call):
                 self.counts.called(_called(node.func))

@@ -68,7 +68,7 @@ that is no default, the argument may also keep what it had. ``fills`` maps membe
 constructor or static factory, of the returned object) to templates. ``calls`` lists selectors of arguments that are
 called back later; those that are not there or are no functions are passed over. ``transparent: "{0}"`` returns the
 argument itself. ``unseen`` says in words what the call makes besides, which no row can tell: the node is then known
-not to have all its endpoints told. ``bases`` (with ``class`` in place of ``call``) gives a library class its bases;
+not to have all its endpoints in the model. ``bases`` (with ``class`` in place of ``call``) gives a library class its bases;
 ``entry`` the methods of it that a framework calls (onInit), ``alias`` the type that it is another name of.
 """
 

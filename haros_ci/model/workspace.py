@@ -79,7 +79,7 @@ class Workspace:
     are malformed manifests, which become findings. ``links`` are symbolic links, sorted, each with the file or directory
     inside the workspace that it leads to. ``names`` are the paths of all files, those included that are not analysed (meshes,
     maps); empty where that is not known. ``executables`` are those of the paths that can be scripts whose execute bit is set, None
-    where that cannot be told: on a file system without modes. ``settings`` is where the settings of linters are read instead
+    where that is not known: on a file system without modes. ``settings`` is where the settings of linters are read instead
     of here: at the base revision of a change, so that it cannot bring its own. ``hiding`` is what a change does to escape.
     """
 

@@ -62,7 +62,7 @@ def run(
     is_selected: Callable[[Rule], bool] = lambda rule: True,
     scenes: Scenes | None = None,
 ) -> QueryOutcome:
-    """Evaluate those queries of the *project* file (named *where*) whose rule is *wanted*, on the architecture *found*.
+    """Evaluate those queries of the *project* file (named *where*) whose rule *is_selected*, on the architecture *found*.
 
     A query that is wrong is a result of its own and stops no other; what is no query at all is an error notification. *scenes* are those of *found*, if they have been made.
     """

@@ -4,7 +4,7 @@
 A file that a tool looked at and found nothing in is a case that passed. An open finding is a failure, whatever its level. A case
 has one ``failure`` at most, as readers (Jenkins, GitLab) show only the first: its text has a line for each finding. What
 the baseline knows, what is suppressed and what is gone stands in the case's ``system-out``. A file that the tool gave up on is ``skipped``; a tool
-that failed has a case of its own with an ``error``. No time is told.
+that failed has a case of its own with an ``error``. There are no times.
 """
 
 from __future__ import annotations

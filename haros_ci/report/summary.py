@@ -136,15 +136,15 @@ def given_up(report: Report) -> str:
     return f"Gave up: {', '.join(messages)}." if messages else ""
 
 
-def given_up_on(report: Report, told: Level | None = None) -> tuple[tuple[str, str], ...]:
+def given_up_on(report: Report, printed: Level | None = None) -> tuple[tuple[str, str], ...]:
     """Place and reason for the first MOST_GIVEN_UP files of each tool, then how many more; a place "" for that.
 
-    Tools are left out if all of their notifications are printed elsewhere: those at level *known* or worse.
+    Tools are left out if all of their notifications are printed elsewhere: those at level *printed* or worse.
     """
     messages: list[tuple[str, str]] = []
     for tool, files in _given_up(report):
         first = {path: min(notes, key=lambda note: note.line or 0) for path, notes in sorted(files.items())}
-        if told is not None and all(note.level.rank <= told.rank for note in first.values()):
+        if printed is not None and all(note.level.rank <= printed.rank for note in first.values()):
             continue
         for path, note in list(first.items())[:MOST_GIVEN_UP]:
             more = len(files[path]) - 1

@@ -211,7 +211,7 @@ def _summary(report: Report, counts: summary.ResultCounts, paint: Paint) -> Iter
         yield f"  {report.coverage.sandbox}"
     if given_up := summary.given_up(report):
         yield f"  {terminal(given_up)}"
-        for place, reason in summary.given_up_on(report, told=Level.WARNING):
+        for place, reason in summary.given_up_on(report, printed=Level.WARNING):
             yield f"    {terminal(place)}: {shorten(terminal(reason), 300)}" if place else f"    {terminal(reason)}"
     for sentence in report.coverage.unseen:
         yield f"  Not seen: {terminal(sentence)}"

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from haros_ci.model.robot import Joint, Limit, Link, Mesh, Robot
 from haros_ci.robot.expand import expand
 from haros_ci.robot.nodes import XmlNode
-from haros_ci.robot.sources import Located, DescriptionSources, as_written
+from haros_ci.robot.sources import DescriptionSources, Located, as_written
 from haros_ci.robot.unknown import UNKNOWN, UnknownValue
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import yaml
 
-from haros_ci.bounded_yaml import MAX_NUMBER, MERGE, TAG, YamlLimits, YamlFault, nodes, scalar_value
+from haros_ci.bounded_yaml import MAX_NUMBER, MERGE, TAG, YamlFault, YamlLimits, nodes, scalar_value
 from haros_ci.robot.unknown import UNKNOWN
 
 MAX_NODES = 50_000

@@ -11,7 +11,7 @@ import re
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
-from haros_ci.bounded_yaml import MAX_NUMBER, MERGE, TAG, Composer, YamlLimits, YamlFault
+from haros_ci.bounded_yaml import MAX_NUMBER, MERGE, TAG, Composer, YamlFault, YamlLimits
 from haros_ci.substitutions.expression import ExpressionScopes, Undecided, Wrong, compute
 from haros_ci.substitutions.names import MARK, Text, quoted, unknown
 

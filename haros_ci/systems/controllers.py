@@ -155,7 +155,7 @@ def _loaded(words: Iterable[str]) -> tuple[dict[str, str], list[_Asked]]:
 
 
 def _options(words: Iterable[str], taking: Mapping[str, str], differing: str = "") -> Iterator[tuple[str, str]]:
-    """The options *taking* a value, with it, and "" with each word that is no option; the value of *apart* is always a word of its own."""
+    """The options *taking* a value, with it, and "" with each word that is no option; the value of *differing* is always a word of its own."""
     option = ""
     for word in words:
         name, sign, value = word.partition("=")

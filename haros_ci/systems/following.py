@@ -11,7 +11,7 @@ from typing import Any
 from haros_ci.follow.context import Context, Exact
 from haros_ci.follow.follow import Entry, follow
 from haros_ci.follow.made import MadeEntity
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.behavior_tree_files import TreeFiles
 from haros_ci.index.plugins import PluginDescription
 from haros_ci.index.relevance import Relevance
@@ -203,10 +203,10 @@ def _followed_in(
     language = "python" if entry.source.program.language == "python" else "cpp"
     version = (language, 1 if context.process is None else 2)
     relevance, view = relevance_of(types, entry, version, files)
-    run = Walk(index, types.rows[version], context, types.configs, relevance, files, types.exact)
+    walk = Walk(index, types.rows[version], context, types.configs, relevance, files, types.exact)
     problems: tuple[Problem, ...] = ()
     try:
-        if not follow(run, entry):
+        if not follow(walk, entry):
             message = "the node is too large to be followed to its end; some of what it makes may be missing"
             problems = (Problem(entry.source.path, message),)
     except (ArithmeticError, AttributeError, LookupError, NameError, RecursionError, TypeError, ValueError) as err:
@@ -217,18 +217,18 @@ def _followed_in(
     if context.loaded:
         trace.is_whole = False
     trace.names.update(relevance.asked())
-    made, nodes = tuple(run.made.values()), tuple(run.nodes)
+    made, nodes = tuple(walk.made.values()), tuple(walk.nodes)
     requested = context.marks.settled(requested)
     followed = Followed(
         made,
         problems,
-        tuple(run.names),
-        run.gaps,
+        tuple(walk.names),
+        walk.gaps,
         requested,
         nodes,
-        tuple(run.twins.values()),
+        tuple(walk.twins.values()),
         small(trace, relevance, view),
-        run.steps,
+        walk.steps,
         context.marks.answers(),
     )
     types.fresh.append((key, followed))

@@ -17,7 +17,7 @@ from haros_ci.follow.follow import Entry
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries.gazebo import Sdf, element, parent
 from haros_ci.follow.ros.ends import by, endpoints
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.graph.ros2_process import Parameters
 from haros_ci.index.index import Source
@@ -209,34 +209,34 @@ def _of_ros2(types: Types, entry: Entry, gazebo_plugin: GazeboPlugin, node: Node
     return (nodes if makes else (replace(node, kind=PROGRAM),)), problems
 
 
-def _begin(source: Source, definition: Class, parameter: Given | None, is_new: bool, run: Walk, frame: Frame) -> None:
+def _begin(source: Source, definition: Class, parameter: Given | None, is_new: bool, walk: Walk, frame: Frame) -> None:
     """Construct the class, hand it what the simulator hands it, and let the rest be called later."""
     location = Location(source.path, definition.line)
     this = Object(definition.name, (), (source, definition), location=location)
     outside = next(
         (
             library_base
-            for library_base in methods.library_bases(run, source, definition)
+            for library_base in methods.library_bases(walk, source, definition)
             if not library_base.startswith(PLAIN)
         ),
         None,
     )
     if outside is not None:
         message = f"the base class {outside} is not in the workspace: what it makes and calls is not known"
-        run.gaps.setdefault(message, location)
-    construct.initialise(run, frame, this, (source, definition), {}, (), location)
+        walk.gaps.setdefault(message, location)
+    construct.initialise(walk, frame, this, (source, definition), {}, (), location)
     for name in FIRST[is_new]:
-        found = methods.method_of(run, this, name)
+        found = methods.method_of(walk, this, name)
         if found is not None:
-            activation.invoke(run, frame, found, _arguments(run, found.function, found.source, parameter))
+            activation.invoke(walk, frame, found, _arguments(walk, found.function, found.source, parameter))
     for name in LATER[is_new]:
-        found = methods.method_of(run, this, name)
+        found = methods.method_of(walk, this, name)
         if found is not None:
-            callbacks.register(run, found)
+            callbacks.register(walk, found)
 
 
 def _arguments(
-    run: Walk, function: Function, source: Source, given_parameter: Given | None
+    walk: Walk, function: Function, source: Source, given_parameter: Given | None
 ) -> tuple[PassedArgument, ...]:
     """What the simulator gives to a method: to ``Load`` what the plug-in stands in, and the element; else nothing is known of it."""
     inner = Frame(source, function.owner, function)
@@ -245,7 +245,7 @@ def _arguments(
         values = [parent(given_parameter.name), element(given_parameter.sdf)]
     found = []
     for number, parameter in enumerate(function.parameters):
-        kind = run.type_in(parameter.type, inner)
-        what = run.opaque("what the simulator gives to a plug-in", inner, function.line, kind)
+        kind = walk.type_in(parameter.type, inner)
+        what = walk.opaque("what the simulator gives to a plug-in", inner, function.line, kind)
         found.append(PassedArgument(values[number] if values else what, None, kind))
     return tuple(found)

@@ -80,7 +80,7 @@ class Requested:
 
 @dataclass(frozen=True, slots=True)
 class Ros2Launch:
-    """Launch files of ROS 2: *loader* gives for an environment what gives the description of a file in any dialect, None if it is none;
+    """Launch files of ROS 2: *loader* gives for an environment what gives the description of a file in any dialect, None for another file;
     *places* finds files. *memo* has what was launched before, of ROS 1 too.
     """
 
@@ -204,9 +204,9 @@ def linked(
     """The architecture of *workspace*.
 
     *sources* are its C++ and Python programs, *load* gives a launch file's facts, *rows* the API rows by language. Without
-    *wanted*, every launch file that no other includes is a configuration, and every node type that none of them starts
+    *requested*, every launch file that no other includes is a configuration, and every node type that none of them starts
     is one alone. *environment* comes before what a configuration says of variables, *defaults* after it.
-    *known* tells what is known of node types that are not of the workspace, *exact* what the exact
+    *known* is what is known of node types that are not of the workspace, *exact* what the exact
     tier knows of calls. *share* does the jobs of following nodes; it may do them in other processes. *keeper* has what
     earlier runs followed, *ros2* reads launch files of ROS 2. With *alternatives* each configuration has the nodes that
     are there with other launch arguments, too.
@@ -225,17 +225,16 @@ def linked(
     jobs: list[Job] = []
     others: list[Job] = []
     started: set[tuple[str, str]] = set()
-    opened: list[tuple[Requested, Opened]] = []
+    launched: list[tuple[Requested, Opened]] = []
     trees = DescriptionTrees(workspace, builds)
     for item in chosen:
-        other_opened = open_(
-            types, workspace, load, ros2, item, defaults.over(item.environment, environment), trees, alternatives
-        )
-        problems.update(dict.fromkeys(other_opened.problems))
-        started.update((job.node.package, job.node.type) for job in other_opened.jobs)
-        opened.append((item, other_opened))
-        jobs += other_opened.jobs
-        others += other_opened.others
+        seen = defaults.over(item.environment, environment)
+        opened = open_(types, workspace, load, ros2, item, seen, trees, alternatives)
+        problems.update(dict.fromkeys(opened.problems))
+        started.update((job.node.package, job.node.type) for job in opened.jobs)
+        launched.append((item, opened))
+        jobs += opened.jobs
+        others += opened.others
     if requested is None:
         linked_to = started & types.startable.keys() - types.executables.keys()
         behind_links = {types.startable[pair][1] for pair in linked_to}
@@ -265,25 +264,20 @@ def linked(
     results = (done[number][0] for number in range(len(jobs)))
     other_results = (done[number][0] for number in range(len(jobs), len(every)))
     completion = Completion(workspace, builds, types)
-    for item, other_opened in opened:
-        followed = list(islice(results, len(other_opened.jobs)))
+    for item, opened in launched:
+        followed = list(islice(results, len(opened.jobs)))
         problems.update(dict.fromkeys(problem for _, report in followed for problem in report))
-        configurations.append(
-            _configuration(
-                completion, item, other_opened, followed, list(islice(other_results, len(other_opened.others)))
-            )
-        )
-    alone = zip(results, jobs[sum(len(opened.jobs) for _, opened in opened) :], strict=True)
-    configurations += unstarted.configurations(
-        alone, problems, {configuration.name for configuration in configurations}
-    )
+        beside = list(islice(other_results, len(opened.others)))
+        configurations.append(_configuration(completion, item, opened, followed, beside))
+    alone = zip(results, jobs[sum(len(opened.jobs) for _, opened in launched) :], strict=True)
+    configurations += unstarted.configurations(alone, problems, {item.name for item in configurations})
     for ((nodes, _), *_), job in zip(brought, more, strict=True):
         if nodes[0].kind != system.PROGRAM and ros2_library.tells(nodes, made):
             own = f"{nodes[0].package}/{nodes[0].type.removeprefix(f'{nodes[0].package}/')}"
             configurations.append(Configuration(name=f"{own} ({job.label})", nodes=nodes))
     for build in builds.values():
         problems.update(dict.fromkeys(build.problems))
-    items = {item.name: item for item, _ in opened}
+    items = {item.name: item for item, _ in launched}
 
     def under(name: str, assignment: Mapping[str, str]) -> Configuration | None:
         if name not in items:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plug-ins that nothing in the workspace is seen to load: each by itself, on the node of the program that loads it.
+"""Plug-ins that nothing in the workspace is seen to load: one configuration per plug-in, on the node of the program that loads it.
 
 Such a program constructs a plug-in and calls what it overrides, the methods that initialise it first: layers of costmaps, planners, kinematics
-solvers, capabilities of move_group, plug-ins of rqt. Which program that is is not known, so neither is the node's name, and it has more than is told.
+solvers, capabilities of move_group, plug-ins of rqt. The program is not known, so neither is the name of its node, and that node has more than the model shows.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from haros_ci.follow.follow import Entry
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries.given_away import BEGINNING
 from haros_ci.follow.ros.ends import endpoints
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.graph.parameters import ParameterServer, Perhaps
 from haros_ci.graph.ros2_process import GIVEN, Parameters, RosNode
 from haros_ci.index.index import Source, is_test
@@ -181,64 +181,64 @@ def _parts(plugin: Plugin, ros: int) -> tuple[Node, Entry, Location]:
     return replace(node, class_name=kind, ros=ros), entry, place
 
 
-def _begin(plugin: Plugin, ros: int, run: Walk, frame: Frame) -> None:
+def _begin(plugin: Plugin, ros: int, walk: Walk, frame: Frame) -> None:
     """Construct the class, initialise it, and let the rest be called later."""
     source, definition = plugin.source, plugin.definition
     location = Location(source.path, definition.line)
     this = Object(definition.name, (), (source, definition), location=location)
-    outside = next(iter(methods.library_bases(run, source, definition)), None)
+    outside = next(iter(methods.library_bases(walk, source, definition)), None)
     if outside is not None and outside != "object":
         message = f"the base class {outside} is not in the workspace: what it makes and calls is not known"
-        run.gaps.setdefault(message, location)
-    provided = _node(run, source, location) if ros == 2 else None
+        walk.gaps.setdefault(message, location)
+    provided = _node(walk, source, location) if ros == 2 else None
     if source.separator == ".":
         context = (
             Object("(context)", fields={"node": Cell(provided)}) if provided is not None else Opaque(OWN, location)
         )
-        construct.python_construct(run, frame, this, (PassedArgument(context),), location)
+        construct.python_construct(walk, frame, this, (PassedArgument(context),), location)
         return
     for name in MEMBERS if provided is not None else ():
         this.fields[name] = Cell(provided)
-    construct.initialise(run, frame, this, (source, definition), {}, (), location)
-    callbacks.framework_entries(run, this)
+    construct.initialise(walk, frame, this, (source, definition), {}, (), location)
+    callbacks.framework_entries(walk, this)
     if provided is not None:
-        _give(run, this, provided)
-    _call(run, frame, plugin, this, provided)
+        _give(walk, this, provided)
+    _call(walk, frame, plugin, this, provided)
 
 
-def _give(run: Walk, this: Object, provided: Object) -> None:
+def _give(walk: Walk, this: Object, provided: Object) -> None:
     """The node for the members of base classes in the workspace, which others set."""
     for name in MEMBERS:
         cell = this.fields.get(name)
         if cell is not None and cell.type is not None and _class(pointee(cell.type)) in NODES:
-            run.state.write(cell, provided)
+            walk.state.write(cell, provided)
 
 
-def _call(run: Walk, frame: Frame, plugin: Plugin, this: Object, provided: Object | None) -> None:
+def _call(walk: Walk, frame: Frame, plugin: Plugin, this: Object, provided: Object | None) -> None:
     """Initialise the plug-in, and let its other methods be called back."""
     location = Location(plugin.source.path, plugin.definition.line)
-    for name in sorted(_overridden(run, plugin), key=lambda item: item not in BEGINNING):
-        found = methods.method_of(run, this, name)
-        if found is None or not run.relevance.makes(found.function, found.source):
+    for name in sorted(_overridden(walk, plugin), key=lambda item: item not in BEGINNING):
+        found = methods.method_of(walk, this, name)
+        if found is None or not walk.relevance.makes(found.function, found.source):
             continue
-        arguments = _arguments(run, found.function, found.source, provided, location)
+        arguments = _arguments(walk, found.function, found.source, provided, location)
         if name in BEGINNING:
-            activation.invoke(run, frame, found, arguments)
+            activation.invoke(walk, frame, found, arguments)
         else:
-            callbacks.register(run, replace(found, bound=(*found.bound, *(argument.value for argument in arguments))))
+            callbacks.register(walk, replace(found, bound=(*found.bound, *(argument.value for argument in arguments))))
 
 
-def _node(run: Walk, source: Source, location: Location) -> Object:
+def _node(walk: Walk, source: Source, location: Location) -> Object:
     """The node of whoever loads the plug-in."""
     node = RosNode("/?", "/", "/", GIVEN, "", location, why=(HOST, location))
-    run.nodes.append(node)
+    walk.nodes.append(node)
     return Object(NODE if source.separator == "::" else "rclpy.node.Node", node=node)
 
 
-def _overridden(run: Walk, plugin: Plugin) -> list[str]:
+def _overridden(walk: Walk, plugin: Plugin) -> list[str]:
     """The last parts of the names of methods that are called from outside: the virtual ones, and those that no method of the class calls."""
-    own = list(_methods(run.index.functions, plugin))
-    called = {name.lstrip(".") for where, function in own for name in run.relevance.calls_of(function, where)}
+    own = list(_methods(walk.index.functions, plugin))
+    called = {name.lstrip(".") for where, function in own for name in walk.relevance.calls_of(function, where)}
     short = plugin.definition.name.rpartition("::")[2]
     virtual = {f.name for f in plugin.source.program.functions if f.is_virtual and f.owner == plugin.definition.name}
     found: dict[str, None] = {}
@@ -250,13 +250,13 @@ def _overridden(run: Walk, plugin: Plugin) -> list[str]:
 
 
 def _arguments(
-    run: Walk, function: Function, source: Source, provided: Object | None, location: Location
+    walk: Walk, function: Function, source: Source, provided: Object | None, location: Location
 ) -> tuple[PassedArgument, ...]:
     """The node for the parameters that take one; what else is given is not known."""
     inner = Frame(source, function.owner, function)
     found = []
     for parameter in function.parameters:
-        kind = pointee(run.type_in(parameter.type, inner))
+        kind = pointee(walk.type_in(parameter.type, inner))
         name = _class(kind)
         if name == HANDLE:
             space = Text(("/", Opaque(OWN, location)))
@@ -266,7 +266,7 @@ def _arguments(
         else:
             found.append(
                 PassedArgument(
-                    run.opaque("what a plug-in is given", inner, function.line, kind), None, kind, parameter.name
+                    walk.opaque("what a plug-in is given", inner, function.line, kind), None, kind, parameter.name
                 )
             )
     return tuple(found)

@@ -17,7 +17,7 @@ from haros_ci.follow.call_arguments import PassedArgument
 from haros_ci.follow.follow import Entry
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros.ends import endpoints
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.graph.parameters import ParameterServer, Perhaps
 from haros_ci.index.index import Source
 from haros_ci.model.architecture import Node, Unknown
@@ -94,65 +94,65 @@ def _job(types: Types, entry: Entry, files: frozenset[str], package: str, name: 
     return Job(node, id(entry), follow, size_of(types, files), label=PLUGINS, is_loaded=True)
 
 
-def _begin(source: Source, definition: Class, base: str, run: Walk, frame: Frame) -> None:
+def _begin(source: Source, definition: Class, base: str, walk: Walk, frame: Frame) -> None:
     """Construct the class, hand it its node handles, and let the rest be called later."""
     location = Location(source.path, definition.line)
     this = Object(definition.name, (), (source, definition), location=location)
     outside = next(
         (
             library_base
-            for library_base in methods.library_bases(run, source, definition)
+            for library_base in methods.library_bases(walk, source, definition)
             if not library_base.startswith(PLAIN)
         ),
         None,
     )
     if outside is not None:
         message = f"the base class {outside} is not in the workspace: what it makes and calls is not known"
-        run.gaps.setdefault(message, location)
-    construct.initialise(run, frame, this, (source, definition), {}, (), location)
+        walk.gaps.setdefault(message, location)
+    construct.initialise(walk, frame, this, (source, definition), {}, (), location)
     for name in FIRST:
-        for where, function in _overloads(run, this, name):
+        for where, function in _overloads(walk, this, name):
             method = Callable(where, function, this, templates=this.templates)
-            activation.invoke(run, frame, method, _arguments(run, function, where, location))
+            activation.invoke(walk, frame, method, _arguments(walk, function, where, location))
     for name in LATER[base]:
-        found = methods.method_of(run, this, name)
+        found = methods.method_of(walk, this, name)
         if found is not None:
-            callbacks.register(run, found)
+            callbacks.register(walk, found)
 
 
-def _overloads(run: Walk, this: Object, name: str) -> list[tuple[Source, Function]]:
+def _overloads(walk: Walk, this: Object, name: str) -> list[tuple[Source, Function]]:
     """The methods of that name that take node handles, those with fewer of them first, as they are called."""
-    first = methods.method_of(run, this, name)
+    first = methods.method_of(walk, this, name)
     if first is None:
         return []
-    declared = run.index.functions.get(first.function.name, ())
+    declared = walk.index.functions.get(first.function.name, ())
     kinds: dict[int, tuple[Source, Function]] = {}
     for where, function in ((first.source, first.function), *declared):
-        if function.owner == first.function.owner and (count := len(_handles(run, function, where))):
+        if function.owner == first.function.owner and (count := len(_handles(walk, function, where))):
             kinds.setdefault(count, (where, function))
     return [kinds[count] for count in sorted(kinds)]
 
 
-def _handles(run: Walk, function: Function, source: Source) -> list[int]:
+def _handles(walk: Walk, function: Function, source: Source) -> list[int]:
     """The numbers of the parameters that are node handles."""
     inner = Frame(source, function.owner, function)
     return [
         number
         for number, parameter in enumerate(function.parameters)
-        if run.type_in(parameter.type, inner).name == HANDLE
+        if walk.type_in(parameter.type, inner).name == HANDLE
     ]
 
 
-def _arguments(run: Walk, function: Function, source: Source, location: Location) -> tuple[PassedArgument, ...]:
+def _arguments(walk: Walk, function: Function, source: Source, location: Location) -> tuple[PassedArgument, ...]:
     """The last node handle is below the plug-in's own name, one before it the manager's; what else is given is not known."""
-    handles = _handles(run, function, source)
+    handles = _handles(walk, function, source)
     inner = Frame(source, function.owner, function)
     found = []
     for number, parameter in enumerate(function.parameters):
-        kind = run.type_in(parameter.type, inner)
+        kind = walk.type_in(parameter.type, inner)
         if number in handles:
             space: Value = Text(("/", Opaque(OWN, location))) if number == handles[-1] else Known("/")
             found.append(PassedArgument(Object(HANDLE, namespace=space), None, syntax.Type(HANDLE)))
         else:
-            found.append(PassedArgument(run.opaque("what a plug-in is given", inner, function.line, kind), None, kind))
+            found.append(PassedArgument(walk.opaque("what a plug-in is given", inner, function.line, kind), None, kind))
     return tuple(found)

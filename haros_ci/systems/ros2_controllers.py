@@ -19,7 +19,7 @@ from haros_ci.follow.follow import Entry
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.ros import api_rows, ros2_nodes
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.graph.ros2_process import Parameters
 from haros_ci.index.index import Source
 from haros_ci.model.architecture import Node
@@ -132,59 +132,59 @@ def _alone(types: Types, controller: Controller) -> Job:
     return Job(node, id(controller.entry), follow, size, label=ros2_system.PLUGINS, is_loaded=True)
 
 
-def _begin(source: Source, definition: Class, base: str, run: Walk, frame: Frame) -> None:
+def _begin(source: Source, definition: Class, base: str, walk: Walk, frame: Frame) -> None:
     """Construct the class, give it its node, and call what the manager calls."""
     location = Location(source.path, definition.line)
     this = Object(definition.name, (), (source, definition), location=location)
-    node = _node(run, base in CONTROLLERS, location)
+    node = _node(walk, base in CONTROLLERS, location)
     for name in (NODE, "node_"):
         this.fields[name] = Cell(node)
-    _know_base(run, this, base, location)
-    construct.initialise(run, frame, this, (source, definition), {}, (), location)
-    _give(run, this, node, base)
+    _know_base(walk, this, base, location)
+    construct.initialise(walk, frame, this, (source, definition), {}, (), location)
+    _give(walk, this, node, base)
     if base in CONTROLLERS:
         rate = PassedArgument(Opaque(RATE, location, syntax.Type("int")))
-        api_rows.call(run, frame, DECLARED, this, (rate,), (), location)
-    begins = methods.method_of(run, this, "on_init") or methods.method_of(run, this, "init")
+        api_rows.call(walk, frame, DECLARED, this, (rate,), (), location)
+    begins = methods.method_of(walk, this, "on_init") or methods.method_of(walk, this, "init")
     if begins is not None:
-        activation.invoke(run, frame, begins, ())
+        activation.invoke(walk, frame, begins, ())
     for name in LATER:
-        method = methods.method_of(run, this, name)
+        method = methods.method_of(walk, this, name)
         if method is not None:
-            callbacks.register(run, method, (), name in callbacks.TEARDOWN, name in callbacks.SETUP)
+            callbacks.register(walk, method, (), name in callbacks.TEARDOWN, name in callbacks.SETUP)
 
 
-def _node(run: Walk, is_controller: bool, location: Location) -> Object:
+def _node(walk: Walk, is_controller: bool, location: Location) -> Object:
     """The node of a controller or hardware component, under the name that it is loaded by."""
-    options = ros2_nodes.options_for(run)
+    options = ros2_nodes.options_for(walk)
     for item in ros2_nodes.MAY_DECLARE:
         options.fields[item] = Cell(Opaque("whether it is set depends on the release", location))
     node = Object("rclcpp_lifecycle::LifecycleNode" if is_controller else "rclcpp::Node", location=location)
     node.fields[ros2_nodes.GIVEN] = Cell(options)
     name = Opaque(CALLED if is_controller else COMPONENT, location)
-    node.node = ros2_nodes.made(run, node, name, None, options, location, is_controller)
+    node.node = ros2_nodes.made(walk, node, name, None, options, location, is_controller)
     node.node.options[ros2_nodes.MANAGED] = False
     return node
 
 
-def _know_base(run: Walk, this: Object, base: str, location: Location) -> None:
+def _know_base(walk: Walk, this: Object, base: str, location: Location) -> None:
     """What the plug-in description says of a class that inherits from classes of other packages."""
-    owners = library_objects.owners(run, this)
+    owners = library_objects.owners(walk, this)
     outside = next((owner for owner in owners if not owner.startswith(PLAIN)), None)
     if outside is not None:
         message = f"the base class {outside} is not in the workspace: what it makes and calls is not known"
-        run.gaps.setdefault(message, location)
+        walk.gaps.setdefault(message, location)
     framework = CONTROLLER if base in CONTROLLERS else HARDWARE
     if outside is not None and framework not in owners:
         owners.append(framework)
 
 
-def _give(run: Walk, this: Object, node: Object, base: str) -> None:
+def _give(walk: Walk, this: Object, node: Object, base: str) -> None:
     """The node for the members of the framework's own class, where that is in the workspace."""
     framework = CONTROLLER if base in CONTROLLERS else HARDWARE
-    if framework not in run.index.classes:
+    if framework not in walk.index.classes:
         return
     hidden = this.fields["impl_"].value if "impl_" in this.fields else None
     for holder in (this, hidden.cell.value if isinstance(hidden, Pointer) else hidden):
         if isinstance(holder, Object) and "node_" in holder.fields:
-            run.state.write(holder.fields["node_"], node)
+            walk.state.write(holder.fields["node_"], node)

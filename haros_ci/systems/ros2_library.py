@@ -18,7 +18,7 @@ from haros_ci.follow.call_arguments import PassedArgument
 from haros_ci.follow.follow import Entry
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import ros2_nodes
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.graph.ros2_process import GIVEN, Parameters, RosNode
 from haros_ci.index.index import Source
 from haros_ci.index.types import pointee
@@ -138,28 +138,28 @@ def _entry(library: Library) -> Entry:
     return Entry(library.source, definition=library.definition, begin=partial(_begin, library), label=label)
 
 
-def _begin(library: Library, run: Walk, frame: Frame) -> None:
+def _begin(library: Library, walk: Walk, frame: Frame) -> None:
     """Construct the class with a node, where it takes one; of what else it is given only default arguments are known."""
     source, definition = library.source, library.definition
     location = Location(source.path, definition.line)
     provided = None
     if library.nodes:
         provided = RosNode("/?", "/", "/", GIVEN, "", location, why=(USER, location))
-        run.nodes.append(provided)
-    found = methods.with_body(run, [(source, library.constructor)]) if library.constructor is not None else None
+        walk.nodes.append(provided)
+    found = methods.with_body(walk, [(source, library.constructor)]) if library.constructor is not None else None
     arguments = (
-        _arguments(run, library, found[1], provided if library.method is None else None) if found is not None else ()
+        _arguments(walk, library, found[1], provided if library.method is None else None) if found is not None else ()
     )
     templates = _templates(library, found[1] if found is not None else None)
     this = Object(definition.name, (), (source, definition), location=location, templates=templates)
     if source.separator == ".":
-        construct.python_construct(run, frame, this, arguments, location)
+        construct.python_construct(walk, frame, this, arguments, location)
     else:
-        construct.initialise(run, frame, this, (source, definition), templates, arguments, location, chosen=found)
-        callbacks.framework_entries(run, this)
+        construct.initialise(walk, frame, this, (source, definition), templates, arguments, location, chosen=found)
+        callbacks.framework_entries(walk, this)
     if library.method is not None:
-        where, function = methods.with_body(run, [(source, library.method)])
-        activation.invoke(run, frame, Callable(where, function, this), _arguments(run, library, function, provided))
+        where, function = methods.with_body(walk, [(source, library.method)])
+        activation.invoke(walk, frame, Callable(where, function, this), _arguments(walk, library, function, provided))
 
 
 def _templates(library: Library, constructor: Function | None) -> dict[str, syntax.Argument]:
@@ -174,7 +174,9 @@ def _templates(library: Library, constructor: Function | None) -> dict[str, synt
     return found
 
 
-def _arguments(run: Walk, library: Library, function: Function, provided: RosNode | None) -> tuple[PassedArgument, ...]:
+def _arguments(
+    walk: Walk, library: Library, function: Function, provided: RosNode | None
+) -> tuple[PassedArgument, ...]:
     """The node for the parameters that take it, and options as a node by itself has them; by the names of parameters."""
     found = []
     for number, parameter in enumerate(function.parameters):
@@ -182,12 +184,12 @@ def _arguments(run: Walk, library: Library, function: Function, provided: RosNod
         if kind is not None:
             found.append(
                 PassedArgument(
-                    Object(kind.name, (), run.class_of(kind.name, library.source), node=provided),
+                    Object(kind.name, (), walk.class_of(kind.name, library.source), node=provided),
                     None,
                     kind,
                     parameter.name,
                 )
             )
         elif parameter.type.name.rpartition("::")[2] == "NodeOptions":
-            found.append(PassedArgument(ros2_nodes.options_for(run), None, syntax.Type(OPTIONS), parameter.name))
+            found.append(PassedArgument(ros2_nodes.options_for(walk), None, syntax.Type(OPTIONS), parameter.name))
     return tuple(found)

@@ -58,7 +58,7 @@ Give = Callable[[str], "Value | None"]
 
 
 def fits(followed: Followed, names: Mapping[str, str], provided: Give) -> bool:
-    """Whether a result is that for *names* and what is *given*: what was looked at is the same, what was not is of the same shape and has the same answers."""
+    """Whether a result is that for *names* and the parameters *provided*: what was looked at is the same, what was not is of the same shape and has the same answers."""
     texts, values = dict(names), dict[str, Any]()
     for name, now, before in _asked(followed, texts, provided):
         if isinstance(before, Unseen):
@@ -80,7 +80,7 @@ def _asked(followed: Followed, texts: dict[str, str], provided: Give) -> Iterato
 
 
 def unseen(followed: Followed, names: Mapping[str, str], provided: Give) -> tuple[Any, ...]:
-    """What is *given* for the parameters that were not looked at, in order."""
+    """What is *provided* for the parameters that were not looked at, in order."""
     found = _asked(followed, dict(names), provided)
     return tuple(
         (now.kind, now.value) for _, now, before in found if isinstance(before, Unseen) and isinstance(now, Known)
@@ -88,14 +88,14 @@ def unseen(followed: Followed, names: Mapping[str, str], provided: Give) -> tupl
 
 
 def put_under(
-    followed: Followed, names: Mapping[str, str], rules: Mapping[RemappingRule, RemappingRule], keywords: Give
+    followed: Followed, names: Mapping[str, str], rules: Mapping[RemappingRule, RemappingRule], provided: Give
 ) -> Followed | None:
-    """*followed* with *names* for their keys, *rules* for those with marks and the parameters that are *given*.
+    """*followed* with *names* for their keys, *rules* for those with marks and the parameters *provided*.
 
     None if two things that were made, or two parameters that were asked for, are one then.
     """
     texts = dict(names)
-    values = {name: now for name, now, _ in _asked(followed, texts, keywords)}
+    values = {name: now for name, now, _ in _asked(followed, texts, provided)}
     if len({filled(name, texts) if PARAMETER in name else name for name in values}) < len(values):
         return None
     nodes: dict[int, RosNode] = {}

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from haros_ci.follow.ros.ends import ANONYMOUS, UNNAMED, by, endpoints
-from haros_ci.follow.run import Renamed
+from haros_ci.follow.walk import Renamed
 from haros_ci.graph.names import clean, pattern, resolve, resolve_target
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.graph.remap_rules import of_ros1_node, written_rule

@@ -241,7 +241,7 @@ class Marks:
         )
 
     def settled(self, requested: Mapping[str, Value | None]) -> dict[str, Any]:
-        """*asked* as it has to be again: as it is, or only its type; and the names that were looked at."""
+        """*requested* as it has to be again: as it is, or only its type; and the names that were looked at."""
         found: dict[str, Any] = {}
         for name, value in requested.items():
             kind = shape(value) if name in self.held and name not in self.looks.seen else None

@@ -46,7 +46,7 @@ class Answer:
     place: int | None = None
 
     def holds(self, texts: dict[str, str], provided: Callable[[str], Any]) -> bool:
-        """Whether the answer is the same where marks stand for *texts*, and parameters are *given*."""
+        """Whether the answer is the same where marks stand for *texts*, and parameters are those *provided*."""
         data = filled(self.of, texts) if self.is_text else provided(self.of)
         operand = self.operand
         if isinstance(operand, str) and BEGIN in operand:

@@ -131,12 +131,12 @@ def joined(one: Any, other: Any) -> Any:
 
 def _entry(one: Any, other: Any) -> Any:
     """What is held under one key: of what a ROS 2 node declares, the value stays known where only one way has it."""
-    held = [held for held in (one, other) if isinstance(held, Held)]
-    if not held:
+    both = [value for value in (one, other) if isinstance(value, Held)]
+    if not both:
         return join(one, other)
-    result = [held for held in held if held.value != NONE]
+    result = [held for held in both if held.value != NONE]
     if len(result) < 2:
-        return Held(result[0].value, False) if result else held[0]
+        return Held(result[0].value, False) if result else both[0]
     return Held(join(result[0].value, result[1].value), result[0].is_certain and result[1].is_certain)
 
 

@@ -20,7 +20,7 @@ class ThirdParty:
     """Which directories of a workspace hold copies, by the *names* of all its files and its *packages*, directory to name.
 
     A directory does if it is called so (``third_party``), or if it lies inside a package and has a licence of its own: a
-    package has its licence at its root. So does one that is a release by its name and files, or the tree of a well-known library. A directory that a run is *asked* about, and those around it, are none for that run.
+    package has its licence at its root. So does one that is a release by its name and files, or the tree of a well-known library. A directory that a run is *requested* for, and those around it, are none for that run.
     """
 
     def __init__(self, names: Iterable[str], packages: Mapping[str, str], requested: Iterable[str] = ()) -> None:

@@ -122,14 +122,14 @@ def test_what_follows_holds_in_every_recording() -> None:
                 seen += one != other
                 for text in (one, other):
                     if text not in verdicts:
-                        verdicts[text] = [holds(made[text].said, text, trace) for trace in recordings]
+                        verdicts[text] = [holds(made[text].stated, text, trace) for trace in recordings]
                 wrong = [trace for trace, a, b in zip(recordings, verdicts[one], verdicts[other]) if b and not a]
                 assert not wrong, f"{one!r} does not follow from {other!r}: {wrong[0]}"
             if excluded(first, second) is not None:
                 against += 1
                 for trace in recordings:
-                    if holds(first.said, one, trace) and holds(second.said, other, trace):
-                        assert _is_never_asked(first.said, one, trace), f"{one!r} and {other!r} both hold: {trace}"
+                    if holds(first.stated, one, trace) and holds(second.stated, other, trace):
+                        assert _is_never_asked(first.stated, one, trace), f"{one!r} and {other!r} both hold: {trace}"
     assert seen > 100 and against > 20
 
 

@@ -2,7 +2,7 @@
 """What libclang knows of calls in one file. Only ``exact_worker`` imports this, in a process that may die.
 
 clang goes on after an error and then takes an unknown type in a typedef for int, forgets overloads whose parameters it
-does not know, and forgets unknown bases. What such a declaration has a part in is not told.
+does not know, and forgets unknown bases. What such a declaration takes part in is left out.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def included(unit: TranslationUnit) -> set[str]:
 
 
 def calls(unit: TranslationUnit, path: str, requested: set[tuple[int, int]]) -> dict[str, list[dict[str, Any]]]:
-    """``line:column`` of what is *wanted* -> the calls that begin there, outermost first."""
+    """``line:column`` of what is *requested* -> the calls that begin there, outermost first."""
     with open(path, "rb") as stream:
         source = _Source(unit, path, stream.read())
     lines = {line for line, _ in requested}

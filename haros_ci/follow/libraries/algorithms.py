@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from haros_ci.follow import activation, call_arguments
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.values import iterators
 from haros_ci.values.abstract import (
     NONE,
@@ -43,10 +43,10 @@ SOUGHT = 64
 SPACES = " \t\n\v\f\r"
 
 
-def rewritten(run: Walk, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+def rewritten(walk: Walk, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """What the function returns, with its text argument rewritten; None if that is not known."""
     if name in ("std::replace", "std::transform") and len(args) == 4:
-        return _ranged(run, name, args)
+        return _ranged(walk, name, args)
     tail = next((name[len(space) :] for space in reversed(BOOST) if name.startswith(space)), "")
     words = [argument.value for argument in args[1:]]
     if not args or not all(isinstance(word, Known) and issubclass(word.kind, str) for word in words):
@@ -59,11 +59,11 @@ def rewritten(run: Walk, name: str, args: tuple[PassedArgument, ...]) -> Value |
         return after
     if after is None or args[0].cell is None:
         return None
-    run.state.write(args[0].cell, after)
+    walk.state.write(args[0].cell, after)
     return NONE
 
 
-def found(run: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value | None:
+def found(walk: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value | None:
     """``std::find`` and ``std::find_if`` from a list's ``begin()`` to its ``end()``: a pointer to the element, or the end.
 
     None if that depends on what is not known.
@@ -79,7 +79,7 @@ def found(run: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value | 
     if not isinstance(cells, tuple) or len(cells) > SOUGHT:
         return None
     for cell in cells[iterators.position(start) or 0 :]:
-        fits = _fits(run, frame, args[2].value, cell)
+        fits = _fits(walk, frame, args[2].value, cell)
         if fits is None:
             return None
         if fits:
@@ -87,7 +87,7 @@ def found(run: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value | 
     return every.end
 
 
-def for_each(run: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value | None:
+def for_each(walk: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value | None:
     """``std::for_each`` over a list from its ``begin()`` to its ``end()``; None if its elements are not known."""
     start, end = args[0].value, args[1].value
     of = start.fields.get("[of]") if isinstance(start, Object) else None
@@ -97,24 +97,24 @@ def for_each(run: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value
         return None
     place = iterators.position(start)
     for cell in cells[place:] if place is not None else ():
-        activation.invoke(run, frame, args[2].value, (call_arguments.PassedArgument(cell.value, cell, cell.type),))
+        activation.invoke(walk, frame, args[2].value, (call_arguments.PassedArgument(cell.value, cell, cell.type),))
     return args[2].value if place is not None else None
 
 
-def _fits(run: Walk, frame: Frame, expected: Value, cell: Cell) -> bool | None:
-    """Whether the element in *cell* is what is *wanted*, a value or a predicate; None if that is not known."""
+def _fits(walk: Walk, frame: Frame, expected: Value, cell: Cell) -> bool | None:
+    """Whether the element in *cell* is the one *expected*, a value or a predicate; None if that is not known."""
     if not isinstance(expected, Callable):
         known = isinstance(expected, Known) and isinstance(cell.value, Known)
         return bool(expected.value == cell.value.value) if known and isinstance(expected, Known) else None
-    mark = run.state.mark()
+    mark = walk.state.mark()
     argument = call_arguments.PassedArgument(cell.value, cell, cell.type)
-    verdict = activation.invoke(run, frame, expected, (argument,))
-    changes = run.state.undo(mark)
+    verdict = activation.invoke(walk, frame, expected, (argument,))
+    changes = walk.state.undo(mark)
     result = isinstance(verdict, Known) and issubclass(verdict.kind, (bool, int)) and not changes
     return bool(verdict.value) if result and isinstance(verdict, Known) else None
 
 
-def _ranged(run: Walk, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+def _ranged(walk: Walk, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """The algorithm on a whole text, from its ``begin()`` to its ``end()``."""
     cells = [_text_of(argument.value) for argument in args[: 2 if name == "std::replace" else 3]]
     if cells[0] is None or any(cell is not cells[0] for cell in cells):
@@ -128,7 +128,7 @@ def _ranged(run: Walk, name: str, args: tuple[PassedArgument, ...]) -> Value | N
     after = _changed(cells[0].value, change, True) if change is not None else None
     if after is None:
         return None
-    run.state.write(cells[0], after)
+    walk.state.write(cells[0], after)
     return NONE
 
 

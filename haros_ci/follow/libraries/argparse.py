@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 
 from haros_ci.follow import comprehensions, slices
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.values.abstract import Cell, Known, Library, Object, Opaque, Sequence, Value, data_of
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ def parser(args: tuple[PassedArgument, ...]) -> Object:
     return Object(PARSER, fields={DECLARED: Cell(Sequence(Cell(options)))})
 
 
-def method(run: Walk, frame: Frame, this: Object, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+def method(walk: Walk, frame: Frame, this: Object, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """A method of a parser: options are declared, the command line is read; anything else makes the options unknown."""
     declared = this.fields[DECLARED].value
     assert isinstance(declared, Sequence)
@@ -46,13 +46,13 @@ def method(run: Walk, frame: Frame, this: Object, name: str, args: tuple[PassedA
     if name == "add_argument" and isinstance(options, tuple) and len(options) < MOST:
         members = {str(n): Cell(a.value) for n, a in enumerate(a for a in args if not a.keyword)}
         members |= {a.keyword: Cell(a.value) for a in args if a.keyword}
-        run.state.write(declared.content, (*options, Cell(Object(OPTION, fields=members))))
+        walk.state.write(declared.content, (*options, Cell(Object(OPTION, fields=members))))
         return Opaque("an option")
     if name in ("parse_args", "parse_known_args"):
         found = _parsed(options, args, name == "parse_known_args")
-        return found if found is not None else run.opaque("the command line is not known", frame)
+        return found if found is not None else walk.opaque("the command line is not known", frame)
     if name not in ("print_help", "print_usage", "format_help", "error", "exit"):
-        run.state.write(declared.content, Opaque(f"{name} may add options"))
+        walk.state.write(declared.content, Opaque(f"{name} may add options"))
     return None
 
 

@@ -9,7 +9,7 @@ from haros_ci import syntax
 from haros_ci.follow import alternatives, assignments, construct, conversions
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import tuples
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
 from haros_ci.values import iterators
@@ -40,7 +40,7 @@ ADDING = frozenset(("insert", "emplace"))
 
 
 def _added(
-    run: Walk, receiver: Sequence, name: str, args: tuple[PassedArgument, ...], inner: Type | None
+    walk: Walk, receiver: Sequence, name: str, args: tuple[PassedArgument, ...], inner: Type | None
 ) -> tuple[Cell, ...] | Opaque | None:
     """A set's content with one more element, or a list's or set's with those of a range; None if that is not known."""
     cells: Any = receiver.content.value
@@ -66,13 +66,13 @@ def _added(
 
 
 def _grown(
-    run: Walk, frame: Frame, cells: Any, name: str, args: tuple[PassedArgument, ...], inner: Type | None
+    walk: Walk, frame: Frame, cells: Any, name: str, args: tuple[PassedArgument, ...], inner: Type | None
 ) -> Opaque:
     """The content of a list that is not known with one more element: what is added behind the others is the last."""
-    result = run.opaque("the list is built in a way that is not followed", frame)
+    result = walk.opaque("the list is built in a way that is not followed", frame)
     some, end = certain(cells), None
     if not isinstance(cells, tuple) and name in ("push_back", "emplace_back") and len(args) == 1:
-        end = Cell(conversions.converted(construct.copied(run, args[0].value, inner), inner), inner)
+        end = Cell(conversions.converted(construct.copied(walk, args[0].value, inner), inner), inner)
         some = (*some, end)[-LIST_LIMIT:]
     others = possible(cells)
     return Partial(result.reason, result.location, result.type, some, others, end) if some or others else result
@@ -89,25 +89,25 @@ def _range(first: Value, end: Value) -> list[Value] | None:
     return [cell.value for cell in content]
 
 
-def sequence(run: Walk, frame: Frame, receiver: Sequence, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+def sequence(walk: Walk, frame: Frame, receiver: Sequence, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     cells: Any = receiver.content.value
     known = isinstance(cells, tuple)
     inner = receiver.type.of(0) if receiver.type is not None else None
-    if name in ADDING and (added := _added(run, receiver, name, args, inner)) is not None:
-        run.state.write(receiver.content, added)
+    if name in ADDING and (added := _added(walk, receiver, name, args, inner)) is not None:
+        walk.state.write(receiver.content, added)
         return NONE
     if name in ("push_back", "emplace_back", "insert", "push_front", "emplace"):
         if known and name in ("push_back", "emplace_back") and len(args) == 1 and len(cells) < LIST_LIMIT:
-            value = conversions.converted(construct.copied(run, args[0].value, inner), inner)
-            run.state.write(receiver.content, (*cells, Cell(value, inner)))
+            value = conversions.converted(construct.copied(walk, args[0].value, inner), inner)
+            walk.state.write(receiver.content, (*cells, Cell(value, inner)))
         elif known and name == "emplace_back" and inner is not None and len(cells) < LIST_LIMIT:
-            value = construct.of_template(run, frame, inner, args, Location(frame.source.path))
-            run.state.write(receiver.content, (*cells, Cell(value, inner)))
+            value = construct.of_template(walk, frame, inner, args, Location(frame.source.path))
+            walk.state.write(receiver.content, (*cells, Cell(value, inner)))
         else:
-            run.state.write(receiver.content, _grown(run, frame, cells, name, args, inner))
+            walk.state.write(receiver.content, _grown(walk, frame, cells, name, args, inner))
         return NONE
     if name == "clear":
-        run.state.write(receiver.content, ())
+        walk.state.write(receiver.content, ())
         return NONE
     if name in ("resize", "assign"):
         if args and isinstance(args[0].value, Known) and isinstance(args[0].value.value, int) and name == "resize":
@@ -116,36 +116,36 @@ def sequence(run: Walk, frame: Frame, receiver: Sequence, name: str, args: tuple
                 kind, place = inner or syntax.Type(""), Location(frame.source.path)
                 made = [
                     Cell(
-                        construct.copied(run, args[1].value, inner)
+                        construct.copied(walk, args[1].value, inner)
                         if len(args) > 1
-                        else construct.of_template(run, frame, kind, (), place),
+                        else construct.of_template(walk, frame, kind, (), place),
                         inner,
                     )
                     for _ in range(expected - len(cells))
                 ]
-                run.state.write(receiver.content, (*cells[:expected], *made))
+                walk.state.write(receiver.content, (*cells[:expected], *made))
                 return NONE
             if 0 <= expected <= 1000:  # so many, whatever they are
-                unknown = run.opaque("an element that is not known", frame, None, inner)
-                run.state.write(receiver.content, tuple(Cell(unknown, inner) for _ in range(expected)))
+                unknown = walk.opaque("an element that is not known", frame, None, inner)
+                walk.state.write(receiver.content, tuple(Cell(unknown, inner) for _ in range(expected)))
                 return NONE
-        run.state.write(receiver.content, run.opaque("a list of unknown length", frame))
+        walk.state.write(receiver.content, walk.opaque("a list of unknown length", frame))
         return NONE
     if name in ("size", "empty", "length"):
         if known:
             return Known(not cells) if name == "empty" else Known(len(cells))
-        return run.opaque("the length of a list that is not known", frame, None, syntax.Type("int"))
+        return walk.opaque("the length of a list that is not known", frame, None, syntax.Type("int"))
     if name in ("front", "back", "at"):
         if known and cells and name != "at":
             held: Cell = cells[0 if name == "front" else -1]
-            return alternatives.looked_up(run, frame, held).value if run.look_ups else held.value
+            return alternatives.looked_up(walk, frame, held).value if walk.look_ups else held.value
         if name == "back" and (end := last(cells)) is not None:
             return end.value
         if name == "at" and args:
-            cell = assignments.element(run, frame, receiver, args[0].value)
+            cell = assignments.element(walk, frame, receiver, args[0].value)
             if cell is not None:
                 return cell.value
-        return run.opaque("an element that is not known", frame, None, inner)
+        return walk.opaque("an element that is not known", frame, None, inner)
     if name in ("begin", "end", "cbegin", "cend", "rbegin", "rend"):
         if name.endswith("end") or (known and not cells):
             return iterators.end_of(receiver)
@@ -153,12 +153,12 @@ def sequence(run: Walk, frame: Frame, receiver: Sequence, name: str, args: tuple
             return iterators.at(receiver, 0)
         return Object(iterators.ITERATOR, fields={"[of]": Cell(receiver)})
     if name == "pop_back" and known and cells:
-        run.state.write(receiver.content, cells[:-1])
+        walk.state.write(receiver.content, cells[:-1])
         return NONE
     if name == "swap" and args and isinstance(args[0].value, Sequence):
         other = args[0].value.content
-        run.state.write(receiver.content, other.value)
-        run.state.write(other, cells)
+        walk.state.write(receiver.content, other.value)
+        walk.state.write(other, cells)
         return NONE
     return None
 
@@ -171,50 +171,52 @@ def _parts(value: Value) -> list[Value]:
     return [cell.value for cell in cells] if isinstance(cells, tuple) else []
 
 
-def _entry(run: Walk, args: tuple[PassedArgument, ...]) -> tuple[Any, Value] | None:
+def _entry(walk: Walk, args: tuple[PassedArgument, ...]) -> tuple[Any, Value] | None:
     """The key and the value of an entry that a map is given; None if they are not known, nested braces, or one of several plug-ins."""
     values = _parts(args[0].value) if len(args) == 1 else [argument.value for argument in args]
     if len(values) != 2 or not isinstance(values[0], Known) or not issubclass(values[0].kind, (str, int)):
         return None
     is_braces = isinstance(values[1], Sequence) and values[1].type is None
-    is_any = isinstance(values[1], Choice) and alternatives.are(run, values[1].options)
+    is_any = isinstance(values[1], Choice) and alternatives.are(walk, values[1].options)
     return None if is_braces or is_any else (values[0].value, values[1])
 
 
-def mapped(run: Walk, frame: Frame, receiver: Mapped, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+def mapped(walk: Walk, frame: Frame, receiver: Mapped, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     pairs: Any = receiver.content.value
     if name in ("size", "empty", "count") and isinstance(pairs, dict):
         if name == "count":
             key = args[0].value if args else NONE
-            return Known(int(key.value in pairs)) if isinstance(key, Known) else run.opaque("a key is not known", frame)
+            return (
+                Known(int(key.value in pairs)) if isinstance(key, Known) else walk.opaque("a key is not known", frame)
+            )
         return Known(not pairs) if name == "empty" else Known(len(pairs))
     if name == "swap" and args and isinstance(args[0].value, Mapped):
         other = args[0].value.content
-        run.state.write(receiver.content, other.value)
-        run.state.write(other, pairs)
+        walk.state.write(receiver.content, other.value)
+        walk.state.write(other, pairs)
         return NONE
     if name in PUTTING and isinstance(pairs, dict):
-        entry = _entry(run, args)
+        entry = _entry(walk, args)
         if entry is not None and len(pairs) < LIST_LIMIT:
             fresh = {entry[0]: Cell(entry[1])}
-            run.state.write(receiver.content, {**pairs, **fresh} if name == "insert_or_assign" else {**fresh, **pairs})
+            walk.state.write(receiver.content, {**pairs, **fresh} if name == "insert_or_assign" else {**fresh, **pairs})
             return NONE
     if name in ("erase", "clear", "swap", *PUTTING):
-        run.state.write(receiver.content, {} if name == "clear" else run.opaque("a map that is changed", frame))
+        walk.state.write(receiver.content, {} if name == "clear" else walk.opaque("a map that is changed", frame))
         return NONE
     if name in ("begin", "cbegin", "end", "cend") and isinstance(pairs, dict):
         return iterators.end_of(receiver) if name.endswith("end") else iterators.at(receiver, 0)
     if name == "find" and len(args) == 1:
         return iterators.found(receiver, args[0].value)
     if name == "at" and args:
-        cell = assignments.element(run, frame, receiver, args[0].value)
+        cell = assignments.element(walk, frame, receiver, args[0].value)
         if cell is None and not isinstance(args[0].value, Known) and isinstance(pairs, dict) and pairs:
             return assignments.any_of(pair.value for pair in pairs.values())
-        return cell.value if cell is not None else run.opaque("an entry that is not known", frame)
+        return cell.value if cell is not None else walk.opaque("an entry that is not known", frame)
     return None
 
 
-def swapped(run: Walk, args: tuple[PassedArgument, ...]) -> Value | None:
+def swapped(walk: Walk, args: tuple[PassedArgument, ...]) -> Value | None:
     """``swap(a, b)`` of texts, numbers and whole containers; None for all else."""
     one, other = args[0].cell, args[1].cell
     plain = (Known, Text, Choice, Opaque)
@@ -222,14 +224,14 @@ def swapped(run: Walk, args: tuple[PassedArgument, ...]) -> Value | None:
         return None
     if isinstance(one.value, plain) and isinstance(other.value, plain):
         before = one.value
-        run.state.write(one, other.value)
-        run.state.write(other, before)
+        walk.state.write(one, other.value)
+        walk.state.write(other, before)
         return NONE
     for kind in (Sequence, Mapped):
         if isinstance(one.value, kind) and isinstance(other.value, kind):
             content, with_ = one.value.content, other.value.content
             before = content.value
-            run.state.write(content, with_.value)
-            run.state.write(with_, before)
+            walk.state.write(content, with_.value)
+            walk.state.write(with_, before)
             return NONE
     return None

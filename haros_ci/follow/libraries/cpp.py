@@ -24,7 +24,7 @@ from haros_ci.follow.libraries import numbers as library_numbers
 from haros_ci.follow.libraries import xml as library_xml
 from haros_ci.follow.libraries import yaml as library_yaml
 from haros_ci.follow.ros import loaders, ros2_selectors
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.mentions import LOADERS
 from haros_ci.index.types import STRINGS, pointee
 from haros_ci.model.location import Location
@@ -74,15 +74,15 @@ TRANSPARENT = frozenset(
 )
 
 
-def instance(run: Walk, frame: Frame, kind: Type, args: tuple[PassedArgument, ...]) -> Value | None:
+def instance(walk: Walk, frame: Frame, kind: Type, args: tuple[PassedArgument, ...]) -> Value | None:
     """An instance of a modelled class."""
     name = kind.name
     if name in STREAMS:
         stream = Object(name, fields={"[text]": Cell(Known(""))})
         if args:
-            texts.start(run, stream, args[0].value)
+            texts.start(walk, stream, args[0].value)
         return stream
-    if name == DESCRIPTOR and not args and run.context.process is not None:
+    if name == DESCRIPTOR and not args and walk.context.process is not None:
         flag = {"read_only": Cell(FALSE, syntax.Type("bool"))}
         ranges = {item: Cell(Sequence(Cell(()))) for item in ("floating_point_range", "integer_range")}
         return Object(name, fields={**flag, **ranges})
@@ -98,7 +98,7 @@ def instance(run: Walk, frame: Frame, kind: Type, args: tuple[PassedArgument, ..
         return Mapped(Cell(copied))
     if name == f"{XMLRPC}::ValueArray":
         return construct.create(
-            run, frame, syntax.Type("std::vector", (syntax.Type(XMLRPC),), ""), args, Location(frame.source.path)
+            walk, frame, syntax.Type("std::vector", (syntax.Type(XMLRPC),), ""), args, Location(frame.source.path)
         )
     if name in ("std::pair",) and len(args) == 2:
         return Object(name, fields={"first": Cell(args[0].value), "second": Cell(args[1].value)})
@@ -106,7 +106,7 @@ def instance(run: Walk, frame: Frame, kind: Type, args: tuple[PassedArgument, ..
 
 
 def function(
-    run: Walk,
+    walk: Walk,
     frame: Frame,
     name: str,
     args: tuple[PassedArgument, ...],
@@ -118,25 +118,25 @@ def function(
     if name.removeprefix("std::") in MANIPULATORS:
         return Library(name)
     if name == "ros::names::getRemappings" and not args:
-        return loaders.remappings(run)
+        return loaders.remappings(walk)
     if name in BINDERS and args:
         return library_bind.bind(args)
     if name.startswith(LIMITS) and len(targs) == 1 and isinstance(targs[0], syntax.Type) and not args:
-        return library_numbers.limit(name.removeprefix(LIMITS), run.type_in(targs[0], frame))
+        return library_numbers.limit(name.removeprefix(LIMITS), walk.type_in(targs[0], frame))
     if name.endswith("::directory_iterator") and args:
-        return library_xml.directory(run, args[0].value)
+        return library_xml.directory(walk, args[0].value)
     if name == "std::make_pair" and len(args) == 2:
         return Object("std::pair", fields={"first": Cell(args[0].value), "second": Cell(args[1].value)})
     if name.startswith(("std::", "boost::")):
-        text = algorithms.rewritten(run, name, args)
+        text = algorithms.rewritten(walk, name, args)
         if text is not None:
             return text
     if name in MAKERS:
         if name.endswith("_ptr"):
             return args[0].value if args else NONE
         if targs:
-            kind = run.type_in(targs[0], frame) if isinstance(targs[0], syntax.Type) else syntax.NOTHING
-            return construct.create(run, frame, kind.bare(), args, location)
+            kind = walk.type_in(targs[0], frame) if isinstance(targs[0], syntax.Type) else syntax.NOTHING
+            return construct.create(walk, frame, kind.bare(), args, location)
         return None
     if name in TRANSPARENT and len(args) in (1, 2):
         value = args[0].value
@@ -145,12 +145,12 @@ def function(
         if name in ("std::string", "string"):
             return texts.constructed(args)
         if name == "boost::lexical_cast" and targs and isinstance(targs[0], syntax.Type):
-            expected = run.type_in(targs[0], frame)
+            expected = walk.type_in(targs[0], frame)
             if expected.name not in STRINGS:
                 return conversions.converted(_number(value), expected)
             if isinstance(value, Known) and issubclass(value.kind, float):
                 is_double = args[0].type is not None and args[0].type.name == "double"
-                return Known(f"{value.value:.17g}") if is_double else run.opaque("its digits are not known", frame)
+                return Known(f"{value.value:.17g}") if is_double else walk.opaque("its digits are not known", frame)
             return concatenate((value,))
         if name in ("std::max", "std::abs"):
             return None
@@ -160,42 +160,42 @@ def function(
     if name in ("ros::names::append", "ros::names::parentNamespace"):
         return concatenate((args[0].value, Known("/"), args[1].value)) if len(args) == 2 else None
     if name == "YAML::LoadFile" and args:
-        return library_yaml.yaml_file(run, args[0].value)
+        return library_yaml.yaml_file(walk, args[0].value)
     if name in ("YAML::Load", "YAML::LoadAll") and args:
-        return library_yaml.yaml_stream(run, args[0].value)
+        return library_yaml.yaml_stream(walk, args[0].value)
     if name in patterns.NAMES:
         return patterns.matched(args)
     if name in ("std::find_if", "std::find") and args:
-        return algorithms.found(run, frame, args)
+        return algorithms.found(walk, frame, args)
     if name in ("std::getline",) and len(args) >= 2 and args[1].cell is not None:
-        run.state.write(args[1].cell, run.opaque("it is read from a stream", frame, None, args[1].cell.type))
-        return run.opaque("whether a stream has more is not known", frame, None, syntax.Type("bool"))
+        walk.state.write(args[1].cell, walk.opaque("it is read from a stream", frame, None, args[1].cell.type))
+        return walk.opaque("whether a stream has more is not known", frame, None, syntax.Type("bool"))
     if name in ("std::swap", "boost::swap", "swap") and len(args) == 2 and args[0].cell is not None:
-        return library_containers.swapped(run, args)
-    return _put_together(run, frame, name, args, targs)
+        return library_containers.swapped(walk, args)
+    return _put_together(walk, frame, name, args, targs)
 
 
 def _put_together(
-    run: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...], targs: tuple[syntax.Argument, ...]
+    walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...], targs: tuple[syntax.Argument, ...]
 ) -> Value | None:
     """Functions that make tuples and texts, or go through a list."""
     if name == "std::for_each" and len(args) == 3:
-        return algorithms.for_each(run, frame, args)
+        return algorithms.for_each(walk, frame, args)
     if name == "std::get" and targs:
         return tuples.got(targs, args)
     if name == "std::make_tuple":
         return tuples.made(args)
     if name in formats.FMT and args:
-        return formats.fmt(run, frame, args)
+        return formats.fmt(walk, frame, args)
     if name in ("sprintf", "snprintf", "std::sprintf", "std::snprintf") and args and args[0].cell is not None:
-        run.state.write(args[0].cell, formats.printf(run, frame, args[1:], name.endswith("snprintf")))
-        return run.opaque("the length of a text", frame, None, syntax.Type("int"))
+        walk.state.write(args[0].cell, formats.printf(walk, frame, args[1:], name.endswith("snprintf")))
+        return walk.opaque("the length of a text", frame, None, syntax.Type("int"))
     return None
 
 
-def protected(run: Walk, this: Object, name: str) -> Cell | None:
+def protected(walk: Walk, this: Object, name: str) -> Cell | None:
     """A data member that a library's class gives to the workspace's classes derived from it."""
-    if name == "_value" and this.definition is not None and XMLRPC in methods.library_bases(run, *this.definition):
+    if name == "_value" and this.definition is not None and XMLRPC in methods.library_bases(walk, *this.definition):
         cell = this.fields[name] = Cell(Object("[any]"))
         return cell
     return None
@@ -211,7 +211,7 @@ def _number(value: Value) -> Value:
 
 
 def method(
-    run: Walk,
+    walk: Walk,
     frame: Frame,
     receiver: Value,
     cell: Cell | None,
@@ -222,48 +222,48 @@ def method(
 ) -> Value | None:
     """A modelled method by the kind of value it is called on."""
     if isinstance(receiver, Object):
-        return _object(run, frame, receiver, name, args, location, targs)
-    if (name.startswith("as_") or name == "get_value") and not args and run.context.process is not None:
+        return _object(walk, frame, receiver, name, args, location, targs)
+    if (name.startswith("as_") or name == "get_value") and not args and walk.context.process is not None:
         if isinstance(receiver, (Known, Text, Sequence)) or (isinstance(receiver, Opaque) and _is_filled(cell)):
             return receiver  # what a rclcpp::Parameter that is filled by get_parameter holds
     is_text = isinstance(receiver, Text) or (isinstance(receiver, Known) and issubclass(receiver.kind, str))
     if is_text and name == "append" and cell is None and args:  # of a temporary
         return concatenate((receiver, texts.constructed(args)))
-    if name == "get_type" and not args and run.context.process is not None:  # of what a parameter holds
+    if name == "get_type" and not args and walk.context.process is not None:  # of what a parameter holds
         result = ros2_selectors.type_constant(receiver)
         if result is not None or isinstance(receiver, (Known, Text, Sequence)):
-            return result or run.opaque("the type of a parameter is not known", frame, location.line)
+            return result or walk.opaque("the type of a parameter is not known", frame, location.line)
     if isinstance(receiver, Known):
-        return cpp_data.of_known(run, frame, receiver, cell, name, args)
+        return cpp_data.of_known(walk, frame, receiver, cell, name, args)
     if isinstance(receiver, (Text, Choice)) and name in ("c_str", "str", "data"):
         return receiver
     if isinstance(receiver, Text) and name in ("size", "length"):
-        return run.opaque("the length of a text", frame)
+        return walk.opaque("the length of a text", frame)
     if isinstance(receiver, Text) and name == "empty":
         if any(isinstance(part, str) for part in receiver.parts):
             return FALSE
-        return run.opaque("whether a text is empty", frame, None, syntax.Type("bool"))
+        return walk.opaque("whether a text is empty", frame, None, syntax.Type("bool"))
     if isinstance(receiver, (Known, Text, Opaque)) and name in ("append", "push_back") and cell is not None and args:
         kind = cell.type
         if kind is not None and kind.name in STRINGS:
-            run.state.write(cell, concatenate((receiver, texts.constructed(args))))
+            walk.state.write(cell, concatenate((receiver, texts.constructed(args))))
             return cell.value
     if isinstance(receiver, Text) and cell is not None and args and name == "assign":
-        run.state.write(cell, conversions.converted(concatenate((texts.constructed(args),)), cell.type))
+        walk.state.write(cell, conversions.converted(concatenate((texts.constructed(args),)), cell.type))
         return cell.value
     if isinstance(receiver, (Text, Choice)) and cell is not None and name == "clear":
-        run.state.write(cell, Known(""))
+        walk.state.write(cell, Known(""))
         return NONE
     if isinstance(receiver, Opaque) and name in ("c_str", "str", "data", "get"):
         return receiver
     if isinstance(receiver, Opaque) and name in OF_LOADER and receiver.type is not None:
         kind = pointee(receiver.type)
         if kind.name == LOADER:
-            return _of_loader(run, frame, Object(kind.name, kind.arguments), name, args, location)
+            return _of_loader(walk, frame, Object(kind.name, kind.arguments), name, args, location)
     if isinstance(receiver, Sequence):
-        return library_containers.sequence(run, frame, receiver, name, args)
+        return library_containers.sequence(walk, frame, receiver, name, args)
     if isinstance(receiver, Mapped):
-        return library_containers.mapped(run, frame, receiver, name, args)
+        return library_containers.mapped(walk, frame, receiver, name, args)
     return None
 
 
@@ -273,16 +273,16 @@ def _is_filled(cell: Cell | None) -> bool:
 
 
 def _of_loader(
-    run: Walk, frame: Frame, loader: Object, name: str, args: tuple[PassedArgument, ...], location: Location
+    walk: Walk, frame: Frame, loader: Object, name: str, args: tuple[PassedArgument, ...], location: Location
 ) -> Value | None:
     """Methods of pluginlib's loaders: instances by name, and which names there are."""
     if name == "getDeclaredClasses":
-        return library_yaml.declared(run, loader)
+        return library_yaml.declared(walk, loader)
     if not args:
         return None
     if name == "isClassAvailable":
-        return library_yaml.is_declared(run, loader, args[0].value)
-    return library_yaml.plugin(run, frame, loader, args[0].value, location)
+        return library_yaml.is_declared(walk, loader, args[0].value)
+    return library_yaml.plugin(walk, frame, loader, args[0].value, location)
 
 
 LOADER = "pluginlib::ClassLoader"
@@ -299,7 +299,7 @@ _OF_CLASS: dict[str, Callable[..., Value | None]] = {
 
 
 def _object(
-    run: Walk,
+    walk: Walk,
     frame: Frame,
     receiver: Object,
     name: str,
@@ -310,34 +310,34 @@ def _object(
     if name == "get_type" and not args and receiver.name in ros2_selectors.PARAMETERS:
         return ros2_selectors.type_constant(receiver)
     if receiver.name == LOADER and name in OF_LOADER:
-        return _of_loader(run, frame, receiver, name, args, location)
+        return _of_loader(walk, frame, receiver, name, args, location)
     if receiver.name in _OF_CLASS:
-        return _OF_CLASS[receiver.name](run, frame, receiver, name, args, targs)
+        return _OF_CLASS[receiver.name](walk, frame, receiver, name, args, targs)
     if receiver.name == "rclcpp::NodeOptions" and name == "arguments" and not args and name not in receiver.fields:
         return Sequence(Cell(()), syntax.Type("std::vector", (syntax.Type("std::string"),), ""))
     if receiver.name == "nodelet::Loader" and name == "load" and len(args) > 1:
-        return loaders.nodelet(run, frame, args, location)
+        return loaders.nodelet(walk, frame, args, location)
     if receiver.name == LOADER and name == "getName" and args:
         named = args[0].value
         if isinstance(named, Known) and issubclass(named.kind, str):
             return Known(named.value.replace("::", "/").rpartition("/")[2])
-        return run.opaque("the plug-in's name is not known", frame, location.line)
+        return walk.opaque("the plug-in's name is not known", frame, location.line)
     if receiver.name in STREAMS:
         text = receiver.fields["[text]"]
         if name == "str":
             if args:
-                texts.start(run, receiver, args[0].value)
+                texts.start(walk, receiver, args[0].value)
             return text.value
         if name in ("clear", "flush"):
             return NONE
         if name in ("width", "precision", "fill", "setf", "unsetf", "flags", "imbue", "copyfmt") and args:
-            texts.change(run, receiver)
+            texts.change(walk, receiver)
         elif name not in ("good", "fail", "bad", "eof", "width", "precision", "fill", "flags", "rdstate", "tellp"):
-            run.state.write(text, run.opaque(f"{name} may change it", frame))
+            walk.state.write(text, walk.opaque(f"{name} may change it", frame))
     if receiver.name in FILES and name == "open" and args:
-        run.state.write(receiver.fields["[path]"], args[0].value)
+        walk.state.write(receiver.fields["[path]"], args[0].value)
         return NONE
     if receiver.name == "YAML::Parser" and name == "GetNextDocument" and args and args[0].cell is not None:
-        run.state.write(args[0].cell, library_yaml.yaml_stream(run, receiver.fields["[stream]"].value))
+        walk.state.write(args[0].cell, library_yaml.yaml_stream(walk, receiver.fields["[stream]"].value))
         return TRUE
     return None

@@ -9,7 +9,7 @@ from haros_ci.follow.conversions import NPOS
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import text_methods, texts
 from haros_ci.follow.libraries import xml as library_xml
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.types import SEQUENCES
 from haros_ci.values.abstract import (
     LIST_LIMIT,
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
 
 
-def _of_list(run: Walk, data: list[Any], cell: Cell, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+def _of_list(walk: Walk, data: list[Any], cell: Cell, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """Methods of a vector that holds a parameter's list."""
     if name == "empty":
         return Known(not data)
@@ -40,10 +40,10 @@ def _of_list(run: Walk, data: list[Any], cell: Cell, name: str, args: tuple[Pass
     if name in ("push_back", "emplace_back") and len(args) == 1 and len(data) < LIST_LIMIT:
         added = args[0].value
         if isinstance(added, Known):
-            run.state.write(cell, Known([*data, added.value]))
+            walk.state.write(cell, Known([*data, added.value]))
             return NONE
     if name == "clear":
-        run.state.write(cell, Known([]))
+        walk.state.write(cell, Known([]))
         return NONE
     return None
 
@@ -81,14 +81,14 @@ PARTS = frozenset(("path", "string", "filename", "extension", "stem", "parent_pa
 
 
 def of_known(
-    run: Walk, frame: Frame, receiver: Known, cell: Cell | None, name: str, args: tuple[PassedArgument, ...]
+    walk: Walk, frame: Frame, receiver: Known, cell: Cell | None, name: str, args: tuple[PassedArgument, ...]
 ) -> Value | None:
     if name == "has_value" and not args and receiver.kind is bool:
         return receiver  # what BT::TreeNode::getInput says
     if name in ("c_str", "str", "data", "Scalar", "as", "toString") and not args:
         return receiver
     if name in ("append", "push_back") and issubclass(receiver.kind, str) and cell is not None and args:
-        run.state.write(cell, concatenate((receiver, texts.constructed(args))))
+        walk.state.write(cell, concatenate((receiver, texts.constructed(args))))
         return cell.value
     if receiver.__class__ is not Known and receiver.kind is str:
         answer = _asked(receiver, name, args)
@@ -124,34 +124,34 @@ def of_known(
         if name in ("begin", "end", "cbegin", "cend", "rbegin", "rend") and cell is not None:
             return Object("[iterator]", fields={"[of]": Cell(Pointer(cell))})
         if name == "pop_back" and cell is not None and data:
-            run.state.write(cell, Known(data[:-1]))
+            walk.state.write(cell, Known(data[:-1]))
             return NONE
         if name == "swap" and cell is not None and args and args[0].cell is not None:
-            run.state.write(cell, args[0].value)
-            run.state.write(args[0].cell, receiver)
+            walk.state.write(cell, args[0].value)
+            walk.state.write(args[0].cell, receiver)
             return NONE
         if name == "assign" and cell is not None and args:
-            run.state.write(cell, concatenate((texts.constructed(args),)))
+            walk.state.write(cell, concatenate((texts.constructed(args),)))
             return cell.value
         if name == "clear" and cell is not None:
-            run.state.write(cell, Known(""))
+            walk.state.write(cell, Known(""))
             return NONE
         if cell is not None and name in ("insert", "erase", "replace", "swap", "resize", "pop_back"):
             if name == "swap" and args and args[0].cell is not None:
-                run.state.write(args[0].cell, run.opaque("it is swapped", frame, None, args[0].cell.type))
+                walk.state.write(args[0].cell, walk.opaque("it is swapped", frame, None, args[0].cell.type))
             changed = text_methods.changed(data, name, args)
-            run.state.write(
+            walk.state.write(
                 cell,
                 Known(changed)
                 if changed is not None
-                else run.opaque(f"it is changed by {name}", frame, None, cell.type),
+                else walk.opaque(f"it is changed by {name}", frame, None, cell.type),
             )
             return cell.value
         return None
     if name in ("size",) and isinstance(data, (list, dict)):
         return Known(len(data))
     if isinstance(data, list) and cell is not None and cell.type is not None and cell.type.name in SEQUENCES:
-        result = _of_list(run, data, cell, name, args)
+        result = _of_list(walk, data, cell, name, args)
         if result is not None:
             return result
     if name in ("FindValue", "hasMember") and args and isinstance(args[0].value, Known):

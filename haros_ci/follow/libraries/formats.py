@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from haros_ci import syntax
 from haros_ci.follow import members
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.model.digits import whole_number
 from haros_ci.values.abstract import (
     NONE,
@@ -50,16 +50,16 @@ def of_path(name: str, text: str) -> Value:
     return Sequence(Cell(tuple(Cell(Known(item)) for item in made))) if isinstance(made, tuple) else Known(made)
 
 
-def percent(run: Walk, frame: Frame, text: str, right: Value) -> Value:
+def percent(walk: Walk, frame: Frame, text: str, right: Value) -> Value:
     """Python's ``%`` with a tuple, a value or a dictionary
     (docs.python.org/3/library/stdtypes.html#printf-style-string-formatting)."""
     pieces = _SPECIFIER.split(text)
     specifiers = list(zip(pieces[1::4], pieces[2::4], pieces[3::4], strict=True))
     if any("%" in piece for piece in pieces[::4]) or any(flags and kind == "%" for _, flags, kind in specifiers):
-        return run.opaque("its format is not understood", frame)
+        return walk.opaque("its format is not understood", frame)
     provided = _format_arguments(right, [name for name, _, kind in specifiers if kind != "%"])
     if provided is None:
-        return run.opaque("it is formatted from what is not known, or does not fit", frame)
+        return walk.opaque("it is formatted from what is not known, or does not fit", frame)
     values: list[Value] = [Known(pieces[0])]
     for (_, flags, kind), piece in zip(specifiers, pieces[4::4], strict=True):
         values += [Known("%") if kind == "%" else _shown(provided.pop(0), flags, kind), Known(piece)]
@@ -72,13 +72,13 @@ FMT = frozenset(("fmt::format", "std::format"))
 _LENGTH = re.compile(r"(%[-#0 +]{0,3}\d{0,2}(?:\.\d{1,2})?)(?:hh|ll|[hljztL])(?=[diouxXeEfFgG])")
 
 
-def fmt(run: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value:
+def fmt(walk: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value:
     """``fmt::format``; flags and characters are written as C++ does."""
     form = args[0].value
     if not isinstance(form, Known) or not issubclass(form.kind, str):
-        return run.opaque("its format is not known", frame, None, syntax.Type("std::string"))
+        return walk.opaque("its format is not known", frame, None, syntax.Type("std::string"))
     return braces(
-        run, frame, form.value, tuple(replace(argument, value=_of_cpp(argument.value)) for argument in args[1:])
+        walk, frame, form.value, tuple(replace(argument, value=_of_cpp(argument.value)) for argument in args[1:])
     )
 
 
@@ -88,7 +88,7 @@ def _of_cpp(value: Value) -> Value:
     return value
 
 
-def printf(run: Walk, frame: Frame, args: tuple[PassedArgument, ...], is_cut: bool) -> Value:
+def printf(walk: Walk, frame: Frame, args: tuple[PassedArgument, ...], is_cut: bool) -> Value:
     """The text that ``sprintf`` writes; *is_cut* is ``snprintf``, of which the first of *args* is the size.
 
     A size that is not known (``sizeof``) is taken to be enough.
@@ -96,8 +96,8 @@ def printf(run: Walk, frame: Frame, args: tuple[PassedArgument, ...], is_cut: bo
     size = args[0].value.value if is_cut and args and isinstance(args[0].value, Known) else None
     form, *values = [argument.value for argument in args[is_cut:]] or [NONE]
     if not isinstance(form, Known) or not issubclass(form.kind, str):
-        return run.opaque("it is formatted by sprintf", frame, None, syntax.Type("std::string"))
-    text = percent(run, frame, _LENGTH.sub(r"\1", form.value), Sequence(Cell(tuple(map(Cell, values)))))
+        return walk.opaque("it is formatted by sprintf", frame, None, syntax.Type("std::string"))
+    text = percent(walk, frame, _LENGTH.sub(r"\1", form.value), Sequence(Cell(tuple(map(Cell, values)))))
     if isinstance(text, Known) and type(size) is int:
         return Known(text.value[: max(size - 1, 0)])
     return text
@@ -138,20 +138,20 @@ def _shown(value: Value, flags: str, kind: str) -> Value:
         return Opaque("it cannot be formatted so")
 
 
-def braces(run: Walk, frame: Frame, text: str, args: tuple[PassedArgument, ...]) -> Value:
+def braces(walk: Walk, frame: Frame, text: str, args: tuple[PassedArgument, ...]) -> Value:
     """``str.format``, see docs.python.org/3/library/string.html#format-string-syntax."""
     positional = [a.value for a in args if not a.keyword]
     named = {a.keyword: a.value for a in args if a.keyword}
     if "*" in named or "**" in named:
-        return run.opaque("unpacked arguments", frame)
+        return walk.opaque("unpacked arguments", frame)
     try:
         fields = list(string.Formatter().parse(text))
     except ValueError:
-        return run.opaque("its format is not understood", frame)
+        return walk.opaque("its format is not understood", frame)
     keys = [re.match(r"\w*", field or "") for _, field, _, _ in fields if field is not None]
     numbered = {bool(key and key[0]) for key in keys if key is not None and (not key[0] or key[0].isdigit())}
     if len(numbered) > 1:
-        return run.opaque("its format is not understood", frame)
+        return walk.opaque("its format is not understood", frame)
     parts: list[Value] = []
     count = 0
     for before, field, specifier, conversion in fields:
@@ -160,7 +160,7 @@ def braces(run: Walk, frame: Frame, text: str, args: tuple[PassedArgument, ...])
             continue
         found = _FIELD.fullmatch(field)
         if found is None:
-            return run.opaque("its format is not understood", frame)
+            return walk.opaque("its format is not understood", frame)
         key = found[1]
         value: Value | None = named.get(key)
         if key.isdecimal() or not key:
@@ -168,18 +168,18 @@ def braces(run: Walk, frame: Frame, text: str, args: tuple[PassedArgument, ...])
             count += 1
             value = positional[index] if index is not None and index < len(positional) else None
         for step in _STEP.findall(found[2]):
-            value = _step(run, frame, value, step) if value is not None else None
+            value = _step(walk, frame, value, step) if value is not None else None
         if value is None:
-            value = run.opaque("an argument is missing", frame)
+            value = walk.opaque("an argument is missing", frame)
         parts.append(_formatted(value, specifier or "", conversion))
     return concatenate(tuple(parts), printed)
 
 
-def _step(run: Walk, frame: Frame, value: Value, step: str) -> Value | None:
+def _step(walk: Walk, frame: Frame, value: Value, step: str) -> Value | None:
     """An attribute ``.x`` or an entry ``[k]`` of a value that is formatted."""
     if step.startswith("."):
         if isinstance(value, Object) and value.definition is not None:
-            cell = members.member(run, value, step[1:], frame)
+            cell = members.member(walk, value, step[1:], frame)
             return cell.value if cell is not None else None
         return None
     index = whole_number(step[1:-1])
@@ -212,14 +212,14 @@ def _formatted(value: Value, specifier: str, conversion: str | None) -> Value:
         return Opaque("it cannot be formatted so")
 
 
-def path(run: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value:
+def path(walk: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value:
     """``os.path.join``: an absolute part begins anew, a slash at the end of a part is not doubled."""
     parts: list[Value] = []
     for argument in args:
         first = argument.value.parts[0] if isinstance(argument.value, Text) else argument.value
         text = first.value if isinstance(first, Known) else first
         if parts and not isinstance(text, str):
-            return run.opaque("a part of a path may be absolute", frame)
+            return walk.opaque("a part of a path may be absolute", frame)
         if isinstance(text, str) and text.startswith("/"):
             parts = []
         before = parts[-1] if parts else None

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.graph.names import resolve
 from haros_ci.index.types import STRINGS
 from haros_ci.values.abstract import FALSE, TRUE, Cell, Known, Object, Opaque, Text, Value
@@ -84,7 +84,7 @@ def _sdf_of(value: Value) -> Sdf | None:
 
 
 def method(
-    run: Walk,
+    walk: Walk,
     frame: Frame,
     receiver: Object,
     name: str,

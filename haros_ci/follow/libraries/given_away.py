@@ -10,7 +10,7 @@ from haros_ci import syntax
 from haros_ci.follow import callbacks, construct, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import ros2_nodes
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import ClassValue, Object, Pointer
@@ -37,51 +37,51 @@ KNOWN = (
 )
 
 
-def taken(run: Walk, frame: Frame, name: str, args: Iterable[PassedArgument]) -> None:
+def taken(walk: Walk, frame: Frame, name: str, args: Iterable[PassedArgument]) -> None:
     """Follow what the function or method *name* may do with the classes of nodes, and with the objects, among *args*."""
     for argument in args:
         value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
         if isinstance(value, ClassValue):
-            _made(run, frame, name, value)
+            _made(walk, frame, name, value)
         elif isinstance(value, Object) and value.definition is not None:
-            _called(run, name, value)
+            _called(walk, name, value)
 
 
-def _made(run: Walk, frame: Frame, name: str, value: ClassValue) -> None:
+def _made(walk: Walk, frame: Frame, name: str, value: ClassValue) -> None:
     """A node's class is for nothing else than to be made (``process.spin(Driver)``); how often, and whether, is not known."""
     owner = (value.source, value.definition)
     key = ("made elsewhere", id(value.definition))
-    if run.quiet or key in run.offered or ros2_nodes.NODE["."] not in methods.library_bases(run, *owner):
+    if walk.quiet or key in walk.offered or ros2_nodes.NODE["."] not in methods.library_bases(walk, *owner):
         return
-    run.offered.add(key)
-    with run.doubted(f"{name} is not known, which is given the class and may make a node of it"):
-        construct.instance(run, frame, owner, (), (), Location(value.source.path, value.definition.line))
+    walk.offered.add(key)
+    with walk.doubted(f"{name} is not known, which is given the class and may make a node of it"):
+        construct.instance(walk, frame, owner, (), (), Location(value.source.path, value.definition.line))
 
 
-def _called(run: Walk, name: str, this: Object) -> None:
+def _called(walk: Walk, name: str, this: Object) -> None:
     """An object whose base class is not in the workspace is called by the library that has that class."""
     assert this.definition is not None
     source, definition = this.definition
     if source.separator != "::" or not definition.bases:
         return
     key = ("called elsewhere", id(definition))
-    if key not in run.found:
-        run.found[key] = _callable(run, source, definition)
-    for last in run.found[key]:
-        found = methods.method_of(run, this, last)
-        if found is not None and run.relevance.makes(found.function, found.source):
-            base = methods.library_bases(run, source, definition)[0]
+    if key not in walk.found:
+        walk.found[key] = _callable(walk, source, definition)
+    for last in walk.found[key]:
+        found = methods.method_of(walk, this, last)
+        if found is not None and walk.relevance.makes(found.function, found.source):
+            base = methods.library_bases(walk, source, definition)[0]
             doubt = f"{name} is not known, which is given the object and may call it by its base class {base}"
-            callbacks.register(run, found, doubt=doubt)
+            callbacks.register(walk, found, doubt=doubt)
 
 
-def _callable(run: Walk, source: Source, definition: syntax.Class) -> list[str]:
+def _callable(walk: Walk, source: Source, definition: syntax.Class) -> list[str]:
     """The last parts of the names of the methods that a library may call of a class's objects, in their order."""
-    bases = methods.library_bases(run, source, definition)
-    if not bases or any(base in run.rows or base.startswith(KNOWN) for base in bases):
+    bases = methods.library_bases(walk, source, definition)
+    if not bases or any(base in walk.rows or base.startswith(KNOWN) for base in bases):
         return []
     names: dict[str, None] = {}
-    for where, class_ in run.index.classes.get(definition.name, ()):
+    for where, class_ in walk.index.classes.get(definition.name, ()):
         for function in where.program.functions:
             last = function.name.rpartition("::")[2]
             if (

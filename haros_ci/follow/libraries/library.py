@@ -12,7 +12,7 @@ from haros_ci.follow.libraries import cpp as library_cpp
 from haros_ci.follow.libraries import given_away, harmless
 from haros_ci.follow.libraries import python as library_python
 from haros_ci.follow.ros import ros2_nodes
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
 from haros_ci.values.abstract import NONE, Cell, Known, Mapped, Object, Opaque, Sequence, Text, Value
@@ -23,25 +23,25 @@ if TYPE_CHECKING:
 POINTER_METHODS = frozenset(("reset", "get", "release", "use_count", "unique", "swap"))
 
 
-def pointer_method(run: Walk, cell: Cell, name: str, args: tuple[PassedArgument, ...]) -> Value:
+def pointer_method(walk: Walk, cell: Cell, name: str, args: tuple[PassedArgument, ...]) -> Value:
     """A method of a smart pointer itself; its value is the object that it points to."""
     if name == "reset":
-        run.state.write(cell, args[0].value if args else NONE)
+        walk.state.write(cell, args[0].value if args else NONE)
         return NONE
     if name in ("get", "release"):
         return cell.value
     return Opaque("the state of a smart pointer")
 
 
-def _pointed_to(run: Walk, receiver: Object) -> Value | None:
+def _pointed_to(walk: Walk, receiver: Object) -> Value | None:
     """What ``get()`` of ``auto`` gives that a smart pointer was made for: the object itself, if it has no such method."""
     if receiver.definition is None and receiver.node is None:
         return None
-    return receiver if methods.method_of(run, receiver, "get") is None and "get" not in receiver.fields else None
+    return receiver if methods.method_of(walk, receiver, "get") is None and "get" not in receiver.fields else None
 
 
 def method(
-    run: Walk,
+    walk: Walk,
     frame: Frame,
     receiver: Value,
     cell: Cell | None,
@@ -52,20 +52,20 @@ def method(
 ) -> Value | None:
     """A modelled method; None if there is no model of it."""
     if frame.source.program.language == "python":
-        found = library_python.method(run, frame, receiver, name, args)
+        found = library_python.method(walk, frame, receiver, name, args)
     else:
-        found = library_cpp.method(run, frame, receiver, cell, name, args, location, targs)
+        found = library_cpp.method(walk, frame, receiver, cell, name, args, location, targs)
         if found is None and name == "get" and not args and isinstance(receiver, Object):
-            found = _pointed_to(run, receiver)
+            found = _pointed_to(walk, receiver)
     if found is not None or not isinstance(receiver, (Known, Text, Sequence, Mapped)) or name in harmless.READERS:
         return found
     if isinstance(receiver, Known) and not issubclass(receiver.kind, (str, list, dict)):
         return None
-    return unknown_calls.method(run, frame, receiver, cell, name, args)
+    return unknown_calls.method(walk, frame, receiver, cell, name, args)
 
 
 def function(
-    run: Walk,
+    walk: Walk,
     frame: Frame,
     name: str,
     args: tuple[PassedArgument, ...],
@@ -74,29 +74,29 @@ def function(
 ) -> Value | None:
     """A modelled function; None if there is no model of it."""
     if frame.source.program.language == "python":
-        return library_python.function(run, frame, name, args)
-    return library_cpp.function(run, frame, name, args, targs, location)
+        return library_python.function(walk, frame, name, args)
+    return library_cpp.function(walk, frame, name, args, targs, location)
 
 
-def instance(run: Walk, frame: Frame, kind: Type, args: tuple[PassedArgument, ...]) -> Value | None:
+def instance(walk: Walk, frame: Frame, kind: Type, args: tuple[PassedArgument, ...]) -> Value | None:
     """A modelled class's instance; None if there is no model of it."""
     if frame.source.program.language == "python":
         return None
-    return library_cpp.instance(run, frame, kind, args)
+    return library_cpp.instance(walk, frame, kind, args)
 
 
 def unknown_call(
-    run: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...], receiver: Opaque | None = None
+    walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...], receiver: Opaque | None = None
 ) -> Value:
     """A call of which nothing is known: what it is given by address or reference is not known afterwards, functions
     that it is given may be called, and so is its result."""
     for argument in args:
-        callbacks.register(run, argument.value, args)
-    unknown_calls.called(run, frame, name, args)
-    unknown_calls.forget_passed(run, frame, name, args)
+        callbacks.register(walk, argument.value, args)
+    unknown_calls.called(walk, frame, name, args)
+    unknown_calls.forget_passed(walk, frame, name, args)
     if not harmless.is_harmless(name, frame.source.program.language == "python"):
-        ros2_nodes.handed(run, name, (argument.value for argument in args))
-        given_away.taken(run, frame, name, args)
+        ros2_nodes.handed(walk, name, (argument.value for argument in args))
+        given_away.taken(walk, frame, name, args)
     if isinstance(receiver, Opaque):
         return Opaque(receiver.reason, receiver.location)
-    return run.opaque(f"what {name} returns is not known", frame)
+    return walk.opaque(f"what {name} returns is not known", frame)

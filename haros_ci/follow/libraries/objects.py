@@ -10,81 +10,81 @@ from haros_ci.follow import call_arguments, callbacks, copies, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import library
 from haros_ci.follow.ros import api_rows, ros2_nodes
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
 from haros_ci.values.abstract import Callable, Object, Opaque, Value
 
 
-def summary_object(run: Walk, owner: Any, kind: Type, receiver: Opaque) -> Object:
+def summary_object(walk: Walk, owner: Any, kind: Type, receiver: Opaque) -> Object:
     """Some object of a class, of which only the class is known."""
     source, definition = owner
     templates = dict(zip(definition.templates, kind.arguments, strict=False))
     return Object(definition.name, kind.arguments, owner, location=receiver.location, templates=templates)
 
 
-def owners(run: Walk, value: Object) -> list[str]:
+def owners(walk: Walk, value: Object) -> list[str]:
     """The class names under which rows may know an object's methods: its own, then its libraries' bases."""
     key = (
         "owners",
         value.name,
         id(value.definition[1]) if value.definition is not None else 0,
-        run.context.process is None,
+        walk.context.process is None,
     )
-    if key in run.found:
-        known: list[str] = run.found[key]
+    if key in walk.found:
+        known: list[str] = walk.found[key]
         return known
-    found = [value.name] if value.definition is None else list(methods.library_bases(run, *value.definition))
+    found = [value.name] if value.definition is None else list(methods.library_bases(walk, *value.definition))
     for name in found:
-        for row in run.rows.get(name, ()):
+        for row in walk.rows.get(name, ()):
             if row.is_class:
                 found += [base for base in row.bases if base not in found]
     if value.definition is None or value.definition[0].separator == "::":
-        run.found[key] = found
+        walk.found[key] = found
     return found
 
 
 def library_object(
-    run: Walk, frame: Frame, kind: Type, args: tuple[call_arguments.PassedArgument, ...], location: Location
+    walk: Walk, frame: Frame, kind: Type, args: tuple[call_arguments.PassedArgument, ...], location: Location
 ) -> Value:
     """An instance of a library's class."""
-    modelled = library.instance(run, frame, kind, args)
+    modelled = library.instance(walk, frame, kind, args)
     if modelled is not None:
         return modelled
     if not kind.name or "()" in kind.name:
-        return args[0].value if args else run.opaque("it is not known", frame)
+        return args[0].value if args else walk.opaque("it is not known", frame)
     if len(args) == 1 and isinstance(args[0].value, Object) and args[0].value.name == kind.name:
-        return copies.copied(run, args[0].value, kind)
-    if len(args) == 1 and isinstance(args[0].value, Callable) and kind.name not in run.rows:
+        return copies.copied(walk, args[0].value, kind)
+    if len(args) == 1 and isinstance(args[0].value, Callable) and kind.name not in walk.rows:
         return args[0].value  # boost::function and its kin
     this = Object(kind.name, kind.arguments, location=location)
-    construct_library(run, frame, this, kind, args, location)
-    _hidden(run, frame, kind, args, location)
-    if kind.name not in run.rows:
-        ros2_nodes.handed(run, kind.name, (argument.value for argument in args))
+    construct_library(walk, frame, this, kind, args, location)
+    _hidden(walk, frame, kind, args, location)
+    if kind.name not in walk.rows:
+        ros2_nodes.handed(walk, kind.name, (argument.value for argument in args))
     for argument in args:
-        callbacks.register(run, argument.value, args)
+        callbacks.register(walk, argument.value, args)
     return this
 
 
 def _hidden(
-    run: Walk, frame: Frame, kind: Type, args: tuple[call_arguments.PassedArgument, ...], location: Location
+    walk: Walk, frame: Frame, kind: Type, args: tuple[call_arguments.PassedArgument, ...], location: Location
 ) -> None:
     """A library's template over a class of the workspace may be, or have, one: it is given the class's node handle."""
     handles = [
         argument for argument in args if isinstance(argument.value, Object) and argument.value.namespace is not None
     ]
-    if run.quiet or not handles or kind.name in run.rows:
+    if walk.quiet or not handles or kind.name in walk.rows:
         return
     for inner in kind.arguments:
-        owner = run.class_of(inner.name, frame.source) if isinstance(inner, syntax.Type) else None
-        if owner is not None and run.relevance.named(owner[1].name):
+        owner = walk.class_of(inner.name, frame.source) if isinstance(inner, syntax.Type) else None
+        if owner is not None and walk.relevance.named(owner[1].name):
             message = f"{kind.name} is given class {owner[1].name} and a node handle: whether it makes one is not seen"
-            run.gaps.setdefault(message, location)
+            walk.gaps.setdefault(message, location)
 
 
 def construct_library(
-    run: Walk,
+    walk: Walk,
     frame: Frame,
     this: Object,
     kind: Type,
@@ -92,4 +92,4 @@ def construct_library(
     location: Location,
 ) -> None:
     """What the constructor of a library's class makes, on *this*."""
-    api_rows.construct(run, frame, this, kind, args, location)
+    api_rows.construct(walk, frame, this, kind, args, location)

@@ -20,7 +20,7 @@ from haros_ci.follow.libraries import (
 from haros_ci.follow.libraries import (
     yaml as library_yaml,
 )
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.values.abstract import (
     LIST_LIMIT,
     NONE,
@@ -46,7 +46,7 @@ DICTS = frozenset(("dict", "[dict]", "collections.OrderedDict"))
 YAML = frozenset(("yaml.load", "yaml.safe_load", "yaml.full_load"))
 
 
-def function(run: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """A modelled function."""
     first = args[0].value if args else None
     if name == "str" and first is not None:
@@ -55,17 +55,17 @@ def function(run: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...
         try:
             return Known({"int": int, "float": float, "bool": bool}[name](first.value))
         except (TypeError, ValueError, OverflowError):
-            return run.opaque("it is no number", frame)
+            return walk.opaque("it is no number", frame)
     if name in ("int", "float", "bool", "str"):
         kind = {"int": "int", "float": "double", "bool": "bool", "str": "std::string"}[name]
-        return run.opaque("it is converted from what is not known", frame, None, syntax.Type(kind)) if args else None
+        return walk.opaque("it is converted from what is not known", frame, None, syntax.Type(kind)) if args else None
     if name == "len" and first is not None:
         known, data = data_of(first)
         if known and isinstance(data, (str, list, dict)):
             return Known(len(data))
         if isinstance(first, Sequence) and isinstance(first.content.value, tuple):
             return Known(len(first.content.value))
-        return run.opaque("the length of what is not known", frame, None, syntax.Type("int"))
+        return walk.opaque("the length of what is not known", frame, None, syntax.Type("int"))
     if name == "range":
         bounds = [a.value.value for a in args if isinstance(a.value, Known) and isinstance(a.value.value, int)]
         if args and len(bounds) == len(args):
@@ -75,7 +75,7 @@ def function(run: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...
                 return None
             if len(numbers) <= 1000:
                 return Known(list(numbers))
-        return run.opaque("a range that is not known", frame)
+        return walk.opaque("a range that is not known", frame)
     if (found := python_lists.function(name, args)) is not None:
         return found
     if name in ("list", "tuple", "sorted", "set", "frozenset", "reversed", "iter") and first is not None:
@@ -88,7 +88,7 @@ def function(run: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...
             items = items[::-1]
         if items is not None:
             return Sequence(Cell(tuple(Cell(item) for item in items)))
-        return Sequence(Cell(run.opaque(f"a list made by {name}", frame)))
+        return Sequence(Cell(walk.opaque(f"a list made by {name}", frame)))
     if name == "enumerate" and first is not None:
         items = comprehensions.items(first)
         begin = args[1].value if len(args) > 1 else Known(0)
@@ -102,26 +102,26 @@ def function(run: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...
             made = tuple(Cell(Sequence(Cell(tuple(Cell(v) for v in row)))) for row in rows)
             return Sequence(Cell(made))
     if name in DICTS:
-        return comprehensions.dictionary(run, frame, args)
+        return comprehensions.dictionary(walk, frame, args)
     if name in ("[for]", "[for in]"):
-        return comprehensions.comprehension(run, frame, name == "[for in]", args)
+        return comprehensions.comprehension(walk, frame, name == "[for in]", args)
     if name in ("map", "filter"):
-        return comprehensions.applied(run, frame, name, args)
+        return comprehensions.applied(walk, frame, name, args)
     if name == "[slice]" and all(isinstance(a.value, Known) for a in args):
         return Object("slice", fields={str(n): Cell(a.value) for n, a in enumerate(args)})
-    plain = python_texts.computed(run, frame, name, args)
+    plain = python_texts.computed(walk, frame, name, args)
     if plain is not None:
         return plain
     if name in ("os.path.join", "posixpath.join") and args:
-        return formats.path(run, frame, args)
+        return formats.path(walk, frame, args)
     if name in formats.PATHS and isinstance(first, Known) and issubclass(first.kind, str) and len(args) == 1:
         return formats.of_path(name, first.value)
     if name in ("open", "io.open", "file") and first is not None:
         return Object("file", fields={"[path]": Cell(first)})
     if name in YAML and first is not None:
         if isinstance(first, Object) and "[path]" in first.fields:
-            return library_yaml.yaml_file(run, first.fields["[path]"].value)
-        return library_yaml.yaml_stream(run, first)
+            return library_yaml.yaml_file(walk, first.fields["[path]"].value)
+        return library_yaml.yaml_stream(walk, first)
     if name == command_lines.PARSER:
         return command_lines.parser(args)
     if name in ("rospkg.RosPack", "rospkg.rospack.RosPack"):
@@ -136,27 +136,27 @@ def function(run: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...
         return python_kinds.type_of(first)
     if name == "isinstance":
         return python_kinds.is_instance(args)
-    if name in ("rospy.myargv", "sys.argv") and run.context.arguments is not None:
-        return argv(run, name == "rospy.myargv")
+    if name in ("rospy.myargv", "sys.argv") and walk.context.arguments is not None:
+        return argv(walk, name == "rospy.myargv")
     if name in dynamic.IMPORTS:
-        return dynamic.module(run, frame, name, args)
+        return dynamic.module(walk, frame, name, args)
     if name == "getattr" and len(args) >= 2 and isinstance(first, Opaque) and first.reason == dynamic.IMPORTED:
-        return dynamic.of_module(run, first, args[1].value, frame)
+        return dynamic.of_module(walk, first, args[1].value, frame)
     if name == "getattr" and len(args) >= 2 and isinstance(args[1].value, Known):
-        return members.attribute(run, args[0].value, str(args[1].value.value), frame)
+        return members.attribute(walk, args[0].value, str(args[1].value.value), frame)
     if name == "super":
         return Library("super")
     return None
 
 
-def argv(run: Walk, is_own: bool = False) -> Value:
+def argv(walk: Walk, is_own: bool = False) -> Value:
     """The command line of the launch file, with the two words that roslaunch adds (wiki.ros.org/roslaunch/XML/node).
 
     ``rospy.myargv`` is without them, and without all other remappings.
     """
-    if run.context.arguments is None:
+    if walk.context.arguments is None:
         return Opaque("the command line")
-    words: list[Value] = [Opaque("the program's name"), *(Known(word) for word in run.context.arguments)]
+    words: list[Value] = [Opaque("the program's name"), *(Known(word) for word in walk.context.arguments)]
     if is_own:
         words = [word for word in words if not (isinstance(word, Known) and ":=" in word.value)]
     else:
@@ -168,11 +168,11 @@ def _may_be_text(value: Value) -> bool:
     return not isinstance(value, Known) or issubclass(value.kind, str)
 
 
-def method(run: Walk, frame: Frame, receiver: Value, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+def method(walk: Walk, frame: Frame, receiver: Value, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """A modelled method."""
     if isinstance(receiver, Known) and issubclass(receiver.kind, str):
         if name == "format":
-            return formats.braces(run, frame, receiver.value, args)
+            return formats.braces(walk, frame, receiver.value, args)
         if name == "join" and args:
             items = comprehensions.items(args[0].value)
             if items is not None and all(_may_be_text(item) for item in items):
@@ -180,47 +180,47 @@ def method(run: Walk, frame: Frame, receiver: Value, name: str, args: tuple[Pass
                 for item in items:
                     parts += [receiver, item] if parts else [item]
                 return concatenate(tuple(parts), printed)
-        return python_texts.method(run, frame, receiver.value, name, args)
+        return python_texts.method(walk, frame, receiver.value, name, args)
     if isinstance(receiver, Sequence):
         cells: Any = receiver.content.value
-        if (found := python_lists.method(run, receiver, name, args)) is not None:
+        if (found := python_lists.method(walk, receiver, name, args)) is not None:
             return found
         if name == "append" and args and isinstance(cells, tuple) and len(cells) < LIST_LIMIT:
-            run.state.write(receiver.content, (*cells, Cell(args[0].value)))
+            walk.state.write(receiver.content, (*cells, Cell(args[0].value)))
             return NONE
         if name == "extend" and args and isinstance(cells, tuple):
             more = comprehensions.items(args[0].value)
             if more is not None and len(cells) + len(more) <= LIST_LIMIT:
-                run.state.write(receiver.content, (*cells, *(Cell(item) for item in more)))
+                walk.state.write(receiver.content, (*cells, *(Cell(item) for item in more)))
                 return NONE
         if name in ("sort", "reverse") and isinstance(cells, tuple) and not args:
             held = [cell.value for cell in cells]
             turned = held[::-1] if name == "reverse" else python_lists.ordered(held)
             if turned is not None:
-                run.state.write(receiver.content, tuple(Cell(item) for item in turned))
+                walk.state.write(receiver.content, tuple(Cell(item) for item in turned))
                 return NONE
         if name == "pop" and isinstance(cells, tuple) and cells and not args and not python_lists.is_set(receiver):
-            run.state.write(receiver.content, cells[:-1])
+            walk.state.write(receiver.content, cells[:-1])
             return cells[-1].value
         if name == "pop":
-            run.state.write(receiver.content, run.opaque("a list that is changed", frame))
-            return run.opaque("an element that is not known", frame)
+            walk.state.write(receiver.content, walk.opaque("a list that is changed", frame))
+            return walk.opaque("an element that is not known", frame)
         if name in ("append", "extend", "insert", "remove", "pop", "sort", "reverse", "add", "discard", "update"):
-            run.state.write(receiver.content, run.opaque("a list that is changed", frame))
+            walk.state.write(receiver.content, walk.opaque("a list that is changed", frame))
             return NONE
     if isinstance(receiver, Known) and issubclass(receiver.kind, dict):
         pairs = {key: Cell(Known(item)) for key, item in receiver.value.items()}
-        return _dictionary(run, frame, pairs, name, args)
+        return _dictionary(walk, frame, pairs, name, args)
     if isinstance(receiver, Mapped) and name in ("update", "pop", "setdefault", "clear", "copy"):
-        return _changed(run, frame, receiver, name, args)
+        return _changed(walk, frame, receiver, name, args)
     if isinstance(receiver, Mapped) and isinstance(receiver.content.value, dict):
         if name == "get" and args and not isinstance(args[0].value, Known):
             return dispatch.entry(receiver, args[1].value if len(args) > 1 else NONE)
-        return _dictionary(run, frame, receiver.content.value, name, args)
+        return _dictionary(walk, frame, receiver.content.value, name, args)
     if isinstance(receiver, ClassValue) and name == "__subclasses__" and not args:
-        return Sequence(Cell(tuple(Cell(subclass) for subclass in dispatch.subclasses(run, receiver))))
+        return Sequence(Cell(tuple(Cell(subclass) for subclass in dispatch.subclasses(walk, receiver))))
     if isinstance(receiver, Object) and receiver.name == command_lines.PARSER:
-        return command_lines.method(run, frame, receiver, name, args)
+        return command_lines.method(walk, frame, receiver, name, args)
     if isinstance(receiver, Object) and receiver.name == "rospkg.RosPack" and name == "get_path":
         return Known(f"$(find {args[0].value.value})") if args and isinstance(args[0].value, Known) else None
     if isinstance(receiver, Object) and receiver.name == "file" and name in ("read", "__enter__"):
@@ -228,11 +228,11 @@ def method(run: Walk, frame: Frame, receiver: Value, name: str, args: tuple[Pass
     return None
 
 
-def _changed(run: Walk, frame: Frame, receiver: Mapped, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+def _changed(walk: Walk, frame: Frame, receiver: Mapped, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """A method that changes a dictionary."""
     pairs: Any = receiver.content.value
     if name == "clear":
-        run.state.write(receiver.content, {})
+        walk.state.write(receiver.content, {})
         return NONE
     first = args[0].value if args else NONE
     if isinstance(pairs, dict):
@@ -247,23 +247,23 @@ def _changed(run: Walk, frame: Frame, receiver: Mapped, name: str, args: tuple[P
                 more = {key: Cell(Known(item)) for key, item in first.value.items()}
             if isinstance(more, dict) and len(pairs) + len(more) <= LIST_LIMIT:
                 fresh = {key: Cell(cell.value, cell.type) for key, cell in {**more, **named}.items()}
-                run.state.write(receiver.content, {**pairs, **fresh})
+                walk.state.write(receiver.content, {**pairs, **fresh})
                 return NONE
         if isinstance(first, Known) and issubclass(first.kind, (str, int)) and name in ("pop", "setdefault"):
             found = pairs.get(first.value)
             default = args[1].value if len(args) > 1 else NONE
             if found is None and name == "setdefault":
-                run.state.write(receiver.content, {**pairs, first.value: Cell(default)})
+                walk.state.write(receiver.content, {**pairs, first.value: Cell(default)})
             elif found is not None and name == "pop":
-                run.state.write(receiver.content, {key: cell for key, cell in pairs.items() if key != first.value})
+                walk.state.write(receiver.content, {key: cell for key, cell in pairs.items() if key != first.value})
             return found.value if found is not None else default
     if name == "copy":
         return Mapped(Cell(pairs))
-    run.state.write(receiver.content, run.opaque("a dictionary that is changed", frame))
-    return run.opaque("an entry that is not known", frame)
+    walk.state.write(receiver.content, walk.opaque("a dictionary that is changed", frame))
+    return walk.opaque("an entry that is not known", frame)
 
 
-def _dictionary(run: Walk, frame: Frame, pairs: Any, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+def _dictionary(walk: Walk, frame: Frame, pairs: Any, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     if name in ("keys", "iterkeys"):
         return Known(list(pairs))
     if name in ("values", "itervalues"):

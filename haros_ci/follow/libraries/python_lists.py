@@ -17,7 +17,7 @@ from haros_ci.values.abstract import LIST_LIMIT, NONE, Cell, Known, Sequence, Va
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
     from haros_ci.follow.frames import Frame
-    from haros_ci.follow.run import Walk
+    from haros_ci.follow.walk import Walk
 
 SET = syntax.Type("set")
 #: What the methods of sets compute, as operators write it; those that change the set itself after ``=``.
@@ -68,7 +68,7 @@ def _once(items: list[Value]) -> list[Value]:
 
 
 def combined(symbol: str, left: Value, right: Value) -> Sequence | None:
-    """``a | b`` and its kin of two sets or views of keys; None if that cannot be told."""
+    """``a | b`` and its kin of two sets or views of keys; None if the result is not known."""
     if symbol not in OPERATORS or not all(isinstance(value, Sequence) or _is_list(value) for value in (left, right)):
         return None
     one, other = comprehensions.items(left), comprehensions.items(right)
@@ -97,27 +97,27 @@ def _data(items: list[Value]) -> list[Any] | None:
     return found if len(found) == len(items) else None
 
 
-def method(run: Walk, receiver: Sequence, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
-    """A method of a set, or one that puts a list's elements elsewhere; None if it cannot be told what it does."""
+def method(walk: Walk, receiver: Sequence, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+    """A method of a set, or one that puts a list's elements elsewhere; None if its effect is not known."""
     cells: Any = receiver.content.value
     if name == "clear":
-        run.state.write(receiver.content, ())
+        walk.state.write(receiver.content, ())
         return NONE
     if not isinstance(cells, tuple) or any(argument.keyword for argument in args):
         return None
     if name == "copy":
         return Sequence(Cell(tuple(Cell(cell.value) for cell in cells)), receiver.type)
     if name in METHODS and args:
-        return _combining(run, receiver, name, args)
+        return _combining(walk, receiver, name, args)
     if name == "add" and len(args) == 1 and len(cells) < LIST_LIMIT:
-        run.state.write(receiver.content, _with(cells, [args[0].value]))
+        walk.state.write(receiver.content, _with(cells, [args[0].value]))
         return NONE
     if name in ("remove", "discard") and len(args) == 1:
-        return _removed(run, receiver, cells, args[0].value)
-    return None if is_set(receiver) else _at_place(run, receiver, cells, name, args)
+        return _removed(walk, receiver, cells, args[0].value)
+    return None if is_set(receiver) else _at_place(walk, receiver, cells, name, args)
 
 
-def _combining(run: Walk, receiver: Sequence, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+def _combining(walk: Walk, receiver: Sequence, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """A method of a set that takes others: a new set, or the same with other elements."""
     found: Value | None = receiver
     for argument in args:
@@ -125,22 +125,22 @@ def _combining(run: Walk, receiver: Sequence, name: str, args: tuple[PassedArgum
     if not isinstance(found, Sequence) or not METHODS[name].endswith("="):
         return found
     content = found.content.value
-    run.state.write(receiver.content, _with(receiver.content.value, found) if name == "update" else content)
+    walk.state.write(receiver.content, _with(receiver.content.value, found) if name == "update" else content)
     return NONE
 
 
-def _removed(run: Walk, receiver: Sequence, cells: tuple[Cell, ...], expected: Value) -> Value | None:
+def _removed(walk: Walk, receiver: Sequence, cells: tuple[Cell, ...], expected: Value) -> Value | None:
     data = _data([cell.value for cell in cells])
     if data is None or not isinstance(expected, Known):
         return None
     if expected.value in data:
         place = data.index(expected.value)
-        run.state.write(receiver.content, (*cells[:place], *cells[place + 1 :]))
+        walk.state.write(receiver.content, (*cells[:place], *cells[place + 1 :]))
     return NONE
 
 
 def _at_place(
-    run: Walk, receiver: Sequence, cells: tuple[Cell, ...], name: str, args: tuple[PassedArgument, ...]
+    walk: Walk, receiver: Sequence, cells: tuple[Cell, ...], name: str, args: tuple[PassedArgument, ...]
 ) -> Value | None:
     """``insert`` and ``pop`` of a list at a place that is known."""
     place = args[0].value.value if args and isinstance(args[0].value, Known) else None
@@ -148,16 +148,16 @@ def _at_place(
         return None
     if name == "insert" and len(args) == 2 and len(cells) < LIST_LIMIT:
         place = min(max(place + len(cells) * (place < 0), 0), len(cells))
-        run.state.write(receiver.content, (*cells[:place], Cell(args[1].value), *cells[place:]))
+        walk.state.write(receiver.content, (*cells[:place], Cell(args[1].value), *cells[place:]))
         return NONE
     if name == "pop" and len(args) == 1 and -len(cells) <= place < len(cells):
         place %= len(cells)
-        run.state.write(receiver.content, (*cells[:place], *cells[place + 1 :]))
+        walk.state.write(receiver.content, (*cells[:place], *cells[place + 1 :]))
         return cells[place].value
     return None
 
 
-def changed(run: Walk, frame: Frame, held: Sequence, symbol: str, value: Value) -> Value:
+def changed(walk: Walk, frame: Frame, held: Sequence, symbol: str, value: Value) -> Value:
     """``l += m``, ``s |= t``: the list or set itself has other elements."""
     cells: Any = held.content.value
     items = comprehensions.items(value) if isinstance(value, Sequence) or _is_list(value) else None
@@ -169,12 +169,12 @@ def changed(run: Walk, frame: Frame, held: Sequence, symbol: str, value: Value) 
             found = _with(cells, whole)
     elif items is not None and isinstance(cells, tuple) and len(cells) + len(items) <= LIST_LIMIT:
         found = (*cells, *map(Cell, items))
-    run.state.write(held.content, run.opaque("a list that is changed", frame) if found is None else found)
+    walk.state.write(held.content, walk.opaque("a list that is changed", frame) if found is None else found)
     return held
 
 
 def function(name: str, args: tuple[PassedArgument, ...]) -> Value | None:
-    """``set``, and the functions of itertools that put lists together; None if it is none, or what it is given is not known."""
+    """``set``, and the functions of itertools that put lists together; None for another function, or where its arguments are not known."""
     if name not in ("set", "frozenset", "itertools.chain", "itertools.product") or any(a.keyword for a in args):
         return None
     every = [comprehensions.items(argument.value) for argument in args]

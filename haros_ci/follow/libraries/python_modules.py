@@ -8,7 +8,7 @@ import sys
 from collections.abc import Iterable
 
 from haros_ci.follow import lookup
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.common_messages import COMMON
 from haros_ci.index.index import Source
 from haros_ci.values.abstract import Library, Module, Value
@@ -17,22 +17,22 @@ from haros_ci.values.abstract import Library, Module, Value
 _GENERATED = frozenset(("msg", "srv", "action", "cfg"))
 
 
-def bound(run: Walk, module: str) -> Value | None:
+def bound(walk: Walk, module: str) -> Value | None:
     """What a package's ``__init__.py`` binds to the name of its submodule *module*; None if the name is the submodule.
 
     Python asks the package first (docs.python.org/3/reference/import.html, the from clause and submodules).
     """
     parent, _, name = module.rpartition(".")
-    for source in run.index.modules.get(parent, ())[:1]:
+    for source in walk.index.modules.get(parent, ())[:1]:
         if source.path.endswith("__init__.py"):
-            inner = lookup.module_frame(run, source)
+            inner = lookup.module_frame(walk, source)
             cell = inner.scopes[0].get(name)
-            value = cell.value if cell is not None else lookup.python_name(run, inner, name)
+            value = cell.value if cell is not None else lookup.python_name(walk, inner, name)
             return None if isinstance(value, (Library, Module)) else value
     return None
 
 
-def imported(run: Walk, first: Iterable[Source]) -> set[str]:
+def imported(walk: Walk, first: Iterable[Source]) -> set[str]:
     """The paths of *first* and of all that they import, by way of others too, with each package's ``__init__.py``."""
     waiting = list(first)
     found = {source.path for source in waiting}
@@ -47,7 +47,7 @@ def imported(run: Walk, first: Iterable[Source]) -> set[str]:
         for target in targets:
             parts = target.split(".")
             for length in range(1, len(parts) + 1):
-                for other in run.index.modules.get(".".join(parts[:length]), ())[:1]:
+                for other in walk.index.modules.get(".".join(parts[:length]), ())[:1]:
                     if other.path not in found:
                         found.add(other.path)
                         waiting.append(other)
@@ -74,7 +74,7 @@ def absolute(source: Source, target: str) -> str:
     return ".".join((*base[: len(base) - dots + 1], *filter(None, (target[dots:],))))
 
 
-def placed(run: Walk, source: Source, target: str) -> tuple[Source, list[str]] | None:
+def placed(walk: Walk, source: Source, target: str) -> tuple[Source, list[str]] | None:
     """The module that *target* means by where it lies, and the names in it that are left.
 
     That is beside the script that is run, as its directory comes first in ``sys.path`` (docs.python.org/3/library/sys_path_init.html), and, of relative
@@ -83,8 +83,8 @@ def placed(run: Walk, source: Source, target: str) -> tuple[Source, list[str]] |
     dots = len(target) - len(target.lstrip("."))
     names = target[dots:].split(".") if target[dots:] else []
     if not dots:
-        script = next(iter(run.modules.values())).source if run.modules else source
-        if script.module or names[0] in _libraries(run) or (len(names) > 1 and names[1] in _GENERATED):
+        script = next(iter(walk.modules.values())).source if walk.modules else source
+        if script.module or names[0] in _libraries(walk) or (len(names) > 1 and names[1] in _GENERATED):
             return None
         directory = posixpath.dirname(script.path)
     elif source.module:
@@ -94,27 +94,27 @@ def placed(run: Walk, source: Source, target: str) -> tuple[Source, list[str]] |
         for _ in range(dots):
             directory = posixpath.dirname(directory)
     for count in range(len(names), 0 if not dots else -1, -1):
-        found = run.index.by_place.get("/".join(filter(None, (directory, *names[:count]))))
+        found = walk.index.by_place.get("/".join(filter(None, (directory, *names[:count]))))
         if found is not None and found is not source:
             return found, names[count:]
     return None
 
 
-def beside(run: Walk, source: Source, target: str) -> str | None:
+def beside(walk: Walk, source: Source, target: str) -> str | None:
     """The module or content of a module beside *source* in its package that ``import`` without dots means in Python 2.
 
     Python 3 finds nothing there (PEP 328); libraries that are known go first.
     """
     package = source.module if source.path.endswith("__init__.py") else source.module.rpartition(".")[0]
     head = target.partition(".")[0]
-    if not package or head == package.partition(".")[0] or f"{package}.{head}" not in run.index.modules:
+    if not package or head == package.partition(".")[0] or f"{package}.{head}" not in walk.index.modules:
         return None
-    return None if head in _libraries(run) else f"{package}.{target}"
+    return None if head in _libraries(walk) else f"{package}.{target}"
 
 
-def _libraries(run: Walk) -> frozenset[str]:
+def _libraries(walk: Walk) -> frozenset[str]:
     """The modules of Python itself and of libraries that the API rows have."""
-    known = run.found.get(("heads",))
+    known = walk.found.get(("heads",))
     if known is None:
-        known = run.found["heads",] = frozenset(name.partition(".")[0] for name in run.rows) | sys.stdlib_module_names
+        known = walk.found["heads",] = frozenset(name.partition(".")[0] for name in walk.rows) | sys.stdlib_module_names
     return known

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.values.abstract import TEXT_LIMIT, Cell, Known, Opaque, Sequence, Value, data_of
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ NUMBERS: dict[str, Callable[..., Any]] = {"abs": abs, "max": max, "min": min, "s
 FLAGS: dict[str, Callable[..., Any]] = {"any": any, "all": all}
 
 
-def method(run: Walk, frame: Frame, text: str, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+def method(walk: Walk, frame: Frame, text: str, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """What ``text.name(*args)`` gives (docs.python.org/3/library/stdtypes.html#string-methods); None if not known."""
     if name not in METHODS or any(argument.keyword for argument in args):
         return None
@@ -36,21 +36,21 @@ def method(run: Walk, frame: Frame, text: str, name: str, args: tuple[PassedArgu
         provided.append(tuple(data) if isinstance(data, list) else data)
     longest = max((len(item) for item in provided if isinstance(item, str)), default=0)
     if name == "replace" and longest * (len(text) + 1) > 100 * TEXT_LIMIT:
-        return run.opaque("it is a long text", frame)
+        return walk.opaque("it is a long text", frame)
     try:
         made = getattr(text, name)(*provided)
     except (TypeError, ValueError, AttributeError, OverflowError):
-        return run.opaque(f"{name} fails with what it is given", frame)
+        return walk.opaque(f"{name} fails with what it is given", frame)
     if isinstance(made, tuple):
         return Sequence(Cell(tuple(Cell(Known(item)) for item in made)))
-    return run.opaque("it is a long text", frame) if isinstance(made, str) and len(made) > TEXT_LIMIT else Known(made)
+    return walk.opaque("it is a long text", frame) if isinstance(made, str) and len(made) > TEXT_LIMIT else Known(made)
 
 
 def _is_large(data: Any) -> bool:
     return isinstance(data, int) and abs(data) > TEXT_LIMIT
 
 
-def computed(run: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+def computed(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """What a built-in function of plain data gives; None if it is no such function, or its arguments are not known."""
     if name not in NUMBERS and name not in FLAGS and name not in ("chr", "repr"):
         return None

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.types import STRINGS
 from haros_ci.values.abstract import (
     FALSE,
@@ -64,32 +64,32 @@ def constructed(args: tuple[PassedArgument, ...]) -> Value:
     return Opaque("a part of a text that is not known", None, kind)
 
 
-def insert(run: Walk, frame: Frame, stream: Object, value: Value) -> None:
+def insert(walk: Walk, frame: Frame, stream: Object, value: Value) -> None:
     """``stream << value``; after a manipulator that sets something, what is written is not known."""
     text = stream.fields["[text]"]
     if isinstance(value, Library):
         if value.name in ENDS:
             value = Known(ENDS[value.name])
         else:
-            change(run, stream)
+            change(walk, stream)
             return
     if AT_START in stream.fields and stream.fields[AT_START].value == TRUE:
-        run.state.write(text, run.opaque("it is written over the stream's text", frame))
+        walk.state.write(text, walk.opaque("it is written over the stream's text", frame))
         return
     if IS_SET in stream.fields and stream.fields[IS_SET].value != FALSE:
-        value = run.opaque("it is written under the stream's settings", frame)
-    run.state.write(text, concatenate((text.value, value)))
+        value = walk.opaque("it is written under the stream's settings", frame)
+    walk.state.write(text, concatenate((text.value, value)))
 
 
-def change(run: Walk, stream: Object) -> None:
+def change(walk: Walk, stream: Object) -> None:
     """The stream has other settings from now on."""
-    run.state.write(stream.fields.setdefault(IS_SET, Cell(FALSE)), TRUE)
+    walk.state.write(stream.fields.setdefault(IS_SET, Cell(FALSE)), TRUE)
 
 
-def start(run: Walk, stream: Object, value: Value) -> None:
+def start(walk: Walk, stream: Object, value: Value) -> None:
     """``stream.str(value)``: what is written next goes over it."""
-    run.state.write(stream.fields["[text]"], value)
-    run.state.write(stream.fields.setdefault(AT_START, Cell(FALSE)), FALSE if value == Known("") else TRUE)
+    walk.state.write(stream.fields["[text]"], value)
+    walk.state.write(stream.fields.setdefault(AT_START, Cell(FALSE)), FALSE if value == Known("") else TRUE)
 
 
 def number(value: Value) -> Value:

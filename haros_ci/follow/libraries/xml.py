@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.trace import XML_FILES
 from haros_ci.model.launch import LaunchElement
 from haros_ci.values.abstract import NONE, Cell, Known, Library, Object, Opaque, Sequence, Value
@@ -26,7 +26,7 @@ MOST = 64
 
 
 def method(
-    run: Walk,
+    walk: Walk,
     frame: Frame,
     receiver: Object,
     name: str,
@@ -36,7 +36,7 @@ def method(
     """A method of a document or element; None if there is no model of it."""
     texts = [argument.value.value if isinstance(argument.value, Known) else None for argument in args]
     if receiver.name == DOCUMENT:
-        return _document(run, frame, receiver, name, texts)
+        return _document(walk, frame, receiver, name, texts)
     if SELF not in receiver.fields:
         return None
     element: LaunchElement = receiver.fields[SELF].value.value
@@ -45,7 +45,7 @@ def method(
     if name == "GetText" and not args:
         return Known(element.text) if element.text else NONE
     if name == "Attribute" and len(args) == 1:
-        return _text(element.get(texts[0])) if isinstance(texts[0], str) else run.opaque("an attribute", frame)
+        return _text(element.get(texts[0])) if isinstance(texts[0], str) else walk.opaque("an attribute", frame)
     if name == "FirstChildElement" and all(isinstance(text, str) for text in texts):
         return _first(element.children, 0, texts[0] if texts else "")
     if name == "NextSiblingElement" and all(isinstance(text, str) for text in texts):
@@ -54,17 +54,17 @@ def method(
     return None
 
 
-def _document(run: Walk, frame: Frame, document: Object, name: str, texts: list[object]) -> Value | None:
+def _document(walk: Walk, frame: Frame, document: Object, name: str, texts: list[object]) -> Value | None:
     if name == "LoadFile" and len(texts) == 1:
-        reader, path = run.context.xml, texts[0]
-        if run.index.trace is not None:
-            run.index.trace.paths.add(XML_FILES)
+        reader, path = walk.context.xml, texts[0]
+        if walk.index.trace is not None:
+            walk.index.trace.paths.add(XML_FILES)
         root = reader.root(path) if reader is not None and isinstance(path, str) else None
-        unknown = run.opaque("the XML file is not in the workspace", frame, None, syntax.Type(ELEMENT, (), "*"))
+        unknown = walk.opaque("the XML file is not in the workspace", frame, None, syntax.Type(ELEMENT, (), "*"))
         value = unknown if root is None else _element((root,), 0)
         cell = document.fields.setdefault(ROOT, Cell(NONE))
-        run.state.write(cell, value)
-        return SUCCESS if root is not None else run.opaque("whether an XML file is read", frame)
+        walk.state.write(cell, value)
+        return SUCCESS if root is not None else walk.opaque("whether an XML file is read", frame)
     if name == "RootElement" and ROOT in document.fields:
         found: Value = document.fields[ROOT].value
         return found
@@ -92,13 +92,13 @@ def _first(elements: tuple[LaunchElement, ...], start: int, tag: object) -> Valu
     return NONE
 
 
-def directory(run: Walk, value: Value) -> Value | None:
+def directory(walk: Walk, value: Value) -> Value | None:
     """``directory_iterator(path)`` as a list of paths; None where these are not known, or too many."""
-    reader = run.context.xml
+    reader = walk.context.xml
     if reader is None or not isinstance(value, Known) or not issubclass(value.kind, str):
         return None
-    if run.index.trace is not None:
-        run.index.trace.paths.add(XML_FILES)
+    if walk.index.trace is not None:
+        walk.index.trace.paths.add(XML_FILES)
     found = reader.directory(value.value)
     if not found or len(found) > MOST:
         return None

@@ -14,7 +14,7 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.ros import behavior_tree_ports, behavior_trees, ros2_nodes, ros2_selectors, selectors
 from haros_ci.follow.ros.emit import emit
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.graph.names import clean
 from haros_ci.index.ros_types import parameter_type
 from haros_ci.index.types import SEQUENCES, STRINGS, pointee
@@ -48,15 +48,15 @@ HANDLES = frozenset(("ros::NodeHandle",))
 UNMISTAKABLE = frozenset(("advertise", "advertiseService", "serviceClient"))
 
 
-def node_class(run: Walk, name: str, separator: str) -> str:
+def node_class(walk: Walk, name: str, separator: str) -> str:
     """The class that a method can only be of, whatever it is called on: a node handle's or, in ROS 2, a node's; else ""."""
-    if run.context.process is not None:
+    if walk.context.process is not None:
         return ros2_nodes.NODE[separator] if name in ros2_nodes.UNMISTAKABLE else ""
     return "ros::NodeHandle" if separator == "::" and name in UNMISTAKABLE else ""
 
 
 def call(
-    run: Walk,
+    walk: Walk,
     frame: Frame,
     name: str,
     receiver: Value | None,
@@ -66,15 +66,15 @@ def call(
     types: tuple[syntax.Argument, ...] | None = None,
 ) -> Value | None:
     """The value of a call that a row describes; None if no row does."""
-    row = select(run, name, args)
+    row = select(walk, name, args)
     if row is None:
         return None
     if name.startswith(behavior_trees.SPACE):
-        modelled = behavior_trees.call(run, frame, name, receiver, args, targs, location)
+        modelled = behavior_trees.call(walk, frame, name, receiver, args, targs, location)
         if modelled is not None:
             return modelled
     if types is None:
-        types = tuple(run.type_in(t, frame) if isinstance(t, syntax.Type) else t for t in targs)
+        types = tuple(walk.type_in(t, frame) if isinstance(t, syntax.Type) else t for t in targs)
     made: Object | None = None
     returns = row.returns
     if returns is not None and all(isinstance(part, str) for part in returns.parts):
@@ -84,8 +84,8 @@ def call(
     is_class = re.split(r"::|\.", name)[-1][:1].isupper()
     if made is None and is_class and receiver is None and row.transparent is None and returns is None:
         made = Object(name, types, location=location)
-    args, types, is_exact = _filled(run, name, args, types, location)
-    applied = selectors.Applied(run, frame, row, receiver, args, types, location, is_exact=is_exact)
+    args, types, is_exact = _filled(walk, name, args, types, location)
+    applied = selectors.Applied(walk, frame, row, receiver, args, types, location, is_exact=is_exact)
     parameter = _apply(applied, made)
     if row.transparent is not None:
         through: Value | None = selectors.value_of(applied, row.transparent)
@@ -94,11 +94,11 @@ def call(
         return made
     if returns is not None:
         found: Value | None = selectors.value_of(
-            selectors.Applied(run, frame, row, receiver, args, types, location, None, parameter), returns
+            selectors.Applied(walk, frame, row, receiver, args, types, location, None, parameter), returns
         )
         if found is not None:
             return found
-        return run.opaque("a parameter that is not set", frame, location.line)
+        return walk.opaque("a parameter that is not set", frame, location.line)
     if (
         any(entry.kind == "getters" and entry.each is None for entry in row.makes)
         and "value" not in row.makes[0].values
@@ -106,31 +106,31 @@ def call(
         return (
             FALSE
             if parameter is None
-            else run.opaque("it is set", frame, location.line)
+            else walk.opaque("it is set", frame, location.line)
             if isinstance(parameter, Opaque)
             else TRUE
         )
-    return run.opaque(f"what {name} returns", frame, location.line)
+    return walk.opaque(f"what {name} returns", frame, location.line)
 
 
 def construct(
-    run: Walk, frame: Frame, this: Object, kind: Type, args: tuple[PassedArgument, ...], location: Location
+    walk: Walk, frame: Frame, this: Object, kind: Type, args: tuple[PassedArgument, ...], location: Location
 ) -> None:
     """What constructing a library's class makes; nothing if no row knows it."""
-    row = select(run, kind.name, args)
+    row = select(walk, kind.name, args)
     if row is not None:
-        _apply(selectors.Applied(run, frame, row, this, args, kind.arguments, location), this)
+        _apply(selectors.Applied(walk, frame, row, this, args, kind.arguments, location), this)
     elif kind.name.startswith(behavior_trees.SPACE):
         behavior_tree_ports.configured(this, args)
 
 
 def _filled(
-    run: Walk, name: str, args: tuple[PassedArgument, ...], types: tuple[syntax.Argument, ...], location: Location
+    walk: Walk, name: str, args: tuple[PassedArgument, ...], types: tuple[syntax.Argument, ...], location: Location
 ) -> tuple[tuple[PassedArgument, ...], tuple[syntax.Argument, ...], bool]:
     """The arguments with what only the exact tier knows of them; what is known already stays as it is."""
-    if run.exact is None or location.line is None or location.column is None:
+    if walk.exact is None or location.line is None or location.column is None:
         return args, types, False
-    result = run.exact(location.path, location.line, location.column, name.rpartition("::")[2], len(args))
+    result = walk.exact(location.path, location.line, location.column, name.rpartition("::")[2], len(args))
     if result is None:
         return args, types, False
     filled = []
@@ -156,17 +156,17 @@ def names_of(row: Row) -> tuple[str, ...]:
     return tuple(name for name in names if "::" in name)
 
 
-def select(run: Walk, name: str, args: tuple[PassedArgument, ...]) -> Row | None:
+def select(walk: Walk, name: str, args: tuple[PassedArgument, ...]) -> Row | None:
     """The first row for *name* whose conditions hold."""
-    for row in run.rows.get(name, ()):
+    for row in walk.rows.get(name, ()):
         if row.is_class or (row.args and len(args) not in row.args):
             continue
-        if all(_has_type(selectors.given(args, where), kind, run) for where, kind in row.when):
+        if all(_has_type(selectors.given(args, where), kind, walk) for where, kind in row.when):
             return row
     return None
 
 
-def _has_type(argument: PassedArgument | None, expected: str, run: Walk) -> bool:
+def _has_type(argument: PassedArgument | None, expected: str, walk: Walk) -> bool:
     if argument is None:
         return False
     value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
@@ -194,19 +194,19 @@ def _has_type(argument: PassedArgument | None, expected: str, run: Walk) -> bool
     if isinstance(value, Library) and value.name.rpartition(".")[0] == expected:
         return True
     if isinstance(value, Object):
-        return value.name == expected or expected in library_objects.owners(run, value)
+        return value.name == expected or expected in library_objects.owners(walk, value)
     return name == expected
 
 
 def _apply(applied: selectors.Applied, made: Object | None) -> Value | None:
     """Make, fill, store and register what the row says; the value that its getter reads is returned."""
-    run, row = applied.run, applied.row
-    if row.unseen and not run.quiet:
-        run.gaps.setdefault(row.unseen, applied.location)
+    walk, row = applied.walk, applied.row
+    if row.unseen and not walk.quiet:
+        walk.gaps.setdefault(row.unseen, applied.location)
     parameter: Value | None = None
     known = False
     for entry in row.makes:
-        if entry.kind == "node" and run.context.process is not None:
+        if entry.kind == "node" and walk.context.process is not None:
             target = made if made is not None else applied.receiver
             if isinstance(target, Object):
                 ros2_nodes.construct(applied, entry, target)
@@ -231,7 +231,7 @@ def _apply(applied: selectors.Applied, made: Object | None) -> Value | None:
             if value is not None:
                 filled = value if not isinstance(value, selectors.TypeValue) else Library(value.type.name)
                 if name in target.fields:
-                    run.state.write(target.fields[name], filled)
+                    walk.state.write(target.fields[name], filled)
                 else:
                     target.fields[name] = Cell(filled)
     for where, template in row.sets:
@@ -245,15 +245,17 @@ def _apply(applied: selectors.Applied, made: Object | None) -> Value | None:
             continue
         value = selectors.value_of(with_parameter, template)
         if value is not None and not isinstance(value, selectors.TypeValue):
-            run.state.write(cell, conversions.converted(value, cell.type))
+            walk.state.write(cell, conversions.converted(value, cell.type))
         elif not known:
-            run.state.write(cell, run.opaque("it is filled by a call", applied.frame, applied.location.line, cell.type))
+            walk.state.write(
+                cell, walk.opaque("it is filled by a call", applied.frame, applied.location.line, cell.type)
+            )
     for where in row.calls:
         value = selectors.select_value(applied, where)
         if value is not None and not isinstance(value, selectors.TypeValue):
-            callbacks.register(run, value, applied.args, row.call.rpartition("_parameters")[2] in UPDATES)
+            callbacks.register(walk, value, applied.args, row.call.rpartition("_parameters")[2] in UPDATES)
             if isinstance(value, Opaque) and applied.frame.source.separator == ".":
-                run.gaps.setdefault(f"what it calls back is not known: {value.reason}", applied.location)
+                walk.gaps.setdefault(f"what it calls back is not known: {value.reason}", applied.location)
     return parameter
 
 
@@ -271,12 +273,12 @@ def _items(applied: selectors.Applied, entry: Entry) -> list[Mapping[str, Any] |
         if isinstance(value, Mapped) and isinstance(value.content.value, dict):
             return [{"name": Known(str(k)), "default": c.value} for k, c in value.content.value.items()]
         return []
-    name = selectors.config_name(value, applied.run)
-    config = applied.run.configs.get(name)
+    name = selectors.config_name(value, applied.walk)
+    config = applied.walk.configs.get(name)
     if config is None:
         if name:
             message = f"the parameters of {name} are in a .cfg that is not in the workspace"
-            applied.run.gaps.setdefault(message, applied.location)
+            applied.walk.gaps.setdefault(message, applied.location)
         return []
     return [
         {"name": Known(p.name), "type": Known(p.type), "default": Known(p.default), "group": Known(p.group)}
@@ -288,7 +290,7 @@ def parameter_value(applied: selectors.Applied, name: str, default: Value | None
     """What reading parameter *name* gives: what the configuration sets, else the default; None if there is neither."""
     if "?" in name:
         return Opaque("the parameter's name is not known")
-    found = applied.run.parameter(clean(name))
+    found = applied.walk.parameter(clean(name))
     if found is None:
         return default
     return found

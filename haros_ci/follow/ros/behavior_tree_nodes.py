@@ -11,7 +11,7 @@ from haros_ci.follow import activation, call_arguments, calls, construct, inert,
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.made import MadeEntity, Root
 from haros_ci.follow.ros import behavior_tree_ports
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.behavior_tree_files import Tag
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import TRUE, Callable, Cell, Known, Object, Opaque, Value
@@ -27,52 +27,52 @@ PARAMETERS = frozenset(("getters", "setters", "parameters"))
 
 
 def construct_all(
-    run: Walk, frame: Frame, factory: Object, board: Object, tags: tuple[Tag, ...], location: Location
+    walk: Walk, frame: Frame, factory: Object, board: Object, tags: tuple[Tag, ...], location: Location
 ) -> None:
     """Construct the nodes of *tags*, those of the same ID and ports once."""
-    steps = run.steps
+    steps = walk.steps
     by_type: dict[str, list[Tag]] = {}
     for tag in tags:
         by_type.setdefault(tag.type, []).append(tag)
-    for registered, name in _registered(run, factory):
+    for registered, name in _registered(walk, factory):
         for ports, own in _with_common_parts(name, by_type.get(name, [])):
             fields = {"blackboard": Cell(board), "name": Cell(own), **ports}
-            _construct(run, frame, registered, Object(behavior_tree_ports.CONFIG, fields=fields), location)
-    run.aside += run.steps - steps
+            _construct(walk, frame, registered, Object(behavior_tree_ports.CONFIG, fields=fields), location)
+    walk.aside += walk.steps - steps
 
 
 def construct_others(
-    run: Walk, frame: Frame, factory: Object, board: Object, tags: Iterable[Tag], location: Location
+    walk: Walk, frame: Frame, factory: Object, board: Object, tags: Iterable[Tag], location: Location
 ) -> None:
     """Construct the nodes that are registered and are not of *tags*.
 
     They have the defaults of their ports; where nothing is made of these, what ports say is not known.
     """
-    steps = run.steps
+    steps = walk.steps
     known = {tag.type for tag in tags}
-    for registered, name in _registered(run, factory):
+    for registered, name in _registered(walk, factory):
         if name not in known:
-            before = dict(run.made)
+            before = dict(walk.made)
             fields = {"blackboard": Cell(board), "name": Cell(Known(name))}
-            _construct(run, frame, registered, Object(behavior_tree_ports.CONFIG, fields=fields), location)
-            if not _makes_ends(run, before):
+            _construct(walk, frame, registered, Object(behavior_tree_ports.CONFIG, fields=fields), location)
+            if not _makes_ends(walk, before):
                 fields = {**fields, behavior_tree_ports.UNTOLD: Cell(TRUE)}
-                _construct(run, frame, registered, Object(behavior_tree_ports.CONFIG, fields=fields), location)
-    run.aside += run.steps - steps
+                _construct(walk, frame, registered, Object(behavior_tree_ports.CONFIG, fields=fields), location)
+    walk.aside += walk.steps - steps
 
 
-def _registered(run: Walk, factory: Object) -> Iterator[tuple[Object, str]]:
+def _registered(walk: Walk, factory: Object) -> Iterator[tuple[Object, str]]:
     """What is registered, and the ID of its tags; if there are several of one ID, with a doubt."""
     for key, cell in list(factory.fields.items()):
         registered, name = cell.value, key.partition("\n")[0]
         if isinstance(registered, Object):
-            with run.doubted(SEVERAL if name != key or f"{name}\n1" in factory.fields else None):
+            with walk.doubted(SEVERAL if name != key or f"{name}\n1" in factory.fields else None):
                 yield registered, name
 
 
-def _makes_ends(run: Walk, before: Mapping[Any, MadeEntity]) -> bool:
+def _makes_ends(walk: Walk, before: Mapping[Any, MadeEntity]) -> bool:
     """Whether an endpoint but parameters was made since, also one that was known before."""
-    new = (made for key, made in run.made.items() if before.get(key) is not made)
+    new = (made for key, made in walk.made.items() if before.get(key) is not made)
     return any(made.kind not in PARAMETERS for made in new)
 
 
@@ -99,8 +99,8 @@ def _with_common_parts(name: str, tags: list[Tag]) -> list[tuple[dict[str, Cell]
     ]
 
 
-def _construct(run: Walk, frame: Frame, registered: Object, config: Object, location: Location) -> None:
-    run.step()
+def _construct(walk: Walk, frame: Frame, registered: Object, config: Object, location: Location) -> None:
+    walk.step()
     name = call_arguments.PassedArgument(config.fields["name"].value, None, syntax.Type("std::string"))
     argument = call_arguments.PassedArgument(config, None, syntax.Type(config.name))
     built: Value | None = None
@@ -108,31 +108,31 @@ def _construct(run: Walk, frame: Frame, registered: Object, config: Object, loca
         more = (call_arguments.PassedArgument(cell.value) for cell in registered.fields.values())
         kind = registered.arguments[0]
         if isinstance(kind, syntax.Type):
-            built = construct.create(run, frame, kind.bare(), (name, argument, *more), location)
+            built = construct.create(walk, frame, kind.bare(), (name, argument, *more), location)
     elif "0" in registered.fields:
         builder = registered.fields["0"].value
         if registered.name != "registerBuilder":  # a function is what is ticked
-            _tick(run, builder)
+            _tick(walk, builder)
         elif isinstance(builder, Callable):
-            built = _built(run, frame, builder, (name, argument))
+            built = _built(walk, frame, builder, (name, argument))
         else:
-            built = calls.apply(run, frame, builder, (name, argument), (), location, syntax.Unknown("a builder"))
+            built = calls.apply(walk, frame, builder, (name, argument), (), location, syntax.Unknown("a builder"))
     if not isinstance(built, Object) or built.definition is None:
         return
     built.fields.setdefault(behavior_tree_ports.HELD, Cell(config))
     for tick in TICKS:
-        method = methods.method_of(run, built, tick)
-        if method is not None and inert.may_make(run, method, ()):
-            _tick(run, method)
+        method = methods.method_of(walk, built, tick)
+        if method is not None and inert.may_make(walk, method, ()):
+            _tick(walk, method)
 
 
-def _tick(run: Walk, function: Value) -> None:
+def _tick(walk: Walk, function: Value) -> None:
     if isinstance(function, Callable):
-        doubt = run.doubts[-1] if run.doubts else None
-        run.roots.append(Root(function, tuple(run.conditions), is_tick=True, doubt=doubt))
+        doubt = walk.doubts[-1] if walk.doubts else None
+        walk.roots.append(Root(function, tuple(walk.conditions), is_tick=True, doubt=doubt))
 
 
-def _built(run: Walk, frame: Frame, builder: Callable, args: tuple[call_arguments.PassedArgument, ...]) -> Value:
+def _built(walk: Walk, frame: Frame, builder: Callable, args: tuple[call_arguments.PassedArgument, ...]) -> Value:
     """What a builder returns, also where its node makes nothing before it is ticked."""
     definition = builder.function
     scope = definition.owner or definition.name.rpartition("::")[0]
@@ -143,7 +143,7 @@ def _built(run: Walk, frame: Frame, builder: Callable, args: tuple[call_argument
         builder.this,
         templates=builder.templates,
         outer=builder.frame,
-        mark=run.state.mark(),
+        mark=walk.state.mark(),
     )
-    activation.bind(run, frame, inner, definition, args)
-    return activation.follow_body(run, inner, definition)
+    activation.bind(walk, frame, inner, definition, args)
+    return activation.follow_body(walk, inner, definition)

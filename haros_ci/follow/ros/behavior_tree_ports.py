@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from haros_ci import syntax
 from haros_ci.follow import conversions, expressions, methods
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.types import INTEGERS, REALS, STRINGS
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression, Function, Type
@@ -54,7 +54,7 @@ def configured(this: Object, args: tuple[PassedArgument, ...]) -> None:
 
 
 def call(
-    run: Walk, frame: Frame, node: Object, name: str, args: tuple[PassedArgument, ...], location: Location
+    walk: Walk, frame: Frame, node: Object, name: str, args: tuple[PassedArgument, ...], location: Location
 ) -> Value | None:
     """What a method of a tree's node does and gives; None if there is no model of it."""
     held = node.fields.get(HELD)
@@ -68,38 +68,38 @@ def call(
     if name == "name" and not args:
         return config.fields["name"].value
     if name == "getInput" and args:
-        found = _input(run, frame, node, config, args[0].value)
+        found = _input(walk, frame, node, config, args[0].value)
         if len(args) > 1:
             cell = _target(args[1])
             if found is None and UNTOLD in config.fields and cell is not None and cell.value == Known(""):
                 message = "no behaviour tree of the workspace has the node: its ports are not known"
-                run.state.write(cell, run.opaque(message, frame, location.line, cell.type))
-            return stored(run, frame, args[1], found)
+                walk.state.write(cell, walk.opaque(message, frame, location.line, cell.type))
+            return stored(walk, frame, args[1], found)
         if found is None or isinstance(found, Opaque):
             return NONE if found is None else found
         return Object(EXPECTED, fields={"(value)": Cell(found)})
     if name == "setOutput" and len(args) == 2:
-        _output(run, frame, config, args[0].value)
-        return run.opaque("whether an output is set", frame, location.line)
+        _output(walk, frame, config, args[0].value)
+        return walk.opaque("whether an output is set", frame, location.line)
     return None
 
 
-def stored(run: Walk, frame: Frame, target: PassedArgument, value: Value | None) -> Value:
+def stored(walk: Walk, frame: Frame, target: PassedArgument, value: Value | None) -> Value:
     """Write what a port or entry gives through a reference, and say whether there is anything; None leaves it alone."""
     if value is None:
         return FALSE
     cell = _target(target)
     if cell is not None:
-        value = _read_as(run, frame, value, cell.type)
-        run.state.write(cell, value)
-    return run.opaque("whether it is set", frame) if isinstance(value, Opaque) else TRUE
+        value = _read_as(walk, frame, value, cell.type)
+        walk.state.write(cell, value)
+    return walk.opaque("whether it is set", frame) if isinstance(value, Opaque) else TRUE
 
 
 def _target(target: PassedArgument) -> Cell | None:
     return target.value.cell if isinstance(target.value, Pointer) else target.cell
 
 
-def _read_as(run: Walk, frame: Frame, value: Value, kind: Type | None) -> Value:
+def _read_as(walk: Walk, frame: Frame, value: Value, kind: Type | None) -> Value:
     """*value*, where it is a text, as BT::convertFromString reads it as a *kind*."""
     if not isinstance(value, Known) or not issubclass(value.kind, str) or kind is None:
         return conversions.converted(value, kind)
@@ -114,60 +114,60 @@ def _read_as(run: Walk, frame: Frame, value: Value, kind: Type | None) -> Value:
             return Known(float(value.value))
     except (ValueError, KeyError):
         pass
-    return run.opaque("it is read from a port's text", frame, None, kind)
+    return walk.opaque("it is read from a port's text", frame, None, kind)
 
 
-def _input(run: Walk, frame: Frame, node: Object, config: Object, port: Value) -> Value | None:
+def _input(walk: Walk, frame: Frame, node: Object, config: Object, port: Value) -> Value | None:
     """What a port gives; None if there is none of that name, or nothing in it."""
     name = text_of(port)
     if name is None:
-        return run.opaque("the port's name is not known", frame)
+        return walk.opaque("the port's name is not known", frame)
     argument_value = config.fields.get(f"{PORT}{name}")
-    value = argument_value.value if argument_value is not None else _default(run, frame, node, name)
+    value = argument_value.value if argument_value is not None else _default(walk, frame, node, name)
     text = (text_of(value) or "").strip()
     if text.startswith("{") and text.endswith("}"):
-        return run.opaque(f"the blackboard's {text[1:-1]} is not known", frame)
+        return walk.opaque(f"the blackboard's {text[1:-1]} is not known", frame)
     return value
 
 
-def _output(run: Walk, frame: Frame, config: Object, port: Value) -> None:
+def _output(walk: Walk, frame: Frame, config: Object, port: Value) -> None:
     """An output changes the entry that its port names."""
     value = config.fields.get(f"{PORT}{text_of(port)}")
     board = config.fields["blackboard"].value
     key = text_of(value.value) if value is not None else None
     cell = board.fields.get(key.strip("{} ")) if key is not None and isinstance(board, Object) else None
     if cell is not None:
-        run.state.write(cell, run.opaque("a node of the tree sets it", frame))
+        walk.state.write(cell, walk.opaque("a node of the tree sets it", frame))
 
 
-def _default(run: Walk, frame: Frame, node: Object, name: str) -> Value | None:
+def _default(walk: Walk, frame: Frame, node: Object, name: str) -> Value | None:
     """The default of a port that the tag does not have."""
     if node.definition is None:
         return None
-    declared, is_all = _declared(run, node)
+    declared, is_all = _declared(walk, node)
     if name not in declared:
-        return None if is_all else run.opaque("the node's ports are not known", frame)
+        return None if is_all else walk.opaque("the node's ports are not known", frame)
     default = declared[name]
-    return expressions.evaluate(run, default[0], default[1]) if default is not None else None
+    return expressions.evaluate(walk, default[0], default[1]) if default is not None else None
 
 
 Ports = dict[str, tuple[Frame, Expression] | None]
 
 
-def _declared(run: Walk, node: Object) -> tuple[Ports, bool]:
+def _declared(walk: Walk, node: Object) -> tuple[Ports, bool]:
     """The ports that a class's ``providedPorts`` declares by name, with their defaults; and whether these are all."""
     key = ("ports", id(node.definition[1]))
-    if key not in run.found:
+    if key not in walk.found:
         ports: Ports = {}
         source, definition = node.definition
-        found = methods.class_method(run, source, definition, "providedPorts")
-        is_all = found is None or all([*_declare(run, ports, *found, node, 0)])
-        run.found[key] = (ports, is_all, node.definition[1])  # which keeps the identity from being used again
-    known: tuple[Ports, bool, Any] = run.found[key]
+        found = methods.class_method(walk, source, definition, "providedPorts")
+        is_all = found is None or all([*_declare(walk, ports, *found, node, 0)])
+        walk.found[key] = (ports, is_all, node.definition[1])  # which keeps the identity from being used again
+    known: tuple[Ports, bool, Any] = walk.found[key]
     return known[0], known[1]
 
 
-def _declare(run: Walk, ports: Ports, source: Source, function: Function, node: Object, depth: int) -> Iterator[bool]:
+def _declare(walk: Walk, ports: Ports, source: Source, function: Function, node: Object, depth: int) -> Iterator[bool]:
     """Put what a function declares among *ports*; for each call in it, whether it is understood."""
     frame = Frame(source, function.owner, function, None, templates=node.templates)
     yield function.body is not None and depth < DEEPEST
@@ -180,11 +180,11 @@ def _declare(run: Walk, ports: Ports, source: Source, function: Function, node: 
                 ports[text.value] = (frame, args[1]) if len(args) == 3 and last != "OutputPort" else None
         elif last.startswith("provided") and depth < DEEPEST:
             head = callee.rpartition("::")[0]
-            owner: Any = run.class_of(run.type_in(syntax.Type(head), frame).name, source) if head else node.definition
-            found = methods.class_method(run, owner[0], owner[1], last) if owner is not None else None
+            owner: Any = walk.class_of(walk.type_in(syntax.Type(head), frame).name, source) if head else node.definition
+            found = methods.class_method(walk, owner[0], owner[1], last) if owner is not None else None
             yield found is not None
             if found is not None and found[1] is not function:
-                yield from _declare(run, ports, *found, node, depth + 1)
+                yield from _declare(walk, ports, *found, node, depth + 1)
         elif last[:1].islower() and last not in ("insert", "begin", "end", "move", "merge", "emplace"):
             yield False
 

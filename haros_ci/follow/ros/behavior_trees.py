@@ -13,7 +13,7 @@ from haros_ci.follow import activation
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import behavior_tree_nodes, behavior_tree_ports
 from haros_ci.follow.ros.behavior_tree_ports import text_of
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.behavior_tree_files import BUILT_IN, CREATING, LOADING, READING, REGISTERING, BehaviorTreeFile, Tag
 from haros_ci.index.trace import XML_FILES
 from haros_ci.model.location import Location
@@ -35,7 +35,7 @@ UNKNOWN = "a behaviour tree is created that is not known, nor what its nodes mak
 
 
 def call(
-    run: Walk,
+    walk: Walk,
     frame: Frame,
     name: str,
     receiver: Value | None,
@@ -48,14 +48,14 @@ def call(
     if not isinstance(receiver, Object):
         return Object(BLACKBOARD, location=location) if name == f"{BLACKBOARD}::create" else None
     if owner == FACTORY:
-        return _factory(run, frame, receiver, last, args, targs, location)
+        return _factory(walk, frame, receiver, last, args, targs, location)
     if owner == BLACKBOARD:
-        return _blackboard(run, frame, receiver, last, args, targs)
-    return behavior_tree_ports.call(run, frame, receiver, last, args, location)
+        return _blackboard(walk, frame, receiver, last, args, targs)
+    return behavior_tree_ports.call(walk, frame, receiver, last, args, location)
 
 
 def _factory(
-    run: Walk,
+    walk: Walk,
     frame: Frame,
     factory: Object,
     name: str,
@@ -64,23 +64,25 @@ def _factory(
     location: Location,
 ) -> Value | None:
     if name in REGISTERING and args:
-        types = tuple(run.type_in(targ, frame) for targ in targs if isinstance(targ, syntax.Type))
-        _register(run, factory, name, args, types)
+        types = tuple(walk.type_in(targ, frame) for targ in targs if isinstance(targ, syntax.Type))
+        _register(walk, factory, name, args, types)
         return NONE
     if name in LOADING:
-        _load(run, factory, args[0].value if name == "registerFromPlugin" and args else None)
+        _load(walk, factory, args[0].value if name == "registerFromPlugin" and args else None)
         return NONE
     if name in READING and args:
         _read(factory, args[0].value, name.endswith("Text"))
         return NONE
     if name in CREATING and args:
-        if not run.quiet:
-            _create(run, frame, factory, name, args, location)
+        if not walk.quiet:
+            _create(walk, frame, factory, name, args, location)
         return Object(TREE, location=location)
     return None
 
 
-def _register(run: Walk, factory: Object, name: str, args: tuple[PassedArgument, ...], types: tuple[Type, ...]) -> None:
+def _register(
+    walk: Walk, factory: Object, name: str, args: tuple[PassedArgument, ...], types: tuple[Type, ...]
+) -> None:
     """Keep the type of a node, or what builds it, and further arguments of its constructor by the ID of its tags."""
     name_of_tags = text_of(args[0].value)
     if name_of_tags is None:
@@ -107,29 +109,29 @@ def _is_same(one: Value, other: Object) -> bool:
     return isinstance(first, Callable) == isinstance(second, Callable)
 
 
-def _load(run: Walk, factory: Object, library: Value | None) -> None:
+def _load(walk: Walk, factory: Object, library: Value | None) -> None:
     """Register what a plug-in's library has; one that is not known stands for all of the workspace."""
     if isinstance(library, Choice):
         for option in library.options:
-            _load(run, factory, option)
+            _load(walk, factory, option)
         return
     name = text_of(library)
     if name is None:
         factory.fields[OPEN] = Cell(TRUE)
     else:
-        registered_by(run, factory, name)
+        registered_by(walk, factory, name)
 
 
-def registered_by(run: Walk, factory: Object, library: str | None) -> None:
+def registered_by(walk: Walk, factory: Object, library: str | None) -> None:
     """Follow what registers the nodes of a library, or of all libraries of the workspace, with *factory*."""
-    trees = run.context.trees
-    if run.index.trace is not None and library is not None:
-        run.index.trace.is_whole = False  # what a library is built of
+    trees = walk.context.trees
+    if walk.index.trace is not None and library is not None:
+        walk.index.trace.is_whole = False  # what a library is built of
     for source, function in trees.registered(library) if trees is not None else ():
-        inner = Frame(source, "", function, mark=run.state.mark())
+        inner = Frame(source, "", function, mark=walk.state.mark())
         for parameter in function.parameters[:1]:  # the macro's argument is the factory's name
             inner.declare(parameter.name or parameter.type.name, Cell(factory, syntax.Type(FACTORY, (), "&")))
-        activation.follow_body(run, inner, function)
+        activation.follow_body(walk, inner, function)
 
 
 def _read(factory: Object, value: Value, is_text: bool) -> None:
@@ -140,41 +142,41 @@ def _read(factory: Object, value: Value, is_text: bool) -> None:
 
 
 def _create(
-    run: Walk, frame: Frame, factory: Object, name: str, args: tuple[PassedArgument, ...], location: Location
+    walk: Walk, frame: Frame, factory: Object, name: str, args: tuple[PassedArgument, ...], location: Location
 ) -> None:
     """Construct the nodes of a tree, once at each place for each blackboard."""
     provided = (argument.value for argument in args if isinstance(argument.value, Object))
     board = next((object_ for object_ in provided if object_.name == BLACKBOARD), None)
     done = (location, factory, board, text_of(args[0].value))
-    if done in run.offered:
+    if done in walk.offered:
         return
-    run.offered.add(done)
-    if run.index.trace is not None:
-        run.index.trace.paths.add(XML_FILES)
+    walk.offered.add(done)
+    if walk.index.trace is not None:
+        walk.index.trace.paths.add(XML_FILES)
     board = board if board is not None else Object(BLACKBOARD, location=location)
-    tags, is_whole = _tags(run, factory, name, args[0].value)
+    tags, is_whole = _tags(walk, factory, name, args[0].value)
     if OPEN in factory.fields:
         factory = Object(FACTORY, fields=dict(factory.fields))
-        registered_by(run, factory, None)
+        registered_by(walk, factory, None)
         for elsewhere in sorted({tag.type for tag in tags} - factory.fields.keys() - BUILT_IN):
-            run.gaps.setdefault(f"the node {elsewhere[:200]} of a behaviour tree is not in the workspace", location)
-    behavior_tree_nodes.construct_all(run, frame, factory, board, tags, location)
+            walk.gaps.setdefault(f"the node {elsewhere[:200]} of a behaviour tree is not in the workspace", location)
+    behavior_tree_nodes.construct_all(walk, frame, factory, board, tags, location)
     if is_whole:
         return
-    run.gaps.setdefault(UNKNOWN, location)
-    if run.context.any_tree and run.context.trees is not None:
-        run.gaps.setdefault(ANY, location)
-        every = [tag for trees in run.context.trees.every() for found in trees.tags.values() for tag in found]
+    walk.gaps.setdefault(UNKNOWN, location)
+    if walk.context.any_tree and walk.context.trees is not None:
+        walk.gaps.setdefault(ANY, location)
+        every = [tag for trees in walk.context.trees.every() for found in trees.tags.values() for tag in found]
         known = frozenset(tags)
         others = tuple(tag for tag in every if tag not in known)
-        with run.doubted(ANY):
-            behavior_tree_nodes.construct_all(run, frame, factory, board, others, location)
-            behavior_tree_nodes.construct_others(run, frame, factory, board, (*tags, *every), location)
+        with walk.doubted(ANY):
+            behavior_tree_nodes.construct_all(walk, frame, factory, board, others, location)
+            behavior_tree_nodes.construct_others(walk, frame, factory, board, (*tags, *every), location)
 
 
-def _tags(run: Walk, factory: Object, name: str, value: Value) -> tuple[tuple[Tag, ...], bool]:
+def _tags(walk: Walk, factory: Object, name: str, value: Value) -> tuple[tuple[Tag, ...], bool]:
     """The nodes of the tree that is created, as far as they are known; and whether these are all."""
-    files, message = run.context.trees, text_of(value)
+    files, message = walk.context.trees, text_of(value)
     if files is None or message is None:
         return (), False
     every = [files.read(key[len(READ) :]) for key in factory.fields if key.startswith(READ)]
@@ -186,7 +188,7 @@ def _tags(run: Walk, factory: Object, name: str, value: Value) -> tuple[tuple[Ta
 
 
 def _blackboard(
-    run: Walk,
+    walk: Walk,
     frame: Frame,
     board: Object,
     name: str,
@@ -204,13 +206,13 @@ def _blackboard(
         if key is None:
             for field in board.fields.values():
                 if isinstance(field.value, (Known, Text, Choice)):
-                    run.state.write(field, Opaque("it may be set under a key that is not known"))
+                    walk.state.write(field, Opaque("it may be set under a key that is not known"))
             return NONE
         if cell is None:
             cell = board.fields[key] = Cell(Opaque(f"the blackboard's {key} is not set before"))
-        run.state.write(cell, args[1].value)
+        walk.state.write(cell, args[1].value)
         return NONE
-    kind = run.type_in(targs[0], frame) if targs and isinstance(targs[0], syntax.Type) else None
+    kind = walk.type_in(targs[0], frame) if targs and isinstance(targs[0], syntax.Type) else None
     message = f"the blackboard's {key or 'entry of a key that is not known'} is not known"
-    value = cell.value if cell is not None else run.opaque(message, frame, None, kind)
-    return value if len(args) == 1 else behavior_tree_ports.stored(run, frame, args[1], value)
+    value = cell.value if cell is not None else walk.opaque(message, frame, None, kind)
+    return value if len(args) == 1 else behavior_tree_ports.stored(walk, frame, args[1], value)

@@ -11,7 +11,7 @@ from haros_ci.follow import thrown
 from haros_ci.follow.made import MadeEntity, make
 from haros_ci.follow.ros import ros2_emit
 from haros_ci.follow.ros.ends import UNNAMED
-from haros_ci.follow.run import Renamed, Walk
+from haros_ci.follow.walk import Renamed, Walk
 from haros_ci.graph.names import clean, pattern, resolve
 from haros_ci.index.common_messages import COMMON
 from haros_ci.index.ros_types import SERIALISED, WRAPPERS, data_type, message_type, parameter_type, ros2_type
@@ -35,8 +35,8 @@ _READ: dict[str, tuple[type, ...]] = {"bool": (bool,), "int": (int, float), "dou
 
 def emit(applied: Applied, entry: Entry) -> Value | None:
     """Make one endpoint (or name the node); for a getter, the value that it reads is returned."""
-    run = applied.run
-    if run.context.process is not None:
+    walk = applied.walk
+    if walk.context.process is not None:
         return ros2_emit.emit(applied, entry)
     if entry.kind == "node":
         from haros_ci.follow.ros.selectors import value_of
@@ -44,8 +44,8 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
         name = value_of(applied, entry.values["name"]) if "name" in entry.values else None
         anonymous = value_of(applied, entry.values["anonymous"]) if "anonymous" in entry.values else Known(False)
         if name is not None:
-            run.names.append((name, anonymous == Known(True) or _last(anonymous) == "AnonymousName"))
-            if len(run.names) == 1 and run.context.renames(*run.names[0]):
+            walk.names.append((name, anonymous == Known(True) or _last(anonymous) == "AnonymousName"))
+            if len(walk.names) == 1 and walk.context.renames(*walk.names[0]):
                 raise Renamed
         return None
     if entry.kind not in KINDS:
@@ -65,15 +65,15 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
         latched = _flag(applied, entry, unknowns)
     if entry.unsure:
         unknowns.append(("conditions", entry.unsure, applied.location))
-    raises = bool(run.turning) and _raises(applied, entry, name, default)
+    raises = bool(walk.turning) and _raises(applied, entry, name, default)
     make(
-        run,
+        walk,
         MadeEntity(
             kind=entry.kind,
             name=name,
             type=endpoint_type,
             location=applied.location,
-            conditions=tuple(run.conditions),
+            conditions=tuple(walk.conditions),
             queue_size=queue,
             latched=latched,
             value=None if entry.each is not None else value,
@@ -81,17 +81,17 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
             is_exact=applied.is_exact,
             unknowns=tuple(unknowns),
             written=written,
-            is_strict=entry.strict and not (run.trying or run.dead or applied.frame.is_dead),
+            is_strict=entry.strict and not (walk.trying or walk.dead or applied.frame.is_dead),
         ),
     )
-    run.is_raised = run.is_raised or raises
+    walk.is_raised = walk.is_raised or raises
     if entry.kind == "setters" and entry.each is None:
-        _set(applied, run.context.remap(name), default if default is not None else NONE)
+        _set(applied, walk.context.remap(name), default if default is not None else NONE)
     if entry.kind != "getters":
         return None
     from haros_ci.follow.ros.api_rows import parameter_value
 
-    found = parameter_value(applied, run.context.remap(name), default)
+    found = parameter_value(applied, walk.context.remap(name), default)
     if found is not None and found is not default and applied.frame.source.separator == "::":
         found = _fitting(found, endpoint_type, default)
     if entry.each is not None:
@@ -105,9 +105,9 @@ def _raises(applied: Applied, entry: Entry, name: str, default: Value | None) ->
 
     if not entry.strict or entry.kind != "getters" or applied.frame.is_dead:
         return False
-    run = applied.run
-    found = parameter_value(applied, run.context.remap(name), default)
-    return thrown.raises(run, name, applied.location, found is not None)
+    walk = applied.walk
+    found = parameter_value(applied, walk.context.remap(name), default)
+    return thrown.raises(walk, name, applied.location, found is not None)
 
 
 def _fitting(found: Value, kind: str | None, default: Value | None) -> Value | None:
@@ -129,16 +129,16 @@ def _fitting(found: Value, kind: str | None, default: Value | None) -> Value | N
 
 def _set(applied: Applied, name: str, value: Value) -> None:
     """The node finds afterwards what it has set, ``NONE`` for deleted; after a name that is not known, nothing for sure."""
-    run = applied.run
-    own: Any = run.server.value
+    walk = applied.walk
+    own: Any = walk.server.value
     if isinstance(own, Opaque):
         return
     if "?" in name:
-        run.state.write(run.server, Opaque("a parameter is set under a name that is not known", applied.location))
+        walk.state.write(walk.server, Opaque("a parameter is set under a name that is not known", applied.location))
         return
     known, data = data_of(value)
     below = {other: NONE for other in own if other.startswith(f"{name}/")}
-    run.state.write(run.server, {**own, **below, name: Known(data) if known else value})
+    walk.state.write(walk.server, {**own, **below, name: Known(data) if known else value})
 
 
 def _remember(applied: Applied, entry: Entry, value: Value | None) -> None:
@@ -146,8 +146,8 @@ def _remember(applied: Applied, entry: Entry, value: Value | None) -> None:
     from haros_ci.follow.ros.selectors import config_name, select_value
 
     assert entry.each is not None and applied.item is not None
-    name = config_name(select_value(applied, entry.each[7:-1]), applied.run)
-    config = applied.run.config_objects.setdefault(name, Object(name))
+    name = config_name(select_value(applied, entry.each[7:-1]), applied.walk)
+    config = applied.walk.config_objects.setdefault(name, Object(name))
     member = applied.item["name"].value
     config.fields[member] = Cell(value if value is not None else Opaque("a parameter that is not set"))
 
@@ -157,10 +157,10 @@ def _name(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[str, str]
     from haros_ci.follow.handles import namespace_of
     from haros_ci.follow.ros.selectors import value_of
 
-    context = applied.run.context
+    context = applied.walk.context
     found = value_of(applied, entry.values["name"]) if "name" in entry.values else None
     if found is None:
-        found = applied.run.opaque("it is not given", applied.frame, applied.location.line)
+        found = applied.walk.opaque("it is not given", applied.frame, applied.location.line)
     text, why, where = pattern(found)
     space: Value = Known(context.namespace)
     if "namespace" in entry.values:
@@ -215,9 +215,9 @@ def interface_type(applied: Applied, entry: Entry, unknowns: Unknowns) -> str | 
     result: str | None = None
     if isinstance(found, Library):
         found = TypeValue(syntax.Type(found.name))
-    is_ros2 = applied.run.context.process is not None
+    is_ros2 = applied.walk.context.process is not None
     if isinstance(found, TypeValue):
-        found = TypeValue(_meant(applied.run, found.type))
+        found = TypeValue(_meant(applied.walk, found.type))
         result = ros2_type(found.type) if is_ros2 else message_type(found.type)
         if result is not None and not is_ros2 and not _is_interface(applied, found.type, result):
             result = None
@@ -241,16 +241,16 @@ def interface_type(applied: Applied, entry: Entry, unknowns: Unknowns) -> str | 
     return result
 
 
-def _meant(run: Walk, kind: Type) -> Type:
+def _meant(walk: Walk, kind: Type) -> Type:
     """*kind*, pointers looked through, or the type that it is another name of in a library (``alias`` of a row)."""
     inner = pointee(kind)
-    alias = next((row.alias for row in run.rows.get(inner.name, ()) if row.alias), "")
+    alias = next((row.alias for row in walk.rows.get(inner.name, ()) if row.alias), "")
     return syntax.Type(alias) if alias else kind
 
 
 def _is_interface(applied: Applied, kind: Type, result: str) -> bool:
     """Whether ``a/B`` may be a message, service or action: no class of the workspace, and no member of one."""
-    index = applied.run.index
+    index = applied.walk.index
     package, _, name = result.partition("/")
     if applied.frame.source.program.language == "python" or name in COMMON.get(package, ()):
         return True
@@ -287,7 +287,7 @@ def _value(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[Any, Val
     if found is None or isinstance(found, TypeValue):
         return None, None
     known, data = data_of(found)
-    if known and not _is_unnamed(applied.run, data):
+    if known and not _is_unnamed(applied.walk, data):
         return data, found
     why = Opaque(UNNAMED) if known else opaque_of(found)
     unknowns.append(
@@ -296,11 +296,11 @@ def _value(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[Any, Val
     return None, found
 
 
-def _is_unnamed(run: Walk, data: object) -> bool:
+def _is_unnamed(walk: Walk, data: object) -> bool:
     """Whether a text is made of the node's own name, or its namespace, of which a part is not known."""
     if not isinstance(data, str) or "?" not in data:
         return False
-    return any("?" in own and own in data for own in (run.context.name, run.context.namespace))
+    return any("?" in own and own in data for own in (walk.context.name, walk.context.namespace))
 
 
 def _last(value: object) -> str:

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from typing import TYPE_CHECKING
 
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.graph.names import UNKNOWN, pattern
 from haros_ci.index.types import STRINGS
 from haros_ci.model.location import Location
@@ -37,34 +37,34 @@ INSIDE = nullcontext()
 
 
 def through(
-    run: Walk, function: Function, args: tuple[PassedArgument, ...], location: Location
+    walk: Walk, function: Function, args: tuple[PassedArgument, ...], location: Location
 ) -> AbstractContextManager[None]:
     """While *function* is followed that is called at *location*: the outermost wrapper's call counts."""
-    is_outermost = run.context.process is not None and run.outer is None and _is_wrapper(function)
-    return _outermost(run, args, location) if is_outermost else INSIDE
+    is_outermost = walk.context.process is not None and walk.outer is None and _is_wrapper(function)
+    return _outermost(walk, args, location) if is_outermost else INSIDE
 
 
 @contextmanager
-def _outermost(run: Walk, args: tuple[PassedArgument, ...], location: Location) -> Iterator[None]:
+def _outermost(walk: Walk, args: tuple[PassedArgument, ...], location: Location) -> Iterator[None]:
     values = [argument.value for argument in args if isinstance(argument.value, (Known, Text, Choice, Opaque, Library))]
     texts = [pattern(marked(option))[0] for value in values for option in (value, *iterators.options(value))]
-    run.outer = location, frozenset(text or UNKNOWN for text in texts)
+    walk.outer = location, frozenset(text or UNKNOWN for text in texts)
     try:
         yield
     finally:
-        run.outer = None
+        walk.outer = None
 
 
-def place(run: Walk, name: str, location: Location) -> Location:
+def place(walk: Walk, name: str, location: Location) -> Location:
     """Where an endpoint of that *name* stands that the call at *location* makes."""
-    if run.outer is None:
+    if walk.outer is None:
         return location
-    marks = run.context.marks
-    whole, texts = marks.real(name), [marks.real(text) for text in run.outer[1]]
+    marks = walk.context.marks
+    whole, texts = marks.real(name), [marks.real(text) for text in walk.outer[1]]
     is_through = any(text in whole for text in texts)
-    if is_through is not any(text in name for text in run.outer[1]):
-        marks.looked_at("".join((name, *run.outer[1])))
-    return run.outer[0] if is_through else location
+    if is_through is not any(text in name for text in walk.outer[1]):
+        marks.looked_at("".join((name, *walk.outer[1])))
+    return walk.outer[0] if is_through else location
 
 
 def _is_wrapper(function: Function) -> bool:

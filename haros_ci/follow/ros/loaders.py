@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.made import MadeEntity, make
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.graph.names import clean, pattern, resolve
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import NONE, TRUE, Cell, Choice, Known, Mapped, Opaque, Value
@@ -21,55 +21,55 @@ if TYPE_CHECKING:
 MOST = 64
 
 
-def remappings(run: Walk) -> Value:
+def remappings(walk: Walk) -> Value:
     """``ros::names::getRemappings()``: what the node's own command line remaps."""
-    return Mapped(Cell({source: Cell(Known(target)) for source, target in sorted(run.context.remaps.items())}))
+    return Mapped(Cell({source: Cell(Known(target)) for source, target in sorted(walk.context.remaps.items())}))
 
 
-def nodelet(run: Walk, frame: Frame, args: tuple[PassedArgument, ...], location: Location) -> Value:
+def nodelet(walk: Walk, frame: Frame, args: tuple[PassedArgument, ...], location: Location) -> Value:
     """``nodelet::Loader::load(name, type, remappings, my_argv)``: the nodelet is a part of the node, under that name.
 
     Its private namespace is the name, its namespace the one above; its remappings go before the node's own (nodelet.h).
     """
-    if run.quiet:
-        return run.opaque("whether a nodelet is loaded", frame, location.line)
+    if walk.quiet:
+        return walk.opaque("whether a nodelet is loaded", frame, location.line)
     name, kind = args[0].value, args[1].value
     renames = _remappings(args[2].value) if len(args) > 2 else {}
     options = kind.options if isinstance(kind, Choice) else (kind,)
     for option in options:
-        with run.doubted("one of several nodelets is loaded" if len(options) > 1 else None):
-            _load(run, name, option, renames, location)
-    return TRUE if len(options) == 1 else run.opaque("whether a nodelet is loaded", frame, location.line)
+        with walk.doubted("one of several nodelets is loaded" if len(options) > 1 else None):
+            _load(walk, name, option, renames, location)
+    return TRUE if len(options) == 1 else walk.opaque("whether a nodelet is loaded", frame, location.line)
 
 
-def _load(run: Walk, name: Value, kind: Value, renames: Mapping[str, Value] | None, location: Location) -> None:
+def _load(walk: Walk, name: Value, kind: Value, renames: Mapping[str, Value] | None, location: Location) -> None:
     if not isinstance(kind, Known) or not issubclass(kind.kind, str):
-        run.gaps.setdefault("it loads a nodelet of which the type is not known", location)
+        walk.gaps.setdefault("it loads a nodelet of which the type is not known", location)
         return
-    context = run.context
+    context = walk.context
     text, why, where = pattern(name)
     full = resolve(text, context.namespace, context.name) if text[:1] != "?" else "/?"
     above = "/?" if why is not None else full.rpartition("/")[0] or "/"
     context.loaded.append(kind.value)
     if len(context.loaded) > MOST:
-        run.gaps.setdefault(f"it loads more than the {MOST} nodelets that are followed", location)
+        walk.gaps.setdefault(f"it loads more than the {MOST} nodelets that are followed", location)
         return
-    found = context.nodelet(kind.value, full, above, run.parameter)
+    found = context.nodelet(kind.value, full, above, walk.parameter)
     if found is None:
-        run.gaps.setdefault(f"it loads the nodelet {kind.value}, which is not in the workspace", location)
+        walk.gaps.setdefault(f"it loads the nodelet {kind.value}, which is not in the workspace", location)
         return
     made, gaps = found
     for message, place in gaps.items():
-        run.gaps.setdefault(message, place)
+        walk.gaps.setdefault(message, place)
     named = None if renames is None else _absolute(renames, full)
     for item in made:
         unknowns = item.unknowns
         if why is not None and "?" in item.name and not any(field == "name" for field, _, _ in unknowns):
             unknowns = (*unknowns, ("name", f"the name of the nodelet: {why}", where or location))
-        item = replace(item, conditions=(*run.conditions, *item.conditions), unknowns=unknowns)
-        make(run, _renamed(item, named, location))
+        item = replace(item, conditions=(*walk.conditions, *item.conditions), unknowns=unknowns)
+        make(walk, _renamed(item, named, location))
         if item.kind == "setters":
-            _was_set(run, item.name, location)
+            _was_set(walk, item.name, location)
 
 
 def _remappings(value: Value) -> Mapping[str, Value] | None:
@@ -104,9 +104,9 @@ def _renamed(item: MadeEntity, renames: Mapping[str, Value] | None, location: Lo
     return replace(item, name="/?", unknowns=(*item.unknowns, ("name", why, where or location)))
 
 
-def _was_set(run: Walk, name: str, location: Location) -> None:
+def _was_set(walk: Walk, name: str, location: Location) -> None:
     """The node finds what the nodelet has set, if not to what."""
-    own: Any = run.server.value
+    own: Any = walk.server.value
     if isinstance(own, dict):
         value = Opaque("a nodelet sets it", location)
-        run.state.write(run.server, value if "?" in name else {**own, name: value})
+        walk.state.write(walk.server, value if "?" in name else {**own, name: value})

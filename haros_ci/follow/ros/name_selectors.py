@@ -29,27 +29,27 @@ def resolved(applied: selectors.Applied, selector: str, flag: str) -> Value:
     for option in value.options if isinstance(value, Choice) else (value,):
         found = _full(applied, option, flag)
         result = found if result is None else join(result, found)
-    return result if result is not None else applied.run.opaque("a name that is not known", applied.frame)
+    return result if result is not None else applied.walk.opaque("a name that is not known", applied.frame)
 
 
 def _full(applied: selectors.Applied, value: Any, flag: str) -> Value:
     if value == Known(""):
-        return applied.run.opaque("the namespace that an empty name is resolved to", applied.frame)
+        return applied.walk.opaque("the namespace that an empty name is resolved to", applied.frame)
     full, unknown = _absolute(applied, _name(value))
     if unknown is not None:
-        full = applied.run.context.marks.looked_at(full)
+        full = applied.walk.context.marks.looked_at(full)
         pieces: list[str | Opaque] = []
         for number, piece in enumerate(full.split("?")):
             pieces += ([unknown] if number else []) + ([piece] if piece else [])
         return Text(tuple(pieces)) if "?" in full else unknown
     name = _remap(applied, full)
     argument = selectors.given(applied.args, flag) if flag else None
-    remaps, expands = (TRUE, FALSE) if applied.run.context.process is None else (FALSE, TRUE)  # ROS 2: only_expand
-    known = applied.run.context.marks.known
+    remaps, expands = (TRUE, FALSE) if applied.walk.context.process is None else (FALSE, TRUE)  # ROS 2: only_expand
+    known = applied.walk.context.marks.known
     if argument is None or name == full or argument.value == remaps:
         return known(name)
     return (
-        known(full) if argument.value == expands else applied.run.opaque("whether the name is remapped", applied.frame)
+        known(full) if argument.value == expands else applied.walk.opaque("whether the name is remapped", applied.frame)
     )
 
 
@@ -57,10 +57,10 @@ def remapped(applied: selectors.Applied, selector: str) -> Value:
     """The name as ``remap`` gives it: what it is remapped to, else the name as it is."""
     value: Value | None = _first(applied, selector)
     if value is None:
-        return applied.run.opaque("a name that is not known", applied.frame)
+        return applied.walk.opaque("a name that is not known", applied.frame)
     full, unknown = _absolute(applied, _name(value))
     name = _remap(applied, full) if unknown is None else full
-    return applied.run.context.marks.known(name) if name != full else value
+    return applied.walk.context.marks.known(name) if name != full else value
 
 
 def canonical(applied: selectors.Applied, selector: str) -> Value | None:
@@ -76,8 +76,8 @@ def parent(applied: selectors.Applied, selector: str) -> Value:
     """The namespace of a name as it is resolved and remapped, with its last slash."""
     full, why = _absolute(applied, _name(_first(applied, selector)))
     if why is None:
-        return Known(f"{applied.run.context.marks.looked_at(_remap(applied, full)).rpartition('/')[0]}/")
-    full = applied.run.context.marks.looked_at(full)
+        return Known(f"{applied.walk.context.marks.looked_at(_remap(applied, full)).rpartition('/')[0]}/")
+    full = applied.walk.context.marks.looked_at(full)
     head = f"{full.rpartition('/')[0]}/"
     return Text((head.partition("?")[0] or "/", why))
 
@@ -106,7 +106,7 @@ def expanded(applied: selectors.Applied, name: str, node: str, space: str) -> Va
     if isinstance(found[0], Text) and str(found[0].parts[0])[:1] == "/":
         return found[0]
     if texts[0] is None or "{" in texts[0] or (texts[0][:1] != "/" and (texts[1] is None or texts[2] is None)):
-        return applied.run.opaque("what a name is expanded to", applied.frame)
+        return applied.walk.opaque("what a name is expanded to", applied.frame)
     return Known(resolve(texts[0], texts[2] or "/", f"{texts[2]}/{texts[1]}"))
 
 
@@ -116,21 +116,21 @@ def search(applied: selectors.Applied, selector: str) -> Value:
     It begins at the entry's namespace, the handle's or the node's own name. Of ``a/b`` it looks for ``a`` alone. Where
     nothing sets it, the first that is looked at: there it would be found before all others.
     """
-    run = applied.run
+    walk = applied.walk
     name, why, where = _name(_first(applied, selector))
     if why is not None:
         return Text(("/", Opaque(why, where)))
     if name.startswith("/"):
         return Known(clean(name))
     if not name.strip("/") or name.startswith("~"):
-        return run.opaque("a name that cannot be searched for", applied.frame)
+        return walk.opaque("a name that cannot be searched for", applied.frame)
     start, why, where = pattern(_start(applied))
     first = name.split("/")[0]
     prefix = start
     while why is None:
-        found = run.parameter(clean(f"{prefix}/{name}"))
+        found = walk.parameter(clean(f"{prefix}/{name}"))
         if found is None and first != name:
-            found = run.parameter(clean(f"{prefix}/{first}"))
+            found = walk.parameter(clean(f"{prefix}/{first}"))
         if isinstance(found, Perhaps):
             return Text(("/", found))
         if found is not None:
@@ -151,12 +151,12 @@ def _start(applied: selectors.Applied) -> Value:
     receiver = applied.receiver
     if isinstance(receiver, Object) and receiver.namespace is not None:
         return receiver.namespace
-    return Known(applied.run.context.name)
+    return Known(applied.walk.context.name)
 
 
 def _absolute(applied: selectors.Applied, name: Name) -> tuple[str, Opaque | None]:
     """The full name before it is remapped, as the receiver resolves it, and why it is not wholly known."""
-    context = applied.run.context
+    context = applied.walk.context
     text, why, where = name
     if context.process is not None:
         node = _node(applied)
@@ -184,13 +184,13 @@ def _node(applied: selectors.Applied) -> ros2_process.RosNode | None:
     entry = next(iter(applied.row.makes), None)
     if entry is not None:
         return ros2_nodes.of_entry(applied, entry)[0]
-    return ros2_nodes.of_value(applied.run, applied.receiver)
+    return ros2_nodes.of_value(applied.walk, applied.receiver)
 
 
 def _remap(applied: selectors.Applied, full: str) -> str:
     """What the full name is remapped to, by the ROS 2 node's rules where there is one."""
-    node = _node(applied) if applied.run.context.process is not None else None
-    return ros2_nodes.remapped(applied.run, node, full) if node is not None else applied.run.context.remap(full)
+    node = _node(applied) if applied.walk.context.process is not None else None
+    return ros2_nodes.remapped(applied.walk, node, full) if node is not None else applied.walk.context.remap(full)
 
 
 def _first(applied: selectors.Applied, alternatives: str) -> Any:
@@ -210,6 +210,6 @@ def _name(value: Any) -> Name:
 
 def declared(applied: selectors.Applied, selector: str) -> Value:
     """Whether the ROS 2 node that is the receiver has declared the parameter of that name."""
-    node = ros2_nodes.of_value(applied.run, applied.receiver)
+    node = ros2_nodes.of_value(applied.walk, applied.receiver)
     value: Value | None = _first(applied, selector)
     return ros2_parameters.is_declared(applied, node, value if value is not None else Opaque("a name"))

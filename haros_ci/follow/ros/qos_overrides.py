@@ -46,7 +46,7 @@ def apply(
     policies, suffix = override_policies(options), override_id(options)
     if policies == () or "?" in name:
         return qos, []
-    final = remapped(applied.run, node.whole, name)
+    final = remapped(applied.walk, node.whole, name)
     if policies == () or "?" in final:
         return qos, []
     head = f"qos_overrides.{final}.{ENDS[kind]}"
@@ -73,9 +73,9 @@ def apply(
             why = value if isinstance(value, Opaque) else None
             reason = why.reason if why else f"a parameter overrides {policy} with what it cannot be"
             unknowns.append(("qos", reason, (why and why.location) or applied.location))
-    own: Any = applied.run.server.value
+    own: Any = applied.walk.server.value
     if held and not isinstance(own, Opaque):
-        applied.run.state.write(applied.run.server, {**own, **held})
+        applied.walk.state.write(applied.walk.server, {**own, **held})
     return changed, unknowns
 
 
@@ -101,20 +101,20 @@ def _default(policy: str, value: Any) -> Value:
 def _declare(
     applied: Applied, node: RosNode, name: str, policy: str, default: Value, value: Value | None, place: Location
 ) -> Held:
-    run = applied.run
+    walk = applied.walk
     unknowns: list[tuple[str, str, Location | None]] = []
     if isinstance(default, Opaque):
         unknowns.append(("value", default.reason, applied.location))
     if isinstance(effective := default if value is None else value, Opaque):
         unknowns.append(("effective", effective.reason, effective.location or applied.location))
     make(
-        run,
+        walk,
         MadeEntity(
             kind="parameters",
             name=f"{node.whole.name}:{name}",
             type="int" if policy in DURATIONS or policy == "depth" else "str",
             location=place,
-            conditions=tuple(run.conditions),
+            conditions=tuple(walk.conditions),
             value=default.value if isinstance(default, Known) else None,
             implicit=True,
             is_exact=applied.is_exact,

@@ -50,7 +50,7 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
 
     if entry.kind not in KINDS:
         return None
-    run = applied.run
+    walk = applied.walk
     node, why_not = ros2_nodes.of_entry(applied, entry)
     if why_not == ros2_nodes.NO_NODE:
         return None
@@ -59,25 +59,25 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
         names = [option for option in provided.options if option != Known("")]
         if any(isinstance(option, Known) for option in names):
             for option in names:
-                with run.doubted(ONE_OF_NAMES):
+                with walk.doubted(ONE_OF_NAMES):
                     _named(applied, entry, option, node, why_not)
             return None
     return _named(applied, entry, provided, node, why_not)
 
 
 def _named(applied: Applied, entry: Entry, provided: Any, node: RosNode | None, why_not: str) -> Value | None:
-    """Make the endpoint that has the name *given*."""
+    """Make the endpoint that has the name *provided*."""
     from haros_ci.follow.ros.emit import interface_type
     from haros_ci.follow.ros.selectors import value_of
 
-    run = applied.run
+    walk = applied.walk
     unknowns: Unknowns = []
     result = provided if provided is not None else Opaque("it is not given", applied.location)
     text, why, where = pattern(result if entry.kind in PARAMETERS else marked(result))
     if entry.kind in PARAMETERS and entry.each is not None:
         text = text.removeprefix(".")
     if why is None and not text and entry.kind not in PARAMETERS:
-        if provided != Known("") or not (run.dead or applied.frame.is_dead):
+        if provided != Known("") or not (walk.dead or applied.frame.is_dead):
             return None  # no name, no topic: a filter's subscriber that gets its topic later
         text, why, where = UNKNOWN, NOT_EMPTY, applied.location
     if entry.kind in PARAMETERS:
@@ -104,7 +104,7 @@ def _named(applied: Applied, entry: Entry, provided: Any, node: RosNode | None, 
             qos, messages = qos_of(profile)
             if messages is not None:
                 unknowns.append(("qos", messages[0], messages[1] or applied.location))
-    place = forwarding.place(run, text, applied.location)
+    place = forwarding.place(walk, text, applied.location)
     if qos is not None and node is not None and "options" in entry.values and entry.kind in qos_overrides.ENDS:
         options = value_of(applied, entry.values["options"])
         qos, said_of_it = qos_overrides.apply(applied, entry.kind, node, name, options, qos, place)
@@ -113,13 +113,13 @@ def _named(applied: Applied, entry: Entry, provided: Any, node: RosNode | None, 
     if entry.unsure:
         unknowns.append(("conditions", entry.unsure, applied.location))
     make(
-        run,
+        walk,
         MadeEntity(
             kind=entry.kind,
             name=name,
             type=endpoint_type,
             location=place,
-            conditions=tuple(run.conditions),
+            conditions=tuple(walk.conditions),
             implicit=entry.implicit,
             is_exact=applied.is_exact,
             unknowns=(*unknowns, *_beyond(applied)),
@@ -133,8 +133,8 @@ def _named(applied: Applied, entry: Entry, provided: Any, node: RosNode | None, 
 
 def _beyond(applied: Applied) -> Unknowns:
     """Why what stands behind a return that is taken as things are may not be made; no statement around it says so."""
-    run = applied.run
-    if run.dead or not (applied.frame.is_dead or run.beyond):
+    walk = applied.walk
+    if walk.dead or not (applied.frame.is_dead or walk.beyond):
         return []
     return [("conditions", "as things are, the code returns before it comes to this", applied.location)]
 
@@ -144,7 +144,7 @@ def _parameter(
 ) -> Value | None:
     from haros_ci.follow.ros.selectors import TypeValue, value_of
 
-    run = applied.run
+    walk = applied.walk
     unknowns: Unknowns = []
     text, why, where = name
     if why is not None:
@@ -196,15 +196,15 @@ def _parameter(
         data = float(data)
     if entry.unsure:
         unknowns.append(("conditions", entry.unsure, applied.location))
-    raises = bool(run.turning) and _raises(applied, entry, node, full, value is not None)
+    raises = bool(walk.turning) and _raises(applied, entry, node, full, value is not None)
     make(
-        run,
+        walk,
         MadeEntity(
             kind=entry.kind,
             name=full,
             type=declared,
-            location=forwarding.place(run, text, applied.location),
-            conditions=tuple(run.conditions),
+            location=forwarding.place(walk, text, applied.location),
+            conditions=tuple(walk.conditions),
             value=data,
             implicit=entry.implicit,
             is_exact=applied.is_exact,
@@ -215,10 +215,10 @@ def _parameter(
             range=limits,
             written=text,
             is_dynamic=entry.kind == "parameters" and _is_dynamic(applied, entry),
-            is_strict=entry.strict and not (run.trying or run.dead or applied.frame.is_dead),
+            is_strict=entry.strict and not (walk.trying or walk.dead or applied.frame.is_dead),
         ),
     )
-    run.is_raised = run.is_raised or raises
+    walk.is_raised = walk.is_raised or raises
     if entry.kind == "setters" or entry.kind == "parameters":
         stored = default if entry.kind == "setters" else value
         if (
@@ -238,7 +238,7 @@ def _raises(applied: Applied, entry: Entry, node: RosNode | None, full: str, is_
     if not entry.strict or entry.kind != "getters" or applied.frame.is_dead or node is None:
         return False
     return not node.whole.options.get(ros2_nodes.UNDECLARED) and thrown.raises(
-        applied.run, full, applied.location, is_set
+        applied.walk, full, applied.location, is_set
     )
 
 

@@ -24,11 +24,11 @@ def listed(applied: Applied, prefixes: Value | None, depth: Value | None, what: 
     With *depth* only names with fewer dots after the prefix count, 0 is all (rclcpp/src/rclcpp/node_interfaces/
     node_parameters.cpp: ``list_parameters``). The names are sorted.
     """
-    node = ros2_nodes.of_value(applied.run, applied.receiver)
+    node = ros2_nodes.of_value(applied.walk, applied.receiver)
     requested = _texts(prefixes)
     levels = depth.value if isinstance(depth, Known) else None
     if node is None or requested is None or not isinstance(levels, int):
-        return applied.run.opaque("which parameters are listed", applied.frame, applied.location.line, _TEXTS)
+        return applied.walk.opaque("which parameters are listed", applied.frame, applied.location.line, _TEXTS)
     names = _names(applied, node)
     if isinstance(names, Opaque):
         return Opaque(names.reason, names.location, _TEXTS)
@@ -48,18 +48,18 @@ def _is_below(name: str, prefixes: list[str], depth: int) -> bool:
 
 
 def _names(applied: Applied, node: RosNode) -> Iterable[str] | Opaque:
-    run = applied.run
-    own: Any = run.server.value
+    walk = applied.walk
+    own: Any = walk.server.value
     whole = node.whole
     if isinstance(own, Opaque):
         return own
-    for made in run.made.values():
+    for made in walk.made.values():
         if made.kind == "parameters" and made.node is not None and made.node.name == whole.name and "?" in made.name:
             return Opaque("parameters are declared under names that are not known", made.location)
     head = f"{whole.name}:"
     found = {name.removeprefix(head) for name, value in own.items() if name.startswith(head) and value != NONE}
     if whole.options.get("automatically_declare_parameters_from_overrides"):
-        argument_value = run.context.parameter(f"{head}{EVERY}")
+        argument_value = walk.context.parameter(f"{head}{EVERY}")
         if isinstance(argument_value, Opaque):
             return argument_value
         outside = argument_value.value if isinstance(argument_value, Known) else ()

@@ -8,17 +8,10 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.follow import twins
+from haros_ci.graph import ros2_process
 from haros_ci.graph.names import clean, pattern
 from haros_ci.graph.parameters import Perhaps
-from haros_ci.graph.ros2_process import (
-    Parameters,
-    RemappingRule,
-    RosArguments,
-    RosNode,
-    from_arguments,
-    named,
-    ros_arguments,
-)
+from haros_ci.graph.ros2_process import Parameters, RemappingRule, RosArguments, RosNode
 from haros_ci.model.api import Entry
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import NONE, Cell, Choice, Known, Mapped, Object, Opaque, Pointer, Sequence, Value
@@ -26,7 +19,7 @@ from haros_ci.values.given import marked
 
 if TYPE_CHECKING:
     from haros_ci.follow.ros.selectors import Applied
-    from haros_ci.follow.run import Walk
+    from haros_ci.follow.walk import Walk
 
 #: The class of a node in the client libraries, by language's separator.
 NODE = {"::": "rclcpp::Node", ".": "rclpy.node.Node"}
@@ -81,11 +74,11 @@ def construct(applied: Applied, entry: Entry, target: Object) -> None:
     """*target* becomes a node: under the name that it is given, unless its options or the process's arguments rename it."""
     from haros_ci.follow.ros.selectors import value_of
 
-    run = applied.run
-    process = run.context.process
+    walk = applied.walk
+    process = walk.context.process
     assert process is not None
     if "parent" in entry.values:
-        found = of_value(run, value_of(applied, entry.values["parent"]))
+        found = of_value(walk, value_of(applied, entry.values["parent"]))
         below = value_of(applied, entry.values["namespace"]) if "namespace" in entry.values else None
         text, why, where = pattern(below if below is not None else NONE)
         if found is not None:
@@ -112,11 +105,11 @@ def construct(applied: Applied, entry: Entry, target: Object) -> None:
     if isinstance(options, Object) or len(applied.args) == 1:
         target.fields[GIVEN] = Cell(options if isinstance(options, Object) else Object(NODE_OPTIONS))
     is_managed = value_of(applied, entry.values["lifecycle"]) == Known(True) if "lifecycle" in entry.values else False
-    target.node = made(run, target, name, space, options, applied.location, is_managed)
+    target.node = made(walk, target, name, space, options, applied.location, is_managed)
 
 
 def made(
-    run: Walk,
+    walk: Walk,
     target: Object,
     name: Value | None,
     space: Value | None,
@@ -125,24 +118,24 @@ def made(
     is_managed: bool = False,
 ) -> RosNode:
     """A node of the process by the name, namespace and options that its constructor is given."""
-    process = run.context.process
+    process = walk.context.process
     assert process is not None
     text, why, where = pattern(name) if name is not None else ("?", "the code does not tell its name", location)
     options = options.cell.value if isinstance(options, Pointer) else options
     if options == HIDDEN:  # its options rename it to its own name, whatever the process is given
-        options = Object(NODE_OPTIONS, fields={hide: Cell(Known(False)) for hide in HIDES})
+        options = Object(NODE_OPTIONS, fields={option: Cell(Known(False)) for option in HIDES})
         local, is_open, why = RosArguments((RemappingRule("", "__node", text),)), False, why or UNIQUE
     else:
-        if process.component is not None and not run.nodes and _may_be_given(space, options):
+        if process.component is not None and not walk.nodes and _may_be_given(space, options):
             space = None if options is None else space
-            options = options_for(run)
-            options.fields.update((item, Cell(Opaque("it may be set"))) for item in MAY_DECLARE)
+            options = options_for(walk)
+            options.fields.update((name, Cell(Opaque("it may be set"))) for name in MAY_DECLARE)
         local, is_open = _arguments(options)
     above, space_why, space_where = pattern(space) if space is not None and space != NONE else ("", None, None)
     is_contained = process.component is not None and (isinstance(options, Opaque) or _flag(options, CONTAINED) is True)
     is_global = _flag(options, "use_global_arguments") is not False
     rules = (*local.rules, *(process.rules if is_global else ()))
-    full, own = named(text, above, rules)
+    full, own = ros2_process.named(text, above, rules)
     unknown = None
     if is_open:
         full, own, unknown = "/?", "/?", ("the arguments in its options are not known", location)
@@ -152,7 +145,7 @@ def made(
     if not is_contained and not is_global:
         switches[ALONE] = True
     if isinstance(options, Opaque) or any(
-        _field(options, item) not in (None, NONE, Known(False)) for item in MAY_DECLARE
+        _field(options, name) not in (None, NONE, Known(False)) for name in MAY_DECLARE
     ):
         switches[UNDECLARED] = True
     provided = {**_parameters(local, full, location), **_overrides(options)}
@@ -166,18 +159,18 @@ def made(
         kind="lifecycle" if is_managed else "node",
         class_name=target.name,
         location=location,
-        conditions=tuple(run.conditions),
+        conditions=tuple(walk.conditions),
         rules=rules,
         given=provided,
         why=unknown,
         options=switches,
     )
     if not is_open and not is_contained:
-        twins.made(run, target, full, named(text, above, local.rules)[0], location)
-    if not run.quiet:
-        known = next((n for n in run.nodes if (n.name, n.location) == (full, location)), None)
+        twins.made(walk, target, full, ros2_process.named(text, above, local.rules)[0], location)
+    if not walk.quiet:
+        known = next((n for n in walk.nodes if (n.name, n.location) == (full, location)), None)
         if known is None:
-            run.nodes.append(node)
+            walk.nodes.append(node)
     return node
 
 
@@ -186,14 +179,14 @@ def _may_be_given(space: Value | None, options: Any) -> bool:
     return isinstance(options, Opaque) or (options is None and isinstance(space, Opaque))
 
 
-def options_for(run: Walk) -> Object:
+def options_for(walk: Walk) -> Object:
     """The NodeOptions that a component is constructed with: what the container, or launch, gives it."""
-    process = run.context.process
+    process = walk.context.process
     words: list[str] = ["--ros-args"]
     for rule in (process.component or ()) if process is not None else ():
         head = f"{rule.node}:{rule.source}" if rule.node else rule.source
         words += ["-r", f"{head}:={rule.target}"]
-    cells = tuple(Cell(run.context.marks.known(word)) for word in words)
+    cells = tuple(Cell(walk.context.marks.known(word)) for word in words)
     fields = {
         "arguments": Cell(Sequence(Cell(cells))),
         "use_global_arguments": Cell(Known(process is None or process.component is None)),
@@ -202,7 +195,7 @@ def options_for(run: Walk) -> Object:
     return Object(NODE_OPTIONS, fields=fields)
 
 
-def options_of(run: Walk, node: Value | None) -> Value | None:
+def options_of(walk: Walk, node: Value | None) -> Value | None:
     """A copy of the options that a node was constructed with (``rclcpp::Node::get_node_options``); None if not known."""
     held = _field(node.cell.value if isinstance(node, Pointer) else node, GIVEN)
     return copied(held) if isinstance(held, Object) else None
@@ -243,12 +236,12 @@ def _arguments(options: Any) -> tuple[RosArguments, bool]:
         words = [pattern(marked(cell.value))[0] for cell in held.content.value]
     else:
         return RosArguments(), True
-    return ros_arguments(words), False
+    return ros2_process.ros_arguments(words), False
 
 
 def _parameters(local: RosArguments, node: str, location: Location) -> dict[str, Value]:
     """What the arguments in a node's own options give it; ``?`` stands for what files may say."""
-    provided = Parameters(from_arguments(local, location))
+    provided = Parameters(ros2_process.from_arguments(local, location))
     found: dict[str, Value] = {name: provided.get(node, name) or NONE for name in provided.of(node)}
     if local.files:
         found["?"] = Perhaps("a parameter file in the node's options may set it", location)
@@ -278,7 +271,7 @@ def _overrides(options: Any) -> dict[str, Value]:
     return found
 
 
-def of_value(run: Walk, value: Any, depth: int = 0) -> RosNode | None:
+def of_value(walk: Walk, value: Any, depth: int = 0) -> RosNode | None:
     """The node that a value is, or has; None if that is not known."""
     if isinstance(value, Pointer):
         value = value.cell.value
@@ -289,42 +282,42 @@ def of_value(run: Walk, value: Any, depth: int = 0) -> RosNode | None:
         return found
     for name in HOLDING:
         if name in value.fields:
-            inner = of_value(run, value.fields[name].value, depth + 1)
+            inner = of_value(walk, value.fields[name].value, depth + 1)
             if inner is not None:
                 return inner
     return None
 
 
-def handed(run: Walk, name: str, values: Iterable[Value]) -> None:
+def handed(walk: Walk, name: str, values: Iterable[Value]) -> None:
     """Nodes among *values* are handed to the function or class *name*, which is not seen and may declare parameters on them."""
-    if run.context.process is not None and not name.startswith(DECLARING_NOTHING):
+    if walk.context.process is not None and not name.startswith(DECLARING_NOTHING):
         for value in values:
-            found = of_value(run, value)
-            for node in run.nodes:
+            found = of_value(walk, value)
+            for node in walk.nodes:
                 if found is not None and node.name == found.name:
                     node.options[UNDECLARED] = True
 
 
-def remapped(run: Walk, node: RosNode, name: str) -> str:
+def remapped(walk: Walk, node: RosNode, name: str) -> str:
     """What the absolute *name*, with marks, is remapped to; where marks hide which rule is for it, it depends on what they stand for."""
-    marks = run.context.marks
+    marks = walk.context.marks
     found = node.remap(name)
     whole = marks.real(name)
     if whole == name and marks.real(node.name) == node.name:
         return found
-    message = _as_named(run, node).remap(clean(whole))
+    message = _as_named(walk, node).remap(clean(whole))
     if message == clean(marks.real(found)):
         return found
     marks.looked_at(name + node.name)
     return message
 
 
-def _as_named(run: Walk, node: RosNode) -> RosNode:
+def _as_named(walk: Walk, node: RosNode) -> RosNode:
     """*node* with the names that it is given instead of their marks."""
-    real = run.context.marks.real
+    real = walk.context.marks.real
     name, own, space = (clean(real(text)) for text in (node.name, node.own, node.space))
     rules = tuple(replace(rule, target=real(rule.target)) for rule in node.rules)
-    main = _as_named(run, node.main) if node.main is not None else None
+    main = _as_named(walk, node.main) if node.main is not None else None
     return replace(node, name=name, own=own, space=space, rules=rules, main=main)
 
 
@@ -336,19 +329,19 @@ def of_entry(applied: Applied, entry: Entry) -> tuple[RosNode | None, str]:
     """The node that an entry is made on: what ``namespace`` selects, else the receiver; and why it is not known."""
     from haros_ci.follow.ros.selectors import value_of
 
-    run = applied.run
+    walk = applied.walk
     chosen = value_of(applied, entry.values["namespace"]) if "namespace" in entry.values else applied.receiver
     if isinstance(chosen, Choice):
-        every = [of_value(run, option) for option in chosen.options]
+        every = [of_value(walk, option) for option in chosen.options]
         if every and every[0] is not None and all(node is every[0] for node in every):
             return every[0], ""
         return None, "it belongs to one of several nodes"
-    found = of_value(run, chosen)
+    found = of_value(walk, chosen)
     if found is not None:
         return found, ""
     if chosen == NONE:
         return None, NO_NODE
     if isinstance(chosen, Object) and chosen.definition is not None and chosen is applied.receiver:
-        chosen.node = made(run, chosen, None, None, None, chosen.location or applied.location)
+        chosen.node = made(walk, chosen, None, None, None, chosen.location or applied.location)
         return chosen.node, ""
     return None, chosen.reason if isinstance(chosen, Opaque) else UNKNOWN_NODE

@@ -17,7 +17,7 @@ from haros_ci.values.state import Held
 
 if TYPE_CHECKING:
     from haros_ci.follow.ros.selectors import Applied
-    from haros_ci.follow.run import Walk
+    from haros_ci.follow.walk import Walk
 
 #: The type that a parameter has which is read so (rclcpp/parameter.hpp), or by that member (rcl_interfaces/ParameterValue).
 READ_AS = {
@@ -53,7 +53,7 @@ def parameter(applied: Applied, node: RosNode, name: str, is_declared: bool = Fa
 
     Where it *is_declared* now, only what it has for certain counts: of the rest this is the first declaration.
     """
-    own: Any = applied.run.server.value
+    own: Any = applied.walk.server.value
     if isinstance(own, Opaque):
         return own
     held: Held | None = own.get(f"{node.whole.name}:{name}")
@@ -89,7 +89,7 @@ def _set_outside(applied: Applied, node: RosNode, name: str) -> Value | None:
     if "?" in name and any(fits(item, name) for item in own):
         return Opaque(NO_NAME, node.location)
     is_alone = node.whole.options.get(ros2_nodes.ALONE)
-    found = None if is_alone else applied.run.context.parameter(f"{node.whole.name}:{name}")
+    found = None if is_alone else applied.walk.context.parameter(f"{node.whole.name}:{name}")
     if "?" not in own:
         return found
     return own["?"] if found is None else Opaque("a parameter file in the node's options may set it", node.location)
@@ -98,13 +98,13 @@ def _set_outside(applied: Applied, node: RosNode, name: str) -> Value | None:
 def is_declared(applied: Applied, node: RosNode | None, name: Value) -> Value:
     """Whether the node has declared the parameter of that name; one that is known in parts is another each time."""
     text, why, _ = pattern(name)
-    own: Any = applied.run.server.value
+    own: Any = applied.walk.server.value
     is_told = why is None or is_telling(text)
     if node is None or not is_told or isinstance(own, Opaque):
-        return applied.run.opaque("whether the parameter is declared", applied.frame, applied.location.line)
+        return applied.walk.opaque("whether the parameter is declared", applied.frame, applied.location.line)
     has = _has_declared(own, node, text)
     if has is None:
-        return applied.run.opaque("whether the parameter is declared", applied.frame, applied.location.line)
+        return applied.walk.opaque("whether the parameter is declared", applied.frame, applied.location.line)
     if not has and node.whole.options.get("automatically_declare_parameters_from_overrides"):
         found = given(applied, node, text)
         return Known(found is not None) if not isinstance(found, Opaque) else found
@@ -123,29 +123,29 @@ def _has_declared(own: Mapping[str, Held], node: RosNode, name: str) -> bool | N
 
 
 def remember(applied: Applied, full: str, value: Value) -> None:
-    run = applied.run
-    own: Any = run.server.value
+    walk = applied.walk
+    own: Any = walk.server.value
     if isinstance(own, Opaque):
         return
     name = full.partition(":")[2]
     if "?" in name and not is_telling(name):
         return  # one more under a name that is not known; the others stay as they are
-    run.state.write(run.server, {**own, full: Held(value)})
+    walk.state.write(walk.server, {**own, full: Held(value)})
 
 
-def read_as(run: Walk, parameter: Value, name: str, kinds: tuple[syntax.Argument, ...] = ()) -> None:
+def read_as(walk: Walk, parameter: Value, name: str, kinds: tuple[syntax.Argument, ...] = ()) -> None:
     """What ``get_parameter`` has returned is read by *name*, as a template argument if that says so: that is its type."""
     kind = READ_AS.get(name)
     if kind is None and name in READ_BY and kinds and isinstance(kinds[0], syntax.Type):
         kind = ros2_parameter_type(kinds[0])
-    if kind is None or run.quiet or not isinstance(parameter, Object) or "name" not in parameter.fields:
+    if kind is None or walk.quiet or not isinstance(parameter, Object) or "name" not in parameter.fields:
         return
     text = pattern(parameter.fields["name"].value)[0]
-    for key, made in list(run.made.items()):
+    for key, made in list(walk.made.items()):
         if (
             made.kind == "getters"
             and made.location == parameter.location
             and made.written == text
             and made.type is None
         ):
-            run.made[key] = replace(made, type=kind)
+            walk.made[key] = replace(made, type=kind)

@@ -48,9 +48,9 @@ TYPES = {
 
 def node_name(applied: Applied, part: str) -> Value:
     """The receiver's name (``name``, ``base_name``) or namespace (``namespace``, ``sub_namespace``, ``effective_namespace``)."""
-    node = ros2_nodes.of_value(applied.run, applied.receiver)
+    node = ros2_nodes.of_value(applied.walk, applied.receiver)
     if node is None:
-        return applied.run.opaque("the name of a node that is not known", applied.frame, applied.location.line)
+        return applied.walk.opaque("the name of a node that is not known", applied.frame, applied.location.line)
     own = node.whole
     texts = {
         "name": own.name,
@@ -65,8 +65,8 @@ def node_name(applied: Applied, part: str) -> Value:
 def known_text(applied: Applied, text: str, node: RosNode) -> Value:
     """A text in which ``?`` stands for what is not known of a node's name."""
     if "?" not in text:
-        return applied.run.context.marks.known(text)
-    text = applied.run.context.marks.looked_at(text)
+        return applied.walk.context.marks.known(text)
+    text = applied.walk.context.marks.looked_at(text)
     why = Opaque(*(node.why or ("the name of the node is not known", node.location)))
     head, _, tail = text.partition("?")
     return Text(tuple(part for part in (head, why, tail) if part != ""))
@@ -83,7 +83,7 @@ def items(applied: Applied, value: Any) -> list[Mapping[str, Any] | None]:
     found = listed(value)
     if found is None:
         reason = value.reason if isinstance(value, Opaque) else "it is no list"
-        applied.run.gaps.setdefault(f"a list of parameters is not known: {reason}", applied.location)
+        applied.walk.gaps.setdefault(f"a list of parameters is not known: {reason}", applied.location)
         return []
     return [*found]
 

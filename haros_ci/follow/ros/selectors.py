@@ -12,7 +12,7 @@ from haros_ci import syntax
 from haros_ci.follow import conversions, handles, members, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import name_selectors, ros2_listed, ros2_nodes, ros2_selectors
-from haros_ci.follow.run import Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.ros_types import parameter_type
 from haros_ci.model.api import Row, Template
 from haros_ci.model.location import Location
@@ -34,7 +34,7 @@ class TypeValue:
 class Applied:
     """A row at one call: what its templates may select from."""
 
-    run: Walk
+    walk: Walk
     frame: Frame
     row: Row
     receiver: Value | None
@@ -54,7 +54,7 @@ def given(args: tuple[PassedArgument, ...], where: str) -> PassedArgument | None
     return next((argument for argument in args if argument.keyword == where), None)
 
 
-def config_name(value: Any, run: Walk) -> str:
+def config_name(value: Any, walk: Walk) -> str:
     """``pkg::NameConfig`` of a dynamic_reconfigure type, in C++ and in Python (``pkg.cfg.NameConfig``).
 
     A name without its package (its header is included by another) is the one of that name in the workspace.
@@ -69,9 +69,9 @@ def config_name(value: Any, run: Walk) -> str:
         return ""
     parts = name.replace(".", "::").split("::")
     name = "::".join((parts[0], parts[-1])) if len(parts) > 2 and "cfg" in parts else name
-    if name not in run.configs:
+    if name not in walk.configs:
         last = name.rpartition("::")[2]
-        named = [known for known in run.configs if known.endswith(f"::{last}")]
+        named = [known for known in walk.configs if known.endswith(f"::{last}")]
         return named[0] if len(named) == 1 else name
     return name
 
@@ -101,7 +101,7 @@ def value_of(applied: Applied, template: Template) -> Any:
         found = value_of(applied, Template((part,)))
         if isinstance(found, TypeValue):
             found = Known(found.type.name)
-        values.append(found if found is not None else applied.run.opaque("an argument is missing", applied.frame))
+        values.append(found if found is not None else applied.walk.opaque("an argument is missing", applied.frame))
     return concatenate(tuple(values))
 
 
@@ -121,7 +121,7 @@ def literal(text: str) -> Known:
 
 def select_value(applied: Applied, selector: str) -> Any:
     """What one alternative of a selector finds: a Value, a TypeValue, or None."""
-    run = applied.run
+    walk = applied.walk
     if selector[0].isdigit():
         where, *members = selector.split(".")
         argument = given(applied.args, where)
@@ -139,10 +139,10 @@ def select_value(applied: Applied, selector: str) -> Any:
         return applied.item.get(selector[5:]) if applied.item is not None else None
     if selector == "parameter":
         return applied.parameter
-    context = run.context
+    context = walk.context
     if context.process is not None:
         if selector == "node.options":
-            return ros2_nodes.options_of(run, applied.receiver)
+            return ros2_nodes.options_of(walk, applied.receiver)
         if selector.startswith("node."):
             return ros2_selectors.node_name(applied, selector[5:])
         if selector == "keywords":
@@ -184,7 +184,7 @@ def select_value(applied: Applied, selector: str) -> Any:
     if found is None:
         return None
     if function == "callback":
-        return _callback_type(run, found, int(index or 0))
+        return _callback_type(walk, found, int(index or 0))
     if isinstance(found.value, Library):
         return TypeValue(syntax.Type(found.value.name))
     if isinstance(found.value, ClassValue):
@@ -216,7 +216,7 @@ def _members(applied: Applied, value: Value, names: list[str]) -> Any:
         if isinstance(value, Pointer):
             value = value.cell.value
         if isinstance(value, Object):
-            cell = members.member(applied.run, value, name, applied.frame)
+            cell = members.member(applied.walk, value, name, applied.frame)
             if cell is None:
                 return None
             value = cell.value
@@ -232,18 +232,18 @@ def _template_argument(types: tuple[syntax.Argument, ...], index: int) -> TypeVa
     return TypeValue(found) if isinstance(found, syntax.Type) else None
 
 
-def _callback_type(run: Walk, argument: PassedArgument, index: int) -> TypeValue | None:
+def _callback_type(walk: Walk, argument: PassedArgument, index: int) -> TypeValue | None:
     """The type of a callback's parameter that is not bound."""
     value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
     if isinstance(value, Object) and value.definition is not None:
-        value = methods.method_of(run, value, "operator()") or value
+        value = methods.method_of(walk, value, "operator()") or value
     if isinstance(value, Callable):
         free = [p for n, p in enumerate(value.function.parameters) if n >= len(value.bound) or value.bound[n] is None]
         if index >= len(free):
             return None
         scope = value.function.owner or value.function.name.rpartition("::")[0]
         inner = Frame(value.source, scope, value.function, value.this, templates=value.templates)
-        return TypeValue(run.type_in(free[index].type, inner))
+        return TypeValue(walk.type_in(free[index].type, inner))
     kind = argument.type or conversions.value_type(value)
     if kind is not None and kind.name in ("boost::function", "std::function") and kind.arguments:
         inner_type = kind.of(0)

@@ -112,7 +112,7 @@ def equal_containers(run: ScriptEvaluation, one: Any, other: Any, depth: int) ->
 
 
 def contains(run: ScriptEvaluation, items: Any, expected: Value) -> bool | Unknown:
-    """What ``wanted in items`` asks, of a list, tuple, set, dictionary or its keys."""
+    """The result of ``expected in items``, for a list, tuple, set, dictionary or its keys."""
     doubt: Unknown | None = None
     value = items.get(expected) if isinstance(items, dict) and isinstance(expected, str) else None
     if isinstance(value, Choice) and any(isinstance(item, Absent) for _, item in value.options):

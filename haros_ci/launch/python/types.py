@@ -48,7 +48,7 @@ def is_instance(run: ScriptEvaluation, call: LibraryCall) -> Value:
 
 
 def fits(value: Value, expected: Value) -> bool | None:
-    """Whether *value* is of type *wanted*; None if that is not known."""
+    """Whether *value* is of the type *expected*; None if that is not known."""
     if isinstance(expected, ScriptClass):
         if not isinstance(value, ScriptInstance):
             return None if isinstance(value, Library) else False

@@ -47,7 +47,7 @@ def evaluate(
     *load* gives the facts of a launch file, *workspace* packages and texts of other files; *arguments* are set for
     each of the files, as on roslaunch's command line, and *environment* is all that ``$(env)`` and ``$(optenv)`` see.
     A tag that roslaunch refuses is left out with a problem; what stays undecided is kept with its condition. With
-    *alternatives* all has its presence, and what is started and set with other arguments is told, too. With a *memo* what has been
+    *alternatives* all has its presence, and what is started and set with other arguments is in the result, too. With a *memo* what has been
     evaluated before is not evaluated again.
     """
     key = (

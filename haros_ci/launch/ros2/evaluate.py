@@ -39,7 +39,7 @@ def launch_system(
     the command line, *environment* is all that ``$(env)`` sees, *shares* finds files by the places they are installed
     in. What launch refuses is left out with a problem; what stays undecided is kept with its condition. With a *memo*
     what has been launched before is not launched again. With *alternatives* all has its presence, and what is started
-    with other launch arguments is told, too.
+    with other launch arguments is in the result, too.
     """
     key = (tuple(paths), tuple(sorted(arguments.items())), key_of(environment), alternatives)
     if memo is not None and key in memo:

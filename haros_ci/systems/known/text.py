@@ -39,9 +39,9 @@ Template = tuple[str | Hole, ...]
 
 @dataclass(frozen=True, slots=True)
 class Test:
-    """``about|default == wanted``, of a parameter (*kind* param), an arg, an option or an item; without *wanted*: is it on?
+    """A condition ``about|default == expected`` on a parameter (*kind* param), an arg, an option or an item; without *expected*: is it on?
 
-    Of the *kind* unknown nothing can be told, *about* being the reason.
+    The *kind* unknown has no answer; *about* is the reason.
     """
 
     kind: str

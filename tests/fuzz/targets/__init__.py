@@ -20,7 +20,16 @@ GROUPS = {
         *("ros2-launch-python", "ros2-launch-xml", "ros2-launch-yaml"),
     ),
     "settings": (
-        *("haros-file", "linter-plans", "linter-settings", "patterns", "project-file", "properties", "queries", "readme-tables"),
+        *(
+            "haros-file",
+            "linter-plans",
+            "linter-settings",
+            "patterns",
+            "project-file",
+            "properties",
+            "queries",
+            "readme-tables",
+        ),
         *("yaml-lines",),
     ),
     "sources": (
