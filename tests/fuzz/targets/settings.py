@@ -252,8 +252,8 @@ _HPL = tuple(
 )
 TARGETS = {
     "yaml-lines": Entry(yaml_lines, "YAML with its lines", ("config.yaml_lines",), _YAML),
-    "project-file": Entry(project_file, ".haros-ci.yaml", ("config", "query.declared", "analysis.wanted"), _YAML),
-    "haros-file": Entry(haros_file, "haros.yaml", ("config.haros", "analysis.wanted"), _YAML),
+    "project-file": Entry(project_file, ".haros-ci.yaml", ("config", "query.declared", "analysis.requested"), _YAML),
+    "haros-file": Entry(haros_file, "haros.yaml", ("config.haros", "analysis.requested"), _YAML),
     "linter-settings": Entry(
         linter_settings, "settings of linters", ("linters.settings_files", "linters.yaml_settings"), _SECTIONS
     ),
