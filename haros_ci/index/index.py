@@ -104,6 +104,8 @@ class Index:
         self, table: Mapping[str, list[tuple[Source, Entity]]], name: str, source: Source, files: frozenset[str]
     ) -> list[tuple[Source, Entity]]:
         found = dict.get(table, name)  # type: ignore[call-overload]
+        if found and (name in self.library or name.rpartition("::")[0] in self.library):
+            found = [item for item in found if self._may_be_here(item[0], source, files)]
         if not found:
             return []
         if len(found) > 1:
@@ -119,6 +121,11 @@ class Index:
         if table is self.variables or table is self.macros or table is self.functions:
             return [item for item in found if self._of_a_class(item[1]) or self.sees(source, item[0], files)]
         return found
+
+    @staticmethod
+    def _may_be_here(other: Source, source: Source, files: frozenset[str]) -> bool:
+        """Whether a name of a library can be what *other* defines: a mock in a source file is that of its own program only."""
+        return other.path.endswith(HEADERS) or other.path == source.path or other.path in files
 
     def _of_a_class(self, entity: object) -> bool:
         return isinstance(entity, Function) and entity.owner in self.classes

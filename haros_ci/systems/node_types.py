@@ -20,7 +20,7 @@ from haros_ci.model.build import Build
 from haros_ci.model.launch import LaunchFile
 from haros_ci.model.workspace import Workspace
 from haros_ci.substitutions.files import files_of
-from haros_ci.systems import gazebo_plugins, ros2_controllers, ros2_entries
+from haros_ci.systems import client_libraries, gazebo_plugins, ros2_controllers, ros2_entries
 from haros_ci.systems.entries import Programs, declared, executables, nodelets, plugin_files, plugins, plugins_of_base
 from haros_ci.systems.following import KnownNodes, Types
 from haros_ci.timing import timed
@@ -37,7 +37,8 @@ def types_of(
     load: Callable[[str], LaunchFile | None] = lambda path: None,
 ) -> Types:
     """The node types of a workspace, ready to be followed."""
-    by_path = {source.path: source for source in sorted(sources, key=lambda s: s.path)}
+    own = client_libraries.used(sources, builds, [row for items in rows.values() for row in items])
+    by_path = {source.path: source for source in sorted(own, key=lambda s: s.path)}
     cpp = build_index(s for s in by_path.values() if s.program.language != "python")
     python = build_index(s for s in by_path.values() if s.program.language == "python")
     python.interfaces = frozenset(interface.name for build in builds.values() for interface in build.interfaces)

@@ -146,9 +146,7 @@ def ros2_described(
         file=file,
     )
     sim = provided.get(full, "use_sim_time")
-    # A controller has no services for its life cycle: controller_interface_base.cpp.
-    options = {MANAGED: False} if known.plugin else {}
-    added = implicit(full, kind, options, sim.value if isinstance(sim, Known) else None, node.location, ())
+    added = implicit(full, kind, _options(known), sim.value if isinstance(sim, Known) else None, node.location, ())
     there = {(end.kind, end.name) for end in ends}
     extra = tuple(replace(end, source="known-node") for end in added if (end.kind, end.name) not in there)
     unknowns = list(node.unknowns)
@@ -157,6 +155,15 @@ def ros2_described(
     return replace(
         node, name=full, kind=kind, process=node.container or full, endpoints=(*ends, *extra), unknowns=tuple(unknowns)
     )
+
+
+def _options(known: KnownNode) -> Mapping[str, bool]:
+    """What the program of a known node constructs its node with, where that is not the default."""
+    if known.plugin:  # a controller has no services for its life cycle: controller_interface_base.cpp
+        return {MANAGED: False}
+    if known.package == "rclcpp_components":  # component_manager.hpp, since Galactic
+        return {"start_parameter_services": False, "start_parameter_event_publisher": False}
+    return {}
 
 
 def started_words(started: LaunchedNode) -> tuple[str, ...]:

@@ -85,7 +85,7 @@ def launched(types: Types, started: Started, server: ParameterServer) -> Job:
     )
     found = types.startable.get((started.package, started.type))
     process = started.name
-    if found is None and (started.package, started.type) == ("nodelet", "nodelet") and words.rest:
+    if (started.package, started.type) == ("nodelet", "nodelet") and words.rest:
         node, found, process = _nodelet(types, node, words.rest, namespace)
     private = {  # where __ns:= moves the node, they are not below the name that the launch file gives it
         clean(f"{started.name}/{name}"): Known(scalar(value)) for name, value in words.private if "?" not in value

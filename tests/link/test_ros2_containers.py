@@ -3,8 +3,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
-from follow_kit import ROS2_HEAD, Architecture, explicit, follow, only, ros2_files
+from follow_kit import ROS2_HEAD, Architecture, Nothing, explicit, follow, only, ros2_files, workspace
+
+from haros_ci.analysis.architecture import architecture
+from haros_ci.config.settings import Settings
 
 CHILD = (
     "class N : public rclcpp::Node {\npublic:\nexplicit N(const rclcpp::NodeOptions & options)\n"
@@ -20,6 +25,21 @@ LAUNCH = (
     '<composable_node pkg="p" plugin="N" name="n"><param name="a" value="of_component"/></composable_node>'
     "</node_container></launch>"
 )
+
+
+def test_a_known_container_has_no_services_of_parameters() -> None:
+    """component_manager.hpp, since Galactic: start_parameter_services(false) and start_parameter_event_publisher(false)."""
+    files = ros2_files(ROS2_HEAD + CHILD, {"l.launch.xml": LAUNCH})
+    settings = Settings(root=Path("/nowhere"))
+    found = architecture(workspace(files, 2), settings, Nothing(), environment={})
+    container = next(node for node in only(found).nodes if node.name == "/c")
+    assert sorted(end.name for end in container.endpoints if end.kind == "servers") == [
+        "/c/_container/list_nodes",
+        "/c/_container/load_node",
+        "/c/_container/unload_node",
+        "/c/get_type_description",
+    ]
+    assert [end.name for end in container.endpoints if end.kind == "publishers"] == ["/rosout"]
 
 
 def values(found: Architecture) -> dict[str, object]:

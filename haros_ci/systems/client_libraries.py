@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: Apache-2.0
+"""ROS libraries whose source lies in the workspace: for the nodes that use them they are libraries, as if they were installed.
+
+API rows (docs/adding-an-api.md) describe all that a call of these libraries makes. Their source ends in sockets, middleware and plug-ins,
+where an endpoint cannot be seen any more.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from haros_ci.follow.ros import api_rows
+from haros_ci.index.index import Source
+from haros_ci.model.api import Row
+from haros_ci.model.build import Build
+
+#: Packages that are libraries as a whole (ros/ros_comm, ros/roscpp_core, ros/nodelet_core, ros2/rclcpp, ros2/rclpy).
+WHOLE = frozenset(
+    "roscpp rospy xmlrpcpp rosgraph rosconsole rostime cpp_common roscpp_serialization roscpp_traits nodelet "
+    "rclcpp rclcpp_action rclcpp_lifecycle rclpy".split()
+)
+#: Packages of which the files that define what the rows describe are a library; they have nodes and plug-ins of their own, too.
+DESCRIBED = frozenset(
+    "actionlib bondcpp bondpy camera_info_manager camera_info_manager_py diagnostic_updater dynamic_reconfigure image_transport "
+    "interactive_markers message_filters nodelet_topic_tools point_cloud_transport self_test tf tf2_ros tf2_ros_py".split()
+)
+
+
+def used(sources: Iterable[Source], builds: Mapping[str, Build], rows: Iterable[Row]) -> tuple[Source, ...]:
+    """*sources* without those of libraries that *rows* describe; what their packages build or install as programs stays."""
+    every = tuple(sources)
+    if not any(source.package in WHOLE or source.package in DESCRIBED for source in every):
+        return every
+    programs = _programs(builds)
+    described = frozenset(name for row in rows for name in (*api_rows.names_of(row), row.call))
+    modules = {
+        _top(source)
+        for source in every
+        if source.package in DESCRIBED and source.module and _defines(source, described)
+    }
+    return tuple(source for source in every if source.path in programs or not _is_library(source, described, modules))
+
+
+def _is_library(source: Source, described: frozenset[str], modules: set[tuple[str | None, str]]) -> bool:
+    if source.package not in DESCRIBED:
+        return source.package in WHOLE
+    return _top(source) in modules if source.module else _defines(source, described)
+
+
+def _top(source: Source) -> tuple[str | None, str]:
+    """The Python package that a module is in, which may import what the module defines."""
+    return source.package, source.module.partition(".")[0]
+
+
+def _defines(source: Source, described: frozenset[str]) -> bool:
+    """Whether a file has a class or function that rows describe; in Python under the name of its package."""
+    program = source.program
+    names = [class_.name for class_ in program.classes if class_.fields or class_.bases]
+    names += [name for function in program.functions for name in (function.name, function.owner) if name]
+    if program.language == "python":
+        names = [f"{_top(source)[1]}.{name.rpartition('.')[2]}" for name in names]
+    return not described.isdisjoint(names)
+
+
+def _programs(builds: Mapping[str, Build]) -> frozenset[str]:
+    own = [build for name, build in builds.items() if name in WHOLE or name in DESCRIBED]
+    targets = (target for build in own for target in build.targets if target.kind == "executable")
+    return frozenset(
+        (
+            *(path for target in targets for path in (*target.sources, *target.conditional_sources)),
+            *(path for build in own for path in build.scripts),
+            *(installed.path for build in own for installed in build.installed if installed.kind == "program"),
+            *(point.path for build in own for point in build.entry_points),
+        )
+    )
