@@ -304,7 +304,7 @@ def _inside(walk: Walk, frame: Frame, source: Source, rest: list[str]) -> Value:
     value: Value = Module(source)
     for part in rest:
         value = members.attribute(walk, value, part, frame)
-    if rest and value is not walk.found.get(("first", source.path, rest[0]), value):
+    if rest and value is not walk.own.get(("first", source.path, rest[0]), value):
         return walk.opaque("it is imported by value, and a function of its module assigns to it", frame)
     return value
 
@@ -346,5 +346,5 @@ def module_frame(walk: Walk, source: Source) -> Frame:
         walk.state.settle(mark, begun)  # the next branch finds the module loaded
         for name in _rebound(source):
             if name in frame.scopes[0]:
-                walk.found["first", source.path, name] = frame.scopes[0][name].value
+                walk.own["first", source.path, name] = frame.scopes[0][name].value
     return frame

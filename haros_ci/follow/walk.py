@@ -93,6 +93,8 @@ class Walk:
     #: All other variables of functions that are made once.
     statics: dict[tuple[str, str], Cell] = field(default_factory=dict)
     modules: dict[str, Frame] = field(default_factory=dict)
+    #: Look-ups that hold something of this node.
+    own: dict[Any, Any] = field(default_factory=dict)
     active: list[Function] = field(default_factory=list)
     #: What the node itself sets on the parameter server, by full name.
     server: Cell = field(default_factory=lambda: Cell({}))
@@ -153,7 +155,7 @@ class Walk:
     idle: dict[int, int] = field(default_factory=dict)
     #: By identity, what stands for template arguments in look-ups.
     numbers: dict[int, tuple[int, Mapping[str, syntax.Argument]]] = field(default_factory=dict)
-    #: Look-ups that depend on the name, the scope and the file only.
+    #: Look-ups that depend on the name, the scope and the file only: shared by all nodes with the same files.
     found: dict[Any, Any] = field(init=False)
 
     def __post_init__(self) -> None:

@@ -157,13 +157,13 @@ Ports = dict[str, tuple[Frame, Expression] | None]
 def _declared(walk: Walk, node: Object) -> tuple[Ports, bool]:
     """The ports that a class's ``providedPorts`` declares by name, with their defaults; and whether these are all."""
     key = ("ports", id(node.definition[1]))
-    if key not in walk.found:
+    if key not in walk.own:
         ports: Ports = {}
         source, definition = node.definition
         found = methods.class_method(walk, source, definition, "providedPorts")
         is_all = found is None or all([*_declare(walk, ports, *found, node, 0)])
-        walk.found[key] = (ports, is_all, node.definition[1])  # which keeps the identity from being used again
-    known: tuple[Ports, bool, Any] = walk.found[key]
+        walk.own[key] = (ports, is_all, node.definition[1])  # which keeps the identity from being used again
+    known: tuple[Ports, bool, Any] = walk.own[key]
     return known[0], known[1]
 
 
