@@ -19,6 +19,7 @@ _SINGLE = {"DIRECTORY": 1, "BASE_DIR": 1, "LIBRARY_NAME": 1}
 _ENDS = ("DEPENDENCIES", "PACKAGE", "NOINSTALL", "ADD_LINTER_TESTS", "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK")
 #: What says that a file is the copy of another one, at the end of its name; names that rosidl takes (rosidl_adapter, ``valid_message_name``).
 _COPY = re.compile(r"(?:[_-](?i:backup|bak|old|copy|orig|tmp|unused|deprecated)|(?<=[a-z\d])(?:Backup|Copy|Old))\d*$")
+_COMMENT = re.compile(r"#[^\n]*")
 _NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
 _ASIDE = ("deprecated", "unused", "old", "backup", "test", "tests", "examples")
 
@@ -115,13 +116,16 @@ def _left_out(
 
 
 def _generates_nothing(package: ProjectPackage) -> bool:
-    """Whether its CMake is there and has no command that might generate interfaces, not even one that is not reached."""
+    """Whether its CMake is there and has no command that might generate interfaces, not even one that is not reached.
+
+    A command in a comment is none: a list that is commented out generates nothing.
+    """
     names = {command.name for command in package.build.commands} - {"message"}
     texts = (package.project.text(file.path) for file in package.files if file.language == "cmake")
     return (
         bool(names)
         and not any(_OTHERS.search(name) for name in names)
-        and not any(name in text for text in texts for name in (*_OLD, _NEW))
+        and not any(name in _COMMENT.sub("", text) for text in texts for name in (*_OLD, _NEW))
     )
 
 
