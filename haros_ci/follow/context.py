@@ -63,4 +63,4 @@ class Context:
     #: What of it stands in what is made by a mark.
     marks: Marks = field(default_factory=Marks)
     #: Whether to stop at the first name that the node gives itself (a value, and whether it is made anonymous).
-    renames: Function_[[Value, bool], bool] = lambda name, anonymous: False
+    renames: Function_[[Value, bool | None], bool] = lambda name, anonymous: False

@@ -13,6 +13,7 @@ from haros_ci import syntax
 from haros_ci.follow.context import Context, Exact
 from haros_ci.follow.frames import Frame, Loop
 from haros_ci.follow.made import MadeEntity, Root
+from haros_ci.follow.ros.own_name import Naming
 from haros_ci.follow.twins import Standing, Twin
 from haros_ci.graph.ros2_process import RosNode
 from haros_ci.index.index import Index, Source
@@ -99,7 +100,8 @@ class Walk:
     #: What the node itself sets on the parameter server, by full name.
     server: Cell = field(default_factory=lambda: Cell({}))
     config_objects: dict[str, Object] = field(default_factory=dict)
-    names: list[tuple[Value, bool]] = field(default_factory=list)
+    #: The calls that name a ROS 1 process.
+    names: list[Naming] = field(default_factory=list)
     #: The nodes of a ROS 2 process, in the order in which they are made.
     nodes: list[RosNode] = field(default_factory=list)
     #: Those that are made whatever happens; by name two that there are at the same time; whether one may be gone by now.

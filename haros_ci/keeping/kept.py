@@ -33,7 +33,7 @@ class Followed:
 
     made: tuple[MadeEntity, ...]
     problems: tuple[Problem, ...]
-    names: tuple[tuple[Value, bool], ...]
+    names: tuple[tuple[Value, bool | None], ...]
     gaps: Mapping[str, Location]
     asked: Mapping[str, Value | None]
     nodes: tuple[RosNode, ...] = ()
@@ -299,7 +299,7 @@ def _location(value: Any) -> Location:
     return value
 
 
-def _names(value: Any) -> tuple[tuple[Value, bool], ...]:
+def _names(value: Any) -> tuple[tuple[Value, bool | None], ...]:
     if not isinstance(value, tuple) or not all(isinstance(pair, tuple) and len(pair) == 2 for pair in value):
         raise Unfit
     return value

@@ -11,6 +11,7 @@ from typing import Any
 from haros_ci.follow.context import Context, Exact
 from haros_ci.follow.follow import Entry, follow
 from haros_ci.follow.made import MadeEntity
+from haros_ci.follow.ros.own_name import counting
 from haros_ci.follow.walk import Walk
 from haros_ci.index.behavior_tree_files import TreeFiles
 from haros_ci.index.plugins import PluginDescription
@@ -116,7 +117,7 @@ def run_node(
     files: frozenset[str],
     instance: Instance,
     parameter: Callable[[str], Value | None],
-    renames: Callable[[Value, bool], bool] = lambda name, anonymous: False,
+    renames: Callable[[Value, bool | None], bool] = lambda name, anonymous: False,
 ) -> Followed:
     """Follow one node, unless it has been followed under the same names and all that it asked for is the same again."""
     wiring = tuple(sorted(instance.remaps.items()))
@@ -222,7 +223,7 @@ def _followed_in(
     followed = Followed(
         made,
         problems,
-        tuple(walk.names),
+        counting(walk.names),
         walk.gaps,
         requested,
         nodes,

@@ -7,14 +7,16 @@ from collections.abc import Callable, Hashable
 from dataclasses import dataclass, replace
 from typing import Any
 
-from haros_ci.follow.ros.ends import ANONYMOUS, UNNAMED, by, endpoints
+from haros_ci.follow.ros.ends import UNNAMED, by, endpoints
+from haros_ci.follow.ros.own_name import ANONYMOUS, OwnName, own_name
 from haros_ci.follow.walk import Renamed
-from haros_ci.graph.names import clean, pattern, resolve, resolve_target
+from haros_ci.graph.names import clean, resolve, resolve_target
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.graph.remap_rules import of_ros1_node, written_rule
 from haros_ci.graph.ros2_process import Parameters
 from haros_ci.graph.words import scalar, split
-from haros_ci.model.architecture import Node
+from haros_ci.keeping.kept import Followed
+from haros_ci.model.architecture import Node, Unknown
 from haros_ci.model.build import PluginClass
 from haros_ci.model.launch import Started
 from haros_ci.model.launch_facts import ParameterFileUse
@@ -145,33 +147,41 @@ def type_of(look_up: str, described: PluginClass | None) -> tuple[str, str]:
 
 
 def alone(types: Types, package: str, name: str) -> Job:
-    """A node type started by itself, under the name that it gives itself (or its executable's)."""
+    """A node type started by itself, under the name that it gives itself; ``?`` for what is not known of it."""
     entry, files = types.executables[package, name]
     server = ParameterServer(())
     location = Location(entry.source.path, entry.function.line if entry.function is not None else 1)
     chosen = f"/{name.partition('.')[0]}"
-    instance = Instance(chosen, "/", (), {}, chosen)
     node = Node(name=chosen, kind="node", package=package, type=name, location=location, process=chosen)
 
-    def renames(value: Value, anonymous: bool) -> bool:
-        nonlocal chosen
-        text, why, _ = pattern(value)
-        own = clean(f"{text}_?" if anonymous else text) if why is None and text else chosen
-        before, chosen = chosen, own
-        return own != before
+    def under(full: str, renames: Callable[[Value, bool | None], bool] = lambda own, anonymous: False) -> Followed:
+        return run_node(types, entry, files, Instance(full, "/", (), {}, full), server.get, renames)
 
     def follow_it() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
-        try:
-            followed = run_node(types, entry, files, instance, server.get, renames)
-        except Renamed:
-            followed = run_node(types, entry, files, Instance(chosen, "/", (), {}, chosen), server.get)
-        unknowns = incomplete(followed, entry, location)
-        ends = endpoints(followed.made, by({}), server, ANONYMOUS if chosen.endswith("_?") else UNNAMED)
-        kind = "node" if ends or followed.names else PROGRAM
-        made = replace(node, name=chosen, process=chosen, kind=kind, unknowns=unknowns, endpoints=ends)
-        return (made,), followed.problems
+        own = OwnName(chosen)
 
-    return Job(node, (id(entry), instance.name), follow_it, _size(types, files))
+        def renames(value: Value, is_anonymous: bool | None) -> bool:
+            nonlocal own
+            own = own_name(((value, is_anonymous),))
+            return own.name != chosen
+
+        try:
+            followed = under(chosen, renames)
+        except Renamed:
+            followed = under(own.name)
+        names = followed.names
+        if names or followed.made:  # else it is a program that is no node
+            before, own = own.name, own_name(names)
+            followed = followed if own.name == before else under(own.name)
+        unknowns = incomplete(followed, entry, location)
+        if own.reason is not None:
+            unknowns = (*unknowns, Unknown("name", own.reason, own.location or location))
+        why = ANONYMOUS if own.reason is None else f"{UNNAMED}: {own.reason}"
+        ends = endpoints(followed.made, by({}), server, why)
+        made = replace(node, name=own.name, process=own.name, unknowns=unknowns, endpoints=ends)
+        return (made if ends or names else replace(made, kind=PROGRAM),), followed.problems
+
+    return Job(node, (id(entry), chosen), follow_it, _size(types, files))
 
 
 def standalone(types: Types, look_up: str) -> Job:

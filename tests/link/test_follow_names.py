@@ -8,7 +8,7 @@ import re
 import pytest
 from follow_kit import CMAKE, CPP_HEAD, admits, because, case, cpp, ends, follow, names, node, only, table, well_formed
 
-from haros_ci.follow.ros.ends import ANONYMOUS
+from haros_ci.follow.ros.own_name import ANONYMOUS
 
 OUTSIDE = "#include <string>\nbool cond();\nstd::string text();\nint number();\n"
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from haros_ci import syntax
 from haros_ci.follow import thrown
 from haros_ci.follow.made import MadeEntity, make
-from haros_ci.follow.ros import ros2_emit
+from haros_ci.follow.ros import own_name, ros2_emit
 from haros_ci.follow.ros.ends import UNNAMED
 from haros_ci.follow.walk import Renamed, Walk
 from haros_ci.graph.names import clean, pattern, resolve
@@ -43,10 +43,8 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
 
         name = value_of(applied, entry.values["name"]) if "name" in entry.values else None
         anonymous = value_of(applied, entry.values["anonymous"]) if "anonymous" in entry.values else Known(False)
-        if name is not None:
-            walk.names.append((name, anonymous == Known(True) or _last(anonymous) == "AnonymousName"))
-            if len(walk.names) == 1 and walk.context.renames(*walk.names[0]):
-                raise Renamed
+        if name is not None and own_name.named(walk, name, anonymous, applied.frame):
+            raise Renamed
         return None
     if entry.kind not in KINDS:
         return None
@@ -301,11 +299,6 @@ def _is_unnamed(walk: Walk, data: object) -> bool:
     if not isinstance(data, str) or "?" not in data:
         return False
     return any("?" in own and own in data for own in (walk.context.name, walk.context.namespace))
-
-
-def _last(value: object) -> str:
-    """The last part of a library's name."""
-    return value.name.rpartition("::")[2] if isinstance(value, Library) else ""
 
 
 def _integer(applied: Applied, entry: Entry, key: str, unknowns: Unknowns) -> int | None:

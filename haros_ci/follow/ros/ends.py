@@ -14,7 +14,6 @@ from haros_ci.values.abstract import Known
 
 #: Why a name is unknown that the code itself knows.
 UNNAMED = "the name of the node or of its namespace is not known"
-ANONYMOUS = "the node is anonymous: its name ends in a number of its own"
 
 
 def endpoints(
