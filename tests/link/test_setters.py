@@ -148,7 +148,10 @@ PYTHON = {
     "set on some ways": ("if input():\n    self.load()\n" + USE, "", False),
     "set after the use": (USE + "\nself.load()", "", False),
 }
-THREAD = "import threading\nclass T(threading.Thread):\n    def __init__(self, o):\n        super().__init__()\n        self.o = o\n    def run(self):\n        self.o.n = 9\n"
+THREAD = (
+    "import threading\nclass T(threading.Thread):\n    def __init__(self, o):\n        super().__init__()\n"
+    "        self.o = o\n    def run(self):\n        self.o.n = 9\n"
+)
 
 
 @pytest.mark.parametrize(("body", "methods", "expected"), PYTHON.values(), ids=PYTHON)
