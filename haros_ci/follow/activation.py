@@ -16,6 +16,7 @@ from haros_ci.follow import (
     inert,
     methods,
     overloads,
+    setters,
     statements,
 )
 from haros_ci.follow.frames import NEXT, RAISED, Frame
@@ -134,6 +135,7 @@ def invoke(
     if makes_nothing or walk.quiet:
         spent, times = walk.spent.get(id(definition), (0, 0))
         walk.spent[id(definition)] = spent + walk.steps - before, times + 1
+        setters.followed(walk, function, inner.mark)
     elif walk.is_called_back:
         is_idle = walk.extent() == there and walk.steps - before > 1
         walk.idle[id(definition)] = walk.idle.get(id(definition), 0) + walk.steps - before if is_idle else 0

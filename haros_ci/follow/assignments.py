@@ -24,7 +24,7 @@ from haros_ci.follow import (
     slices,
     uncertain,
 )
-from haros_ci.follow.frames import Frame
+from haros_ci.follow.frames import Frame, of_element
 from haros_ci.follow.libraries import python_lists, texts, tuples
 from haros_ci.follow.walk import Walk
 from haros_ci.index.types import MAPS, SEQUENCES
@@ -249,7 +249,7 @@ def indexed(walk: Walk, frame: Frame, expression: syntax.Subscript) -> Value:
         kind = container.type.of(0)
     elif isinstance(container, Opaque) and container.type is not None and container.type.name in (SEQUENCES | MAPS):
         kind = container.type.of(len(container.type.arguments) - 1) if container.type.arguments else None
-    return walk.opaque("an element that is not known", frame, None, kind)
+    return walk.opaque(of_element(key), frame, None, kind)
 
 
 def _of_object(walk: Walk, frame: Frame, container: Object, key: Value) -> Value | None:

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from haros_ci import syntax
-from haros_ci.follow import call_arguments, methods, partials
+from haros_ci.follow import call_arguments, methods, partials, setters
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.made import SEVERAL, Root, either
@@ -34,11 +34,13 @@ def register(
     is_update: bool = False,
     is_setup: bool = False,
     doubt: str | None = None,
+    is_entry: bool = False,
 ) -> None:
     """*value* will be called back: remember it with the object among *others* that it is a method of.
 
     With *is_update* that is when somebody sets parameters of the node or takes it down, with *is_setup* when it is brought
-    up. *doubt* is why it may not be registered, where no statement says so.
+    up. *doubt* is why it may not be registered, where no statement says so. *is_entry* is what the framework does not call
+    before what is followed now has come to its end.
     """
     if isinstance(value, Pointer):
         value = value.cell.value
@@ -71,6 +73,8 @@ def register(
     elif not _is_endless(walk, value):
         walk.known_roots[key] = len(walk.roots)
         walk.roots.append(root)
+        if not (walk.is_called_back or is_entry):
+            setters.disturbed(walk, value)
 
 
 def _again(walk: Walk, number: int, other: Root) -> None:
@@ -140,7 +144,8 @@ def framework_entries(walk: Walk, this: Object) -> None:
             for name in row.entry:
                 method = methods.method_of(walk, this, name)
                 if method is not None and row.is_class:
-                    register(walk, method, (), name in TEARDOWN, name in SETUP)
+                    is_entry = method.source.separator == "::" or name in SETUP | TEARDOWN
+                    register(walk, method, (), name in TEARDOWN, name in SETUP, is_entry=is_entry)
     _entries_of_unknown_base(walk, this)
 
 
@@ -156,4 +161,4 @@ def _entries_of_unknown_base(walk: Walk, this: Object) -> None:
         return
     message = f"the base class {bases[0]} is not in the workspace: what it makes and calls is not known"
     walk.gaps.setdefault(message, Location(this.definition[0].path, this.definition[1].line))
-    register(walk, method)
+    register(walk, method, is_entry=True)

@@ -11,12 +11,21 @@ from haros_ci import syntax
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
 from haros_ci.syntax import Function
-from haros_ci.values.abstract import Cell, Object, Value
+from haros_ci.values.abstract import Cell, Object, Opaque, Value
 
 #: How a block ends: it falls through, or it leaves in one of these ways.
 NEXT, RETURN, BREAK, CONTINUE, THROW = "next", "return", "break", "continue", "throw"
 #: It ends by an exception that goes on through the functions around it (``follow.thrown``).
 RAISED = "raised"
+
+#: How reasons begin that name a bound.
+BOUND = "the bound of "
+
+
+def of_element(key: Any) -> str:
+    """Why the element at *key* is not known: a bound that the key is not known for, or nothing of its own."""
+    named = isinstance(key, Opaque) and key.reason.startswith(BOUND)
+    return key.reason if named else "an element that is not known"
 
 
 @dataclass(slots=True)
@@ -60,6 +69,8 @@ class Loop:
     turn: int = 0
     #: Whether only what is inside ends it, as far as its test tells.
     is_endless: bool = False
+    #: The bound that its turns have reached, as a reason; "" if none.
+    bound: str = ""
     #: By place the names of parameters that its turns have read, and whether something sets them.
     asked: dict[Location, dict[str, bool]] = field(default_factory=dict)
     breaks: list[dict[Cell, Any]] = field(default_factory=list)

@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from haros_ci import syntax
-from haros_ci.follow import call_arguments, lookup, methods, partials
+from haros_ci.follow import call_arguments, lookup, methods, partials, setters
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
@@ -118,7 +118,9 @@ def is_inert(
             return False
         if isinstance(value, Object) and not _only_numbers(value, changed):
             return False
-    return function.this is None or _only_numbers(function.this, changed)
+    if function.this is not None and not _only_numbers(function.this, changed):
+        return False
+    return not setters.is_followed(walk, definition, function.source, changed)
 
 
 Pointers = dict[str, tuple[tuple[Source, str, syntax.Init | None, Type], ...]]

@@ -9,7 +9,7 @@ from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import alternatives, expressions, statements, static_types, thrown
-from haros_ci.follow.frames import BREAK, CONTINUE, NEXT, Frame, Loop
+from haros_ci.follow.frames import BOUND, BREAK, CONTINUE, NEXT, Frame, Loop
 from haros_ci.follow.made import forget_dead, go_back, keep
 from haros_ci.follow.walk import TURNS, Walk
 from haros_ci.model.location import Location
@@ -19,12 +19,17 @@ from haros_ci.values.state import certain, joined
 
 #: Turns that are tried to find what a loop changes.
 REHEARSALS = 3
-#: Steps after which the turns of a loop are no longer gone through one by one.
-LONG = 2_000
+#: Steps after which the turns of a loop are no longer gone through one by one; those of rehearsals in it that do not count.
+LONG, REHEARSED = 2_000, 8_000
 #: Why a turn may not be taken.
 SOME_PATHS = "what it is made for is an element of the list on some paths only"
 #: Turns around a loop from which on it is widened: 2 for each loop that is gone through, all of them in a rehearsal.
 NESTED = 8
+#: Why a value is not known after turns that are not gone through one by one, where a bound is reached.
+TOO_LONG = f"{BOUND}{LONG} steps for the turns of a loop is reached"
+TOO_MANY = f"{BOUND}{TURNS} turns of a loop is reached"
+TOO_MANY_ITEMS = f"{BOUND}{TURNS * 4} elements of a loop is reached"
+TOO_DEEP = f"{BOUND}loops in loops is reached"
 #: Why an element of a list that is empty as things are may be there all the same.
 NAMED = "the list is a matter of parameters"
 
@@ -70,7 +75,7 @@ def _turned(
     walk: Walk, frame: Frame, statement: syntax.Loop, loop: Loop, one: Callable[[], str], after: Callable[[], None]
 ) -> str | None:
     """Go through a loop turn by turn, as long as that is known and worth it: how it ends; None if that is not seen."""
-    test, before = statement.test, walk.steps - walk.aside
+    test, before = statement.test, (walk.steps - walk.aside, walk.quiet_steps)
     worthwhile = _worthwhile(walk, frame, statement.body, test)
     loop.is_endless = thrown.is_endless(test)
     is_kept = loop.is_endless and worthwhile and not walk.quiet
@@ -82,17 +87,33 @@ def _turned(
                 return _leave(walk, loop, goes_on=True)
             if holds is None:
                 return None
-        if not worthwhile or walk.steps - walk.aside - before > LONG:
+        if not worthwhile or _is_long(walk, loop, *before):
             break
         ended = _counted(walk, frame, loop, turn, one, after)
         if ended != NEXT:
             return _leave(walk, loop, goes_on=False, ended=ended)
         first = first or len(walk.made)
+    else:
+        loop.bound = TOO_MANY
     if start is not None and len(walk.made) > first:  # which of its turns there are is not known
         go_back(walk, start[0])
         walk.state.undo(start[1])
         loop.breaks.clear()
     return None
+
+
+def _is_long(walk: Walk, loop: Loop, steps: int, rehearsed: int) -> bool:
+    """Whether the turns since that many *steps*, of which some were *rehearsed*, are enough.
+
+    What is rehearsed in a loop (a function that is given away) does not count, unless it is very much, or the loop itself
+    is, or half of what rehearsals of the node may take is gone.
+    """
+    counts = walk.quiet or walk.quiet_steps > walk.most // 2
+    taken, aside = walk.steps - walk.aside - steps, 0 if counts else walk.quiet_steps - rehearsed
+    if taken - aside <= LONG and aside <= REHEARSED:
+        return False
+    loop.bound = TOO_LONG
+    return True
 
 
 def _holds(walk: Walk, frame: Frame, test: Expression | None) -> bool | None:
@@ -216,7 +237,7 @@ def _widened(
         if is_real and not left:
             break
         ways = [item for way in (writes, *inner.breaks) for item in way.items()]
-        if not _forgotten(walk, frame, line, begun, ways):
+        if not _forgotten(walk, frame, loop, line, begun, ways):
             break
         if kept is not None:
             go_back(walk, kept)
@@ -225,7 +246,7 @@ def _widened(
     walk.state.merge([alternatives.own(walk, writes), writes] if ended == NEXT else [{}])
 
 
-def _forgotten(walk: Walk, frame: Frame, line: int, begun: int, ways: list[tuple[Cell, Any]]) -> bool:
+def _forgotten(walk: Walk, frame: Frame, loop: Loop, line: int, begun: int, ways: list[tuple[Cell, Any]]) -> bool:
     """Whether a turn has changed what was known before it; that is not known any more."""
     changed = False
     for cell, value in ways:
@@ -239,7 +260,8 @@ def _forgotten(walk: Walk, frame: Frame, line: int, begun: int, ways: list[tuple
         if isinstance(then, (Known, Object, Sequence, Mapped)) or is_opaque:
             continue
         changed = True
-        result = Opaque("it changes in a loop", Location(frame.source.path, line), cell.type)
+        reason = loop.bound if loop.bound and not loop.is_endless else "it changes in a loop"
+        result = Opaque(reason, Location(frame.source.path, line), cell.type)
         walk.state.write(cell, Partial(result.reason, result.location, result.type, some) if some else result)
     return changed
 
@@ -276,7 +298,7 @@ def for_each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
             doubt = NAMED
             unknown = Opaque(NAMED, Location(frame.source.path, line), _element_type(walk, frame, iterable, resolved))
         if items and (walk.turns >= NESTED or len(items) > TURNS * 4):
-            unknown = unknown or Opaque("an element in nested loops", Location(frame.source.path, line), resolved)
+            unknown = unknown or Opaque(_too_much(walk), Location(frame.source.path, line), resolved)
             items = []
         known = len(walk.made)
         for number, item in enumerate(items):
@@ -292,6 +314,11 @@ def for_each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
             with walk.doubted(doubt):
                 _widened(walk, frame, current, loads or matters, line, partial(turn, unknown))
     return _leave(walk, current, goes_on=True)
+
+
+def _too_much(walk: Walk) -> str:
+    """Why the elements of a list that is known are not gone through."""
+    return TOO_DEEP if walk.turns >= NESTED else TOO_MANY_ITEMS
 
 
 def _element_type(walk: Walk, frame: Frame, iterable: Expression, written: Type) -> Type | None:

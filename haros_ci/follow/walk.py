@@ -155,6 +155,11 @@ class Walk:
     spent: dict[int, tuple[int, int]] = field(default_factory=dict)
     #: Steps that callbacks have put into functions that could make something, since they last did, by function.
     idle: dict[int, int] = field(default_factory=dict)
+    #: Functions that are followed as they set numbers, by identity; what they have set, under which names (``follow.setters``).
+    setters: set[int] = field(default_factory=set)
+    settled: dict[Cell, tuple[Value, frozenset[str]]] = field(default_factory=dict)
+    #: The names that callbacks and threads assign to, as far as there are any.
+    disturbed: set[str] = field(default_factory=set)
     #: By identity, what stands for template arguments in look-ups.
     numbers: dict[int, tuple[int, Mapping[str, syntax.Argument]]] = field(default_factory=dict)
     #: Look-ups that depend on the name, the scope and the file only: shared by all nodes with the same files.

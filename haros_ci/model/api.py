@@ -62,7 +62,8 @@ endpoint for every parameter of the dynamic_reconfigure file of that class), ``e
 argument). A ``type`` is ``pkg/Name``, or a C++ or Python type that stands for it: pointers, const, ``::Request`` and
 ``::Response``, and an action's ``Action`` are taken off.
 
-``returns`` is a type's name or a template; ``"{parameter}"`` is the value that the row's getter reads. ``sets`` maps
+``returns`` is a type's name or a template; ``"{parameter}"`` is the value that the row's getter reads, or the parameters that
+it reads of a list (``each: "items(0)"``). ``sets`` maps
 an argument to a template that is stored through it (``{"1": "{parameter}"}``); where the getter has no ``value``,
 that is no default, the argument may also keep what it had. ``fills`` maps members of the receiver (or, for a
 constructor or static factory, of the returned object) to templates. ``calls`` lists selectors of arguments that are

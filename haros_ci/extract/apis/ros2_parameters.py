@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Parameters (ROS 2, C++): declaring, reading and setting them, their objects, and clients of other nodes' parameters.
 
-``get_parameters`` has no rows: its arguments alone do not tell which parameters it reads.
+``get_parameters`` with a prefix has no row: its arguments alone do not tell which parameters it reads.
 """
 
 from __future__ import annotations
@@ -88,6 +88,9 @@ ROWS: tuple[Mapping[str, object], ...] = (
     {"call": f"{NODE}::get_parameter", "args": [2],
      "makes": [{"kind": "getters", "name": "{0}", "type": "{typeof(<0>|1)}"}], "sets": {"1": "{parameter}"},
      "returns": "{declared(0)}"},
+    {"call": f"{NODE}::get_parameters", "args": [1],
+     "makes": [{"kind": "getters", "each": "items(0)", "name": "{item.name}", "strict": True}],
+     "returns": "{parameter}"},
     {"call": f"{NODE}::get_parameter_or", "args": [3],
      "makes": [{"kind": "getters", "name": "{0}", "type": "{typeof(<0>|1|2)}", "value": "{2}"}],
      "sets": {"1": "{parameter}"}, "returns": "{declared(0)}"},

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
 from haros_ci.follow import alternatives, assignments, construct, conversions
-from haros_ci.follow.frames import Frame
+from haros_ci.follow.frames import Frame, of_element
 from haros_ci.follow.libraries import tuples
 from haros_ci.follow.walk import Walk
 from haros_ci.model.location import Location
@@ -145,7 +145,7 @@ def sequence(walk: Walk, frame: Frame, receiver: Sequence, name: str, args: tupl
             cell = assignments.element(walk, frame, receiver, args[0].value)
             if cell is not None:
                 return cell.value
-        return walk.opaque("an element that is not known", frame, None, inner)
+        return walk.opaque(of_element(args[0].value if args else None), frame, None, inner)
     if name in ("begin", "end", "cbegin", "cend", "rbegin", "rend"):
         if name.endswith("end") or (known and not cells):
             return iterators.end_of(receiver)

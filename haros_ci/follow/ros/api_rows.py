@@ -12,7 +12,14 @@ from haros_ci import syntax
 from haros_ci.follow import callbacks, conversions, handles
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
-from haros_ci.follow.ros import behavior_tree_ports, behavior_trees, ros2_nodes, ros2_selectors, selectors
+from haros_ci.follow.ros import (
+    behavior_tree_ports,
+    behavior_trees,
+    ros2_nodes,
+    ros2_parameters,
+    ros2_selectors,
+    selectors,
+)
 from haros_ci.follow.ros.emit import emit
 from haros_ci.follow.walk import Walk
 from haros_ci.graph.names import clean
@@ -218,11 +225,9 @@ def _apply(applied: selectors.Applied, made: Object | None) -> Value | None:
             if isinstance(target, Object):
                 target.namespace = handles.handle(applied, entry)
             continue
-        for item in _items(applied, entry):
-            inner = applied if item is None else replace(applied, item=item)
-            found = emit(inner, entry)
-            if entry.kind in ("getters", "parameters") and item is None:
-                parameter, known = found, True
+        found, is_read = _made(applied, entry)
+        if is_read:
+            parameter, known = found, True
     target = made if made is not None else applied.receiver
     with_parameter = applied if parameter is None else replace(applied, parameter=parameter)
     if isinstance(target, Object):
@@ -257,6 +262,18 @@ def _apply(applied: selectors.Applied, made: Object | None) -> Value | None:
             if isinstance(value, Opaque) and applied.frame.source.separator == ".":
                 walk.gaps.setdefault(f"what it calls back is not known: {value.reason}", applied.location)
     return parameter
+
+
+def _made(applied: selectors.Applied, entry: Entry) -> tuple[Value | None, bool]:
+    """Make what *entry* says, of each of its items: what its getter reads, or the list of these, and whether it has one."""
+    items = _items(applied, entry)
+    values = [emit(applied if item is None else replace(applied, item=item), entry) for item in items]
+    if entry.kind in ("getters", "parameters") and entry.each is None:
+        return values[0], True
+    if entry.kind == "getters" and entry.each is not None and entry.each.startswith("items("):
+        names = [item["name"] for item in items if item is not None]
+        return ros2_parameters.gotten(applied, list(zip(names, values, strict=True))), True
+    return None, False
 
 
 def _items(applied: selectors.Applied, entry: Entry) -> list[Mapping[str, Any] | None]:

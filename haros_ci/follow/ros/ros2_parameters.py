@@ -12,7 +12,7 @@ from haros_ci.follow.ros import ros2_nodes
 from haros_ci.graph.names import pattern
 from haros_ci.graph.ros2_process import NO_NAME, RosNode, fits
 from haros_ci.index.ros_types import ros2_parameter_type
-from haros_ci.values.abstract import NONE, Known, Object, Opaque, Value
+from haros_ci.values.abstract import NONE, TRUE, Cell, Known, Object, Opaque, Sequence, Value
 from haros_ci.values.state import Held
 
 if TYPE_CHECKING:
@@ -46,6 +46,8 @@ READ_BY = frozenset(("get_value", "get"))
 BY_ITSELF = ("qos_overrides.", "start_type_description_service")
 #: The class of what ``get_parameter`` returns.
 PARAMETER = "rclcpp::Parameter"
+#: Marks a parameter of a list: a loop over it asks for the name, and reads it in another way in each branch.
+LISTED = "[listed]"
 
 
 def parameter(applied: Applied, node: RosNode, name: str, is_declared: bool = False) -> Value | None:
@@ -133,6 +135,18 @@ def remember(applied: Applied, full: str, value: Value) -> None:
     walk.state.write(walk.server, {**own, full: Held(value)})
 
 
+def gotten(applied: Applied, found: list[tuple[Value, Value | None]]) -> Value:
+    """What ``get_parameters`` returns: a parameter for each of the names, with its value as far as it is known."""
+    if not found:
+        return applied.walk.opaque("which parameters are read is not known", applied.frame, applied.location.line)
+    name = "rclpy.parameter.Parameter" if applied.frame.source.separator == "." else PARAMETER
+    cells = []
+    for text, value in found:
+        fields = {"name": Cell(text), LISTED: Cell(TRUE)} | ({"value": Cell(value)} if value is not None else {})
+        cells.append(Cell(Object(name, fields=fields, location=applied.location)))
+    return Sequence(Cell(tuple(cells)), syntax.Type("std::vector", (syntax.Type(PARAMETER),)))
+
+
 def read_as(walk: Walk, parameter: Value, name: str, kinds: tuple[syntax.Argument, ...] = ()) -> None:
     """What ``get_parameter`` has returned is read by *name*, as a template argument if that says so: that is its type."""
     kind = READ_AS.get(name)
@@ -147,5 +161,6 @@ def read_as(walk: Walk, parameter: Value, name: str, kinds: tuple[syntax.Argumen
             and made.location == parameter.location
             and made.written == text
             and made.type is None
+            and not (LISTED in parameter.fields and ("?" in text or walk.ruled_out() > made.dead))
         ):
             walk.made[key] = replace(made, type=kind)

@@ -203,7 +203,7 @@ CALLS = (
         "name='a', alternative_value=p",
         f"getters name=a value=p.value\n{PARAMETER}\nfills value=parameter",
     ),
-    (f"{N}.get_parameters", "names", "getters name=item.name each=items(0|names)"),
+    (f"{N}.get_parameters", "names", "getters name=item.name each=items(0|names)\nreturns parameter"),
     (f"{N}.get_parameter_types", "names=n", "getters name=item.name each=items(0|names)"),
     (f"{N}.get_parameter_type", "'a'", "getters name=a"),
     (f"{N}.get_parameters_by_prefix", "'a'", ""),

@@ -174,7 +174,6 @@ COVERED = {
 
 #: Calls that make nothing, or nothing that their text tells: a row would say more than is known.
 QUIET = (
-    "rclcpp::Node::get_parameters",
     "rclcpp::Publisher::publish",
     "rclcpp::Context",
     "message_filters::Synchronizer",
