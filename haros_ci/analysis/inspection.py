@@ -46,6 +46,11 @@ class Architectures:
         self._made: dict[Path, Linked] = {}
         self._common: Common | None = None
 
+    def under(self, store: Store) -> Architectures:
+        """The same, what is made from now on kept in *store*."""
+        self.store = store
+        return self
+
     def of(self, workspace: Workspace) -> Linked:
         with stage("loading"):
             from haros_ci.analysis.architecture import Common, varied

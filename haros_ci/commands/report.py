@@ -14,7 +14,7 @@ from haros_ci.commands.common import (
     Progress,
     demand_base,
     demand_baseline,
-    run,
+    run_with_systems,
     settings_from,
     under_cache,
     view_of,
@@ -41,20 +41,27 @@ def report(flags: Flags) -> int:
     """Analyse, write the page; exit code 3 if a tool failed, else 0: findings are there to be looked at."""
     settings = settings_from({**flags, "baseline_rev": flags["base"]})
     demand_base(settings)
-    found, workspace = run(settings, flags)
+    found, workspace, known = run_with_systems(settings, flags)
     demand_baseline(found, settings)
     warn_of_missing_base(settings)
     path = Path(flags["output"])
-    text, failed = made(found, workspace, settings, flags, tuple(flags["configuration"]))
+    text, failed = made(found, workspace, settings, flags, known, tuple(flags["configuration"]))
     write(text, path)
     click.echo(summary_line(view_of(workspace, flags, to_file=True).joined(found)), err=True)
     click.echo(f"{terminal(str(path))}: {len(text.encode()) / 1e6:.1f} MB; open it in a browser", err=True)
     return EXIT_TOOL_TROUBLE if {*found.failed_tools(), *failed} - settings.allow_tool_failure else 0
 
 
-def fill(paths: Sequence[Path | None], found: Report, workspace: Workspace, settings: Settings, flags: Flags) -> bool:
+def fill(
+    paths: Sequence[Path | None],
+    found: Report,
+    workspace: Workspace,
+    settings: Settings,
+    flags: Flags,
+    known: Architectures | None = None,
+) -> bool:
     """Write the page to each of *paths*, None is stdout; whether all that belongs into it could be found out, and written."""
-    text, failed = made(found, workspace, settings, flags)
+    text, failed = made(found, workspace, settings, flags, known)
     is_whole = not set(failed) - settings.allow_tool_failure
     for path in paths:
         try:
@@ -66,15 +73,19 @@ def fill(paths: Sequence[Path | None], found: Report, workspace: Workspace, sett
 
 
 def made(
-    found: Report, workspace: Workspace, settings: Settings, flags: Flags, names: tuple[str, ...] = ()
+    found: Report,
+    workspace: Workspace,
+    settings: Settings,
+    flags: Flags,
+    known: Architectures | None = None,
+    names: tuple[str, ...] = (),
 ) -> tuple[str, tuple[str, ...]]:
     """The page, with these configurations only where *names* are given; and the tools that failed to measure, which is said."""
-
     shown = view_of(workspace, flags, to_file=True).joined(found)
 
     def work(store: Store, progress: Progress) -> tuple[str, tuple[str, ...]]:
         progress("report")
-        return gathered(shown, workspace, Architectures(settings, store), LIMITS, names)
+        return gathered(shown, workspace, (known or Architectures(settings, store)).under(store), LIMITS, names)
 
     text, failed = under_cache(work, settings, flags)
     for tool in sorted(set(failed) - set(found.failed_tools())):

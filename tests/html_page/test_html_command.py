@@ -74,6 +74,22 @@ def test_a_check_writes_the_same_page(workspace: Path, tmp_path: Path) -> None:
     assert one.read_bytes() == other.read_bytes()
 
 
+def test_what_is_as_it_was_is_not_made_again(tmp_path: Path) -> None:
+    root = write(tmp_path / "ws", FILES)
+
+    def stages(name: str) -> set[str]:
+        done = haros("report", ".", *QUICK, "--timings", "--output", f"../{name}", cwd=root)
+        assert done.returncode == 0, done.stderr
+        return {line[19:].strip() for line in done.stderr.splitlines()}
+
+    assert {"link", "structure"} <= stages("one.html")
+    assert not {"link", "structure"} & stages("two.html")
+    assert (tmp_path / "one.html").read_bytes() == (tmp_path / "two.html").read_bytes()
+    write(root, {"robot/robot/talker.py": TALKER.replace("def main", "def start")})
+    assert {"link", "structure"} <= stages("three.html")
+    assert "start" in data_in(tmp_path / "three.html")["tables"]["texts"]
+
+
 def test_what_a_branch_changes(tmp_path: Path) -> None:
     root = write(tmp_path / "ws", FILES)
     base = commit(root)
