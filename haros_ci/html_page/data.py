@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci import __version__
+from haros_ci.checking.transforms import Broadcast
 from haros_ci.html_page.changed import changed
 from haros_ci.html_page.elements import WELL_KNOWN
 from haros_ci.html_page.findings import chosen, findings, rules
@@ -31,11 +32,12 @@ MOST_NOTES = 500
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Input:
-    """All that the page is made of; *revision* is the commit of the work tree and *date* its time, "" without git."""
+    """All that the page is made of; *broadcasts* are the transforms by configuration, *date* is the commit's time, "" without git."""
 
     report: Report
     workspace: Workspace
     configurations: Sequence[Configuration] = ()
+    broadcasts: Mapping[str, Sequence[Broadcast]] = field(default_factory=dict)
     builds: Mapping[str, Build] = field(default_factory=dict)
     measurements: Sequence[Measurement] = ()
     limits: Iterable[Limit] = ()
@@ -63,7 +65,7 @@ def data_of(given: Input) -> dict[str, Any]:
         "summary": _summary(pool, report, given),
         "findings": rows,
         "rules": rules(pool, report, shown),
-        "configurations": configurations(pool, given.configurations),
+        "configurations": configurations(pool, given.configurations, given.broadcasts),
         "packages": packages(pool, workspace),
         "package_picture": picture(workspace),
         "interfaces": interfaces(pool, given.builds),

@@ -30,6 +30,7 @@ SCRIPTS = (
     "details.js",
     "system.js",
     "launch.js",
+    "transforms.js",
     "lists.js",
     "metrics.js",
     "changes.js",

@@ -10,6 +10,7 @@ from typing import Any
 
 from haros_ci.analysis.inspection import Architectures
 from haros_ci.analysis.kept_runs import Output, kept_output
+from haros_ci.checking.transforms import broadcasts
 from haros_ci.config.digests import settings_digests
 from haros_ci.errors import UserError
 from haros_ci.html_page.data import Input, data_of
@@ -84,12 +85,18 @@ def _made(
             known = ", ".join(sorted(one.name for one in every)[:20]) or "none"
             raise UserError(f"no configuration {name}", help=f"there are {known}")
     shown = [one for one in every if not names or one.name in names]
+    project = architectures.project(workspace)
     measures = measure(workspace, architectures.settings, architectures.store, sources=made.sources)
     data = data_of(
         Input(
             report=report,
             workspace=workspace,
             configurations=shown,
+            broadcasts={
+                system.name: tuple(broadcasts(project, system))
+                for system in project.systems
+                if not names or system.name in names
+            },
             builds=made.builds,
             measurements=measures.values,
             limits=limits,

@@ -13,9 +13,11 @@ from typing import Any
 
 import jsonschema
 
+from haros_ci.checking.system import SystemNode, systems
+from haros_ci.checking.transforms import Broadcast
 from haros_ci.html_page.data import Input, data_of
 from haros_ci.html_page.document import page
-from haros_ci.model.architecture import Condition, Configuration, Endpoint, Node, Parameter, Qos, Unknown
+from haros_ci.model.architecture import Architecture, Condition, Configuration, Endpoint, Node, Parameter, Qos, Unknown
 from haros_ci.model.build import Build, Interface, InterfaceField
 from haros_ci.model.changes import ADDED, REMOVED, Change, Changes, Edge
 from haros_ci.model.launch_facts import ArgumentDeclaration, IncludeUse, PassedArgument
@@ -122,6 +124,31 @@ def configuration(word: str = "", name: str = NAME) -> Configuration:
     )  # fmt: skip
 
 
+def broadcasts(one: Configuration, word: str = "") -> tuple[Broadcast, ...]:
+    """A tree of frames with two that are at odds: a robot's, a static one, and two in code."""
+    nodes = next(iter(systems(Architecture(configurations=(one,))))).nodes
+    if len(nodes) < 3:
+        return ()
+    camera, driver = (next(one for one in nodes if one.name.startswith(name)) for name in ("/camera", "/arm/driver"))
+
+    def said(
+        child: str, parent: str | None, of: SystemNode, line: int, *, static: bool = False, topic: str = "/tf"
+    ) -> Broadcast:
+        what = f"{of} publishes the joint {child}{word}"
+        return Broadcast(
+            f"{child}{word}", parent and f"{parent}{word}", static, of, Location(CODE, line), what, topic, str(line)
+        )
+
+    return (
+        said("base_link", "odom", driver, 5),
+        said("base_link", "map", camera, 6),
+        said("lens", "base_link", camera, 7, static=True),
+        said("odom", "map", camera, 8),
+        said("loose", None, camera, 9),
+        said("lens", "stand", camera, 10, topic="/other/tf"),
+    )
+
+
 def report(word: str = "", results: int = 3) -> Report:
     """Findings of two tools in every state, compared with a base revision."""
     rule = Rule(
@@ -188,6 +215,7 @@ def given(word: str = "", *, results: int = 3, configurations: tuple[Configurati
         report=report(word, results),
         workspace=Workspace(Path("/nowhere"), packages, listed, Texts({**SOURCE, CODE: f"{SOURCE[CODE]}// {word}\n"})),
         configurations=configurations if configurations is not None else (configuration(word), configuration(name="tool/alone")),
+        broadcasts={one.name: broadcasts(one, word) for one in (configurations or (configuration(word),))[:1]},
         builds={"base": Build(package="base", interfaces=(go,))},
         measurements=[Measurement("base", CODE, n, "", f"f{n}{word}", "cyclomatic-complexity", float(n % 17 + 1)) for n in range(1, 80)],
         limits=(Limit("max-cyclomatic-complexity-10", "function", "cyclomatic-complexity", 10),),

@@ -11,7 +11,18 @@ import pytest
 from browser_kit import Page, browser
 from page_kit import HOSTILE, NAME, given, samples, written
 
-VIEWS = ("overview", "findings", "system", "launch", "parameters", "packages", "interfaces", "metrics", "changes")
+VIEWS = (
+    "overview",
+    "findings",
+    "system",
+    "launch",
+    "parameters",
+    "transforms",
+    "packages",
+    "interfaces",
+    "metrics",
+    "changes",
+)
 
 
 @pytest.fixture(scope="module")
@@ -342,3 +353,32 @@ def test_everything_that_can_be_clicked_can_be_reached_by_keyboard(page: Page) -
             "return [...document.querySelectorAll('main input, main select')].filter((one) => !one.ariaLabel && !one.closest('label')).length"
         )
         assert (loose, unnamed) == (0, 0), view
+
+
+def test_the_tree_of_frames(page: Page) -> None:
+    page.go("transforms")
+    page.settled(50)
+    assert "7 frames, 3 trees, 1 at odds" in page.text("[role=status]")
+    assert page.run("return document.querySelectorAll('.stage .element').length") == 7
+    assert page.text(".picture .red .name") == "base_link" and len(page.all(".picture .edge.red")) == 2
+    assert "tf_static" not in page.text(".detail") and "base_link map, odom" in page.text(".detail")
+    page.type("input.search", "lens")
+    assert "lens" in page.text(".detail h2") and "static, code" in page.text(".detail")
+    page.go("transforms?frame=base_link")
+    page.settled(50)
+    text = page.text(".detail")
+    assert "It has 2 parents" in text and "int line_5 = 5" in text and "base_link → map" in text
+    page.click(".detail a", "/arm/driver")
+    assert page.run("return location.hash").startswith("#system?")
+
+
+def test_transforms_of_a_configuration_without_any(page: Page) -> None:
+    page.go("transforms?configuration=tool%2Falone")
+    assert "No transform of this configuration is known" in page.text()
+
+
+def test_a_page_without_transforms_has_no_such_view(driver: Any, tmp_path: Path) -> None:
+    path = tmp_path / "page.html"
+    path.write_text(written(given(configurations=())), encoding="utf-8")
+    page = Page(driver, path)
+    assert "Transforms" not in page.text("nav") and page.complaints() == []

@@ -7,15 +7,16 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from page_kit import CODE, NAME, SOURCE, Texts, checked, configuration, given, report
+from page_kit import CODE, NAME, SOURCE, Texts, broadcasts, checked, configuration, given, report
 
 from haros_ci.html_page.findings import chosen, standing
 from haros_ci.html_page.frames import Frames
 from haros_ci.html_page.launches import launch_tree
 from haros_ci.html_page.measured import bars
 from haros_ci.html_page.package_picture import direct
-from haros_ci.html_page.packages import in_circles
 from haros_ci.html_page.pool import Pool, presence_text
+from haros_ci.html_page.transforms import transforms
+from haros_ci.model.cycles import in_circles
 from haros_ci.model.location import Location
 from haros_ci.model.presence import Choice
 from haros_ci.results.result import BaselineState, Suppression
@@ -199,3 +200,24 @@ def test_configurations_of_launch_files_come_first() -> None:
 def test_what_is_left_out_is_said() -> None:
     data = checked(replace(given(), more_than_shown=2))
     assert texts(data, data["left_out"]) == ["2 configurations left out by --configuration."]
+
+
+def test_transforms_that_are_at_odds() -> None:
+    data = checked(given())
+    ((rows, frames, picture),) = data["tables"]["transforms"]
+    names = [(*texts(data, frame[:2]), frame[2]) for frame in frames]
+    assert ("base_link", "/tf", 0) in names and ("lens", "/other/tf", 0) in names and ("lens", "/tf", 0) in names
+    assert sorted(names[row[0]][0] for row in rows if row[3]) == ["base_link", "base_link"]
+    assert [row[1] for row in rows if names[row[0]][0] == "loose"] == [-1]
+    assert len(picture[1]) == len(frames) and len(picture[2]) == 5
+    assert [one["transforms"] for one in data["configurations"]] == [0, -1]
+
+
+def test_frames_in_a_circle() -> None:
+    one = configuration()
+    first, second, *_ = broadcasts(one)
+    turned = replace(first, child="odom", parent="base_link", node=first.node)
+    pool = Pool()
+    assert transforms(pool, [first, turned]) == 0
+    assert [row[2] for row in pool.document()["transforms"][0][1]] == [1, 1]
+    assert transforms(pool, []) == -1

@@ -1,6 +1,6 @@
 // The data of the page as objects: rows are read when they are asked for.
 const D = JSON.parse(document.getElementById("data").textContent);
-const TABLES = { texts: [], places: [], conditions: [], unknowns: [], nodes: [], ends: [], parameters: [], qos: [], pictures: [], "rule names": [], ...D.tables };
+const TABLES = { texts: [], places: [], conditions: [], unknowns: [], nodes: [], ends: [], parameters: [], qos: [], pictures: [], "rule names": [], transforms: [], ...D.tables };
 const LEVELS = ["error", "warning", "note"];
 const CHANNELS = { publishers: "topics", subscribers: "topics", servers: "services", clients: "services", action_servers: "actions", action_clients: "actions" };
 const GIVES = new Set(["publishers", "clients", "action_clients"]);

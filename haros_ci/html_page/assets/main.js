@@ -5,12 +5,13 @@ const VIEWS = {
   system: ["System", systemView],
   launch: ["Launch", launchView],
   parameters: ["Parameters", parametersView],
+  transforms: ["Transforms", transformsView],
   packages: ["Packages", packagesView],
   interfaces: ["Interfaces", interfacesView],
   metrics: ["Metrics", metricsView],
   changes: ["Changes", changesView],
 };
-const offered = Object.keys(VIEWS).filter((name) => (name !== "changes" || D.changes) && (name !== "metrics" || D.metrics.length) && (name !== "launch" || CONFIGURATIONS.some((one) => one.launch.length)));
+const offered = Object.keys(VIEWS).filter((name) => (name !== "changes" || D.changes) && (name !== "metrics" || D.metrics.length) && (name !== "launch" || CONFIGURATIONS.some((one) => one.launch.length)) && (name !== "transforms" || CONFIGURATIONS.some(hasTransforms)));
 
 const main = h("main", { id: "main", tabindex: "-1" });
 const navigation = h("nav", { "aria-label": "views" }, offered.map((name) => h("a", { href: name, "data-view": name }, VIEWS[name][0])));
