@@ -146,6 +146,7 @@ DOORS: dict[str, set[str]] = {
     # one HTML file of all that a run knows
     "html_page": {
         "analysis",
+        "behaviour",
         "checking",
         "config",
         "errors",

@@ -16,6 +16,7 @@ from haros_ci.html_page.frames import Frames
 from haros_ci.html_page.measured import metrics
 from haros_ci.html_page.packages import LANGUAGES, interfaces, packages, picture
 from haros_ci.html_page.pool import NONE, Pool
+from haros_ci.html_page.properties import Held, properties
 from haros_ci.html_page.systems import configurations
 from haros_ci.model.architecture import KINDS, PROVENANCES, Configuration
 from haros_ci.model.build import Build
@@ -38,6 +39,7 @@ class Input:
     workspace: Workspace
     configurations: Sequence[Configuration] = ()
     broadcasts: Mapping[str, Sequence[Broadcast]] = field(default_factory=dict)
+    properties: Sequence[Held] = ()
     builds: Mapping[str, Build] = field(default_factory=dict)
     measurements: Sequence[Measurement] = ()
     limits: Iterable[Limit] = ()
@@ -53,6 +55,7 @@ def data_of(given: Input) -> dict[str, Any]:
     shown, left_out = chosen(report)
     package = workspace.package_finder()
     rows = findings(pool, shown, package, frames)
+    frames.keep([one.stated.location for one in given.properties])
     made: dict[str, Any] = {
         "version": SCHEMA_VERSION,
         "tool": __version__,
@@ -68,6 +71,7 @@ def data_of(given: Input) -> dict[str, Any]:
         "configurations": configurations(pool, given.configurations, given.broadcasts),
         "packages": packages(pool, workspace),
         "package_picture": picture(workspace),
+        "properties": properties(pool, given.properties),
         "interfaces": interfaces(pool, given.builds),
         "metrics": metrics(pool, given.measurements, given.limits),
         "changes": changed(pool, report.changes) if report.changes is not None else None,

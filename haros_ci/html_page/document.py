@@ -32,6 +32,7 @@ SCRIPTS = (
     "launch.js",
     "transforms.js",
     "lists.js",
+    "properties.js",
     "metrics.js",
     "changes.js",
     "main.js",

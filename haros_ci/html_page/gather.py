@@ -15,6 +15,7 @@ from haros_ci.config.digests import settings_digests
 from haros_ci.errors import UserError
 from haros_ci.html_page.data import Input, data_of
 from haros_ci.html_page.document import page
+from haros_ci.html_page.properties import held
 from haros_ci.measuring.measures import measure, measuring_tools
 from haros_ci.model.workspace import Workspace
 from haros_ci.report.measurements import Limit
@@ -97,6 +98,7 @@ def _made(
                 for system in project.systems
                 if not names or system.name in names
             },
+            properties=held(project.properties),
             builds=made.builds,
             measurements=measures.values,
             limits=limits,

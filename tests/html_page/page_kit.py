@@ -6,6 +6,7 @@ from __future__ import annotations
 import importlib.util
 import json
 from collections.abc import Mapping
+from dataclasses import replace
 from html.parser import HTMLParser
 from importlib.resources import files
 from pathlib import Path
@@ -13,10 +14,12 @@ from typing import Any
 
 import jsonschema
 
+from haros_ci.behaviour.declared import Owner, in_file
 from haros_ci.checking.system import SystemNode, systems
 from haros_ci.checking.transforms import Broadcast
 from haros_ci.html_page.data import Input, data_of
 from haros_ci.html_page.document import page
+from haros_ci.html_page.properties import Held
 from haros_ci.model.architecture import Architecture, Condition, Configuration, Endpoint, Node, Parameter, Qos, Unknown
 from haros_ci.model.build import Build, Interface, InterfaceField
 from haros_ci.model.changes import ADDED, REMOVED, Change, Changes, Edge
@@ -31,8 +34,13 @@ from haros_ci.results.result import Baseline, BaselineState, Identity, Provenanc
 from haros_ci.results.rule import Level, Rule
 
 SCHEMA = json.loads((files("haros_ci.html_page") / "html-schema.json").read_text(encoding="utf-8"))
+PROJECT = "haros.yaml"
 LAUNCH, INNER, CODE = "base/launch/base.launch.py", "base/launch/inner.launch.py", "base/src/base.cpp"
-SOURCE = {CODE: "".join(f"int line_{n} = {n};  // é <b>\n" for n in range(1, 40)), LAUNCH: "a = 1\nb = 2\nc = 3\n"}
+SOURCE = {
+    PROJECT: "".join(f"line {n}\n" for n in range(1, 30)),
+    CODE: "".join(f"int line_{n} = {n};  // é <b>\n" for n in range(1, 40)),
+    LAUNCH: "a = 1\nb = 2\nc = 3\n",
+}
 NAME = f"base/{LAUNCH.partition('/')[2]}"
 #: Texts that a page could take for markup, code or an address.
 HOSTILE = (
@@ -127,9 +135,10 @@ def configuration(word: str = "", name: str = NAME) -> Configuration:
 def broadcasts(one: Configuration, word: str = "") -> tuple[Broadcast, ...]:
     """A tree of frames with two that are at odds: a robot's, a static one, and two in code."""
     nodes = next(iter(systems(Architecture(configurations=(one,))))).nodes
-    if len(nodes) < 3:
+    by_name = {one.name.removesuffix(word): one for one in nodes}
+    if "/camera" not in by_name:
         return ()
-    camera, driver = (next(one for one in nodes if one.name.startswith(name)) for name in ("/camera", "/arm/driver"))
+    camera, driver = by_name["/camera"], by_name["/arm/driver"]
 
     def said(
         child: str, parent: str | None, of: SystemNode, line: int, *, static: bool = False, topic: str = "/tf"
@@ -147,6 +156,33 @@ def broadcasts(one: Configuration, word: str = "") -> tuple[Broadcast, ...]:
         said("loose", None, camera, 9),
         said("lens", "stand", camera, 10, topic="/other/tf"),
     )
+
+
+def properties(word: str = "") -> tuple[Held, ...]:
+    """A promise, an assumption, and a text that is none."""
+    head = f'# id: stops\n# title: "stops{quoted(word)}"\n'
+    texts = (
+        f"{head}globally: /stop causes /arm/state within 100 ms\n",
+        "globally: no /image {data = 1}\n",
+        f"globally no{word}\n",
+    )
+    found = []
+    for number, text in enumerate(texts):
+        for one in in_file(
+            text,
+            PROJECT,
+            Owner("configuration", f"{NAME}{word}") if number else Owner("node", f"base/driver{word}"),
+            is_axiom=number == 1,
+        ):
+            at = replace(one.location, line=10 * number + 3, end_line=10 * number + 4)
+            found.append(
+                Held(replace(one, location=at), ((f"/stop{word}", (f"/arm/stop{word}",)), ("/away", ())), (NAME,))
+            )
+    return tuple(found)
+
+
+def quoted(word: str) -> str:
+    return "".join(letter for letter in word if letter.isalnum() or letter in "<>/= ")[:200]
 
 
 def report(word: str = "", results: int = 3) -> Report:
@@ -182,7 +218,15 @@ def report(word: str = "", results: int = 3) -> Report:
         edges=(Edge(node=f"/camera{word}", channel=f"/image{word}", kind="topic", is_giver=True, state=ADDED), Edge(node="/old", channel=f"/image{word}", kind="topic", is_giver=False, state=REMOVED), Edge(node="/box/filter", channel=f"/image{word}", kind="topic", is_giver=False)),
         not_known=1,
     )  # fmt: skip
-    own = Run(Tool("haros-ci", "1"), (check,), (mismatch,), changes=changes)
+    hpl = Result(
+        "haros-ci",
+        "hpl-unknown-topic",
+        Level.WARNING,
+        f"No node has /away{word}",
+        Location(PROJECT, 3, 4),
+        state=BaselineState.NEW,
+    )
+    own = Run(Tool("haros-ci", "1"), (check,), (mismatch, hpl), changes=changes)
     return Report(
         (own, Run(Tool("cppcheck", "2"), (rule,), (*found, old, gone))),
         baseline=Baseline("revision", f"main{word}"),
@@ -215,6 +259,7 @@ def given(word: str = "", *, results: int = 3, configurations: tuple[Configurati
         report=report(word, results),
         workspace=Workspace(Path("/nowhere"), packages, listed, Texts({**SOURCE, CODE: f"{SOURCE[CODE]}// {word}\n"})),
         configurations=configurations if configurations is not None else (configuration(word), configuration(name="tool/alone")),
+        properties=properties(word),
         broadcasts={one.name: broadcasts(one, word) for one in (configurations or (configuration(word),))[:1]},
         builds={"base": Build(package="base", interfaces=(go,))},
         measurements=[Measurement("base", CODE, n, "", f"f{n}{word}", "cyclomatic-complexity", float(n % 17 + 1)) for n in range(1, 80)],

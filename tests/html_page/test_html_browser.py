@@ -90,7 +90,7 @@ def test_an_unknown_address_shows_the_overview(driver: Any, plain: Path) -> None
 
 def test_figures_lead_to_what_they_count(page: Page) -> None:
     page.click("a.figure", "error")
-    assert "1 of 6 findings" in page.text(".bar-of-filters")
+    assert "1 of 7 findings" in page.text(".bar-of-filters")
     page.go("overview")
     page.click("a.figure", "gone")
     assert "A gone one" in page.text(".rows")
@@ -98,19 +98,19 @@ def test_figures_lead_to_what_they_count(page: Page) -> None:
 
 def test_findings_are_searched_filtered_and_sorted(page: Page) -> None:
     page.go("findings")
-    assert "4 of 6 findings" in page.text("[role=status]")
+    assert "5 of 7 findings" in page.text("[role=status]")
     page.type("input.search", "member 2")
-    assert "1 of 6 findings" in page.text("[role=status]") and "Member 2" in page.text(".rows")
+    assert "1 of 7 findings" in page.text("[role=status]") and "Member 2" in page.text(".rows")
     page.go("findings?tool=haros-ci")
-    assert "1 of 6" in page.text("[role=status]")
+    assert "2 of 7" in page.text("[role=status]")
     page.go("findings?state=known")
     assert "An old one" in page.text(".rows")
     page.go("findings?path=base%2Flaunch")
-    assert "0 of 6" in page.text("[role=status]")
+    assert "0 of 7" in page.text("[role=status]")
     page.go("findings")
     page.click(".head button", "place")
     page.click(".head button", "place")
-    assert "base.cpp:7" in page.run("return document.querySelector('.rows .row').textContent")
+    assert "haros.yaml:3" in page.run("return document.querySelector('.rows .row').textContent")
 
 
 def test_a_finding_has_its_code_ways_rule_and_address(page: Page) -> None:
@@ -134,7 +134,7 @@ def test_keys(page: Page) -> None:
     page.key("/")
     assert page.run("return document.activeElement.classList.contains('search')")
     page.key("member")
-    assert "3 of 6" in page.text("[role=status]")
+    assert "3 of 7" in page.text("[role=status]")
     page.key(Keys.ESCAPE)
     page.run("document.querySelector('.table').focus()")
     page.key(Keys.ARROW_DOWN)
@@ -150,13 +150,13 @@ def test_ten_thousand_findings_are_few_rows(driver: Any, tmp_path: Path) -> None
     path.write_text(written(given(results=10_000, configurations=())), encoding="utf-8")
     page = Page(driver, path, "findings")
     page.settled()
-    assert "10,001 of 10,003" in page.text("[role=status]")
+    assert "10,002 of 10,004" in page.text("[role=status]")
     for top in (0, 90_000, 299_000):
         page.run("document.querySelector('.table').scrollTop = arguments[0]", top)
         page.settled()
         assert 10 < len(page.all(".rows .row")) < 90
     page.type("input.search", "member 9999 is")
-    assert "1 of 10,003" in page.text("[role=status]")
+    assert "1 of 10,004" in page.text("[role=status]")
     assert page.complaints() == []
 
 
@@ -382,3 +382,26 @@ def test_a_page_without_transforms_has_no_such_view(driver: Any, tmp_path: Path)
     path.write_text(written(given(configurations=())), encoding="utf-8")
     page = Page(driver, path)
     assert "Transforms" not in page.text("nav") and page.complaints() == []
+
+
+def test_properties_with_what_is_wrong_with_them(page: Page) -> None:
+    page.go("properties")
+    assert "3 of 3 properties" in page.text("[role=status]")
+    assert "not readable" in page.text(".rows") and "assumption" in page.text(".rows")
+    page.click(".head button", "findings")
+    page.click(".rows .row", "stops")
+    text = page.text(".detail")
+    assert (
+        "globally: /stop causes /arm/state within 100 ms" in text and "No node has /away" in text and "line 3" in text
+    )
+    assert "no end of it is known" in text and "node base/driver" in text
+    place = page.run("return location.hash")
+    page.go("overview")
+    page.go(place[1:])
+    assert "within 100 ms" in page.text(".detail")
+    page.type("input.search", "data")
+    assert "1 of 3 properties" in page.text("[role=status]")
+    page.go("properties")
+    page.click(".rows .row", "stops")
+    page.click(".detail a", "/arm/stop")
+    assert page.run("return location.hash").startswith("#system?")

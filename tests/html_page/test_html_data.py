@@ -15,6 +15,7 @@ from haros_ci.html_page.launches import launch_tree
 from haros_ci.html_page.measured import bars
 from haros_ci.html_page.package_picture import direct
 from haros_ci.html_page.pool import Pool, presence_text
+from haros_ci.html_page.properties import held
 from haros_ci.html_page.transforms import transforms
 from haros_ci.model.cycles import in_circles
 from haros_ci.model.location import Location
@@ -29,7 +30,7 @@ def texts(data: dict[str, Any], indexes: list[int]) -> list[str]:
 
 def test_findings_have_their_states() -> None:
     data = checked(given())
-    assert sorted(row[3] for row in data["findings"]) == ["gone", "known", "open", "open", "open", "open"]
+    assert sorted(row[3] for row in data["findings"]) == ["gone", "known", "open", "open", "open", "open", "open"]
 
 
 @pytest.mark.parametrize(
@@ -49,7 +50,7 @@ def test_standing(change: dict[str, Any], state: str) -> None:
 
 def test_of_too_many_findings_the_open_and_worst_are_kept() -> None:
     kept, left = chosen(report(results=10), 3)
-    assert left == 10
+    assert left == 11
     assert len(kept) == 3 and all(standing(one) == "open" for _, one in kept)
     assert Level.ERROR in [one.level for _, one in kept]
     assert chosen(report(results=1), 30)[1] == 0
@@ -221,3 +222,12 @@ def test_frames_in_a_circle() -> None:
     assert transforms(pool, [first, turned]) == 0
     assert [row[2] for row in pool.document()["transforms"][0][1]] == [1, 1]
     assert transforms(pool, []) == -1
+
+
+def test_properties_of_a_project() -> None:
+    data = checked(given())
+    promise, granted, broken = data["properties"]
+    assert texts(data, [promise["id"], promise["text"]]) == ["stops", "globally: /stop causes /arm/state within 100 ms"]
+    assert (promise["granted"], granted["granted"], promise["fault"]) == (0, 1, -1)
+    assert broken["fault"] >= 0 and texts(data, [broken["text"]]) == ["globally no\N{REPLACEMENT CHARACTER}"]
+    assert held(None) == ()

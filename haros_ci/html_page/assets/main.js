@@ -6,12 +6,13 @@ const VIEWS = {
   launch: ["Launch", launchView],
   parameters: ["Parameters", parametersView],
   transforms: ["Transforms", transformsView],
+  properties: ["Properties", propertiesView],
   packages: ["Packages", packagesView],
   interfaces: ["Interfaces", interfacesView],
   metrics: ["Metrics", metricsView],
   changes: ["Changes", changesView],
 };
-const offered = Object.keys(VIEWS).filter((name) => (name !== "changes" || D.changes) && (name !== "metrics" || D.metrics.length) && (name !== "launch" || CONFIGURATIONS.some((one) => one.launch.length)) && (name !== "transforms" || CONFIGURATIONS.some(hasTransforms)));
+const offered = Object.keys(VIEWS).filter((name) => (name !== "changes" || D.changes) && (name !== "metrics" || D.metrics.length) && (name !== "launch" || CONFIGURATIONS.some((one) => one.launch.length)) && (name !== "properties" || PROPERTIES.length) && (name !== "transforms" || CONFIGURATIONS.some(hasTransforms)));
 
 const main = h("main", { id: "main", tabindex: "-1" });
 const navigation = h("nav", { "aria-label": "views" }, offered.map((name) => h("a", { href: name, "data-view": name }, VIEWS[name][0])));
