@@ -127,11 +127,10 @@ def written(
         from haros_ci.commands.folders import fill
 
         is_whole = fill(folders, report, workspace, settings, flags, known)
-    pages = [path for format, path in outputs if format in PAGES]
-    if pages:
+    if any(format in PAGES for format, _ in outputs):
         from haros_ci.commands.report import fill as fill_pages
 
-        is_whole = fill_pages(pages, report, workspace, settings, flags, known) and is_whole
+        is_whole = fill_pages(outputs, report, workspace, settings, flags, known) and is_whole
     for format, path in outputs:
         if format in (*FOLDERS, *PAGES):
             continue

@@ -216,6 +216,12 @@ page_options = options(
     click.option("--baseline", type=click.Path(), help="Known findings: a SARIF log or a .haros-ci-baseline.jsonl."),
     click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations."),
     click.option(
+        "--history",
+        type=click.Path(file_okay=False),
+        metavar="DIR",
+        help="Show the commits that --output haros-json=DIR has kept.",
+    ),
+    click.option(
         "--allow-tool-failure",
         metavar="TOOL",
         multiple=True,

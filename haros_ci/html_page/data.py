@@ -31,6 +31,11 @@ SCHEMA_VERSION = 1
 MOST_NOTES = 500
 
 
+#: Points by time: year-month-day-hour-minute in UTC, and lines, lines of comments, findings, those against coding standards, metrics beyond a limit, the mean
+#: complexity and length of functions.
+History = tuple[tuple[str | float, ...], ...]
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Input:
     """All that the page is made of; *broadcasts* are the transforms by configuration, *date* is the commit's time, "" without git."""
@@ -46,6 +51,7 @@ class Input:
     name: str = ""
     date: str = ""
     more_than_shown: int = 0
+    history: History = ()
 
 
 def data_of(given: Input) -> dict[str, Any]:
@@ -75,6 +81,7 @@ def data_of(given: Input) -> dict[str, Any]:
         "interfaces": interfaces(pool, given.builds),
         "metrics": metrics(pool, given.measurements, given.limits),
         "changes": changed(pool, report.changes) if report.changes is not None else None,
+        "history": given.history,
         "launch_files": _launch_files(workspace),
     }
     made["frames"] = frames.document(pool)

@@ -25,6 +25,7 @@ SCRIPTS = (
     "markdown.js",
     "picture.js",
     "trace.js",
+    "history.js",
     "overview.js",
     "findings.js",
     "details.js",

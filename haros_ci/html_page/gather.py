@@ -13,7 +13,7 @@ from haros_ci.analysis.kept_runs import Output, kept_output
 from haros_ci.checking.transforms import broadcasts
 from haros_ci.config.digests import settings_digests
 from haros_ci.errors import UserError
-from haros_ci.html_page.data import Input, data_of
+from haros_ci.html_page.data import History, Input, data_of
 from haros_ci.html_page.document import page
 from haros_ci.html_page.properties import held
 from haros_ci.measuring.measures import measure, measuring_tools
@@ -31,6 +31,7 @@ def gathered(
     architectures: Architectures,
     limits: Iterable[Limit],
     names: tuple[str, ...] = (),
+    past: History = (),
 ) -> tuple[str, tuple[str, ...]]:
     """The page; and the tools that failed to measure, so that values are missing.
 
@@ -42,11 +43,13 @@ def gathered(
     date = _date(commit_time(workspace.root))
 
     def make() -> Output:
-        data, failed = _made(report, workspace, architectures, limits, names, title, date)
+        data, failed = _made(report, workspace, architectures, limits, names, title, date, past)
         return Output(json.dumps(data, allow_nan=False).encode("ascii"), failed)
 
     with stage("page"):
-        found = make() if settings.plugins else _kept(make, report, workspace, architectures, (names, title, date))
+        found = (
+            make() if settings.plugins else _kept(make, report, workspace, architectures, (names, title, date, past))
+        )
         return page(f"{title} – haros-ci", json.loads(found.content)), found.said
 
 
@@ -78,6 +81,7 @@ def _made(
     names: tuple[str, ...],
     title: str,
     date: str,
+    past: History,
 ) -> tuple[Mapping[str, Any], tuple[str, ...]]:
     made = architectures.of(workspace)
     every = made.architecture.configurations
@@ -104,6 +108,7 @@ def _made(
             limits=limits,
             name=title,
             date=date,
+            history=past,
             more_than_shown=len(every) - len(shown),
         )
     )

@@ -9,6 +9,7 @@ from typing import Any
 
 from haros_ci.behaviour.declared import Stated
 from haros_ci.behaviour.text import canonical
+from haros_ci.behaviour.tree import Place
 from haros_ci.checking.properties import Properties
 from haros_ci.html_page.pool import NONE, Pool
 
@@ -46,6 +47,15 @@ def properties(pool: Pool, every: Sequence[Held]) -> list[dict[str, Any]]:
     return [_row(pool, one) for one in every]
 
 
+def _last_line(stated: Stated) -> int:
+    """The last line of the property: the text of a block of YAML ends on the line after it."""
+    place, text = stated.location, stated.source.text
+    if stated.parsed is None or place.end_line is None:
+        return place.end_line or place.line or 0
+    end = min(stated.parsed.at.end, len(text))
+    return max(place.line or 0, stated.at(Place(1, 1, 0, len(text[:end].rstrip()))).end_line or 0)
+
+
 def _row(pool: Pool, one: Held) -> dict[str, Any]:
     stated = one.stated
     parsed, fault, place = stated.parsed, stated.fault, stated.location
@@ -57,7 +67,7 @@ def _row(pool: Pool, one: Held) -> dict[str, Any]:
         **{key: pool.text(each.value if each is not None else None) for key, each in said.items()},
         "text": pool.text(canonical(parsed) if parsed is not None else stated.source.text),
         "place": pool.place(place),
-        "until": place.end_line or place.line or 0,
+        "until": _last_line(stated),
         "fault": NONE if fault is None else pool.text(fault.message),
         "topics": tuple((pool.text(topic), pool.texts(names)) for topic, names in one.topics),
         "configurations": pool.texts(one.configurations),

@@ -13,6 +13,7 @@ from haros_ci.html_page.launches import launch_tree
 from haros_ci.html_page.layout import Layout, laid_out
 from haros_ci.html_page.pool import NONE, Pool, presence_text
 from haros_ci.html_page.transforms import transforms
+from haros_ci.html_page.variants import variants
 from haros_ci.model.architecture import KINDS, PROVENANCES, Configuration, Endpoint, Node, Parameter, Qos
 from haros_ci.report.channels import UNKNOWN, endpoints_of, nodes_of, parameters_of
 from haros_ci.report.model_json import plain
@@ -44,6 +45,7 @@ def _configuration(pool: Pool, one: Configuration) -> dict[str, Any]:
         "nodes": [_node(pool, node) for node in made.nodes],
         "parameters": [_parameter(pool, each) for each in parameters_of(one)],
         "others": [(_node(pool, node), pool.text(presence_text(node.presence))) for node in _others(one)],
+        "variants": variants(pool, one, made.nodes, _others(one)),
         "unknown": (sum(UNKNOWN in end.name for end in ends), len(ends)),
         "picture": NONE if layout is None else pool.row("pictures", _picture(pool, made, layout)),
         "tree": launch_tree(pool, one),

@@ -99,7 +99,7 @@ def configuration(word: str = "", name: str = NAME) -> Configuration:
     return Configuration(
         name=name,
         launch=(NAME,),
-        arguments=((f"robot{word}", f"one{word}"),),
+        arguments=((f"robot{word}", f"one{word}"), ("watch", "true")),
         nodes=(
             node(f"/camera{word}", end("publishers", f"/image{word}", qos=best), end("publishers", "/rosout", implicit=True)),
             node("/box/container", end("servers", "/box/container/load"), end("publishers", "/rosout", implicit=True)),
@@ -123,7 +123,7 @@ def configuration(word: str = "", name: str = NAME) -> Configuration:
             ),
         ),
         parameters=(Parameter(name="/box/filter/rate", type="double", value=5.0, location=Location(LAUNCH, 3), origin=Location("base/config/p.yaml", 4)), Parameter(name=f"/camera/unread{word}", type="str", value=f"v{word}")),
-        alternatives=(node("/simulator", presence=(choice("sim", f"true{word}"),)),),
+        alternatives=(node("/simulator", end("publishers", f"/image{word}"), end("publishers", "/arm/state"), presence=(choice("sim", f"true{word}"),)),),
         launch_facts=(
             ArgumentDeclaration(location=Location(LAUNCH, 1), name=f"robot{word}", default=f"one{word}", choices=("one", "two")),
             IncludeUse(location=Location(LAUNCH, 2), text=f"inner{word}", path=INNER, passed=(PassedArgument("x", Location(LAUNCH, 2)),)),
@@ -192,7 +192,7 @@ def report(word: str = "", results: int = 3) -> Report:
         f"A member{word} is set.",
         help=f"# uninit\nA **member**{word} `x`.\n\n- one\n- two\n\n| a | b |\n|---|---|\n| 1 | {word} |\n\n    code{word}\n",
     )
-    check = Rule("topic-type-mismatch", "Both ends agree.", tags=("architecture",))
+    check = Rule("topic-type-mismatch", "Both ends agree.", tags=("architecture", f"tag{word}"))
     found = [
         Result("cppcheck", "uninit", Level.WARNING, f"Member {n}{word} is not set", Location(CODE, n % 38 + 1, 5, n % 38 + 1, 9), related=(Related(Location(CODE, 2), f"declared{word}"),), identity=Identity(text=f"{n:016x}", snippet="int"), state=BaselineState.NEW)
         for n in range(results)
@@ -265,6 +265,7 @@ def given(word: str = "", *, results: int = 3, configurations: tuple[Configurati
         measurements=[Measurement("base", CODE, n, "", f"f{n}{word}", "cyclomatic-complexity", float(n % 17 + 1)) for n in range(1, 80)],
         limits=(Limit("max-cyclomatic-complexity-10", "function", "cyclomatic-complexity", 10),),
         name=f"fleet{word}",
+        history=(("2024-01-01-00-00", 100, 10, 7, 3, 2, 2.5, 12), ("2024-02-01-00-00", 1200, 20, 5, 2, 1, 2.25, 11)),
         date="2024-01-01 00:00 UTC",
     )  # fmt: skip
 

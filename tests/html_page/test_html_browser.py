@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -405,3 +406,66 @@ def test_properties_with_what_is_wrong_with_them(page: Page) -> None:
     page.click(".rows .row", "stops")
     page.click(".detail a", "/arm/stop")
     assert page.run("return location.hash").startswith("#system?")
+
+
+def test_findings_by_tag_and_by_configuration(page: Page) -> None:
+    page.go("findings?tag=architecture")
+    assert "1 of 7" in page.text("[role=status]")
+    page.go("findings?tag=not%20architecture")
+    assert "4 of 7" in page.text("[role=status]")
+    page.go("findings?configuration=base%2Flaunch%2Fbase.launch.py")
+    assert "1 of 7" in page.text("[role=status]") and "/odd and /box/filter differ" in page.text(".rows")
+    page.go("findings?configuration=nowhere")
+    assert "0 of 7" in page.text("[role=status]")
+    labels = page.run(
+        "return [...document.querySelectorAll('.bar-of-filters select')].map((one) => one.getAttribute('aria-label'))"
+    )
+    assert {"tag", "configuration"} <= set(labels)
+
+
+def test_quality_over_time(page: Page) -> None:
+    page.go("overview")
+    assert "findings: 5 now, 7 at first" in page.text("#history figcaption") and len(page.all("#history .point")) == 2
+    page.run(
+        "const one = document.querySelector('#history select'); one.value = 'lines of code'; one.dispatchEvent(new Event('change'))"
+    )
+    assert "lines of code: 1,200 now, 100 at first" in page.text("#history figcaption")
+    assert "2024-02-01 00:00" in page.text("#history table")
+
+
+def test_a_page_without_history(driver: Any, tmp_path: Path) -> None:
+    path = tmp_path / "page.html"
+    path.write_text(written(replace(given(), history=())), encoding="utf-8")
+    page = Page(driver, path)
+    assert page.all("#history") == [] and page.complaints() == []
+
+
+def test_what_runs_under_other_launch_arguments(page: Page) -> None:
+    page.go("system")
+    page.settled(50)
+    before = shown(page)
+    places = "return Object.fromEntries([...document.querySelectorAll('.stage .element')].map((one) => [one.dataset.id, one.querySelector('.shape').getAttribute('x')]))"
+    old = page.run(places)
+    words = page.text("select[aria-label=arguments]")
+    assert "sim:=true (+1)" in words and "watch:=false (−1)" in words
+    page.go("system?with=sim%3A%3Dtrue")
+    page.settled(50)
+    assert "simulator" in page.text(".stage") and len(shown(page) - before) == 1
+    new = page.run(places)
+    assert all(new[name] == x for name, x in old.items())
+    assert "sim:=true" in page.text(
+        ".detail"
+    ) and "parameters and names are those of the default arguments" in page.text(".detail")
+    page.go("system?with=sim%3A%3Dtrue&element=%2Fimage")
+    page.settled(50)
+    assert "/simulator" in page.text(".detail")
+    page.click(".detail a", "/simulator")
+    assert "with=sim" in page.run("return location.hash")
+    page.click(".detail button", "1 hop")
+    assert "simulator" in page.text(".stage")
+    page.go("system?with=watch%3A%3Dfalse")
+    page.settled(50)
+    assert "/arm/watch" not in page.text(".stage")
+    page.go("system?with=nonsense")
+    page.settled(50)
+    assert shown(page) == before

@@ -12,7 +12,10 @@ import pytest
 from commandline import commit, haros, write
 from page_kit import SCHEMA, Parts
 
-from haros_ci.commands.output import parse_outputs
+from haros_ci.commands.output import parse_outputs, text_in
+from haros_ci.errors import UserError
+from haros_ci.haros_json.documents import history_of
+from haros_ci.haros_json.summary import HISTORY
 
 TALKER = """import rclpy
 from rclpy.node import Node
@@ -99,6 +102,57 @@ def test_what_a_branch_changes(tmp_path: Path) -> None:
     data = data_in(root / "page.html")
     assert [row[:2] for row in data["changes"]["rows"]] == [["publisher", "renamed"]]
     assert {row[3] for row in data["findings"]} <= {"known", "counted"}
+
+
+def test_quality_over_time_is_what_a_folder_has_kept(workspace: Path, tmp_path: Path) -> None:
+    folder, page = tmp_path / "data", tmp_path / "page.html"
+    folder.mkdir()
+    done = haros("check", ".", *QUICK, "--output", f"haros-json={folder}", "--output", f"html={page}", cwd=workspace)
+    assert done.returncode == 1, done.stderr
+    assert [point[0] for point in data_in(page)["history"]] == ["2024-01-01-00-00"]
+    haros("report", ".", *QUICK, "--output", str(page), cwd=workspace)
+    assert data_in(page)["history"] == []
+    haros("report", ".", *QUICK, "--history", str(folder), "--output", str(page), cwd=workspace)
+    assert len(data_in(page)["history"]) == 1
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "",
+        "[]",
+        "{",
+        "[" * 5000,
+        '{"history": {"timestamps": ["<script>"]}}',
+        '{"history": {"timestamps": ["2024-01-01-00-00"], "lines_of_code": ["x"]}}',
+        '{"history": {"timestamps": 3}}',
+    ],
+)
+def test_a_history_that_is_none(tmp_path: Path, content: str) -> None:
+    write(tmp_path, {"default/summary.json": content})
+    assert history_of({}, lambda name: text_in(tmp_path, name)) == ()
+
+
+def test_of_a_history_only_numbers_are_taken() -> None:
+    keys = {key: [1, "<b>", 3, True] for key in HISTORY}
+    keys["timestamps"] = ["2024-01-02-00-00", "2024-01-01-00-00", "<img>", "2024-01-03-00-00"]
+    points = history_of({"project": "../a/b"}, lambda name: json.dumps({"history": keys}))
+    assert points == (("2024-01-02-00-00", 1, 1, 1, 1, 1, 1, 1),)
+
+
+def test_a_folder_that_is_a_link_is_not_read(tmp_path: Path) -> None:
+    write(tmp_path / "away", {"summary.json": "{}"})
+    (tmp_path / "data").mkdir()
+    (tmp_path / "data/default").symlink_to(tmp_path / "away")
+    with pytest.raises(UserError):
+        history_of({}, lambda name: text_in(tmp_path / "data", name))
+
+
+def test_no_folder_is_said(workspace: Path, tmp_path: Path) -> None:
+    done = haros(
+        "report", ".", *QUICK, "--history", str(tmp_path / "no"), "--output", str(tmp_path / "p.html"), cwd=workspace
+    )
+    assert done.returncode == 2 and "is no directory" in done.stderr and not (tmp_path / "p.html").exists()
 
 
 def test_one_configuration(workspace: Path, tmp_path: Path) -> None:

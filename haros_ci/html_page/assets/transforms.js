@@ -46,7 +46,8 @@ function transformsView(parameters) {
   const sub = (one) => (one.said.length ? [...new Set(one.said.map((each) => `${each.isStatic ? "static" : "dynamic"}, ${isKnown(each.node) ? last(each.node) : ORIGINS[each.origin]}`))].join("; ") : "nobody says where it is");
   const elements = known.picture ? known.frames.map((one) => ({ id: `f${one.number}`, isNode: true, what: "node", box: -1, rectangle: known.picture[1][one.number], title: one.name, sub: sub(one), lines: [], classes: [one.said.length ? "" : "root", isOdd(one) ? "red" : ""].filter(Boolean), tip: [one.name, ...one.said.map((each) => `${each.parent ? `in ${each.parent.name}, ` : ""}${each.what}`)].join("\n") })) : [];
   const picture = makePicture({ label: `frames of ${made.name}`, select: (id) => describe(id ? known.frames[Number(id.slice(1))] : null) });
-  const findings = FINDINGS.filter((one) => one.rule === "conflicting-transforms" && (one.state === "open" || one.state === "known") && text(one.row[17]) === made.name);
+  const names = new Set([...known.frames.map((one) => one.name), ...made.nodes.map((one) => one.name)]);
+  const findings = FINDINGS.filter((one) => one.rule === "conflicting-transforms" && (one.state === "open" || one.state === "known") && texts(one.row[13]).every((name) => names.has(name)));
 
   function describe(one) {
     detail.classList.add("open");
