@@ -215,6 +215,7 @@ page_options = options(
     click.option("--base", metavar="REV", help="Show what has changed since the merge-base with this git revision."),
     click.option("--baseline", type=click.Path(), help="Known findings: a SARIF log or a .haros-ci-baseline.jsonl."),
     click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations."),
+    click.option("--open", "open_page", is_flag=True, help="Open the page in a browser, except in CI."),
     click.option(
         "--history",
         type=click.Path(file_okay=False),

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 from functools import partial
 from pathlib import Path
 
@@ -52,6 +53,8 @@ def report(flags: Flags) -> int:
     write(text, path)
     click.echo(summary_line(view_of(workspace, flags, to_file=True).joined(found)), err=True)
     click.echo(f"{terminal(str(path))}: {len(text.encode()) / 1e6:.1f} MB; open it in a browser", err=True)
+    if flags["open_page"]:
+        open_page(path)
     return EXIT_TOOL_TROUBLE if {*found.failed_tools(), *failed} - settings.allow_tool_failure else 0
 
 
@@ -75,6 +78,17 @@ def fill(
             write_to_stderr(f"error: {terminal(err.message)}", f"help: {terminal(err.help or '')}")
             is_whole = False
     return is_whole
+
+
+def open_page(path: Path) -> None:
+    """Show the file that was written in the user's browser; in CI nobody would see it."""
+    if os.environ.get("CI"):
+        click.echo("warning: the page is not opened in CI", err=True)
+        return
+    import webbrowser
+
+    if not webbrowser.open(path.resolve().as_uri()):
+        click.echo("warning: no browser was found to open the page", err=True)
 
 
 def history_in(folder: Path, settings: Settings) -> History:

@@ -64,6 +64,7 @@ def data_of(given: Input) -> dict[str, Any]:
     frames.keep([one.stated.location for one in given.properties])
     made: dict[str, Any] = {
         "version": SCHEMA_VERSION,
+        "only": "",
         "tool": __version__,
         "name": pool.text(given.name),
         "kinds": KINDS,

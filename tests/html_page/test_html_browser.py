@@ -12,6 +12,8 @@ import pytest
 from browser_kit import Page, browser
 from page_kit import HOSTILE, NAME, given, samples, written
 
+from haros_ci.html_page.change_page import change_page
+
 VIEWS = (
     "overview",
     "findings",
@@ -469,3 +471,16 @@ def test_what_runs_under_other_launch_arguments(page: Page) -> None:
     page.go("system?with=nonsense")
     page.settled(50)
     assert shown(page) == before
+
+
+@pytest.mark.parametrize("word", ["", HOSTILE[0]])
+def test_a_page_of_a_change_alone(driver: Any, tmp_path: Path, word: str) -> None:
+    made = given(word)
+    assert made.report.changes is not None
+    path = tmp_path / "page.html"
+    path.write_text(change_page(made.report.changes, made.workspace, f"fleet{word}", "ab" * 20, None), encoding="utf-8")
+    page = Page(driver, path)
+    page.settled()
+    assert page.text("nav") == "Changes" and f"/image{word}" in page.text("main table")
+    assert "new findings" not in page.text() and "since abababababab" in page.text()
+    assert page.complaints() == [] and page.run("return window.hacked") is None

@@ -155,6 +155,29 @@ def test_no_folder_is_said(workspace: Path, tmp_path: Path) -> None:
     assert done.returncode == 2 and "is no directory" in done.stderr and not (tmp_path / "p.html").exists()
 
 
+def browser_that_notes(tmp_path: Path) -> str:
+    """What the environment names as the browser: it writes down what it is to open."""
+    script = tmp_path / "browser.sh"
+    script.write_text(f'#!/bin/sh\nprintf "%s" "$1" > "{tmp_path}/opened"\n')
+    script.chmod(0o755)
+    return f"{script} %s"
+
+
+def test_the_page_is_opened_if_asked_for(workspace: Path, tmp_path: Path) -> None:
+    out, opened, browser = tmp_path / "a b.html", tmp_path / "opened", browser_that_notes(tmp_path)
+    done = haros("report", ".", *QUICK, "--output", str(out), cwd=workspace, BROWSER=browser)
+    assert done.returncode == 0 and not opened.exists()
+    done = haros("report", ".", *QUICK, "--open", "--output", str(out), cwd=workspace, BROWSER=browser)
+    assert done.returncode == 0 and opened.read_text() == out.as_uri(), done.stderr
+
+
+def test_nothing_is_opened_in_ci(workspace: Path, tmp_path: Path) -> None:
+    out, browser = tmp_path / "page.html", browser_that_notes(tmp_path)
+    done = haros("report", ".", *QUICK, "--open", "--output", str(out), cwd=workspace, BROWSER=browser, CI="true")
+    assert done.returncode == 0 and "not opened in CI" in done.stderr
+    assert out.exists() and not (tmp_path / "opened").exists()
+
+
 def test_one_configuration(workspace: Path, tmp_path: Path) -> None:
     out = tmp_path / "page.html"
     chosen = haros(
