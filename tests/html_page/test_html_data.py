@@ -9,13 +9,14 @@ from typing import Any
 import pytest
 from page_kit import CODE, NAME, SOURCE, Texts, broadcasts, checked, configuration, given, report
 
+from haros_ci.behaviour.declared import in_project
 from haros_ci.html_page.findings import chosen, standing
 from haros_ci.html_page.frames import Frames
 from haros_ci.html_page.launches import launch_tree
 from haros_ci.html_page.measured import bars
 from haros_ci.html_page.package_picture import direct
 from haros_ci.html_page.pool import Pool, presence_text
-from haros_ci.html_page.properties import held
+from haros_ci.html_page.properties import Held, held, properties
 from haros_ci.html_page.transforms import transforms
 from haros_ci.model.cycles import in_circles
 from haros_ci.model.location import Location
@@ -231,3 +232,22 @@ def test_properties_of_a_project() -> None:
     assert (promise["granted"], granted["granted"], promise["fault"]) == (0, 1, -1)
     assert broken["fault"] >= 0 and texts(data, [broken["text"]]) == ["globally no\N{REPLACEMENT CHARACTER}"]
     assert held(None) == ()
+
+
+BLOCK = """configurations:
+  robot:
+    hpl:
+      properties:
+        - |
+          # id: one
+          globally:
+            no /a
+
+        - 'globally: no /b'
+        - 'globally: no'
+"""
+
+
+def test_a_property_ends_before_the_next_begins() -> None:
+    stated = tuple(Held(one) for one in in_project(BLOCK, "haros.yaml", lambda name: None))
+    assert [row["until"] for row in properties(Pool(), stated)] == [8, 10, 11]
