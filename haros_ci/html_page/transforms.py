@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
 
 from haros_ci.checking.transforms import Broadcast, at_odds, origin
 from haros_ci.html_page.layout import BOLD, CHARACTER, HEAD, SMALL, plain_picture, text_width
@@ -22,40 +23,47 @@ def transforms(pool: Pool, every: Iterable[Broadcast]) -> int:
     They are: the transforms (child and parent as indexes of frames, parent ``NONE`` where it is not known; static, whether it is at odds with
     another, origin, node, place, what is said of it), the frames (name, topic of tf, whether it is in a circle) and their picture.
     """
-    rows = sorted(
-        every, key=lambda one: (one.topic, one.child, one.parent or "", str(one.node), one.at.path, one.at.line or 0)
-    )
-    rows = rows[:MOST]
+    rows = sorted(every, key=_place)[:MOST]
     if not rows:
         return NONE
-    frames = sorted({frame for one in rows for frame in ends(one) if frame is not None})
+    joined = [ends(one) for one in rows]
+    frames = sorted({frame for pair in joined for frame in pair if frame is not None})
     index = {frame: number for number, frame in enumerate(frames)}
-    pairs = [(index[parent], index[child]) for child, parent in map(ends, rows) if parent is not None]
-    circles = in_circles({frame: [p for c, p in map(ends, rows) if c == frame and p is not None] for frame in frames})
-    odd = odd_ones(rows)
+    pairs = {(index[parent], index[child]): None for child, parent in joined if parent is not None}
+    hung: dict[Frame, list[Frame]] = {frame: [] for frame in frames}
+    for parent, child in pairs:
+        hung[frames[child]].append(frames[parent])
+    circles = in_circles(hung)
+    sizes = [(text_width(max(len(name) * BOLD, WORDS * SMALL) / CHARACTER), HEAD) for _, name in frames]
     return pool.row(
         "transforms",
         (
-            tuple(
-                (
-                    index[child],
-                    NONE if parent is None else index[parent],
-                    int(one.is_static),
-                    int(number in odd),
-                    origin(one),
-                    pool.text(one.node.name),
-                    pool.place(one.at),
-                    pool.text(one.what),
-                )
-                for number, one in enumerate(rows)
-                for child, parent in (ends(one),)
-            ),
+            _rows(pool, rows, index),
             tuple((pool.text(name), pool.text(topic), int((topic, name) in circles)) for topic, name in frames),
-            plain_picture(
-                [(text_width(max(len(name) * BOLD, WORDS * SMALL) / CHARACTER), HEAD) for _, name in frames],
-                tuple(dict.fromkeys(pairs)),
-            ),
+            plain_picture(sizes, tuple(pairs)),
         ),
+    )
+
+
+def _place(one: Broadcast) -> tuple[str, str, str, str, str, int]:
+    return one.topic, one.child, one.parent or "", str(one.node), one.at.path, one.at.line or 0
+
+
+def _rows(pool: Pool, rows: Sequence[Broadcast], index: Mapping[Frame, int]) -> tuple[tuple[Any, ...], ...]:
+    odd = odd_ones(rows)
+    return tuple(
+        (
+            index[child],
+            NONE if parent is None else index[parent],
+            int(one.is_static),
+            int(number in odd),
+            origin(one),
+            pool.text(one.node.name),
+            pool.place(one.at),
+            pool.text(one.what),
+        )
+        for number, one in enumerate(rows)
+        for child, parent in (ends(one),)
     )
 
 

@@ -6,7 +6,7 @@ Nothing is launched anew: the model has the presence of each node, and the nodes
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 
 from haros_ci.html_page.pool import Pool
 from haros_ci.model.architecture import Configuration, Node
@@ -42,13 +42,19 @@ def offered(
         wanted = assignment(node.presence, defaults)
         if wanted:
             yield wanted
-    deciding = {each.argument for node in (*nodes, *others) for each in node.presence}
     for each in (each for node in nodes for each in node.presence if each.equal and each.value in _TRUTH):
         yield from _set(Choice(each.argument, "false" if each.value == "true" else "true"), defaults)
+    deciding = {each.argument for node in (*nodes, *others) for each in node.presence}
+    for each in _declared(one, deciding):
+        yield from _set(each, defaults)
+
+
+def _declared(one: Configuration, names: Container[str]) -> Iterator[Choice]:
+    """The choices that the configuration's own launch files declare for these arguments."""
     for fact in one.launch_facts:
-        if isinstance(fact, ArgumentDeclaration) and not fact.included and fact.name in deciding:
+        if isinstance(fact, ArgumentDeclaration) and not fact.included and fact.name in names:
             for value in fact.choices[:MOST]:
-                yield from _set(choice(fact.name, value, boolean=value.lower() in _TRUTH), defaults)
+                yield choice(fact.name, value, boolean=value.lower() in _TRUTH)
 
 
 def _set(wanted: Choice, defaults: Mapping[str, str]) -> Iterator[Assigned]:
