@@ -90,6 +90,7 @@ python="$INPUT_PYTHON"
 sarif="${INPUT_SARIF_FILE:-$RUNNER_TEMP/haros-ci.sarif}"
 counts="$RUNNER_TEMP/haros-ci.json"
 annotations="$RUNNER_TEMP/haros-ci-annotations"
+page="$RUNNER_TEMP/haros-ci-report.html"
 shard="$RUNNER_TEMP/haros-ci-${INPUT_SHARD//\//-of-}.shard.jsonl"
 [[ -z "$INPUT_SHARD" || -z "$INPUT_MERGE" ]] || fail "The inputs 'shard' and 'merge' are for different jobs."
 [[ -z "$INPUT_SHARD" || "$INPUT_SHARD" =~ ^[0-9]+/[0-9]+$ ]] || fail "The input 'shard' is not like 2/4."
@@ -147,6 +148,7 @@ else
   ! flag annotations "$INPUT_ANNOTATIONS" || option output "github=$annotations"
   option output "sarif=$sarif"
   option output "json=$counts"
+  ! flag report "$INPUT_REPORT" || option output "html=$page"
   while IFS= read -r report; do
     [[ "$report" == ?*=?* ]] || fail "A line of the input 'reports' is not FORMAT=FILE."
     option output "$report"
@@ -168,7 +170,7 @@ else
   done < <(lines "$INPUT_PATHS")
 fi
 
-rm -f -- "$sarif" "$counts" "$annotations" "$shard" # what stands there afterwards is this run's
+rm -f -- "$sarif" "$counts" "$annotations" "$page" "$shard" # what stands there afterwards is this run's
 code=0
 token="$("$python" -I -c 'import secrets; print(secrets.token_hex(16))')"
 printf '::stop-commands::%s\n' "$token" # the log quotes the pull request's file names and code: none of it is a command
@@ -177,6 +179,7 @@ printf '::%s::\n' "$token"
 
 [[ ! -f "$annotations" ]] || cat -- "$annotations"
 printf 'exit-code=%d\n' "$code" >> "$GITHUB_OUTPUT"
+[[ ! -f "$page" ]] || printf 'report=%s\n' "$page" >> "$GITHUB_OUTPUT"
 if [[ -n "$INPUT_SHARD" && -f "$shard" ]]; then
   printf 'shard-file=%s\n' "$shard" >> "$GITHUB_OUTPUT"
 elif [[ -f "$sarif" && -f "$counts" ]]; then

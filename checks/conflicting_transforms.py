@@ -8,7 +8,7 @@ from itertools import combinations
 
 from haros_ci.api import ALWAYS, Check, Finding, Level, Location, Project, System, command, together
 from haros_ci.api.launch import FileUse, IncludeUse, ProgramUse
-from haros_ci.api.robots import Broadcast, broadcasts
+from haros_ci.api.robots import Broadcast, at_odds, broadcasts
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -21,8 +21,7 @@ def check(project: Project) -> Iterator[Finding]:
         by_nodes: dict[tuple[int, int], list[tuple[Broadcast, Broadcast]]] = {}
         for several in by_child.values():
             for one, other in combinations(several, 2):
-                is_same = one.node is other.node or (one.node.known and one.node.name == other.node.name)
-                if not is_same and is_conflict(one, other):  # duplicate-node-name tells of two of one name
+                if at_odds(one, other):
                     by_nodes.setdefault((id(one.node), id(other.node)), []).append((one, other))
                     break
         for pairs in by_nodes.values():
@@ -55,16 +54,6 @@ def each_once(at: Location, places: Iterable[tuple[Location, str]]) -> tuple[tup
         if place != at:
             found.setdefault(place, text)
     return tuple(found.items())
-
-
-def is_conflict(one: Broadcast, other: Broadcast) -> bool:
-    """Whether both are there at once, and do not say the same."""
-    if together(one.node.presence, other.node.presence) is None:
-        return False
-    first, second = one.node.raw.conditions, other.node.raw.conditions
-    if first and second and first != second:
-        return False
-    return not (one.is_static and other.is_static and one.parent == other.parent and one.values == other.values)
 
 
 def conflict(pairs: list[tuple[Broadcast, Broadcast]], system: System) -> Finding:

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 
 from haros_ci.api import Check, Finding, Level, Project, ProjectPackage
-from haros_ci.api.packages import BUILD, EXPORTED, Dependency, holds, needs, place
+from haros_ci.api.packages import BUILD, EXPORTED, Dependency, circles, holds, needs, place
 
 #: The needed package by name, with the dependency that says so.
 Edges = Mapping[str, Dependency]
@@ -24,7 +24,7 @@ def check(project: Project) -> Iterator[Finding]:
     for tool, ros in (("colcon", 2), ("catkin", 1)):
         packages = {package.name: package for package in project.packages if package.ros in (ros, None)}
         edges = {name: _edges(packages, package) for name, package in packages.items()}
-        for group in _circles({name: tuple(needed) for name, needed in edges.items()}):
+        for group in circles({name: tuple(needed) for name, needed in edges.items()}):
             if tool == "colcon" and not any(packages[name].ros == 2 for name in group):
                 continue
             cycle = _shortest(group, edges, tool)
@@ -104,43 +104,6 @@ def _way(start: str, end: str, group: frozenset[str], edges: Mapping[str, Edges]
                 came[needed] = name
                 queue.append(needed)
     return (), len(came)
-
-
-def _circles(graph: Mapping[str, tuple[str, ...]]) -> Iterator[frozenset[str]]:
-    """The strongly connected components of more than one package (Tarjan's algorithm, without recursion)."""
-    index: dict[str, int] = {}
-    low: dict[str, int] = {}
-    stack: list[str] = []
-    held: set[str] = set()
-    for root in graph:
-        if root in index:
-            continue
-        work = [(root, iter(graph[root]))]
-        index[root] = low[root] = len(index)
-        stack.append(root)
-        held.add(root)
-        while work:
-            name, rest = work[-1]
-            for other in rest:
-                if other not in index:
-                    index[other] = low[other] = len(index)
-                    stack.append(other)
-                    held.add(other)
-                    work.append((other, iter(graph[other])))
-                    break
-                if other in held:
-                    low[name] = min(low[name], index[other])
-            else:
-                work.pop()
-                if work:
-                    low[work[-1][0]] = min(low[work[-1][0]], low[name])
-                if low[name] == index[name]:
-                    at = stack.index(name)
-                    group = frozenset(stack[at:])
-                    del stack[at:]
-                    held -= group
-                    if len(group) > 1:
-                        yield group
 
 
 CHECK = Check(

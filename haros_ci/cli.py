@@ -267,7 +267,7 @@ def hpl(**flags: Any) -> int:
 @haros_ci.command()
 @click.argument("base")
 @click.argument("head", required=False)
-@format_option("text", "markdown", "json", help="For a terminal, a pull request or a program.")
+@format_option("text", "markdown", "json", "html", help="For a terminal, a pull request, a program or a browser.")
 @click.option("--output", type=click.Path(), help="File to write; default: stdout.")
 @click.option("--merge-base", is_flag=True, help="Compare with the commit at which HEAD's history left BASE's.")
 @click.option("--exit-code", is_flag=True, help="Exit with 1 if anything has changed.")

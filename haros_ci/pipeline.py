@@ -37,7 +37,7 @@ from haros_ci.linting import (
     worth_reporting,
 )
 from haros_ci.model.workspace import Store, Workspace
-from haros_ci.registry import Registry, registry
+from haros_ci.registry import Registry
 from haros_ci.results import own
 from haros_ci.results.counted import count_metrics, raise_exceeded
 from haros_ci.results.coverage import coverage
@@ -72,17 +72,21 @@ Recorded = Callable[[Workspace, Base | None], tuple[Testimony, Testimony | None]
 
 
 def analyse(
-    settings: Settings, store: Store, *, progress: Progress | None = None, recorded: Recorded | None = None
+    settings: Settings,
+    store: Store,
+    *,
+    progress: Progress | None = None,
+    recorded: Recorded | None = None,
+    architectures: Architectures | None = None,
 ) -> tuple[Report, Workspace]:
     """The whole run: what *settings* ask for, with what is known already taken from *store*; and what was analysed.
 
-    With *recorded*, the results of the tools come from other machines, and no tool is run here.
+    With *recorded*, the results of the tools come from other machines, and no tool is run here. *architectures* keep the systems.
     """
-    known = registry(settings)
-    selection, misfits = selection_of(settings, known)
+    architectures = architectures or Architectures(settings, store)
+    selection, misfits = selection_of(settings, architectures.registry)
     workspace = found(settings, selection)
     selection = selection.over(workspace.package_finder())
-    architectures = Architectures(settings, store, known)
     with at_base(workspace, settings) as base:
         past = base if isinstance(base, Base) else None
         changed = changed_settings(workspace, past.workspace if past and past.settings else None)

@@ -33,6 +33,7 @@ ACTION_ONLY = {
     "plugins",
     "plugin-packages",
     "sarif-file",
+    "report",
     "reports",
     "annotations",
     "python",
@@ -270,6 +271,16 @@ def test_the_documented_workflow_fits() -> None:
     assert "pull_request_target" not in text
 
 
+def test_the_workflow_that_keeps_the_page_fits() -> None:
+    text = (ROOT / "docs/workflows/haros-ci-report.yml").read_text(encoding="utf-8")
+    made = yaml.safe_load(text)
+    [step] = [one for one in made["jobs"]["report"]["steps"] if one.get("id") == "haros-ci"]
+    assert step["with"].keys() <= ACTION["inputs"].keys() and step["with"]["report"] is True
+    assert set(re.findall(r"steps\.haros-ci\.outputs\.([a-z-]+)", text)) <= ACTION["outputs"].keys()
+    assert made["permissions"] == {"contents": "read"} and "pull_request_target" not in text
+    assert all("${{" not in one.get("run", "") for job in made["jobs"].values() for one in job["steps"])
+
+
 # -- a pull request -----------------------------------------------------------------------------------------------
 
 
@@ -448,6 +459,17 @@ def test_further_reports_are_lines(tmp_path: Path) -> None:
     assert job.code in (0, 1), job.log
     assert (tmp_path / "workspace/out/a b.xml").read_text().startswith("<?xml")
     assert (tmp_path / "workspace/out/x.csv").read_text().startswith("level,")
+
+
+def test_the_page_to_look_at(tmp_path: Path) -> None:
+    request = pull_request(tmp_path, {"arm/arm/two.py": "x = 1\n"})
+    checkout(request, tmp_path / "workspace")
+    job = run_action(tmp_path / "workspace", {"report": "true"}, base="main")
+    assert job.code in (0, 1), job.log
+    page = Path(job.outputs["report"])
+    assert page.parent == job.temp and page.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
+    without = run_action(tmp_path / "workspace", {}, base="main")
+    assert "report" not in without.outputs and not page.exists()
 
 
 # -- hostile names ------------------------------------------------------------------------------------------------

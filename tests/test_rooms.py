@@ -146,6 +146,9 @@ DOORS: dict[str, set[str]] = {
     # one HTML file of all that a run knows
     "html_page": {
         "analysis",
+        "behaviour",
+        "checking",
+        "config",
         "errors",
         "measuring",
         "model",

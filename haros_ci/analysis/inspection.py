@@ -44,7 +44,29 @@ class Architectures:
         self.store = store
         self.registry = known or registry(settings)
         self._made: dict[Path, Linked] = {}
+        self._projects: dict[Path, Project] = {}
         self._common: Common | None = None
+
+    def under(self, store: Store) -> Architectures:
+        """The same, what is made from now on kept in *store*."""
+        self.store = store
+        return self
+
+    def project(self, workspace: Workspace) -> Project:
+        """What the checks have seen of the workspace, or see of it, for who shows more of that."""
+        if workspace.root not in self._projects:
+            from haros_ci.checking.system import systems
+
+            made = self.of(workspace)
+            found = tuple(systems(made.architecture, workspace))
+            where = self.settings.project_file or ""
+            self._projects[workspace.root] = project_of(made, workspace, found, project_file=where)
+        return self._projects[workspace.root]
+
+    def seen(self, project: Project) -> Project:
+        """Keep what the checks see."""
+        self._projects[project.workspace.root] = project
+        return project
 
     def of(self, workspace: Workspace) -> Linked:
         with stage("loading"):
@@ -94,7 +116,8 @@ def inspected(
     all_systems = tuple(systems(found, workspace))
     message = run_checks(chosen, all_systems, own.TOOL, under)
     past, renames = _past(base, architectures), base.renames if base else None
-    project = project_of(made, workspace, all_systems, past, renames, project_file=settings.project_file or "")
+    where = settings.project_file or ""
+    project = architectures.seen(project_of(made, workspace, all_systems, past, renames, project_file=where))
     said_once = run_on_project(chosen, project, own.TOOL)
     failures = (*message.notifications, *said_once.notifications)
     faults = tuple(refused(workspace))

@@ -58,12 +58,20 @@ class Output:
 
 
 def kept_output(
-    name: str, make: Callable[[], Output], workspace: Workspace, settings: str, store: Store, *, is_binary: bool = False
+    name: str,
+    make: Callable[[], Output],
+    workspace: Workspace,
+    settings: str,
+    store: Store,
+    *,
+    is_binary: bool = False,
+    is_kept: Callable[[Output], bool] = lambda output: True,
 ) -> Output:
     """What *make* writes of *workspace*; from *store* if nothing that it depends on has changed.
 
     *name* is the command's, *settings* stands for all its options. The command may read the listed files, and nothing else. What is
-    kept is data, not trust: text with characters that no text of ours has is made anew, and who writes ``said`` escapes it.
+    kept is data, not trust: text with characters that no text of ours has is made anew, and who writes ``said`` escapes it. What is not
+    *is_kept* is made again the next time.
     """
     key = _digest(name, settings, program_digest(), state(workspace))
     found = _unpacked(store.get(GROUP, f"{name} {key}", key))
@@ -71,7 +79,7 @@ def kept_output(
         return found
     output = make()
     packed = zlib.compress(output.content, 1)
-    if len(output.content) <= MAX_OUTPUT and len(packed) <= MAX_PACKED:
+    if is_kept(output) and len(output.content) <= MAX_OUTPUT and len(packed) <= MAX_PACKED:
         store.put(GROUP, f"{name} {key}", key, [list(output.messages), b64encode(packed).decode()])
     return output
 

@@ -132,6 +132,7 @@ from haros_ci.model.build import (
     PluginClass,
     Target,
 )
+from haros_ci.model.cycles import circles
 from haros_ci.model.element import Element
 from haros_ci.model.package import Dependency, Package, SourceFile
 
@@ -185,6 +186,7 @@ __all__ = [
     "brings",
     "brought_by",
     "build_types",
+    "circles",
     "class_names",
     "closes_a_cycle",
     "dependency_place",

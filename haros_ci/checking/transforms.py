@@ -12,6 +12,7 @@ from haros_ci.checking.project import Project
 from haros_ci.checking.system import System, SystemNode
 from haros_ci.model.launch_facts import CommandUse
 from haros_ci.model.location import Location
+from haros_ci.model.presence import together
 from haros_ci.model.robot import Robot
 
 #: Joints that robot_state_publisher leaves out, and those that it broadcasts as fixed (kdl_parser knows no planar ones).
@@ -36,15 +37,44 @@ class Broadcast:
     values: str = ""
 
 
+def at_odds(one: Broadcast, other: Broadcast) -> bool:
+    """Whether two nodes say where one frame is, both are there at once, and they do not say the same.
+
+    Two nodes of one name are none: duplicate-node-name tells of them.
+    """
+    if one.node is other.node or (one.node.known and one.node.name == other.node.name):
+        return False
+    if together(one.node.presence, other.node.presence) is None:
+        return False
+    first, second = one.node.raw.conditions, other.node.raw.conditions
+    if first and second and first != second:
+        return False
+    return not (one.is_static and other.is_static and one.parent == other.parent and one.values == other.values)
+
+
+def origin(one: Broadcast) -> str:
+    """Who knows of it: a ``publisher`` of static transforms, a ``robot`` description, or ``code``."""
+    return _origin(one.node)
+
+
+def _origin(node: SystemNode) -> str:
+    program, package = node.raw.type, node.package
+    if program == "static_transform_publisher" and package in ("tf", "tf2_ros"):
+        return "publisher"
+    if program in ("robot_state_publisher", "state_publisher") and package == "robot_state_publisher":
+        return "robot"
+    return "code"
+
+
 def broadcasts(project: Project, system: System) -> Iterator[Broadcast]:
     """All that is known to be broadcast in *system* with its default arguments."""
     for node in system.nodes:
         if not node.is_default or not node.is_launched:
             continue
-        program = node.raw.type
-        if program == "static_transform_publisher" and node.package in ("tf", "tf2_ros"):
+        kind = _origin(node)
+        if kind == "publisher":
             yield from _static(node)
-        elif program in ("robot_state_publisher", "state_publisher") and node.package == "robot_state_publisher":
+        elif kind == "robot":
             yield from _of_robot(project, system, node)
         else:
             yield from _of_code(project, system, node)

@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
@@ -34,6 +34,9 @@ from haros_ci.streams import write_to_stderr
 from haros_ci.timing import remark, stage, timed
 from haros_ci.workspace.cache import DiskCache, MemoryCache, cache_directory
 from haros_ci.writing import write
+
+if TYPE_CHECKING:
+    from haros_ci.analysis.inspection import Architectures
 
 Flags = Mapping[str, Any]
 Progress = Callable[[str], None]
@@ -65,21 +68,32 @@ def checked(flags: Flags) -> int:
         click.echo(describe(settings), nl=False)
         return 0
     demand_base(settings)
-    report, workspace = run(settings, flags)
+    report, workspace, known = run_with_systems(settings, flags)
     demand_baseline(report, settings)
-    if flags["diff"]:
-        return show_patch(report, workspace, settings)
-    if flags["fix"] and mend(report, workspace, settings):
-        report, workspace = run(settings, flags)
-    return reported(report, workspace, outputs, renderers, settings, flags)
+    if flags["diff"] or flags["fix"]:
+        from haros_ci.commands.fixing import mend, show_patch
+
+        if flags["diff"]:
+            warn_of_missing_base(settings)
+            return show_patch(report, workspace, settings)
+        is_mended = mend(report, workspace, settings)
+    if flags["fix"] and is_mended:
+        report, workspace, known = run_with_systems(settings, flags)
+    return reported(report, workspace, outputs, renderers, settings, flags, known)
 
 
 def reported(
-    report: Report, workspace: Workspace, outputs: Outputs, renderers: Renderers, settings: Settings, flags: Flags
+    report: Report,
+    workspace: Workspace,
+    outputs: Outputs,
+    renderers: Renderers,
+    settings: Settings,
+    flags: Flags,
+    known: Architectures | None = None,
 ) -> int:
-    """Write every output, and give the exit code."""
+    """Write every output, and give the exit code; *known* has the systems that the run has made."""
     warn_of_missing_base(settings, outputs)
-    is_whole = written(report, workspace, outputs, renderers, settings, flags)
+    is_whole = written(report, workspace, outputs, renderers, settings, flags, known)
     on_stdout = [format for format, path in outputs if path is None]
     if flags["statistics"]:
         from haros_ci.report.statistics import render
@@ -96,7 +110,13 @@ def reported(
 
 @timed("render")
 def written(
-    report: Report, workspace: Workspace, outputs: Outputs, renderers: Renderers, settings: Settings, flags: Flags
+    report: Report,
+    workspace: Workspace,
+    outputs: Outputs,
+    renderers: Renderers,
+    settings: Settings,
+    flags: Flags,
+    known: Architectures | None = None,
 ) -> bool:
     """Write every output; False if one could not be made or not whole, which is said."""
     from haros_ci.report.escape import terminal
@@ -106,12 +126,11 @@ def written(
     if folders:
         from haros_ci.commands.folders import fill
 
-        is_whole = fill(folders, report, workspace, settings, flags)
-    pages = [path for format, path in outputs if format in PAGES]
-    if pages:
+        is_whole = fill(folders, report, workspace, settings, flags, known)
+    if any(format in PAGES for format, _ in outputs):
         from haros_ci.commands.report import fill as fill_pages
 
-        is_whole = fill_pages(pages, report, workspace, settings, flags) and is_whole
+        is_whole = fill_pages(outputs, report, workspace, settings, flags, known) and is_whole
     for format, path in outputs:
         if format in (*FOLDERS, *PAGES):
             continue
@@ -176,37 +195,6 @@ def renderers_of(settings: Settings) -> Mapping[str, Callable[[Report], str]]:
     return registry(settings).renderers
 
 
-def show_patch(report: Report, workspace: Workspace, settings: Settings) -> int:
-    """``--diff``: what ``--fix`` would change, as a patch; nothing is written."""
-    from haros_ci.commands.fixing import patch, plan
-    from haros_ci.report.escape import patch as shown
-
-    warn_of_missing_base(settings)
-    made = plan(report.shown(), workspace.text)
-    text = patch(made)
-    read_here = sys.stdout.isatty() or os.environ.get(
-        "GITHUB_ACTIONS"
-    )  # by a person, or a runner that obeys what it reads
-    click.echo(shown(text) if read_here else text, nl=False)
-    if set(report.failed_tools()) - settings.allow_tool_failure:
-        return EXIT_TOOL_TROUBLE
-    return 1 if made.files else 0
-
-
-def mend(report: Report, workspace: Workspace, settings: Settings) -> bool:
-    """``--fix``: mend what is open and can be mended; whether any file was changed."""
-    from haros_ci.commands.fixing import plan, write
-    from haros_ci.report.escape import terminal
-
-    made = plan(report.shown(), workspace.text)
-    left = write(settings.root, made)
-    for path, why in left.items():
-        click.echo(f"warning: {terminal(path)}: left as it is: {terminal(why)}", err=True)
-    if len(left) < len(made.files):
-        click.echo(f"mended: {made.without(left)} findings, in {len(made.files) - len(left)} files", err=True)
-    return len(left) < len(made.files)
-
-
 def exit_code(report: Report, settings: Settings) -> int:
     """3 before 1 before 0 (design.md: tool trouble is never green)."""
     if set(report.failed_tools()) - settings.allow_tool_failure:
@@ -220,12 +208,19 @@ def exit_code(report: Report, settings: Settings) -> int:
 
 def run(settings: Settings, flags: Flags) -> tuple[Report, Workspace]:
     """Analyse under a cache."""
+    return run_with_systems(settings, flags)[:2]
 
-    def analysed(store: DiskCache | MemoryCache, progress: Progress) -> tuple[Report, Workspace]:
+
+def run_with_systems(settings: Settings, flags: Flags) -> tuple[Report, Workspace, Architectures]:
+    """The same, with the systems that the run has made, for outputs that show them."""
+
+    def analysed(store: DiskCache | MemoryCache, progress: Progress) -> tuple[Report, Workspace, Architectures]:
         with stage("loading"):
+            from haros_ci.analysis.inspection import Architectures
             from haros_ci.pipeline import analyse
 
-        return analyse(settings, store, progress=progress)
+        known = Architectures(settings, store)
+        return *analyse(settings, store, progress=progress, architectures=known), known
 
     return under_cache(analysed, settings, flags)
 

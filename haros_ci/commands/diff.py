@@ -17,14 +17,14 @@ from haros_ci.commands.timings import with_timings
 from haros_ci.config.settings import Settings
 from haros_ci.errors import UserError
 from haros_ci.model.changes import Changes
-from haros_ci.model.workspace import Store
+from haros_ci.model.workspace import Store, Workspace
 from haros_ci.report.escape import terminal
 from haros_ci.timing import remark, timed
 from haros_ci.workspace.git import BaselineUnavailable
 from haros_ci.workspace.revision import Revisions, revisions
 from haros_ci.writing import write
 
-FORMATS = ("text", "markdown", "json")
+FORMATS = ("text", "markdown", "json", "html")
 
 
 @with_timings
@@ -56,7 +56,11 @@ def diff(flags: Mapping[str, Any]) -> int:
         click.echo(f"warning: {terminal(settings.without_base)}", err=True)
     for note in settings.notes:
         click.echo(f"note: {terminal(note)}", err=True)
-    write(rendered(changes, flags["format"], *sides), Path(flags["output"]) if flags["output"] else None)
+    if flags["format"] == "html":
+        text = page_of(changes, found.head, settings, *sides)
+    else:
+        text = rendered(changes, flags["format"], *sides)
+    write(text, Path(flags["output"]) if flags["output"] else None)
     remark(f"cache: {store.stats}")
     return 1 if flags["exit_code"] and changes else 0
 
@@ -78,8 +82,16 @@ def compared(found: Revisions, settings: Settings, store: Store) -> Changes:
 
 
 @timed("render")
+def page_of(changes: Changes, workspace: Workspace, settings: Settings, base: str, head: str | None) -> str:
+    """*changes* as one HTML file."""
+    from haros_ci.html_page.change_page import change_page
+
+    return change_page(changes, workspace, str(settings.project.get("project") or settings.root.name), base, head)
+
+
+@timed("render")
 def rendered(changes: Changes, format: str, base: str, head: str | None) -> str:
-    """*changes* in one of ``FORMATS``."""
+    """*changes* in one of ``FORMATS`` that show nothing else."""
     if format == "json":
         from haros_ci.report.diff_json import render
     elif format == "markdown":

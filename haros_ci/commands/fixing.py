@@ -6,13 +6,21 @@ from __future__ import annotations
 import os
 import re
 import stat
+import sys
 from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass
 from difflib import unified_diff
 from pathlib import Path
 
+import click
+
+from haros_ci.config.settings import Settings
+from haros_ci.errors import EXIT_TOOL_TROUBLE
+from haros_ci.model.workspace import Workspace
+from haros_ci.report.escape import patch as shown
+from haros_ci.report.escape import terminal
 from haros_ci.results.fix import Edit, Fix, applied
-from haros_ci.results.result import Result
+from haros_ci.results.result import Report, Result
 from haros_ci.workspace.files import FileTree, TooLarge, read_regular
 from haros_ci.writing import replace
 
@@ -40,6 +48,30 @@ class FixPlan:
     def without(self, paths: Collection[str]) -> int:
         """How many findings are mended if the files at *paths* stay as they are."""
         return sum(not any(edit.path in paths for edit in result.fixes[0].edits) for result in self.mended)
+
+
+def show_patch(report: Report, workspace: Workspace, settings: Settings) -> int:
+    """``--diff``: what ``--fix`` would change, as a patch; nothing is written."""
+    made = plan(report.shown(), workspace.text)
+    text = patch(made)
+    read_here = sys.stdout.isatty() or os.environ.get(
+        "GITHUB_ACTIONS"
+    )  # by a person, or a runner that obeys what it reads
+    click.echo(shown(text) if read_here else text, nl=False)
+    if set(report.failed_tools()) - settings.allow_tool_failure:
+        return EXIT_TOOL_TROUBLE
+    return 1 if made.files else 0
+
+
+def mend(report: Report, workspace: Workspace, settings: Settings) -> bool:
+    """``--fix``: mend what is open and can be mended; whether any file was changed."""
+    made = plan(report.shown(), workspace.text)
+    left = write(settings.root, made)
+    for path, why in left.items():
+        click.echo(f"warning: {terminal(path)}: left as it is: {terminal(why)}", err=True)
+    if len(left) < len(made.files):
+        click.echo(f"mended: {made.without(left)} findings, in {len(made.files) - len(left)} files", err=True)
+    return len(left) < len(made.files)
 
 
 def plan(results: Iterable[Result], text: Callable[[str], str]) -> FixPlan:

@@ -89,21 +89,28 @@ analysis_options = options(
 )
 
 
+def output_options(formats: str) -> Callable[[Any], Any]:
+    """Where results go, in which of these *formats*, and for whom the SARIF is."""
+    return options(
+        click.option(
+            "--output",
+            metavar="FORMAT[=PATH]",
+            multiple=True,
+            shell_complete=completion_of("formats"),
+            help=f"{formats}; repeatable.",
+        ),
+        click.option(
+            "--sarif-for",
+            type=click.Choice(["archive", "github"]),
+            default="archive",
+            show_default=True,
+            help="Who reads the SARIF.",
+        ),
+    )
+
+
 report_options = options(
-    click.option(
-        "--output",
-        metavar="FORMAT[=PATH]",
-        multiple=True,
-        shell_complete=completion_of("formats"),
-        help="text, sarif, github, json, junit, gitlab, rdjson, checkstyle, csv, markdown, html or haros-json; repeatable.",
-    ),
-    click.option(
-        "--sarif-for",
-        type=click.Choice(["archive", "github"]),
-        default="archive",
-        show_default=True,
-        help="Who reads the SARIF.",
-    ),
+    output_options("text, sarif, github, json, junit, gitlab, rdjson, checkstyle, csv, markdown, html or haros-json"),
     click.option("--baseline", type=click.Path(), help="Known findings: a SARIF log or a .haros-ci-baseline.jsonl."),
     click.option(
         "--baseline-rev", metavar="REV", help="Known findings: those of the merge-base with this git revision."
@@ -186,20 +193,7 @@ hpl_options = options(
         "--configuration", metavar="NAME", multiple=True, help="The properties are about these configurations."
     ),
     click.option("--node", metavar="PACKAGE/EXECUTABLE", multiple=True, help="The properties are about these nodes."),
-    click.option(
-        "--output",
-        metavar="FORMAT[=PATH]",
-        multiple=True,
-        shell_complete=completion_of("formats"),
-        help="text, sarif, github, json, junit, gitlab, rdjson, checkstyle, csv or markdown; repeatable.",
-    ),
-    click.option(
-        "--sarif-for",
-        type=click.Choice(["archive", "github"]),
-        default="archive",
-        show_default=True,
-        help="Who reads the SARIF.",
-    ),
+    output_options("text, sarif, github, json, junit, gitlab, rdjson, checkstyle, csv or markdown"),
     click.option("--fail-on", type=LEVELS, help="Lowest level of a finding that fails the run; default: warning."),
 )
 
@@ -215,6 +209,13 @@ page_options = options(
     click.option("--base", metavar="REV", help="Show what has changed since the merge-base with this git revision."),
     click.option("--baseline", type=click.Path(), help="Known findings: a SARIF log or a .haros-ci-baseline.jsonl."),
     click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations."),
+    click.option("--open", "open_page", is_flag=True, help="Open the page in a browser, except in CI."),
+    click.option(
+        "--history",
+        type=click.Path(file_okay=False),
+        metavar="DIR",
+        help="Show the commits that --output haros-json=DIR has kept.",
+    ),
     click.option(
         "--allow-tool-failure",
         metavar="TOOL",

@@ -21,12 +21,19 @@ from haros_ci.results.result import Report
 from haros_ci.writing import put_below
 
 
-def fill(folders: Sequence[Path], report: Report, workspace: Workspace, settings: Settings, flags: Flags) -> bool:
+def fill(
+    folders: Sequence[Path],
+    report: Report,
+    workspace: Workspace,
+    settings: Settings,
+    flags: Flags,
+    known: Architectures | None = None,
+) -> bool:
     """Write HAROS's data files into each of *folders*; whether all that belongs into them could be found out."""
 
     def made(store: Store, progress: Progress) -> tuple[dict[str, str], tuple[str, ...]]:
         progress("haros-json")
-        return gathered(report, workspace, Architectures(settings, store))
+        return gathered(report, workspace, (known or Architectures(settings, store)).under(store))
 
     files, failed = under_cache(made, settings, flags)
     for tool in sorted(set(failed) - set(report.failed_tools())):

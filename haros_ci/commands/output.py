@@ -207,7 +207,8 @@ def text_in(folder: Path, name: str) -> str | None:
     try:
         if not os.path.lexists(path):
             return None
-        if path.is_symlink() or not path.is_file() or path.stat().st_size > LARGEST_READ:
+        is_linked = path.is_symlink() or (path.parent != folder and path.parent.is_symlink())
+        if is_linked or not path.is_file() or path.stat().st_size > LARGEST_READ:
             raise UserError(f"{path}: is no file of ours", help="remove it, or name another --output directory")
         return path.read_text(encoding="utf-8")
     except (OSError, ValueError) as err:

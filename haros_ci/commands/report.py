@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import os
+from functools import partial
 from pathlib import Path
 
 import click
@@ -14,16 +15,18 @@ from haros_ci.commands.common import (
     Progress,
     demand_base,
     demand_baseline,
-    run,
+    run_with_systems,
     settings_from,
     under_cache,
     view_of,
     warn_of_missing_base,
 )
 from haros_ci.commands.limits import LIMITS
+from haros_ci.commands.output import FOLDERS, PAGES, Outputs, text_in
 from haros_ci.commands.timings import with_timings
 from haros_ci.config.settings import Settings
-from haros_ci.errors import EXIT_TOOL_TROUBLE, RunFailure
+from haros_ci.errors import EXIT_TOOL_TROUBLE, RunFailure, UserError
+from haros_ci.html_page.data import History
 from haros_ci.html_page.gather import gathered
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.report.escape import terminal
@@ -41,22 +44,34 @@ def report(flags: Flags) -> int:
     """Analyse, write the page; exit code 3 if a tool failed, else 0: findings are there to be looked at."""
     settings = settings_from({**flags, "baseline_rev": flags["base"]})
     demand_base(settings)
-    found, workspace = run(settings, flags)
+    found, workspace, known = run_with_systems(settings, flags)
     demand_baseline(found, settings)
     warn_of_missing_base(settings)
     path = Path(flags["output"])
-    text, failed = made(found, workspace, settings, flags, tuple(flags["configuration"]))
+    past = history_in(Path(flags["history"]), settings) if flags["history"] else ()
+    text, failed = made(found, workspace, settings, flags, known, tuple(flags["configuration"]), past)
     write(text, path)
     click.echo(summary_line(view_of(workspace, flags, to_file=True).joined(found)), err=True)
     click.echo(f"{terminal(str(path))}: {len(text.encode()) / 1e6:.1f} MB; open it in a browser", err=True)
+    if flags["open_page"]:
+        open_page(path)
     return EXIT_TOOL_TROUBLE if {*found.failed_tools(), *failed} - settings.allow_tool_failure else 0
 
 
-def fill(paths: Sequence[Path | None], found: Report, workspace: Workspace, settings: Settings, flags: Flags) -> bool:
-    """Write the page to each of *paths*, None is stdout; whether all that belongs into it could be found out, and written."""
-    text, failed = made(found, workspace, settings, flags)
+def fill(
+    outputs: Outputs,
+    found: Report,
+    workspace: Workspace,
+    settings: Settings,
+    flags: Flags,
+    known: Architectures | None = None,
+) -> bool:
+    """Write the page where *outputs* say, after the folder of HAROS's data files; whether all that belongs into it could be found out, and written."""
+    folder = next((path for format, path in outputs if format in FOLDERS and path is not None), None)
+    past = history_in(folder, settings) if folder is not None else ()
+    text, failed = made(found, workspace, settings, flags, known, past=past)
     is_whole = not set(failed) - settings.allow_tool_failure
-    for path in paths:
+    for path in (path for format, path in outputs if format in PAGES):
         try:
             write(text, path)
         except RunFailure as err:
@@ -65,16 +80,41 @@ def fill(paths: Sequence[Path | None], found: Report, workspace: Workspace, sett
     return is_whole
 
 
+def open_page(path: Path) -> None:
+    """Show the file that was written in the user's browser; in CI nobody would see it."""
+    if os.environ.get("CI"):
+        click.echo("warning: the page is not opened in CI", err=True)
+        return
+    import webbrowser
+
+    if not webbrowser.open(path.resolve().as_uri()):
+        click.echo("warning: no browser was found to open the page", err=True)
+
+
+def history_in(folder: Path, settings: Settings) -> History:
+    """The history of the project that a folder of HAROS's data files has; it is data of unknown origin. UserError for what is no folder."""
+    from haros_ci.haros_json.documents import history_of
+
+    if not folder.is_dir():
+        raise UserError(f"{folder}: is no directory", help="name one that --output haros-json=DIR has filled")
+    return history_of(settings.project, partial(text_in, folder))
+
+
 def made(
-    found: Report, workspace: Workspace, settings: Settings, flags: Flags, names: tuple[str, ...] = ()
+    found: Report,
+    workspace: Workspace,
+    settings: Settings,
+    flags: Flags,
+    known: Architectures | None = None,
+    names: tuple[str, ...] = (),
+    past: History = (),
 ) -> tuple[str, tuple[str, ...]]:
     """The page, with these configurations only where *names* are given; and the tools that failed to measure, which is said."""
-
     shown = view_of(workspace, flags, to_file=True).joined(found)
 
     def work(store: Store, progress: Progress) -> tuple[str, tuple[str, ...]]:
         progress("report")
-        return gathered(shown, workspace, Architectures(settings, store), LIMITS, names)
+        return gathered(shown, workspace, (known or Architectures(settings, store)).under(store), LIMITS, names, past)
 
     text, failed = under_cache(work, settings, flags)
     for tool in sorted(set(failed) - set(found.failed_tools())):

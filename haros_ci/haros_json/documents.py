@@ -13,7 +13,7 @@ from haros_ci.haros_json.names import safe, unique
 from haros_ci.haros_json.packages import measurement_json, needed, package_json
 from haros_ci.haros_json.places import JsonPlaces
 from haros_ci.haros_json.rules import Named, RuleTable, metrics_json
-from haros_ci.haros_json.summary import nodes_of, summary_json, with_history
+from haros_ci.haros_json.summary import HISTORY, MOST_POINTS, nodes_of, points_of, summary_json, with_history
 from haros_ci.haros_json.systems import Shown
 from haros_ci.haros_json.texts import name
 from haros_ci.model.architecture import Architecture
@@ -32,6 +32,8 @@ from haros_ci.results.rule import Rule
 
 #: Where the projects of a folder are listed.
 PROJECTS = "projects.json"
+#: What a project's directory says of the project as a whole.
+SUMMARY = "summary.json"
 DEFAULT = "default"
 
 
@@ -63,7 +65,7 @@ def documents(inputs: Input) -> dict[str, str]:
     """The files by their path in the folder, ``projects.json`` last: the text of each is the same for the same input."""
     workspace = inputs.workspace
     places = JsonPlaces(workspace.packages)
-    project = safe(str(inputs.project.get("project") or DEFAULT))
+    project = project_id(inputs.project)
     results = [result for result in inputs.report.results if is_there(result)]
     shown = _packages(workspace, places, results)
     files: dict[str, list[SourceFile]] = {one.path: [] for one in shown}
@@ -113,7 +115,7 @@ def documents(inputs: Input) -> dict[str, str]:
             f"metrics/{places.ids[path]}.json": _text(measurement_json(one, places) for one in every)
             for path, every in measured.items()
         },
-        "summary.json": _indented(
+        SUMMARY: _indented(
             summary_json(
                 packages=len(shown),
                 files=[(places.split(file.path)[1], file) for every in files.values() for file in every],
@@ -145,12 +147,30 @@ def added(files: Mapping[str, str], before: Callable[[str], str | None]) -> dict
     ValueError if the file is not a list of projects.
     """
     (mine,) = json.loads(files[PROJECTS])
-    summary = f"{mine['id']}/summary.json"
+    summary = f"{mine['id']}/{SUMMARY}"
     return {
         **files,
         summary: _with_history(files[summary], before(summary)),
         PROJECTS: _with_others(mine, before(PROJECTS)),
     }
+
+
+def project_id(project: Mapping[str, Any]) -> str:
+    """The name of a project's directory in the folder, by its project file."""
+    return safe(str(project.get("project") or DEFAULT))
+
+
+def history_of(project: Mapping[str, Any], read: Callable[[str], str | None]) -> tuple[tuple[str | float, ...], ...]:
+    """The history that a folder has of a project, by time, each point in the order of ``HISTORY``; () for none, or what is none.
+
+    *read* gives the text of a file of the folder, None if there is none.
+    """
+    try:
+        points = points_of(json.loads(read(f"{project_id(project)}/{SUMMARY}") or "null"))
+    except (ValueError, RecursionError):
+        return ()
+    rows = {tuple(point[key] for key in HISTORY) for point in points}
+    return tuple(sorted(rows)[-MOST_POINTS:])
 
 
 def _with_history(own: str, before: str | None) -> str:

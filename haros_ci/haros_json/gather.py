@@ -27,7 +27,7 @@ def gathered(
     """The files of the folder by path; and the tools that failed to measure, so that values are missing."""
     settings, known = architectures.settings, architectures.registry
     made = architectures.of(workspace)
-    measures = measure(workspace, settings, architectures.store)
+    measures = measure(workspace, settings, architectures.store, sources=made.sources)
     selection = Selection(settings, with_queries(settings, known), unlisted=catalogue.rule)
     scopes = {f"{own.TOOL}:{one.id}": "configuration" if one.run else "package" for one in known.checks}
     queries: dict[str, str] = {}

@@ -19,6 +19,17 @@ COMPONENT = "rclcpp_components::NodeFactory"
 LENGTHS = ("ploc", "eloc", "sloc", "lloc")
 #: A time as HAROS writes it.
 TIME = re.compile(r"[0-9]{4}(-[0-9]{2}){4}", re.ASCII)
+#: What the history has of each revision.
+HISTORY = (
+    "timestamps",
+    "lines_of_code",
+    "comments",
+    "issues",
+    "standards",
+    "metrics",
+    "complexity",
+    "function_length",
+)
 #: Earlier revisions that are kept in the history.
 MOST_POINTS = 1000
 
@@ -134,19 +145,24 @@ def summary_json(
 
 def with_history(own: Mapping[str, Any], before: object) -> Mapping[str, Any]:
     """The summary *own* with the points of the summary *before*, of the same project, that are earlier than its own."""
-    kept = before.get("history") if isinstance(before, Mapping) else None
     mine = own["history"]
-    if not isinstance(kept, Mapping) or not all(isinstance(kept.get(key), list) for key in mine):
-        return own
-    points = [
-        dict(zip(mine, values, strict=True))
-        for values in zip(*(kept[key] for key in mine), strict=False)
-        if isinstance(values[0], str) and TIME.fullmatch(values[0]) and all(map(_is_number, values[1:]))
-    ]
+    points = points_of(before)
     latest = mine["timestamps"][0] if mine["timestamps"] else "9"
     earlier = sorted((point for point in points if point["timestamps"] < latest), key=lambda point: point["timestamps"])
     history = {key: [*(point[key] for point in earlier[-MOST_POINTS:]), *values] for key, values in mine.items()}
     return {**own, "history": history}
+
+
+def points_of(summary: object) -> list[dict[str, Any]]:
+    """The points of the history in a *summary* that anyone may have written: a time and a number for each of ``HISTORY``; [] for none."""
+    kept = summary.get("history") if isinstance(summary, Mapping) else None
+    if not isinstance(kept, Mapping) or not all(isinstance(kept.get(key), list) for key in HISTORY):
+        return []
+    return [
+        dict(zip(HISTORY, values, strict=True))
+        for values in zip(*(kept[key] for key in HISTORY), strict=False)
+        if isinstance(values[0], str) and TIME.fullmatch(values[0]) and all(map(_is_number, values[1:]))
+    ]
 
 
 def _is_number(value: object) -> bool:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci import __version__
+from haros_ci.checking.transforms import Broadcast
 from haros_ci.html_page.changed import changed
 from haros_ci.html_page.elements import WELL_KNOWN
 from haros_ci.html_page.findings import chosen, findings, rules
@@ -15,6 +16,7 @@ from haros_ci.html_page.frames import Frames
 from haros_ci.html_page.measured import metrics
 from haros_ci.html_page.packages import LANGUAGES, interfaces, packages, picture
 from haros_ci.html_page.pool import NONE, Pool
+from haros_ci.html_page.properties import Held, properties
 from haros_ci.html_page.systems import configurations
 from haros_ci.model.architecture import KINDS, PROVENANCES, Configuration
 from haros_ci.model.build import Build
@@ -29,19 +31,27 @@ SCHEMA_VERSION = 1
 MOST_NOTES = 500
 
 
+#: Points by time: year-month-day-hour-minute in UTC, and lines, lines of comments, findings, those against coding standards, metrics beyond a limit, the mean
+#: complexity and length of functions.
+History = tuple[tuple[str | float, ...], ...]
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Input:
-    """All that the page is made of; *revision* is the commit of the work tree and *date* its time, "" without git."""
+    """All that the page is made of; *broadcasts* are the transforms by configuration, *date* is the commit's time, "" without git."""
 
     report: Report
     workspace: Workspace
     configurations: Sequence[Configuration] = ()
+    broadcasts: Mapping[str, Sequence[Broadcast]] = field(default_factory=dict)
+    properties: Sequence[Held] = ()
     builds: Mapping[str, Build] = field(default_factory=dict)
     measurements: Sequence[Measurement] = ()
     limits: Iterable[Limit] = ()
     name: str = ""
     date: str = ""
     more_than_shown: int = 0
+    history: History = ()
 
 
 def data_of(given: Input) -> dict[str, Any]:
@@ -51,8 +61,10 @@ def data_of(given: Input) -> dict[str, Any]:
     shown, left_out = chosen(report)
     package = workspace.package_finder()
     rows = findings(pool, shown, package, frames)
+    frames.keep([one.stated.location for one in given.properties])
     made: dict[str, Any] = {
         "version": SCHEMA_VERSION,
+        "only": "",
         "tool": __version__,
         "name": pool.text(given.name),
         "kinds": KINDS,
@@ -63,12 +75,14 @@ def data_of(given: Input) -> dict[str, Any]:
         "summary": _summary(pool, report, given),
         "findings": rows,
         "rules": rules(pool, report, shown),
-        "configurations": configurations(pool, given.configurations),
+        "configurations": configurations(pool, given.configurations, given.broadcasts),
         "packages": packages(pool, workspace),
         "package_picture": picture(workspace),
+        "properties": properties(pool, given.properties),
         "interfaces": interfaces(pool, given.builds),
         "metrics": metrics(pool, given.measurements, given.limits),
         "changes": changed(pool, report.changes) if report.changes is not None else None,
+        "history": given.history,
         "launch_files": _launch_files(workspace),
     }
     made["frames"] = frames.document(pool)

@@ -3,17 +3,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import json
+from collections.abc import Iterable, Mapping
 from datetime import datetime, timezone
+from typing import Any
 
 from haros_ci.analysis.inspection import Architectures
+from haros_ci.analysis.kept_runs import Output, kept_output
+from haros_ci.checking.transforms import broadcasts
+from haros_ci.config.digests import settings_digests
 from haros_ci.errors import UserError
-from haros_ci.html_page.data import Input, data_of
+from haros_ci.html_page.data import History, Input, data_of
 from haros_ci.html_page.document import page
-from haros_ci.measuring.measures import measure
+from haros_ci.html_page.properties import held
+from haros_ci.measuring.measures import measure, measuring_tools
 from haros_ci.model.workspace import Workspace
 from haros_ci.report.measurements import Limit
 from haros_ci.results.result import Report
+from haros_ci.results.values import plain
 from haros_ci.timing import stage
 from haros_ci.workspace.commit_time import commit_time
 
@@ -24,11 +31,58 @@ def gathered(
     architectures: Architectures,
     limits: Iterable[Limit],
     names: tuple[str, ...] = (),
+    past: History = (),
 ) -> tuple[str, tuple[str, ...]]:
     """The page; and the tools that failed to measure, so that values are missing.
 
-    With *names* it has these configurations only; UserError for one that is not there.
+    With *names* it has these configurations only; UserError for one that is not there. Its data is kept in the cache: the same report of
+    the same files gives the same. It is data there, too: what is read is escaped again.
     """
+    settings = architectures.settings
+    title = str(settings.project.get("project") or workspace.root.name)
+    date = _date(commit_time(workspace.root))
+
+    def make() -> Output:
+        data, failed = _made(report, workspace, architectures, limits, names, title, date, past)
+        return Output(json.dumps(data, allow_nan=False).encode("ascii"), failed)
+
+    with stage("page"):
+        found = (
+            make() if settings.plugins else _kept(make, report, workspace, architectures, (names, title, date, past))
+        )
+        return page(f"{title} – haros-ci", json.loads(found.content)), found.said
+
+
+def _kept(
+    make: Any, report: Report, workspace: Workspace, architectures: Architectures, said: tuple[Any, ...]
+) -> Output:
+    settings = architectures.settings
+    listed = {file.path for file in workspace.files}
+    others = sorted({result.location.path for result in report.results} - listed)
+    key = json.dumps(
+        [
+            *said,
+            settings.project_file,
+            settings_digests(settings, architectures.registry.components),
+            measuring_tools(settings),
+            [workspace.text(path) for path in others],
+            plain(report),
+        ]
+    )
+    store = architectures.store
+    return kept_output("report", make, workspace, key, store, is_binary=True, is_kept=lambda output: not output.said)
+
+
+def _made(
+    report: Report,
+    workspace: Workspace,
+    architectures: Architectures,
+    limits: Iterable[Limit],
+    names: tuple[str, ...],
+    title: str,
+    date: str,
+    past: History,
+) -> tuple[Mapping[str, Any], tuple[str, ...]]:
     made = architectures.of(workspace)
     every = made.architecture.configurations
     for name in names:
@@ -36,23 +90,29 @@ def gathered(
             known = ", ".join(sorted(one.name for one in every)[:20]) or "none"
             raise UserError(f"no configuration {name}", help=f"there are {known}")
     shown = [one for one in every if not names or one.name in names]
-    measures = measure(workspace, architectures.settings, architectures.store)
-    title = str(architectures.settings.project.get("project") or workspace.root.name)
-    with stage("page"):
-        data = data_of(
-            Input(
-                report=report,
-                workspace=workspace,
-                configurations=shown,
-                builds=made.builds,
-                measurements=measures.values,
-                limits=limits,
-                name=title,
-                date=_date(commit_time(workspace.root)),
-                more_than_shown=len(every) - len(shown),
-            )
+    project = architectures.project(workspace)
+    measures = measure(workspace, architectures.settings, architectures.store, sources=made.sources)
+    data = data_of(
+        Input(
+            report=report,
+            workspace=workspace,
+            configurations=shown,
+            broadcasts={
+                system.name: tuple(broadcasts(project, system))
+                for system in project.systems
+                if not names or system.name in names
+            },
+            properties=held(project.properties),
+            builds=made.builds,
+            measurements=measures.values,
+            limits=limits,
+            name=title,
+            date=date,
+            history=past,
+            more_than_shown=len(every) - len(shown),
         )
-        return page(f"{title} – haros-ci", data), measures.failed
+    )
+    return data, measures.failed
 
 
 def _date(seconds: int | None) -> str:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -156,3 +156,36 @@ def channel_width(drawn: Drawn) -> int:
 def text_width(characters: float) -> int:
     """How wide an element with so many *characters* is, in px."""
     return round(min(max(characters * CHARACTER + 20, NARROWEST), WIDEST))
+
+
+#: The size, the rectangles of elements, and edges (from, to, points as x, y, x, y …).
+Plain = tuple[tuple[int, int], tuple[Rectangle, ...], tuple[tuple[int, int, tuple[int, ...]], ...]]
+
+
+def plain_picture(sizes: Sequence[tuple[int, int]], edges: Sequence[tuple[int, int]]) -> Plain | None:
+    """The picture of elements of these *sizes* and the *edges* between them by index; None if the library refuses it."""
+    import graphlay
+
+    graph = graphlay.Graph()
+    for number, (width, height) in enumerate(sizes):
+        graph.node(number, width=width, height=height, label="")
+    for one, other in edges:
+        graph.edge(one, other)
+    try:
+        found = graphlay.layout(graph, preset="layered", options=OPTIONS)
+    except graphlay.GraphlayError:
+        return None
+    left, top = (float(found.bounds["min"][axis]) - GAP for axis in "xy")
+
+    def rectangle(node: Any) -> Rectangle:
+        (width, height), centre = (node["size"]["width"], node["size"]["height"]), node["center"]
+        return round(centre["x"] - width / 2 - left), round(centre["y"] - height / 2 - top), round(width), round(height)
+
+    return (
+        (round(found.bounds["max"]["x"] - left) + GAP, round(found.bounds["max"]["y"] - top) + GAP),
+        tuple(rectangle(node) for node in found.nodes),
+        tuple(
+            (one, other, tuple(round(value) for p in edge["points"] for value in (p["x"] - left, p["y"] - top)))
+            for (one, other), edge in zip(edges, found.edges, strict=True)
+        ),
+    )

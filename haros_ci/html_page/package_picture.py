@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from haros_ci.html_page.layout import BOLD, CHARACTER, GAP, OPTIONS, SMALL, text_width
+from haros_ci.html_page.layout import BOLD, CHARACTER, SMALL, plain_picture, text_width
 
 #: The most packages that are drawn, the height of one in px, and the characters of "123 findings, 12,345 lines".
 MOST, HEIGHT, WORDS = 300, 38, 26
@@ -17,36 +17,14 @@ def package_picture(needs: Mapping[str, Iterable[str]], circles: Mapping[str, in
 
     A need that follows from others is left out; within a circle all are drawn.
     """
-    import graphlay
-
     names = sorted(needs)
     if not names or len(names) > MOST:
         return None
     index = {name: number for number, name in enumerate(names)}
-    graph = graphlay.Graph()
-    for name in names:
-        graph.node(name, width=text_width(max(len(name) * BOLD, WORDS * SMALL) / CHARACTER), height=HEIGHT, label="")
-    edges = [(other, name) for name in names for other in direct(name, needs, circles)]
-    for needed, name in edges:
-        graph.edge(needed, name)
-    try:
-        found = graphlay.layout(graph, preset="layered", options=OPTIONS)
-    except graphlay.GraphlayError:
-        return None
-    left, top = (float(found.bounds["min"][axis]) - GAP for axis in "xy")
-
-    def rectangle(node: Any) -> tuple[int, int, int, int]:
-        (width, height), centre = (node["size"]["width"], node["size"]["height"]), node["center"]
-        return round(centre["x"] - width / 2 - left), round(centre["y"] - height / 2 - top), round(width), round(height)
-
-    return {
-        "size": [round(found.bounds["max"][axis] - start) + GAP for axis, start in (("x", left), ("y", top))],
-        "places": [rectangle(node) for node in found.nodes],
-        "edges": [
-            (index[needed], index[name], [round(v) for p in edge["points"] for v in (p["x"] - left, p["y"] - top)])
-            for (needed, name), edge in zip(edges, found.edges, strict=True)
-        ],
-    }
+    sizes = [(text_width(max(len(name) * BOLD, WORDS * SMALL) / CHARACTER), HEIGHT) for name in names]
+    edges = [(index[other], index[name]) for name in names for other in direct(name, needs, circles)]
+    drawn = plain_picture(sizes, edges)
+    return None if drawn is None else dict(zip(("size", "places", "edges"), drawn, strict=True))
 
 
 def direct(name: str, needs: Mapping[str, Iterable[str]], circles: Mapping[str, int]) -> list[str]:

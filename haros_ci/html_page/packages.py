@@ -4,12 +4,13 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from haros_ci.html_page.package_picture import package_picture
 from haros_ci.html_page.pool import Pool
 from haros_ci.model.build import Build
+from haros_ci.model.cycles import in_circles
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Workspace
 
@@ -76,49 +77,6 @@ def picture(workspace: Workspace) -> dict[str, Any] | None:
 def _needed(package: Package, names: set[str]) -> set[str]:
     """What must be built before it."""
     return {one.name for one in package.dependencies if KINDS.get(one.kind) == "build" and one.name in names}
-
-
-def in_circles(needs: Mapping[str, Iterable[str]]) -> dict[str, int]:
-    """The packages that need themselves through others, by name, with the number of their circle from 0 (Tarjan 1972, without recursion)."""
-    index: dict[str, int] = {}
-    low: dict[str, int] = {}
-    stack: list[str] = []
-    on_stack: set[str] = set()
-    found: dict[str, int] = {}
-    for start in sorted(needs):
-        if start in index:
-            continue
-        work = [(start, iter(sorted(needs[start])))]
-        while work:
-            name, rest = work[-1]
-            if name not in index:
-                index[name] = low[name] = len(index)
-                stack.append(name)
-                on_stack.add(name)
-            for other in rest:
-                if other not in index:
-                    work.append((other, iter(sorted(needs.get(other, ())))))
-                    break
-                if other in on_stack:
-                    low[name] = min(low[name], index[other])
-            else:
-                work.pop()
-                if work:
-                    low[work[-1][0]] = min(low[work[-1][0]], low[name])
-                if low[name] == index[name]:
-                    _close(name, stack, on_stack, found)
-    return found
-
-
-def _close(name: str, stack: list[str], on_stack: set[str], found: dict[str, int]) -> None:
-    """Take what belongs to *name* off the stack; it is a circle if there is more than one."""
-    at = stack.index(name)
-    members = stack[at:]
-    del stack[at:]
-    on_stack.difference_update(members)
-    if len(members) > 1:
-        number = len(set(found.values()))
-        found.update(dict.fromkeys(members, number))
 
 
 def interfaces(pool: Pool, builds: Mapping[str, Build]) -> list[tuple[Any, ...]]:

@@ -4,13 +4,16 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+from haros_ci.checking.transforms import Broadcast
 from haros_ci.html_page.elements import Elements, elements
 from haros_ci.html_page.launches import launch_tree
 from haros_ci.html_page.layout import Layout, laid_out
 from haros_ci.html_page.pool import NONE, Pool, presence_text
+from haros_ci.html_page.transforms import transforms
+from haros_ci.html_page.variants import variants
 from haros_ci.model.architecture import KINDS, PROVENANCES, Configuration, Endpoint, Node, Parameter, Qos
 from haros_ci.report.channels import UNKNOWN, endpoints_of, nodes_of, parameters_of
 from haros_ci.report.model_json import plain
@@ -21,10 +24,14 @@ IMPLICIT, RULED_OUT, LATCHED, READ_ONLY = 1, 2, 4, 8
 LONGEST_VALUE = 300
 
 
-def configurations(pool: Pool, found: Iterable[Configuration]) -> list[dict[str, Any]]:
+def configurations(
+    pool: Pool, found: Iterable[Configuration], broadcasts: Mapping[str, Sequence[Broadcast]]
+) -> list[dict[str, Any]]:
     """Every configuration by name; those that only single programs make come after those of launch files."""
     ordered = sorted(found, key=lambda one: (not one.launch, one.name))
-    return [_configuration(pool, one) for one in ordered]
+    return [
+        {**_configuration(pool, one), "transforms": transforms(pool, broadcasts.get(one.name, ()))} for one in ordered
+    ]
 
 
 def _configuration(pool: Pool, one: Configuration) -> dict[str, Any]:
@@ -38,6 +45,7 @@ def _configuration(pool: Pool, one: Configuration) -> dict[str, Any]:
         "nodes": [_node(pool, node) for node in made.nodes],
         "parameters": [_parameter(pool, each) for each in parameters_of(one)],
         "others": [(_node(pool, node), pool.text(presence_text(node.presence))) for node in _others(one)],
+        "variants": variants(pool, one, made.nodes, _others(one)),
         "unknown": (sum(UNKNOWN in end.name for end in ends), len(ends)),
         "picture": NONE if layout is None else pool.row("pictures", _picture(pool, made, layout)),
         "tree": launch_tree(pool, one),

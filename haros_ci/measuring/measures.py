@@ -12,6 +12,7 @@ from haros_ci.analysis.architecture import programs
 from haros_ci.code.codebase import codebase
 from haros_ci.config.settings import Settings
 from haros_ci.forks import shared
+from haros_ci.index.index import Source
 from haros_ci.linters import values
 from haros_ci.linters.linter import LintOptions
 from haros_ci.linters.run import lint
@@ -24,6 +25,7 @@ from haros_ci.model.workspace import Store, Workspace
 from haros_ci.own_sources import OF_MEASURES, digest
 from haros_ci.results.result import Notification, Run
 from haros_ci.results.rule import Level
+from haros_ci.timing import stage
 from haros_ci.workspace.build import builds
 
 Progress = Callable[[str], None]
@@ -63,13 +65,20 @@ def measured(
     return measure(workspace, settings, store, progress).values
 
 
-def measure(workspace: Workspace, settings: Settings, store: Store, progress: Progress | None = None) -> Measures:
-    """The same, with what went wrong."""
+def measure(
+    workspace: Workspace,
+    settings: Settings,
+    store: Store,
+    progress: Progress | None = None,
+    sources: tuple[Source, ...] | None = None,
+) -> Measures:
+    """The same, with what went wrong; *sources* are the programs of *workspace* where they are at hand."""
     options = LintOptions(timeout=settings.linter_timeout, jobs=settings.jobs, root=settings.root)
     runs = lint(workspace, values.ADAPTERS, options, store, lambda tool, rule, path: True, progress)
     if progress is not None:
         progress("structure")
-    found = structure(workspace, store, settings.jobs)
+    with stage("structure"):
+        found = structure(workspace, store, settings.jobs, sources)
     packages = {file.path: file.package or "" for file in workspace.files}
     single = [*_of_runs(runs, packages, found), *_of_structure(found, workspace, packages)]
     single += of_files(single)
@@ -83,13 +92,21 @@ def measure(workspace: Workspace, settings: Settings, store: Store, progress: Pr
     )
 
 
+def measuring_tools(settings: Settings) -> list[str]:
+    """What the values of the tools that measure depend on besides the files: which versions there are."""
+    options = LintOptions(timeout=settings.linter_timeout, jobs=settings.jobs, root=settings.root)
+    return [repr(adapter.locate(options)) for adapter in values.ADAPTERS]
+
+
 def _named(note: Notification) -> Notification:
     """A note of one of our adapters as one of the tool that it starts."""
     tool = (note.tool or "").removesuffix(values.SUFFIX)
     return replace(note, tool=tool, message=note.message.replace(note.tool or tool, tool, 1))
 
 
-def structure(workspace: Workspace, store: Store, processes: int) -> Structure:
+def structure(
+    workspace: Workspace, store: Store, processes: int, sources: tuple[Source, ...] | None = None
+) -> Structure:
     """Functions and classes, from *store* as far as the bytes of files are known there."""
     files = [file for file in workspace.files if file.language in ("cpp", "python")]
     kept = {file.path: from_json(store.get(*_place(file))) for file in files}
@@ -99,7 +116,9 @@ def structure(workspace: Workspace, store: Store, processes: int) -> Structure:
         store.put(*_place(file), data)
         kept[file.path] = from_json(data)
     facts = {path: file_facts for path, file_facts in kept.items() if file_facts is not None}
-    code = codebase(programs(workspace, builds(workspace), store, [], processes), workspace.text)
+    if sources is None:
+        sources = programs(workspace, builds(workspace), store, [], processes)
+    code = codebase(sources, workspace.text)
     return Structure(facts, measure_classes(code, facts))
 
 

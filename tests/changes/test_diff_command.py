@@ -61,6 +61,17 @@ def test_nothing_has_changed(repository: Path, capsys: pytest.CaptureFixture[str
     assert json.loads(out(capsys, "HEAD", "--format", "json"))["changes"] == []
 
 
+def test_a_page_of_the_change_alone(repository: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    change(repository, PUB.replace("chatter", "<script>alert(1)</script>"), RATE)
+    out(capsys, "HEAD", "--format", "html", "--output", str(tmp_path / "one.html"))
+    text = (tmp_path / "one.html").read_text(encoding="utf-8")
+    assert text.startswith("<!DOCTYPE html>") and "alert(1)</script>" not in text and '"only":"changes"' in text
+    out(capsys, "HEAD", "--format", "html", "--output", str(tmp_path / "two.html"))
+    assert (tmp_path / "two.html").read_text(encoding="utf-8") == text
+    git(repository, "checkout", "-q", ".")
+    assert "No change to" in out(capsys, "HEAD", "--format", "html")
+
+
 def test_two_commits_without_a_checkout(
     repository: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -9,32 +9,11 @@ from pathlib import Path
 
 import pytest
 from commandline import commit, write
+from small_robot import FILES
 
 from haros_ci.cli import main
 from haros_ci.commands.output import FORMATS
 
-TALKER = """import rclpy
-from rclpy.node import Node
-from std_msgs.msg import String
-
-
-def main():
-    rclpy.init()
-    node = Node("talker")
-    node.create_publisher(String, "chatter", 10)
-    rclpy.spin(node)
-"""
-FILES = {
-    "robot/package.xml": '<package format="3"><name>robot</name><version>1.0.0</version><description>d</description>'
-    '<maintainer email="a@example.org">A</maintainer><license>MIT</license><exec_depend>rclpy</exec_depend>'
-    "<export><build_type>ament_python</build_type></export></package>\n",
-    "robot/setup.py": "from setuptools import setup\nsetup(name='robot', packages=['robot'],\n"
-    "    entry_points={'console_scripts': ['talker = robot.talker:main']})\n",
-    "robot/robot/__init__.py": "",
-    "robot/robot/talker.py": TALKER,
-    "robot/launch/a.launch.py": "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\n"
-    "def generate_launch_description():\n    return LaunchDescription([Node(package='robot', executable='talker', node_name='t')])\n",
-}
 OLD = b"precious\n"
 QUICK = ("--isolated", "--profile", "architecture")
 #: Each command that writes a file, and where: ``OUT`` stands for its name.
@@ -61,7 +40,7 @@ WRITERS = {
     },
     **{
         f"diff {name}": ("diff", "HEAD", "--isolated", "--format", name, "--output", "OUT")
-        for name in ("text", "markdown", "json")
+        for name in ("text", "markdown", "json", "html")
     },
     **{
         f"metrics {name}": ("metrics", ".", "--isolated", "--format", name, "--output", "OUT")

@@ -6,6 +6,7 @@ from __future__ import annotations
 import importlib.util
 import json
 from collections.abc import Mapping
+from dataclasses import replace
 from html.parser import HTMLParser
 from importlib.resources import files
 from pathlib import Path
@@ -13,9 +14,13 @@ from typing import Any
 
 import jsonschema
 
+from haros_ci.behaviour.declared import Owner, in_file
+from haros_ci.checking.system import SystemNode, systems
+from haros_ci.checking.transforms import Broadcast
 from haros_ci.html_page.data import Input, data_of
 from haros_ci.html_page.document import page
-from haros_ci.model.architecture import Condition, Configuration, Endpoint, Node, Parameter, Qos, Unknown
+from haros_ci.html_page.properties import Held
+from haros_ci.model.architecture import Architecture, Condition, Configuration, Endpoint, Node, Parameter, Qos, Unknown
 from haros_ci.model.build import Build, Interface, InterfaceField
 from haros_ci.model.changes import ADDED, REMOVED, Change, Changes, Edge
 from haros_ci.model.launch_facts import ArgumentDeclaration, IncludeUse, PassedArgument
@@ -29,8 +34,13 @@ from haros_ci.results.result import Baseline, BaselineState, Identity, Provenanc
 from haros_ci.results.rule import Level, Rule
 
 SCHEMA = json.loads((files("haros_ci.html_page") / "html-schema.json").read_text(encoding="utf-8"))
+PROJECT = "haros.yaml"
 LAUNCH, INNER, CODE = "base/launch/base.launch.py", "base/launch/inner.launch.py", "base/src/base.cpp"
-SOURCE = {CODE: "".join(f"int line_{n} = {n};  // é <b>\n" for n in range(1, 40)), LAUNCH: "a = 1\nb = 2\nc = 3\n"}
+SOURCE = {
+    PROJECT: "".join(f"line {n}\n" for n in range(1, 30)),
+    CODE: "".join(f"int line_{n} = {n};  // é <b>\n" for n in range(1, 40)),
+    LAUNCH: "a = 1\nb = 2\nc = 3\n",
+}
 NAME = f"base/{LAUNCH.partition('/')[2]}"
 #: Texts that a page could take for markup, code or an address.
 HOSTILE = (
@@ -89,7 +99,7 @@ def configuration(word: str = "", name: str = NAME) -> Configuration:
     return Configuration(
         name=name,
         launch=(NAME,),
-        arguments=((f"robot{word}", f"one{word}"),),
+        arguments=((f"robot{word}", f"one{word}"), ("watch", "true")),
         nodes=(
             node(f"/camera{word}", end("publishers", f"/image{word}", qos=best), end("publishers", "/rosout", implicit=True)),
             node("/box/container", end("servers", "/box/container/load"), end("publishers", "/rosout", implicit=True)),
@@ -113,13 +123,66 @@ def configuration(word: str = "", name: str = NAME) -> Configuration:
             ),
         ),
         parameters=(Parameter(name="/box/filter/rate", type="double", value=5.0, location=Location(LAUNCH, 3), origin=Location("base/config/p.yaml", 4)), Parameter(name=f"/camera/unread{word}", type="str", value=f"v{word}")),
-        alternatives=(node("/simulator", presence=(choice("sim", f"true{word}"),)),),
+        alternatives=(node("/simulator", end("publishers", f"/image{word}"), end("publishers", "/arm/state"), presence=(choice("sim", f"true{word}"),)),),
         launch_facts=(
             ArgumentDeclaration(location=Location(LAUNCH, 1), name=f"robot{word}", default=f"one{word}", choices=("one", "two")),
             IncludeUse(location=Location(LAUNCH, 2), text=f"inner{word}", path=INNER, passed=(PassedArgument("x", Location(LAUNCH, 2)),)),
             IncludeUse(location=Location(INNER, 4), included=(Location(LAUNCH, 2),), text="away", path=None),
         ),
     )  # fmt: skip
+
+
+def broadcasts(one: Configuration, word: str = "") -> tuple[Broadcast, ...]:
+    """A tree of frames with two that are at odds: a robot's, a static one, and two in code."""
+    nodes = next(iter(systems(Architecture(configurations=(one,))))).nodes
+    by_name = {one.name.removesuffix(word): one for one in nodes}
+    if "/camera" not in by_name:
+        return ()
+    camera, driver = by_name["/camera"], by_name["/arm/driver"]
+
+    def said(
+        child: str, parent: str | None, of: SystemNode, line: int, *, static: bool = False, topic: str = "/tf"
+    ) -> Broadcast:
+        what = f"{of} publishes the joint {child}{word}"
+        return Broadcast(
+            f"{child}{word}", parent and f"{parent}{word}", static, of, Location(CODE, line), what, topic, str(line)
+        )
+
+    return (
+        said("base_link", "odom", driver, 5),
+        said("base_link", "map", camera, 6),
+        said("lens", "base_link", camera, 7, static=True),
+        said("odom", "map", camera, 8),
+        said("loose", None, camera, 9),
+        said("lens", "stand", camera, 10, topic="/other/tf"),
+    )
+
+
+def properties(word: str = "") -> tuple[Held, ...]:
+    """A promise, an assumption, and a text that is none."""
+    head = f'# id: stops\n# title: "stops{quoted(word)}"\n'
+    texts = (
+        f"{head}globally: /stop causes /arm/state within 100 ms\n",
+        "globally: no /image {data = 1}\n",
+        f"globally no{word}\n",
+    )
+    found = []
+    for number, text in enumerate(texts):
+        for one in in_file(
+            text,
+            PROJECT,
+            Owner("configuration", f"{NAME}{word}") if number else Owner("node", f"base/driver{word}"),
+            is_axiom=number == 1,
+        ):
+            at = replace(one.location, line=10 * number + 3, end_line=10 * number + 4)
+            found.append(
+                Held(replace(one, location=at), ((f"/stop{word}", (f"/arm/stop{word}",)), ("/away", ())), (NAME,))
+            )
+    return tuple(found)
+
+
+def quoted(word: str) -> str:
+    return "".join(letter for letter in word if letter.isalnum() or letter in "<>/= ")[:200]
 
 
 def report(word: str = "", results: int = 3) -> Report:
@@ -129,7 +192,7 @@ def report(word: str = "", results: int = 3) -> Report:
         f"A member{word} is set.",
         help=f"# uninit\nA **member**{word} `x`.\n\n- one\n- two\n\n| a | b |\n|---|---|\n| 1 | {word} |\n\n    code{word}\n",
     )
-    check = Rule("topic-type-mismatch", "Both ends agree.", tags=("architecture",))
+    check = Rule("topic-type-mismatch", "Both ends agree.", tags=("architecture", f"tag{word}"))
     found = [
         Result("cppcheck", "uninit", Level.WARNING, f"Member {n}{word} is not set", Location(CODE, n % 38 + 1, 5, n % 38 + 1, 9), related=(Related(Location(CODE, 2), f"declared{word}"),), identity=Identity(text=f"{n:016x}", snippet="int"), state=BaselineState.NEW)
         for n in range(results)
@@ -155,7 +218,15 @@ def report(word: str = "", results: int = 3) -> Report:
         edges=(Edge(node=f"/camera{word}", channel=f"/image{word}", kind="topic", is_giver=True, state=ADDED), Edge(node="/old", channel=f"/image{word}", kind="topic", is_giver=False, state=REMOVED), Edge(node="/box/filter", channel=f"/image{word}", kind="topic", is_giver=False)),
         not_known=1,
     )  # fmt: skip
-    own = Run(Tool("haros-ci", "1"), (check,), (mismatch,), changes=changes)
+    hpl = Result(
+        "haros-ci",
+        "hpl-unknown-topic",
+        Level.WARNING,
+        f"No node has /away{word}",
+        Location(PROJECT, 3, 4),
+        state=BaselineState.NEW,
+    )
+    own = Run(Tool("haros-ci", "1"), (check,), (mismatch, hpl), changes=changes)
     return Report(
         (own, Run(Tool("cppcheck", "2"), (rule,), (*found, old, gone))),
         baseline=Baseline("revision", f"main{word}"),
@@ -188,10 +259,13 @@ def given(word: str = "", *, results: int = 3, configurations: tuple[Configurati
         report=report(word, results),
         workspace=Workspace(Path("/nowhere"), packages, listed, Texts({**SOURCE, CODE: f"{SOURCE[CODE]}// {word}\n"})),
         configurations=configurations if configurations is not None else (configuration(word), configuration(name="tool/alone")),
+        properties=properties(word),
+        broadcasts={one.name: broadcasts(one, word) for one in (configurations or (configuration(word),))[:1]},
         builds={"base": Build(package="base", interfaces=(go,))},
         measurements=[Measurement("base", CODE, n, "", f"f{n}{word}", "cyclomatic-complexity", float(n % 17 + 1)) for n in range(1, 80)],
         limits=(Limit("max-cyclomatic-complexity-10", "function", "cyclomatic-complexity", 10),),
         name=f"fleet{word}",
+        history=(("2024-01-01-00-00", 100, 10, 7, 3, 2, 2.5, 12), ("2024-02-01-00-00", 1200, 20, 5, 2, 1, 2.25, 11)),
         date="2024-01-01 00:00 UTC",
     )  # fmt: skip
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +12,20 @@ import pytest
 from browser_kit import Page, browser
 from page_kit import HOSTILE, NAME, given, samples, written
 
-VIEWS = ("overview", "findings", "system", "launch", "parameters", "packages", "interfaces", "metrics", "changes")
+from haros_ci.html_page.change_page import change_page
+
+VIEWS = (
+    "overview",
+    "findings",
+    "system",
+    "launch",
+    "parameters",
+    "transforms",
+    "packages",
+    "interfaces",
+    "metrics",
+    "changes",
+)
 
 
 @pytest.fixture(scope="module")
@@ -79,7 +93,7 @@ def test_an_unknown_address_shows_the_overview(driver: Any, plain: Path) -> None
 
 def test_figures_lead_to_what_they_count(page: Page) -> None:
     page.click("a.figure", "error")
-    assert "1 of 6 findings" in page.text(".bar-of-filters")
+    assert "1 of 7 findings" in page.text(".bar-of-filters")
     page.go("overview")
     page.click("a.figure", "gone")
     assert "A gone one" in page.text(".rows")
@@ -87,19 +101,19 @@ def test_figures_lead_to_what_they_count(page: Page) -> None:
 
 def test_findings_are_searched_filtered_and_sorted(page: Page) -> None:
     page.go("findings")
-    assert "4 of 6 findings" in page.text("[role=status]")
+    assert "5 of 7 findings" in page.text("[role=status]")
     page.type("input.search", "member 2")
-    assert "1 of 6 findings" in page.text("[role=status]") and "Member 2" in page.text(".rows")
+    assert "1 of 7 findings" in page.text("[role=status]") and "Member 2" in page.text(".rows")
     page.go("findings?tool=haros-ci")
-    assert "1 of 6" in page.text("[role=status]")
+    assert "2 of 7" in page.text("[role=status]")
     page.go("findings?state=known")
     assert "An old one" in page.text(".rows")
     page.go("findings?path=base%2Flaunch")
-    assert "0 of 6" in page.text("[role=status]")
+    assert "0 of 7" in page.text("[role=status]")
     page.go("findings")
     page.click(".head button", "place")
     page.click(".head button", "place")
-    assert "base.cpp:7" in page.run("return document.querySelector('.rows .row').textContent")
+    assert "haros.yaml:3" in page.run("return document.querySelector('.rows .row').textContent")
 
 
 def test_a_finding_has_its_code_ways_rule_and_address(page: Page) -> None:
@@ -123,7 +137,7 @@ def test_keys(page: Page) -> None:
     page.key("/")
     assert page.run("return document.activeElement.classList.contains('search')")
     page.key("member")
-    assert "3 of 6" in page.text("[role=status]")
+    assert "3 of 7" in page.text("[role=status]")
     page.key(Keys.ESCAPE)
     page.run("document.querySelector('.table').focus()")
     page.key(Keys.ARROW_DOWN)
@@ -139,13 +153,13 @@ def test_ten_thousand_findings_are_few_rows(driver: Any, tmp_path: Path) -> None
     path.write_text(written(given(results=10_000, configurations=())), encoding="utf-8")
     page = Page(driver, path, "findings")
     page.settled()
-    assert "10,001 of 10,003" in page.text("[role=status]")
+    assert "10,002 of 10,004" in page.text("[role=status]")
     for top in (0, 90_000, 299_000):
         page.run("document.querySelector('.table').scrollTop = arguments[0]", top)
         page.settled()
         assert 10 < len(page.all(".rows .row")) < 90
     page.type("input.search", "member 9999 is")
-    assert "1 of 10,003" in page.text("[role=status]")
+    assert "1 of 10,004" in page.text("[role=status]")
     assert page.complaints() == []
 
 
@@ -342,3 +356,131 @@ def test_everything_that_can_be_clicked_can_be_reached_by_keyboard(page: Page) -
             "return [...document.querySelectorAll('main input, main select')].filter((one) => !one.ariaLabel && !one.closest('label')).length"
         )
         assert (loose, unnamed) == (0, 0), view
+
+
+def test_the_tree_of_frames(page: Page) -> None:
+    page.go("transforms")
+    page.settled(50)
+    assert "7 frames, 3 trees, 1 at odds" in page.text("[role=status]")
+    assert page.run("return document.querySelectorAll('.stage .element').length") == 7
+    assert page.text(".picture .red .name") == "base_link" and len(page.all(".picture .edge.red")) == 2
+    assert "tf_static" not in page.text(".detail") and "base_link map, odom" in page.text(".detail")
+    page.type("input.search", "lens")
+    assert "lens" in page.text(".detail h2") and "static, code" in page.text(".detail")
+    page.go("transforms?frame=base_link")
+    page.settled(50)
+    text = page.text(".detail")
+    assert "It has 2 parents" in text and "int line_5 = 5" in text and "base_link → map" in text
+    page.click(".detail a", "/arm/driver")
+    assert page.run("return location.hash").startswith("#system?")
+
+
+def test_transforms_of_a_configuration_without_any(page: Page) -> None:
+    page.go("transforms?configuration=tool%2Falone")
+    assert "No transform of this configuration is known" in page.text()
+
+
+def test_a_page_without_transforms_has_no_such_view(driver: Any, tmp_path: Path) -> None:
+    path = tmp_path / "page.html"
+    path.write_text(written(given(configurations=())), encoding="utf-8")
+    page = Page(driver, path)
+    assert "Transforms" not in page.text("nav") and page.complaints() == []
+
+
+def test_properties_with_what_is_wrong_with_them(page: Page) -> None:
+    page.go("properties")
+    assert "3 of 3 properties" in page.text("[role=status]")
+    assert "not readable" in page.text(".rows") and "assumption" in page.text(".rows")
+    page.click(".head button", "findings")
+    page.click(".rows .row", "stops")
+    text = page.text(".detail")
+    assert (
+        "globally: /stop causes /arm/state within 100 ms" in text and "No node has /away" in text and "line 3" in text
+    )
+    assert "no end of it is known" in text and "node base/driver" in text
+    place = page.run("return location.hash")
+    page.go("overview")
+    page.go(place[1:])
+    assert "within 100 ms" in page.text(".detail")
+    page.type("input.search", "data")
+    assert "1 of 3 properties" in page.text("[role=status]")
+    page.go("properties")
+    page.click(".rows .row", "stops")
+    page.click(".detail a", "/arm/stop")
+    assert page.run("return location.hash").startswith("#system?")
+
+
+def test_findings_by_tag_and_by_configuration(page: Page) -> None:
+    page.go("findings?tag=architecture")
+    assert "1 of 7" in page.text("[role=status]")
+    page.go("findings?tag=not%20architecture")
+    assert "4 of 7" in page.text("[role=status]")
+    page.go("findings?configuration=base%2Flaunch%2Fbase.launch.py")
+    assert "1 of 7" in page.text("[role=status]") and "/odd and /box/filter differ" in page.text(".rows")
+    page.go("findings?configuration=nowhere")
+    assert "0 of 7" in page.text("[role=status]")
+    labels = page.run(
+        "return [...document.querySelectorAll('.bar-of-filters select')].map((one) => one.getAttribute('aria-label'))"
+    )
+    assert {"tag", "configuration"} <= set(labels)
+
+
+def test_quality_over_time(page: Page) -> None:
+    page.go("overview")
+    assert "findings: 5 now, 7 at first" in page.text("#history figcaption") and len(page.all("#history .point")) == 2
+    page.run(
+        "const one = document.querySelector('#history select'); one.value = 'lines of code'; one.dispatchEvent(new Event('change'))"
+    )
+    assert "lines of code: 1,200 now, 100 at first" in page.text("#history figcaption")
+    assert "2024-02-01 00:00" in page.text("#history table")
+
+
+def test_a_page_without_history(driver: Any, tmp_path: Path) -> None:
+    path = tmp_path / "page.html"
+    path.write_text(written(replace(given(), history=())), encoding="utf-8")
+    page = Page(driver, path)
+    assert page.all("#history") == [] and page.complaints() == []
+
+
+def test_what_runs_under_other_launch_arguments(page: Page) -> None:
+    page.go("system")
+    page.settled(50)
+    before = shown(page)
+    places = "return Object.fromEntries([...document.querySelectorAll('.stage .element')].map((one) => [one.dataset.id, one.querySelector('.shape').getAttribute('x')]))"
+    old = page.run(places)
+    words = page.text("select[aria-label=arguments]")
+    assert "sim:=true (+1)" in words and "watch:=false (−1)" in words
+    page.go("system?with=sim%3A%3Dtrue")
+    page.settled(50)
+    assert "simulator" in page.text(".stage") and len(shown(page) - before) == 1
+    new = page.run(places)
+    assert all(new[name] == x for name, x in old.items())
+    assert "sim:=true" in page.text(
+        ".detail"
+    ) and "parameters and names are those of the default arguments" in page.text(".detail")
+    page.go("system?with=sim%3A%3Dtrue&element=%2Fimage")
+    page.settled(50)
+    assert "/simulator" in page.text(".detail")
+    page.click(".detail a", "/simulator")
+    assert "with=sim" in page.run("return location.hash")
+    page.click(".detail button", "1 hop")
+    assert "simulator" in page.text(".stage")
+    page.go("system?with=watch%3A%3Dfalse")
+    page.settled(50)
+    assert "/arm/watch" not in page.text(".stage")
+    page.go("system?with=nonsense")
+    page.settled(50)
+    assert shown(page) == before
+
+
+@pytest.mark.parametrize("word", ["", HOSTILE[0]])
+def test_a_page_of_a_change_alone(driver: Any, tmp_path: Path, word: str) -> None:
+    made = given(word)
+    assert made.report.changes is not None
+    path = tmp_path / "page.html"
+    path.write_text(change_page(made.report.changes, made.workspace, f"fleet{word}", "ab" * 20, None), encoding="utf-8")
+    page = Page(driver, path)
+    page.settled()
+    assert page.text("nav") == "Changes" and f"/image{word}" in page.text("main table")
+    assert "new findings" not in page.text() and "since abababababab" in page.text()
+    assert page.complaints() == [] and page.run("return window.hacked") is None

@@ -11,31 +11,13 @@ import jsonschema
 import pytest
 from commandline import commit, haros, write
 from page_kit import SCHEMA, Parts
+from small_robot import FILES, TALKER
 
-from haros_ci.commands.output import parse_outputs
+from haros_ci.commands.output import parse_outputs, text_in
+from haros_ci.errors import UserError
+from haros_ci.haros_json.documents import history_of
+from haros_ci.haros_json.summary import HISTORY
 
-TALKER = """import rclpy
-from rclpy.node import Node
-from std_msgs.msg import String
-
-
-def main():
-    rclpy.init()
-    node = Node("talker")
-    node.create_publisher(String, "chatter", 10)
-    rclpy.spin(node)
-"""
-FILES = {
-    "robot/package.xml": '<package format="3"><name>robot</name><version>1.0.0</version><description>d</description>'
-    '<maintainer email="a@example.org">A</maintainer><license>MIT</license><exec_depend>rclpy</exec_depend>'
-    "<export><build_type>ament_python</build_type></export></package>\n",
-    "robot/setup.py": "from setuptools import setup\nsetup(name='robot', packages=['robot'],\n"
-    "    entry_points={'console_scripts': ['talker = robot.talker:main']})\n",
-    "robot/robot/__init__.py": "",
-    "robot/robot/talker.py": TALKER,
-    "robot/launch/a.launch.py": "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\n"
-    "def generate_launch_description():\n    return LaunchDescription([Node(package='robot', executable='talker', node_name='t')])\n",
-}
 QUICK = ("--profile", "architecture", "--allow-tool-failure", "lizard", "--allow-tool-failure", "radon")
 
 
@@ -74,6 +56,22 @@ def test_a_check_writes_the_same_page(workspace: Path, tmp_path: Path) -> None:
     assert one.read_bytes() == other.read_bytes()
 
 
+def test_what_is_as_it_was_is_not_made_again(tmp_path: Path) -> None:
+    root = write(tmp_path / "ws", FILES)
+
+    def stages(name: str) -> set[str]:
+        done = haros("report", ".", *QUICK, "--timings", "--output", f"../{name}", cwd=root)
+        assert done.returncode == 0, done.stderr
+        return {line[19:].strip() for line in done.stderr.splitlines()}
+
+    assert {"link", "structure"} <= stages("one.html")
+    assert not {"link", "structure"} & stages("two.html")
+    assert (tmp_path / "one.html").read_bytes() == (tmp_path / "two.html").read_bytes()
+    write(root, {"robot/robot/talker.py": TALKER.replace("def main", "def start")})
+    assert {"link", "structure"} <= stages("three.html")
+    assert "start" in data_in(tmp_path / "three.html")["tables"]["texts"]
+
+
 def test_what_a_branch_changes(tmp_path: Path) -> None:
     root = write(tmp_path / "ws", FILES)
     base = commit(root)
@@ -83,6 +81,80 @@ def test_what_a_branch_changes(tmp_path: Path) -> None:
     data = data_in(root / "page.html")
     assert [row[:2] for row in data["changes"]["rows"]] == [["publisher", "renamed"]]
     assert {row[3] for row in data["findings"]} <= {"known", "counted"}
+
+
+def test_quality_over_time_is_what_a_folder_has_kept(workspace: Path, tmp_path: Path) -> None:
+    folder, page = tmp_path / "data", tmp_path / "page.html"
+    folder.mkdir()
+    done = haros("check", ".", *QUICK, "--output", f"haros-json={folder}", "--output", f"html={page}", cwd=workspace)
+    assert done.returncode == 1, done.stderr
+    assert [point[0] for point in data_in(page)["history"]] == ["2024-01-01-00-00"]
+    haros("report", ".", *QUICK, "--output", str(page), cwd=workspace)
+    assert data_in(page)["history"] == []
+    haros("report", ".", *QUICK, "--history", str(folder), "--output", str(page), cwd=workspace)
+    assert len(data_in(page)["history"]) == 1
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "",
+        "[]",
+        "{",
+        "[" * 5000,
+        '{"history": {"timestamps": ["<script>"]}}',
+        '{"history": {"timestamps": ["2024-01-01-00-00"], "lines_of_code": ["x"]}}',
+        '{"history": {"timestamps": 3}}',
+    ],
+)
+def test_a_history_that_is_none(tmp_path: Path, content: str) -> None:
+    write(tmp_path, {"default/summary.json": content})
+    assert history_of({}, lambda name: text_in(tmp_path, name)) == ()
+
+
+def test_of_a_history_only_numbers_are_taken() -> None:
+    keys = {key: [1, "<b>", 3, True] for key in HISTORY}
+    keys["timestamps"] = ["2024-01-02-00-00", "2024-01-01-00-00", "<img>", "2024-01-03-00-00"]
+    points = history_of({"project": "../a/b"}, lambda name: json.dumps({"history": keys}))
+    assert points == (("2024-01-02-00-00", 1, 1, 1, 1, 1, 1, 1),)
+
+
+def test_a_folder_that_is_a_link_is_not_read(tmp_path: Path) -> None:
+    write(tmp_path / "away", {"summary.json": "{}"})
+    (tmp_path / "data").mkdir()
+    (tmp_path / "data/default").symlink_to(tmp_path / "away")
+    with pytest.raises(UserError):
+        history_of({}, lambda name: text_in(tmp_path / "data", name))
+
+
+def test_no_folder_is_said(workspace: Path, tmp_path: Path) -> None:
+    done = haros(
+        "report", ".", *QUICK, "--history", str(tmp_path / "no"), "--output", str(tmp_path / "p.html"), cwd=workspace
+    )
+    assert done.returncode == 2 and "is no directory" in done.stderr and not (tmp_path / "p.html").exists()
+
+
+def browser_that_notes(tmp_path: Path) -> str:
+    """What the environment names as the browser: it writes down what it is to open."""
+    script = tmp_path / "browser.sh"
+    script.write_text(f'#!/bin/sh\nprintf "%s" "$1" > "{tmp_path}/opened"\n')
+    script.chmod(0o755)
+    return f"{script} %s"
+
+
+def test_the_page_is_opened_if_asked_for(workspace: Path, tmp_path: Path) -> None:
+    out, opened, browser = tmp_path / "a b.html", tmp_path / "opened", browser_that_notes(tmp_path)
+    done = haros("report", ".", *QUICK, "--output", str(out), cwd=workspace, BROWSER=browser)
+    assert done.returncode == 0 and not opened.exists()
+    done = haros("report", ".", *QUICK, "--open", "--output", str(out), cwd=workspace, BROWSER=browser)
+    assert done.returncode == 0 and opened.read_text() == out.as_uri(), done.stderr
+
+
+def test_nothing_is_opened_in_ci(workspace: Path, tmp_path: Path) -> None:
+    out, browser = tmp_path / "page.html", browser_that_notes(tmp_path)
+    done = haros("report", ".", *QUICK, "--open", "--output", str(out), cwd=workspace, BROWSER=browser, CI="true")
+    assert done.returncode == 0 and "not opened in CI" in done.stderr
+    assert out.exists() and not (tmp_path / "opened").exists()
 
 
 def test_one_configuration(workspace: Path, tmp_path: Path) -> None:

@@ -7,15 +7,18 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from page_kit import CODE, NAME, SOURCE, Texts, checked, configuration, given, report
+from page_kit import CODE, NAME, SOURCE, Texts, broadcasts, checked, configuration, given, report
 
+from haros_ci.behaviour.declared import in_project
 from haros_ci.html_page.findings import chosen, standing
 from haros_ci.html_page.frames import Frames
 from haros_ci.html_page.launches import launch_tree
 from haros_ci.html_page.measured import bars
 from haros_ci.html_page.package_picture import direct
-from haros_ci.html_page.packages import in_circles
 from haros_ci.html_page.pool import Pool, presence_text
+from haros_ci.html_page.properties import Held, held, properties
+from haros_ci.html_page.transforms import transforms
+from haros_ci.model.cycles import in_circles
 from haros_ci.model.location import Location
 from haros_ci.model.presence import Choice
 from haros_ci.results.result import BaselineState, Suppression
@@ -28,7 +31,7 @@ def texts(data: dict[str, Any], indexes: list[int]) -> list[str]:
 
 def test_findings_have_their_states() -> None:
     data = checked(given())
-    assert sorted(row[3] for row in data["findings"]) == ["gone", "known", "open", "open", "open", "open"]
+    assert sorted(row[3] for row in data["findings"]) == ["gone", "known", "open", "open", "open", "open", "open"]
 
 
 @pytest.mark.parametrize(
@@ -48,7 +51,7 @@ def test_standing(change: dict[str, Any], state: str) -> None:
 
 def test_of_too_many_findings_the_open_and_worst_are_kept() -> None:
     kept, left = chosen(report(results=10), 3)
-    assert left == 10
+    assert left == 11
     assert len(kept) == 3 and all(standing(one) == "open" for _, one in kept)
     assert Level.ERROR in [one.level for _, one in kept]
     assert chosen(report(results=1), 30)[1] == 0
@@ -199,3 +202,52 @@ def test_configurations_of_launch_files_come_first() -> None:
 def test_what_is_left_out_is_said() -> None:
     data = checked(replace(given(), more_than_shown=2))
     assert texts(data, data["left_out"]) == ["2 configurations left out by --configuration."]
+
+
+def test_transforms_that_are_at_odds() -> None:
+    data = checked(given())
+    ((rows, frames, picture),) = data["tables"]["transforms"]
+    names = [(*texts(data, frame[:2]), frame[2]) for frame in frames]
+    assert ("base_link", "/tf", 0) in names and ("lens", "/other/tf", 0) in names and ("lens", "/tf", 0) in names
+    assert sorted(names[row[0]][0] for row in rows if row[3]) == ["base_link", "base_link"]
+    assert [row[1] for row in rows if names[row[0]][0] == "loose"] == [-1]
+    assert len(picture[1]) == len(frames) and len(picture[2]) == 5
+    assert [one["transforms"] for one in data["configurations"]] == [0, -1]
+
+
+def test_frames_in_a_circle() -> None:
+    one = configuration()
+    first, second, *_ = broadcasts(one)
+    turned = replace(first, child="odom", parent="base_link", node=first.node)
+    pool = Pool()
+    assert transforms(pool, [first, turned]) == 0
+    assert [row[2] for row in pool.document()["transforms"][0][1]] == [1, 1]
+    assert transforms(pool, []) == -1
+
+
+def test_properties_of_a_project() -> None:
+    data = checked(given())
+    promise, granted, broken = data["properties"]
+    assert texts(data, [promise["id"], promise["text"]]) == ["stops", "globally: /stop causes /arm/state within 100 ms"]
+    assert (promise["granted"], granted["granted"], promise["fault"]) == (0, 1, -1)
+    assert broken["fault"] >= 0 and texts(data, [broken["text"]]) == ["globally no\N{REPLACEMENT CHARACTER}"]
+    assert held(None) == ()
+
+
+BLOCK = """configurations:
+  robot:
+    hpl:
+      properties:
+        - |
+          # id: one
+          globally:
+            no /a
+
+        - 'globally: no /b'
+        - 'globally: no'
+"""
+
+
+def test_a_property_ends_before_the_next_begins() -> None:
+    stated = tuple(Held(one) for one in in_project(BLOCK, "haros.yaml", lambda name: None))
+    assert [row["until"] for row in properties(Pool(), stated)] == [8, 10, 11]

@@ -1,6 +1,6 @@
 // The data of the page as objects: rows are read when they are asked for.
 const D = JSON.parse(document.getElementById("data").textContent);
-const TABLES = { texts: [], places: [], conditions: [], unknowns: [], nodes: [], ends: [], parameters: [], qos: [], pictures: [], "rule names": [], ...D.tables };
+const TABLES = { texts: [], places: [], conditions: [], unknowns: [], nodes: [], ends: [], parameters: [], qos: [], pictures: [], "rule names": [], transforms: [], ...D.tables };
 const LEVELS = ["error", "warning", "note"];
 const CHANNELS = { publishers: "topics", subscribers: "topics", servers: "services", clients: "services", action_servers: "actions", action_clients: "actions" };
 const GIVES = new Set(["publishers", "clients", "action_clients"]);
@@ -67,14 +67,25 @@ const CONFIGURATIONS = D.configurations.map((one, index) => ({ index, name: text
 const BY_CONFIGURATION = new Map(CONFIGURATIONS.map((one) => [one.name, one]));
 const systems = new Map();
 
-// A configuration with its nodes and what connects them; made once.
-function system(index) {
-  if (systems.has(index)) return systems.get(index);
+const variantsOf = (index) => CONFIGURATIONS[index].row.variants.map(([words, gone, come]) => ({ words: text(words), gone, come }));
+
+// A configuration with its nodes and what connects them, under the arguments in these words if there are any; made once.
+function system(index, words) {
+  const variant = words ? variantsOf(index).find((one) => one.words === words) : null;
+  const kept = `${index} ${variant ? words : ""}`;
+  if (systems.has(kept)) return systems.get(kept);
   const { row, name, launch } = CONFIGURATIONS[index];
+  // A node has the same number whatever the arguments are: the picture knows it by that.
   const nodes = row.nodes.map(node);
+  nodes.forEach((one, number) => { one.index = number; });
+  const others = row.others.map(([one, presence], number) => ({ node: Object.assign(node(one), { index: row.nodes.length + number, isAdded: true }), presence: text(presence) }));
+  if (variant) {
+    const gone = new Set(variant.gone);
+    nodes.splice(0, nodes.length, ...nodes.filter((one) => !gone.has(one.index)), ...variant.come.map((number) => others[number].node));
+  }
   const channels = new Map();
-  nodes.forEach((one, number) => {
-    one.index = number;
+  nodes.forEach((one) => {
+    const number = one.index;
     one.channels = [];
     one.ends.forEach((each, position) => {
       const what = CHANNELS[each.kind];
@@ -99,11 +110,11 @@ function system(index) {
   const made = {
     index, name, launch, nodes, channels, parameters: row.parameters.map(parameter),
     arguments: row.arguments.map(([a, b]) => [text(a), text(b)]),
-    others: row.others.map(([one, presence]) => ({ node: node(one), presence: text(presence) })),
+    others: others.filter((_, number) => !variant || !variant.come.includes(number)), variant: variant ? words : "", numbered: new Map(nodes.map((one) => [one.index, one])),
     picture: row.picture < 0 ? null : TABLES.pictures[row.picture], tree: row.tree,
   };
   made.findings = findingsIn(made);
-  systems.set(index, made);
+  systems.set(kept, made);
   return made;
 }
 

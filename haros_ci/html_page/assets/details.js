@@ -5,7 +5,7 @@ const whereIs = (at) => (at ? h("code", null, at.text) : "");
 const conditionList = (list) => (list.length ? h("ul", { class: "conditions" }, list.map((one) => h("li", null, h("code", null, condition(one)), " at ", whereIs(one.place)))) : null);
 const unknownList = (list) => (list.length ? h("ul", { class: "unknowns" }, list.map((one) => h("li", null, h("strong", null, `${one.field} not known: `), one.reason, one.place ? [" at ", whereIs(one.place)] : ""))) : null);
 const row = (name, ...value) => (value.flat().some((one) => one !== null && one !== "" && one !== undefined) ? [h("dt", null, name), h("dd", null, value)] : null);
-const element = (made, name, words) => link("system", { configuration: made.name, element: name }, words || name);
+const element = (made, name, words) => link("system", { configuration: made.name, with: made.variant, element: name }, words || name);
 
 function findingsOf(made, name) {
   const found = made.findings.get(name) || [];

@@ -2,7 +2,8 @@
 const FILTERS = ["level", "state", "tool", "rule", "package"];
 
 function findingsView(parameters) {
-  const wanted = { q: "", level: "", state: "", tool: "", rule: "", package: "", path: "", sort: "level-up", ...parameters };
+  const wanted = { q: "", level: "", state: "", tool: "", rule: "", package: "", path: "", tag: "", configuration: "", sort: "level-up", ...parameters };
+  const inConfiguration = new Map();
   const detail = h("aside", { class: "detail", "aria-label": "finding", "aria-live": "polite" });
   const total = h("span", { class: "quiet", role: "status" });
   const states = [...new Set(FINDINGS.map((one) => one.state))].sort(compare);
@@ -22,8 +23,11 @@ function findingsView(parameters) {
   const matches = (one) => {
     for (const name of FILTERS) if (wanted[name] && wanted[name] !== "any" && one[name === "rule" ? "full" : name] !== wanted[name]) return false;
     if (wanted.path && !one.place.path.startsWith(wanted.path)) return false;
+    if (wanted.tag && !(wanted.tag.startsWith("not ") ? !tagsOf(one).includes(wanted.tag.slice(4)) : tagsOf(one).includes(wanted.tag))) return false;
+    if (wanted.configuration && !about(wanted.configuration).has(one)) return false;
     return words.every((word) => haystack(one).includes(word));
   };
+  const about = (name) => inConfiguration.get(name) || inConfiguration.set(name, findingsAbout(name)).get(name);
   let words = [];
   const haystack = (one) => (one.haystack ??= `${one.message} ${one.place.path} ${one.full} ${one.package} ${texts(one.row[13]).join(" ")}`.toLowerCase());
 
@@ -43,6 +47,7 @@ function findingsView(parameters) {
   }
   const change = (name) => (value) => { wanted[name] = value; remember({ [name]: value, id: "" }); refresh(); };
   const values = (name, key) => [["", `any ${name}`], ...grouped(FINDINGS, (one) => one[key || name] || "").filter(([value]) => value).map(([value, list]) => [value, `${value} (${list.length})`])];
+  const tags = tagCounts();
   const list = refresh();
   const start = wanted.id ? BY_ID.get(wanted.id) : null;
   if (start) requestAnimationFrame(() => table.chooseRow(table.has(start) ? start : list[0], table.has(start)));
@@ -58,10 +63,28 @@ function findingsView(parameters) {
         chooser("state", [["any", "any state"], ...states.map((one) => [one, one])], wanted.state || "any", change("state")),
         chooser("tool", values("tool"), wanted.tool, change("tool")), chooser("rule", values("rule", "full"), wanted.rule, change("rule")),
         chooser("package", values("package"), wanted.package, change("package")),
+        tags.length ? chooser("tag", [["", "any tag"], ...tags.map(([name, number]) => [name, `${name} (${number})`]), ...tags.map(([name]) => [`not ${name}`, `not ${name}`])], wanted.tag, change("tag")) : null,
+        CONFIGURATIONS.length ? chooser("configuration", [["", "any configuration"], ...CONFIGURATIONS.filter((one) => one.launch.length || one.name === wanted.configuration).map((one) => [one.name, one.name])], wanted.configuration, change("configuration")) : null,
         h("label", { class: "choice" }, h("span", null, "path"), pathField), total),
       h("div", { class: "split" }, table.element, detail),
     ],
   };
+}
+
+const tagsOf = (one) => { const rule = RULES.get(one.full); return rule ? (rule.words ??= texts(rule.tags)) : []; };
+
+// The tags of the rules that have findings, with how many, the most frequent first.
+function tagCounts() {
+  const found = new Map();
+  for (const one of FINDINGS) for (const tag of tagsOf(one)) found.set(tag, (found.get(tag) || 0) + 1);
+  return [...found].sort((a, b) => b[1] - a[1] || compare(a[0], b[0]));
+}
+
+// What is said of a configuration: by its name, or about names that are all in it.
+function findingsAbout(name) {
+  const one = BY_CONFIGURATION.get(name);
+  if (!one) return new Set();
+  return new Set([...system(one.index).findings.values()].flat().concat(FINDINGS.filter((each) => text(each.row[17]) === name)));
 }
 
 // Lines of source, with what is meant in them marked.

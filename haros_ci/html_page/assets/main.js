@@ -5,12 +5,14 @@ const VIEWS = {
   system: ["System", systemView],
   launch: ["Launch", launchView],
   parameters: ["Parameters", parametersView],
+  transforms: ["Transforms", transformsView],
+  properties: ["Properties", propertiesView],
   packages: ["Packages", packagesView],
   interfaces: ["Interfaces", interfacesView],
   metrics: ["Metrics", metricsView],
   changes: ["Changes", changesView],
 };
-const offered = Object.keys(VIEWS).filter((name) => (name !== "changes" || D.changes) && (name !== "metrics" || D.metrics.length) && (name !== "launch" || CONFIGURATIONS.some((one) => one.launch.length)));
+const offered = Object.keys(VIEWS).filter((name) => (!D.only || name === D.only) && (name !== "changes" || D.changes) && (name !== "metrics" || D.metrics.length) && (name !== "launch" || CONFIGURATIONS.some((one) => one.launch.length)) && (name !== "properties" || PROPERTIES.length) && (name !== "transforms" || CONFIGURATIONS.some(hasTransforms)));
 
 const main = h("main", { id: "main", tabindex: "-1" });
 const navigation = h("nav", { "aria-label": "views" }, offered.map((name) => h("a", { href: name, "data-view": name }, VIEWS[name][0])));
@@ -18,7 +20,7 @@ let escape = null;
 
 function show() {
   const { view, parameters } = current();
-  const name = offered.includes(view) ? view : "overview";
+  const name = offered.includes(view) ? view : offered[0];
   for (const one of navigation.children) {
     if (one.dataset.view === name) one.setAttribute("aria-current", "page");
     else one.removeAttribute("aria-current");

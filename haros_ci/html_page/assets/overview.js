@@ -46,6 +46,7 @@ function overview() {
       h("section", { class: "card" }, h("h2", null, "Rules with the most findings"), byRule(shown)),
       h("section", { class: "card" }, h("h2", null, "Lines by language"),
         smallTable(["language", "lines", ""], D.languages.map((one, index) => [link("packages", { sort: one }, LANGUAGE_NAMES[one]), lineSums[index], bar(lineSums[index] / (allLines || 1))]).filter((row) => row[1]), "lines by language"))),
+    D.history.length ? qualityOverTime() : null,
     h("section", { class: "card" }, h("h2", null, "Configurations of launch files"), launched.length ? configurationTable(launched) : h("p", null, "No launch file starts a node that is known here.")),
     h("section", { class: "card" }, h("h2", null, "How this was found out"), h("p", null, text(summary.covered)),
       summary.notes.length ? h("details", null, h("summary", null, `${count(summary.notes.length + summary.more_notes, "note")} of the run`), h("ul", { class: "notes" }, summary.notes.map(([rank, message, tool, path, line]) =>

@@ -7,6 +7,14 @@ function configurationChooser(chosen, change, only) {
   return h("label", { class: "choice" }, h("span", null, "configuration"), select);
 }
 
+// The launch arguments under which other nodes run, if the model knows any.
+function variantChooser(made) {
+  const every = variantsOf(made.index);
+  if (!every.length) return null;
+  const change = ({ gone, come }) => [come.length ? `+${come.length}` : "", gone.length ? `−${gone.length}` : ""].filter(Boolean).join(" ");
+  return chooser("arguments", [["", "as by default"], ...every.map((one) => [one.words, `${one.words} (${change(one)})`])], made.variant, (words) => { location.hash = address("system", { configuration: made.name, with: words }); });
+}
+
 // The named configuration, or the launch file with the most nodes.
 function chosenConfiguration(name) {
   if (name && BY_CONFIGURATION.has(name)) return BY_CONFIGURATION.get(name);
@@ -19,14 +27,14 @@ const shownSwitches = new Set();
 function systemView(parameters) {
   const which = chosenConfiguration(parameters.configuration);
   if (!which) return { content: [h("h1", null, "System"), h("p", null, "No node was found.")] };
-  const made = system(which.index);
+  const made = system(which.index, parameters.with);
   const state = { element: parameters.element || "", hops: parameters.hops || "", way: parameters.way || "", folded: (parameters.folded || "").split(" ").filter(Boolean) };
   const detail = h("aside", { class: "detail", "aria-label": "details", "aria-live": "polite" });
   const status = h("span", { class: "quiet", role: "status" });
   const picture = makePicture({ label: `nodes and topics of ${made.name}`, select: (id) => chooseId(id), folded: (labels) => remember({ folded: labels.join(" ") }) });
   const shown = (channel) => !channel.switch || shownSwitches.has(channel.switch);
   const idOf = (name) => { const one = made.nodes.find((each) => each.name === name); if (one) return nodeId(one); const channel = [...made.channels.values()].find((each) => each.name === name); return channel ? channelId(channel) : null; };
-  const byId = (id) => (id === null ? null : id.startsWith("n") ? made.nodes[Number(id.slice(1))] : made.channels.get(id.slice(2)) || null);
+  const byId = (id) => (id === null ? null : id.startsWith("n") ? made.numbered.get(Number(id.slice(1))) : made.channels.get(id.slice(2)) || null);
 
   const isRed = (name) => made.findings.has(name);
   const nodeElement = (one, rectangle, box, lines) => ({ id: nodeId(one), isNode: true, what: "node", box, rectangle, title: last(one.name), sub: one.package ? `${one.package}/${one.type}` : one.type, lines,
@@ -67,7 +75,10 @@ function systemView(parameters) {
     const keys = channels.map(([what, name]) => `${what} ${text(name)}`);
     keys.forEach((key) => placed.set(key, true));
     const visible = channels.map((_, index) => made.channels.has(keys[index]) && shown(made.channels.get(keys[index])));
-    const elements = made.nodes.map((one, index) => nodeElement(one, nodes[index].slice(1), nodes[index][0], ownLines(one, 7)));
+    const added = made.nodes.filter((one) => one.isAdded);
+    const more = addedChannels(added);
+    for (const channel of more) placed.set(channel.key, true);
+    const elements = made.nodes.filter((one) => !one.isAdded).map((one) => nodeElement(one, nodes[one.index].slice(1), nodes[one.index][0], ownLines(one, 7)));
     const byKey = new Map();
     channels.forEach((row, index) => { if (visible[index]) { const channel = made.channels.get(keys[index]); elements.push(channelElement(channel, row.slice(4), row[3])); byKey.set(channelId(channel), edgesOf(channel)); } });
     const all = [];
@@ -77,7 +88,34 @@ function systemView(parameters) {
       const found = byKey.get(id).find((one) => (gives ? one.from === `n${number}` && one.to === id : one.to === `n${number}` && one.from === id));
       if (found) all.push({ ...found, points });
     }
-    return { size, boxes: boxes.map(([kind, name, parent, ...rectangle]) => ({ kind, label: text(name), parent, rectangle })), elements, edges: all };
+    const [tall, below] = beneath(size, added, more);
+    elements.push(...below);
+    const isNew = new Set(added.map(nodeId));
+    for (const edge of [...byKey.values()].flat()) if (isNew.has(edge.from) || isNew.has(edge.to)) all.push(edge);
+    for (const channel of more) all.push(...edgesOf(channel));
+    return { size: [size[0], tall], boxes: boxes.map(([kind, name, parent, ...rectangle]) => ({ kind, label: text(name), parent, rectangle })), elements, edges: all };
+  }
+
+  // What connects nodes of other arguments with others and is not in the picture.
+  function addedChannels(added) {
+    const found = new Set(added.flatMap((one) => one.channels).filter((channel) => shown(channel) && isKnown(channel.name) && !placed.has(channel.key) && new Set(channel.ends.map((each) => each.node)).size > 1));
+    return [...found].sort((a, b) => compare(a.key, b.key));
+  }
+
+  // They stand in rows below the picture, so that nothing else moves.
+  function beneath([width, height], added, more) {
+    const wide = Math.max(width, 900);
+    let [x, y, tall] = [14, height + 20, 0];
+    const put = (w, high) => {
+      if (x > 14 && x + w > wide) [x, y, tall] = [14, y + tall + 16, 0];
+      const at = [x, y, w, high];
+      [x, tall] = [x + w + 16, Math.max(tall, high)];
+      return at;
+    };
+    const found = added.map((one) => { const lines = ownLines(one, 7); return nodeElement(one, put(Math.min(280, Math.max(100, Math.max(last(one.name).length, one.type.length + one.package.length, ...lines.map((each) => each.text.length)) * 6.6 + 26)), HEAD + lines.length * LINE + (lines.length ? 4 : 0)), -1, lines); });
+    if (found.length) [x, y, tall] = [14, y + tall + 16, 0];
+    for (const channel of more) found.push(channelElement(channel, put(Math.min(280, Math.max(100, channel.name.length * 6.6 + 26)), 24), -1));
+    return [found.length ? y + tall + 14 : height, found];
   }
 
   // Only what is near the chosen element, or what it reaches, in columns.
@@ -136,7 +174,7 @@ function systemView(parameters) {
     if (isCentred) picture.centre(at);
   }
 
-  const elementList = () => h("div", { class: "scroll list" }, h("ul", { class: "plain-list" }, made.nodes.map((one) => h("li", null, link("system", { configuration: made.name, element: one.name, hops: 1 }, one.name)))));
+  const elementList = () => h("div", { class: "scroll list" }, h("ul", { class: "plain-list" }, made.nodes.map((one) => h("li", null, link("system", { configuration: made.name, with: made.variant, element: one.name, hops: 1 }, one.name)))));
 
   function describe(id) {
     const item = byId(id);
@@ -166,6 +204,7 @@ function systemView(parameters) {
     return [
       h("h2", null, made.name),
       h("dl", null, row("launch files", made.launch.length ? made.launch.join(", ") : "none: a program by itself"), row("arguments", made.arguments.length ? h("details", { open: made.arguments.length < 7 }, h("summary", null, count(made.arguments.length, "argument")), h("ul", { class: "plain-list" }, made.arguments.map(([name, value]) => h("li", null, h("code", null, `${name}:=${value}`))))) : ""),
+        made.variant ? row("with", h("code", null, made.variant), h("p", { class: "quiet" }, "Nodes come and go; parameters and names are those of the default arguments.")) : null,
         row("nodes", String(made.nodes.length)), ...["topics", "services", "actions"].map((what) => row(what, String(every.filter((one) => one.what === what).length))),
         row("parameters", made.parameters.length ? link("parameters", { configuration: made.name }, String(made.parameters.length)) : "0"),
         row("conditional", String(made.nodes.filter((one) => one.conditions.length || one.presence).length), " nodes")),
@@ -205,7 +244,7 @@ function systemView(parameters) {
     wide: true,
     escape: () => { clear(results); if (state.hops || state.way) back.click(); else chooseId(null); },
     content: [
-      h("div", { class: "bar-of-filters" }, configurationChooser(made.name, (name) => { location.hash = address("system", { configuration: name }); }), h("div", { class: "search-box" }, field, results),
+      h("div", { class: "bar-of-filters" }, configurationChooser(made.name, (name) => { location.hash = address("system", { configuration: name }); }), variantChooser(made), h("div", { class: "search-box" }, field, results),
         present.length ? h("fieldset", { class: "switches" }, h("legend", null, "also show"), present.map((one) => toggle(one, shownSwitches.has(one), (on) => { if (on) shownSwitches.add(one); else shownSwitches.delete(one); draw(); }))) : null,
         h("span", { class: "buttons" }, h("button", { onclick: () => picture.zoom(1.3), "aria-label": "enlarge" }, "+"), h("button", { onclick: () => picture.zoom(0.77), "aria-label": "shrink" }, "−"), h("button", { onclick: () => picture.fit() }, "Fit")), foldButtons, back, status),
       h("div", { class: "split system" }, stage, detail),
