@@ -26,6 +26,8 @@ DOORS: dict[str, set[str]] = {
     "interfaces": {"model", "workspace"},
     # HPL: its texts, and what follows of them; what is in the workspace is given to it
     "behaviour": {"bounded_yaml", "interfaces", "model"},
+    # properties against messages; where those come from it does not know
+    "monitoring": {"behaviour"},
     # programs as front ends write them: typed nodes and their codec
     "syntax": set(),
     "changes": {"interfaces", "model", "syntax"},
