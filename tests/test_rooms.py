@@ -100,6 +100,7 @@ DOORS: dict[str, set[str]] = {
         "launch",
         "linters",
         "model",
+        "monitoring",
         "own_sources",
         "plugins",
         "query",
@@ -187,6 +188,8 @@ DOORS: dict[str, set[str]] = {
         "results",
         "workspace",
     },
+    # bags and lines of JSON as messages with times
+    "recordings": {"bounded_yaml", "errors", "scratch"},
     "starting": {"model"},
     "streams": set(),
     "commands": {
@@ -203,9 +206,11 @@ DOORS: dict[str, set[str]] = {
         "linters",
         "measuring",
         "model",
+        "monitoring",
         "pipeline",
         "plugins",
         "query",
+        "recordings",
         "registry",
         "report",
         "results",

@@ -37,6 +37,11 @@ class Absence(Monitor):
             self.behaviours += 1
             self.fail(f"{topic} came{self.within}", time, (BEHAVIOUR, Record(topic, message, time, number)))
 
+    def open_end(self) -> str | None:
+        if self.heard and self.faults.count >= self.heard:
+            return "no message has what its predicate asks for"
+        return None
+
     def unused(self) -> str | None:
         if not self.scopes or self.heard or any(event.predicate is None for event in self.property.pattern.behaviour):
             return super().unused()

@@ -67,7 +67,7 @@ class Watch:
             monitor.take(topic, message, at, number)
 
     def finish(self, time: int | None, recorded: frozenset[str] | None = None) -> tuple[Outcome, ...]:
-        """The outcomes, in the order of the monitors. *time* is that of the last message of the recording (None: not known); *recorded* are its topics, if it says so."""
+        """The outcomes, in the order of the monitors. *time* is that of the last message of the recording (None: not known); *recorded* are its topics."""
         for timed in self.stamped.rest() if self.stamped is not None else ():
             self._give(timed.topic, timed.message, timed.time, timed.number)
         if self.began is None:
@@ -82,6 +82,6 @@ class Watch:
         if outcome.verdict is Verdict.HELD and recorded is not None:
             behaviour = {monitor.name(event) for event in monitor.property.pattern.behaviour}
             if not behaviour & recorded:
-                reason = f"the recording has no topic {', '.join(sorted(behaviour))}"
+                reason = f"the recording does not have {', '.join(sorted(behaviour))}"
                 return replace(outcome, verdict=Verdict.NEVER_EXERCISED, reason=reason)
         return outcome
