@@ -15,11 +15,15 @@ from haros_ci.commands.flags import (
     analysis_options,
     completion_of,
     costs_option,
+    diff_options,
     file_option,
     format_option,
     hpl_options,
+    metrics_options,
+    monitor_options,
     page_options,
     plugin_option,
+    policy_options,
     query_options,
     report_options,
     system_options,
@@ -211,16 +215,7 @@ def query(**flags: Any) -> int:
 
 
 @haros_ci.command()
-@click.argument("paths", nargs=-1, type=click.Path())
-@format_option("text", "json", "csv", help="A line for each function, class, file and package, or data.")
-@click.option("--output", type=click.Path(dir_okay=False), help="File to write; default: stdout.")
-@click.option(
-    "--level", type=click.Choice(["package", "file", "class", "function"]), multiple=True, help="Only values of these."
-)
-@click.option(
-    "--metric", metavar="NAME", multiple=True, shell_complete=completion_of("metrics"),
-    help="Only these metrics (docs/metrics.md).",
-)  # fmt: skip
+@metrics_options
 @workspace_options
 @click.option("--jobs", "-j", type=click.IntRange(min=1), help="Processes at once; default: all cores.")
 @click.option("--timings", is_flag=True, help="Say on stderr where the time went.")
@@ -242,10 +237,7 @@ def report_(**flags: Any) -> int:
 
 
 @haros_ci.command()
-@click.argument("launch", nargs=-1, metavar="[LAUNCH]...")
-@click.option("--output", type=click.Path(dir_okay=False), help="File to write; default: stdout.")
-@click.option("--arg", metavar="NAME:=VALUE", multiple=True, help="An argument of the launch files.")
-@click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations.")
+@policy_options
 @workspace_options
 def policy(**flags: Any) -> int:
     """Write a security policy (SROS2) that allows what the nodes of LAUNCH files, or of all configurations, do."""
@@ -265,12 +257,17 @@ def hpl(**flags: Any) -> int:
 
 
 @haros_ci.command()
-@click.argument("base")
-@click.argument("head", required=False)
-@format_option("text", "markdown", "json", "html", help="For a terminal, a pull request, a program or a browser.")
-@click.option("--output", type=click.Path(), help="File to write; default: stdout.")
-@click.option("--merge-base", is_flag=True, help="Compare with the commit at which HEAD's history left BASE's.")
-@click.option("--exit-code", is_flag=True, help="Exit with 1 if anything has changed.")
+@monitor_options
+@workspace_options
+def monitor(**flags: Any) -> int:
+    """Hold properties in HPL against a recording of messages (docs/monitor.md)."""
+    from haros_ci.commands import monitor as monitor_command
+
+    return monitor_command.monitor(flags)
+
+
+@haros_ci.command()
+@diff_options
 @workspace_options
 @click.option("--timings", is_flag=True, help="Say on stderr where the time went.")
 def diff(**flags: Any) -> int:

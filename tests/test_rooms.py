@@ -26,6 +26,8 @@ DOORS: dict[str, set[str]] = {
     "interfaces": {"model", "workspace"},
     # HPL: its texts, and what follows of them; what is in the workspace is given to it
     "behaviour": {"bounded_yaml", "interfaces", "model"},
+    # properties against messages; where those come from it does not know
+    "monitoring": {"behaviour"},
     # programs as front ends write them: typed nodes and their codec
     "syntax": set(),
     "changes": {"interfaces", "model", "syntax"},
@@ -98,6 +100,7 @@ DOORS: dict[str, set[str]] = {
         "launch",
         "linters",
         "model",
+        "monitoring",
         "own_sources",
         "plugins",
         "query",
@@ -188,6 +191,8 @@ DOORS: dict[str, set[str]] = {
         "results",
         "workspace",
     },
+    # bags and lines of JSON as messages with times
+    "recordings": {"bounded_yaml", "errors", "scratch"},
     "starting": {"model"},
     "streams": set(),
     "commands": {
@@ -204,9 +209,11 @@ DOORS: dict[str, set[str]] = {
         "linters",
         "measuring",
         "model",
+        "monitoring",
         "pipeline",
         "plugins",
         "query",
+        "recordings",
         "registry",
         "report",
         "results",

@@ -197,6 +197,37 @@ hpl_options = options(
     click.option("--fail-on", type=LEVELS, help="Lowest level of a finding that fails the run; default: warning."),
 )
 
+#: What ``haros-ci monitor`` has besides.
+monitor_options = options(
+    click.argument("path", required=False, type=click.Path()),
+    click.option("--bag", metavar="BAG", type=click.Path(), help="A bag of ROS 1 or ROS 2: a file, or a directory."),
+    click.option("--jsonl", metavar="FILE", type=click.Path(), help="A message in each line, as JSON."),
+    click.option("--configuration", metavar="NAME", help="What has been recorded."),
+    click.option("--property", metavar="ID|TEXT", multiple=True, help="Only these properties; repeatable."),
+    click.option(
+        "--clock",
+        type=click.Choice(["log", "header"]),
+        default="log",
+        show_default=True,
+        help="Times of recording, or of the messages' headers.",
+    ),
+    click.option(
+        "--output",
+        metavar="FORMAT[=PATH]",
+        multiple=True,
+        shell_complete=completion_of("formats"),
+        help="text, sarif, github, json, junit, gitlab, rdjson, checkstyle, csv or markdown; repeatable.",
+    ),
+    click.option(
+        "--sarif-for",
+        type=click.Choice(["archive", "github"]),
+        default="archive",
+        show_default=True,
+        help="Who reads the SARIF.",
+    ),
+    click.option("--fail-on", type=LEVELS, help="Lowest level of a finding that fails the run; default: warning."),
+)
+
 #: What ``report`` has beside what is analysed.
 page_options = options(
     click.option(
@@ -234,4 +265,42 @@ system_options = options(
     click.option("--as-running", is_flag=True, help="What ROS 1 nodelets make stands under their manager's name."),
     click.option("--no-known-nodes", is_flag=True, help="Leave out what is known of nodes outside the workspace."),
     click.option("--exact", is_flag=True, help="Let libclang fill what is unknown, where ROS headers are installed."),
+)
+
+#: What haros-ci policy has besides.
+policy_options = options(
+    click.argument("launch", nargs=-1, metavar="[LAUNCH]..."),
+    click.option("--output", type=click.Path(dir_okay=False), help="File to write; default: stdout."),
+    click.option("--arg", metavar="NAME:=VALUE", multiple=True, help="An argument of the launch files."),
+    click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations."),
+)
+
+#: What haros-ci diff has besides.
+diff_options = options(
+    click.argument("base"),
+    click.argument("head", required=False),
+    format_option("text", "markdown", "json", "html", help="For a terminal, a pull request, a program or a browser."),
+    click.option("--output", type=click.Path(), help="File to write; default: stdout."),
+    click.option("--merge-base", is_flag=True, help="Compare with the commit at which HEAD's history left BASE's."),
+    click.option("--exit-code", is_flag=True, help="Exit with 1 if anything has changed."),
+)
+
+#: What haros-ci metrics has besides.
+metrics_options = options(
+    click.argument("paths", nargs=-1, type=click.Path()),
+    format_option("text", "json", "csv", help="A line for each function, class, file and package, or data."),
+    click.option("--output", type=click.Path(dir_okay=False), help="File to write; default: stdout."),
+    click.option(
+        "--level",
+        type=click.Choice(["package", "file", "class", "function"]),
+        multiple=True,
+        help="Only values of these.",
+    ),
+    click.option(
+        "--metric",
+        metavar="NAME",
+        multiple=True,
+        shell_complete=completion_of("metrics"),
+        help="Only these metrics (docs/metrics.md).",
+    ),
 )

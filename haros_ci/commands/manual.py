@@ -119,6 +119,14 @@ EXAMPLES: Mapping[str, tuple[tuple[str, str], ...]] = {
         ("those of one node", "haros-ci hpl robot/hpl/driver.hpl --node robot/driver"),
         ("those of a project file, as SARIF", "haros-ci hpl haros.yaml --output sarif=hpl.sarif"),
     ),
+    "monitor": (
+        ("the properties of a configuration", "haros-ci monitor --bag run.bag --configuration robot"),
+        (
+            "one property, not in any project file",
+            "haros-ci monitor --jsonl run.jsonl --property 'globally: no /error'",
+        ),
+        ("findings for code scanning", "haros-ci monitor --bag run --output sarif=monitor.sarif"),
+    ),
     "rules": (("what is on in a profile", "haros-ci rules --profile strict"),),
     "explain": (("a rule by its id, its catalogue id or HAROS's", "haros-ci explain G06"),),
     "init": (("see first what would be written", "haros-ci init --dry-run"),),
@@ -161,6 +169,10 @@ BASE and HEAD are git revisions. Nothing is checked out. The job summary of the 
 A project file (YAML) says itself what its properties are about; those of other files are about the configurations and nodes that are
 named, or about all systems of the workspace. haros-ci check does the same for the project file, among all the rest.
 """,
+    "monitor": """
+PATH is the workspace (default: here) with the project file. Properties are those of the configuration and of its nodes, under the names
+that its launch files give them; --property takes the id of one, or a text in HPL. Bags need the extra: pip install 'haros-ci[bags]'.
+""",
     "init": """
 Looks at PATH (default: here): packages, languages, other people's code, settings of linters. What is there already is left as it is,
 and haros-ci says what to add by hand.
@@ -184,6 +196,7 @@ SHORT: Mapping[str, str] = {
     "merge": "Report what all shards have found, as one check.",
     "metrics": "Measure functions, classes, files and packages.",
     "model": "Reconstruct the running system from source.",
+    "monitor": "Hold properties against a recording.",
     "new-check": "Begin a new check in a clone of haros-ci.",
     "policy": "Write a security policy (SROS2) of what the nodes do.",
     "query": "Ask a query of the running systems, as HAROS does.",

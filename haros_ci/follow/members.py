@@ -73,14 +73,15 @@ def _of_base(walk: Walk, value: Object, name: str, frame: Frame) -> Cell | None:
     head, _, last = name.rpartition("::")
     if value.definition is None or value.definition[0].separator != "::":
         return None
+    source, definition = value.definition
     meant = walk.type_in(syntax.Type(head), frame).name
-    lineage = _lineage(walk, *value.definition)
+    lineage = _lineage(walk, source, definition)
     owners = [item for item in lineage if item[1].name in (meant, head)]
     owners = owners or [item for item in lineage if item[1].name.endswith(f"::{head}")]  # the injected class name
     found = methods.field_of(walk, *owners[0], last, {}) if len(owners) == 1 else None
     if found is None or found[1].is_static:
         return None
-    seen = methods.field_of(walk, *value.definition, last, {})
+    seen = methods.field_of(walk, source, definition, last, {})
     if seen is not None and seen[1] is found[1]:
         return member(walk, value, last, frame)
     key = f"{owners[0][1].name}::{last}"  # the class has another one of that name, and methods of the base mean this

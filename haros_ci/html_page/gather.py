@@ -50,18 +50,18 @@ def gathered(
         found = (
             make() if settings.plugins else _kept(make, report, workspace, architectures, (names, title, date, past))
         )
-        return page(f"{title} – haros-ci", json.loads(found.content)), found.said
+        return page(f"{title} – haros-ci", json.loads(found.content)), found.messages
 
 
 def _kept(
-    make: Any, report: Report, workspace: Workspace, architectures: Architectures, said: tuple[Any, ...]
+    make: Any, report: Report, workspace: Workspace, architectures: Architectures, named: tuple[Any, ...]
 ) -> Output:
     settings = architectures.settings
     listed = {file.path for file in workspace.files}
     others = sorted({result.location.path for result in report.results} - listed)
     key = json.dumps(
         [
-            *said,
+            *named,
             settings.project_file,
             settings_digests(settings, architectures.registry.components),
             measuring_tools(settings),
@@ -70,7 +70,7 @@ def _kept(
         ]
     )
     store = architectures.store
-    return kept_output("report", make, workspace, key, store, is_binary=True, is_kept=lambda output: not output.said)
+    return kept_output("report", make, workspace, key, store, is_binary=True, is_kept=lambda output: not output.messages)
 
 
 def _made(

@@ -59,12 +59,12 @@ def _last_line(stated: Stated) -> int:
 def _row(pool: Pool, one: Held) -> dict[str, Any]:
     stated = one.stated
     parsed, fault, place = stated.parsed, stated.fault, stated.location
-    said = {key: parsed.said(key) if parsed is not None else None for key in ("id", "title", "description")}
+    metadata = {key: parsed.metadata_of(key) if parsed is not None else None for key in ("id", "title", "description")}
     return {
         "kind": stated.owner.kind,
         "owner": pool.text(stated.owner.name),
         "granted": int(stated.is_axiom),
-        **{key: pool.text(each.value if each is not None else None) for key, each in said.items()},
+        **{key: pool.text(each.value if each is not None else None) for key, each in metadata.items()},
         "text": pool.text(canonical(parsed) if parsed is not None else stated.source.text),
         "place": pool.place(place),
         "until": _last_line(stated),

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import tempfile
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,8 @@ from haros_ci.linters.linter import Batch, Finding, LintOptions, Output
 from haros_ci.linters.tool_text import clean
 from haros_ci.measuring import facts
 from haros_ci.model.declared_tool import OUTPUTS, DeclaredTool
+from haros_ci.recordings import jsonl, mcap, ros1
+from haros_ci.recordings.recording import Cut
 from haros_ci.registry import built_in
 from haros_ci.results.compact import BaselineFormatError, read_compact, write_compact
 from haros_ci.results.known import known_from_sarif
@@ -240,12 +243,48 @@ def exact_answers(data: bytes) -> object:
 _JSON = (b"null", b"true", b"[]", b"{}", b'""', b"1e999", b"-1", b'"a.cpp"', b'"\\ud800"', b'"\\u0000"', b"NaN")
 _NAMES = tuple(f"{each.NAME}\n".encode() for each in built_in().linters)
 
+
+def recordings(data: bytes) -> object:
+    """Lines of JSON, and the chunks of bags of ROS 1 and of MCAP files."""
+    found: list[object] = []
+    for line in data.splitlines()[:100]:
+        try:
+            topic, time, message = jsonl.message_of(line)
+            found += [topic, time, repr(message)]
+        except jsonl.NoMessage as err:
+            found.append(str(err))
+    for read in (ros1.Ros1File(Path("run.bag")).chunk, mcap.McapFile(Path("run.mcap")).chunk):
+        topics: dict[str, set[str]] = {}
+        try:
+            found += [(channel.topic, channel.type, time, raw) for channel, time, raw in read(data, topics)]
+        except Cut as cut:
+            found.append(str(cut))
+    file = mcap.McapFile(Path("run.mcap"))
+    try:
+        found += [(channel.topic, time) for channel, time, _ in file.records(BytesIO(data), {})]
+    except Cut as cut:
+        found.append(str(cut))
+    return found
+
+
 TARGETS = {
     "sarif": Entry(
         sarif,
         "SARIF logs",
         ("results.sarif_reader", "results.sarif_file", "results.sarif_graph_reader", "results.sarif_uri"),
         _JSON,
+    ),
+    "recordings": Entry(
+        recordings,
+        "recordings in lines of JSON, of ROS 1 and of MCAP",
+        ("recordings.jsonl", "recordings.ros1", "recordings.mcap"),
+        (
+            b'{"topic": "/a", "time": 1}\n',
+            b"op=\x02",
+            b"conn=\x00\x00\x00\x00",
+            b"time=\x00\x00\x00\x00\x00\x00\x00\x00",
+            b"topic=/a",
+        ),
     ),
     "baseline": Entry(baseline, "compact baselines", ("results.compact",), _JSON),
     "shards": Entry(shards, "shard files", ("shards.shard_file", "results.values", "shards.joining"), _JSON),

@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which properties a recording of a configuration is held against, and what their topics are called in it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from haros_ci.analysis.inspection import Architectures, project_of
+from haros_ci.behaviour.declared import WORKSPACE, Owner, Stated, in_file
+from haros_ci.behaviour.meaning import mistakes
+from haros_ci.behaviour.messages import Constant, Scene
+from haros_ci.behaviour.text import canonical
+from haros_ci.behaviour.tree import Event, Expression, Property
+from haros_ci.checking.kinds import TOPIC
+from haros_ci.checking.properties import Properties, node_names, stated_in
+from haros_ci.checking.system import System, SystemNode, systems
+from haros_ci.errors import UserError
+from haros_ci.model.location import Location
+from haros_ci.model.workspace import Workspace
+from haros_ci.monitoring.monitor import Monitor
+from haros_ci.monitoring.patterns import monitor_of
+
+COMMAND_LINE = "command line"
+
+
+@dataclass(frozen=True, slots=True)
+class Monitored:
+    """A property with its monitor. *node* is the instance that a property of a node is about, "" for others; *location* is None on the command line."""
+
+    title: str
+    text: str
+    stated: Stated
+    node: str
+    monitor: Monitor
+    location: Location | None
+
+
+@dataclass(frozen=True, slots=True)
+class Publisher:
+    """Where messages of a topic come from in the source."""
+
+    node: str
+    location: Location
+
+
+@dataclass(frozen=True, slots=True)
+class Chosen:
+    """The *configuration* ("" for none), its properties, the publishers of each topic, and sentences about properties that are left out."""
+
+    configuration: str
+    properties: tuple[Monitored, ...]
+    publishers: Mapping[str, tuple[Publisher, ...]]
+    notes: tuple[str, ...]
+
+
+def chosen(
+    workspace: Workspace,
+    architectures: Architectures,
+    configuration: str | None,
+    asked: Sequence[str],
+    project_file: str = "",
+) -> Chosen:
+    """The properties of the *configuration* and of its nodes; those *asked* for alone, by id or as text. UserError where it is not clear which."""
+    made = architectures.of(workspace)
+    every = tuple(systems(made.architecture, workspace))
+    project = project_of(made, workspace, every, project_file=project_file)
+    stated = stated_in(project) if project.project_file else ()
+    name = configuration if configuration is not None else _only(stated, every, asked)
+    system = _system(every, name)
+    candidates = [each for each in stated if _is_of(each.owner, name, system)]
+    picked = tuple(_picked(candidates, asked, Owner("configuration", name) if name else WORKSPACE))
+    notes = [f"{each.location}: is no HPL; haros-ci hpl says why" for each in picked if not _is_sound(each)]
+    properties = Properties(project, picked)
+    found = [one for each in picked if _is_sound(each) for one in _monitored(properties, each, system, notes)]
+    return Chosen(name, tuple(found), _publishers(system), tuple(notes))
+
+
+def _system(every: Iterable[System], name: str) -> System | None:
+    known = {system.name: system for system in every}
+    if name and name not in known:
+        shown = ", ".join(sorted(known)[:10]) or "none"
+        raise UserError(f"no configuration {name} in the workspace", help=f"there is {shown}")
+    return known.get(name)
+
+
+def _only(stated: Iterable[Stated], every: Sequence[System], asked: Sequence[str]) -> str:
+    owners = sorted({each.owner.name for each in stated if each.owner.kind == "configuration"})
+    if len(owners) == 1:
+        return owners[0]
+    if not owners and len(every) == 1:
+        return every[0].name
+    if asked and not any(each.identity in asked for each in stated):
+        return ""
+    names = owners or sorted(each.name for each in every)
+    raise UserError(
+        "of which configuration is the recording?",
+        help=f"name it: --configuration NAME; there are {', '.join(names[:10]) or 'none'}",
+    )
+
+
+def _is_of(owner: Owner, name: str, system: System | None) -> bool:
+    if owner.kind == "node":
+        return system is not None and any(node.type == owner.name for node in system.nodes)
+    return owner.kind == "configuration" and owner.name == name
+
+
+def _picked(candidates: Sequence[Stated], asked: Sequence[str], owner: Owner) -> Iterator[Stated]:
+    if not asked:
+        yield from candidates
+    for text in asked:
+        named = [each for each in candidates if text in (each.identity, each.source.text.strip())]
+        if named:
+            yield from named
+            continue
+        for each in in_file(text, COMMAND_LINE, owner):
+            if each.fault is not None or (each.parsed is not None and mistakes(each.parsed)):
+                what = each.fault.whole if each.fault is not None else mistakes(each.parsed)[0].message  # type: ignore[arg-type]
+                raise UserError(
+                    f"--property {text}: is no id of a property, and no HPL: {what}",
+                    help="docs/hpl.md has the language",
+                )
+            yield each
+
+
+def _is_sound(stated: Stated) -> bool:
+    return stated.parsed is not None and not mistakes(stated.parsed)
+
+
+def _monitored(properties: Properties, stated: Stated, system: System | None, notes: list[str]) -> Iterator[Monitored]:
+    property = stated.parsed
+    assert property is not None
+    scenes = {id(event): scene for event, scene in properties.scenes(stated)}
+
+    def constant(event: Event, expression: Expression) -> Any:
+        scene: Scene | None = scenes.get(id(event))
+        typed = scene.typed(expression) if scene is not None else None
+        return typed.value if isinstance(typed, Constant) else None
+
+    given = property.metadata_of("id")
+    text = canonical(property)
+    title = given.value if given is not None else text
+    location = None if stated.source.path == COMMAND_LINE else stated.location
+    nodes = (
+        [node for node in system.nodes if node.type == stated.owner.name]
+        if system and stated.owner.kind == "node"
+        else [None]
+    )
+    for node in nodes:
+        names = _names(property, node)
+        if isinstance(names, str):
+            notes.append(f"{title}: {names}")
+            continue
+        yield Monitored(
+            title, text, stated, node.name if node is not None else "", monitor_of(property, names, constant), location
+        )
+
+
+def _names(property: Property, node: SystemNode | None) -> dict[str, str] | str:
+    """What the topics of *property* are called in the recording; a sentence where that is not known."""
+    found: dict[str, str] = {}
+    for event in property.events:
+        topic = event.topic if event.topic[0] in "/~" else f"/{event.topic}"
+        if node is None:
+            found[event.topic] = topic
+            continue
+        names = {end.name for end in node.of(*TOPIC) if end.known and topic in node_names(end)}
+        if len(names) > 1:
+            return f"{event.topic} of {node.name} can be {' or '.join(sorted(names))}"
+        if not names and not node.complete:
+            return f"what {event.topic} of {node.name} is called when it runs is not known"
+        found[event.topic] = names.pop() if names else topic if topic[0] == "/" else f"{node.name}/{topic.lstrip('~/')}"
+    return found
+
+
+def _publishers(system: System | None) -> dict[str, tuple[Publisher, ...]]:
+    found: dict[str, dict[Publisher, None]] = {}
+    for node in system.nodes if system is not None else ():
+        for end in node.of("publishers"):
+            if end.known:
+                found.setdefault(end.name, {})[Publisher(node.name, end.location)] = None
+    return {name: tuple(each) for name, each in found.items()}

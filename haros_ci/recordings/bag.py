@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Bags: the files of one recording, which of them may be opened, and their messages as objects."""
+
+from __future__ import annotations
+
+import stat
+from collections.abc import Iterator
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any, BinaryIO, Protocol
+
+from haros_ci.bounded_yaml import Limits, YamlFault, data
+from haros_ci.errors import UserError
+from haros_ci.recordings.recording import Channel, Cut, Recording, Unreadable
+
+#: Files of one bag, and bytes of its metadata.yaml.
+MOST_FILES = 10_000
+LARGEST_METADATA = 4 << 20
+MAGIC_ROS1, MAGIC_MCAP, MAGIC_SQLITE, MAGIC_ZSTD = (
+    b"#ROSBAG V",
+    b"\x89MCAP0\r\n",
+    b"SQLite format 3\x00",
+    b"\x28\xb5\x2f\xfd",
+)
+
+
+class Container(Protocol):
+    """A file of a bag; *file* is what it is read from, where its place says how much has been read."""
+
+    file: BinaryIO | None
+
+    def raw(self, channels: dict[str, set[str]]) -> Iterator[tuple[Channel, int, bytes]]:
+        """Channel, time in nanoseconds and bytes of each message; *channels* takes the topics. Cut where reading ends early."""
+
+
+class Bag(Recording):
+    """A bag of ROS 1, or a file or directory of a bag of ROS 2."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__(path.name)
+        demand_extra()
+        self.files = bag_files(path)
+        self.read = 0
+        self.container: Container | None = None
+
+    def share(self) -> float | None:
+        from haros_ci.recordings.jsonl import share_of
+
+        share = share_of(self.container.file) if self.container is not None else None
+        return None if share is None else (self.read + share) / len(self.files)
+
+    def messages(self, wanted: frozenset[str]) -> Iterator[tuple[str, Any, int, int]]:
+        from haros_ci.recordings.types import decoder_of
+
+        for path in self.files:
+            self.container = container(path)
+            try:
+                for channel, time, raw in self.container.raw(self.topics):
+                    number = self.passed(time)
+                    topic = channel.topic
+                    if topic not in wanted:
+                        continue
+                    if channel.decoder is None:
+                        channel.decoder = decoder_of(channel)
+                    yield topic, channel.decoder(raw, number), time, number
+            except Cut as cut:
+                self.notes.append(f"{path.name} can be read up to message {self.count} only: {cut}")
+            self.read += 1
+
+
+def demand_extra() -> None:
+    """UserError if what reads bags is not installed."""
+    if find_spec("rosbags") is None:
+        raise UserError(
+            "bags are read with the package rosbags, which is not installed", help="pip install 'haros-ci[bags]'"
+        )
+
+
+def bag_files(path: Path) -> tuple[Path, ...]:
+    """The files of the bag at *path*; UserError if there is none, or if one is named that lies elsewhere."""
+    try:
+        is_directory = path.is_dir()
+        if not is_directory and not path.is_file():
+            raise UserError(
+                f"{path}: there is no bag", help="name a .bag or .mcap file, or the directory of a bag of ROS 2"
+            )
+    except (OSError, ValueError) as err:
+        raise UserError(f"{path}: cannot be read: {err}", help="name a bag") from err
+    return _named(path) if is_directory else (path,)
+
+
+def _named(directory: Path) -> tuple[Path, ...]:
+    metadata = directory / "metadata.yaml"
+    if not _is_own_file(metadata):
+        raise UserError(
+            f"{directory}: has no metadata.yaml", help="name the directory of a bag of ROS 2, or a file of it"
+        )
+    if metadata.stat().st_size > LARGEST_METADATA:
+        raise UserError(f"{metadata}: is too large", help=f"at most {LARGEST_METADATA >> 20} MB are read")
+    try:
+        read = data(metadata.read_text("utf-8"), Limits(LARGEST_METADATA, 50, 200_000, 100))
+    except (YamlFault, ValueError) as err:
+        raise UserError(f"{metadata}: is no metadata of a bag: {err}", help="name a file of the bag itself") from err
+    information = read.get("rosbag2_bagfile_information") if isinstance(read, dict) else None
+    names = information.get("relative_file_paths") if isinstance(information, dict) else None
+    if not isinstance(names, list) or not all(isinstance(name, str) for name in names) or len(names) > MOST_FILES:
+        raise UserError(f"{metadata}: names no files", help="name a file of the bag itself")
+    return tuple(_inside(directory, name) for name in names)
+
+
+def _inside(directory: Path, name: str) -> Path:
+    """A file of the directory itself; older bags have its name in front."""
+    parts = Path(name).parts
+    if len(parts) == 2 and parts[0] == directory.name:
+        parts = parts[1:]
+    if len(parts) != 1 or parts[0] in ("..", "/"):
+        raise UserError(
+            f"{directory}: metadata.yaml names {name!r}, which is not in the directory of the bag",
+            help="it is not opened",
+        )
+    found = directory / parts[0]
+    if not _is_own_file(found):
+        raise UserError(f"{directory}: {parts[0]!r} is missing, or no file", help="links are not followed")
+    return found
+
+
+def _is_own_file(path: Path) -> bool:
+    try:
+        return stat.S_ISREG(path.lstat().st_mode)
+    except (OSError, ValueError):
+        return False
+
+
+def container(path: Path) -> Container:
+    """The reader of a file, by how it begins; UserError for what is no bag."""
+    from haros_ci.recordings.jsonl import opened
+
+    with opened(path) as file:
+        head = file.read(16)
+    if head.startswith(MAGIC_ROS1):
+        from haros_ci.recordings.ros1 import Ros1File
+
+        return Ros1File(path)
+    if head.startswith(MAGIC_MCAP) or (head.startswith(MAGIC_ZSTD) and ".mcap" in path.suffixes):
+        from haros_ci.recordings.mcap import McapFile
+
+        return McapFile(path, is_packed=head.startswith(MAGIC_ZSTD))
+    if head.startswith((MAGIC_SQLITE, MAGIC_ZSTD)):
+        from haros_ci.recordings.sqlite import SqliteFile
+
+        return SqliteFile(path, is_packed=head.startswith(MAGIC_ZSTD))
+    raise UserError(f"{path}: is no bag of ROS 1, no MCAP and no SQLite file", help="--jsonl reads lines of JSON")
+
+
+def unreadable(number: int, channel: Channel, why: str) -> Unreadable:
+    """A message that cannot be had."""
+    return Unreadable(f"message {number}, on {channel.topic[:200]}, cannot be read: {why}")

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Recordings in lines of JSON: ours, and the event logs of ROSMonitoring (docs/monitor.md states the format)."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import stat
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, BinaryIO
+
+from haros_ci.errors import UserError
+from haros_ci.recordings.recording import Recording
+
+#: Bytes of a line.
+LONGEST_LINE = 16 << 20
+#: Lines that are no messages before the file is taken for something else.
+MOST_FAULTS = 1_000
+SECOND = 1_000_000_000
+#: What ROSMonitoring writes beside the fields of a message.
+_OF_EVENTS = frozenset(("topic", "time", "order", "ros_version", "service", "request", "response", "spec"))
+LATEST = 1 << 62
+
+
+class NoMessage(Exception):
+    """Why a line is no message."""
+
+
+class JsonLines(Recording):
+    """A file with a message in each line."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__(path.name)
+        self.path = path
+        self.file: BinaryIO | None = None
+
+    def share(self) -> float | None:
+        return share_of(self.file)
+
+    def messages(self, wanted: frozenset[str]) -> Iterator[tuple[str, Any, int, int]]:
+        faults = 0
+        with opened(self.path) as file:
+            self.file = file
+            for row, line in enumerate(lines(file), 1):
+                if not line.strip():
+                    continue
+                try:
+                    topic, time, message = message_of(line)
+                except NoMessage as err:
+                    faults += 1
+                    if faults == 1:
+                        self.notes.append(f"line {row} is no message: {err}")
+                    if faults > MOST_FAULTS:
+                        raise UserError(
+                            f"{self.name}: more than {MOST_FAULTS} lines are no messages",
+                            help="docs/monitor.md states the format",
+                        ) from None
+                    continue
+                self.topics.setdefault(topic, set())
+                number = self.passed(time)
+                if topic in wanted:
+                    yield topic, message, time, number
+        if faults > 1:
+            self.notes.append(f"{faults - 1} further lines are no messages")
+
+
+def opened(path: Path) -> BinaryIO:
+    """A regular file for reading; UserError for what is none."""
+    try:
+        if not stat.S_ISREG(path.stat().st_mode):
+            raise UserError(f"{path}: is no file", help="name a recording")
+        return path.open("rb")
+    except (OSError, ValueError) as err:
+        why = getattr(err, "strerror", None) or err
+        raise UserError(f"{path}: cannot be read: {why}", help="name a recording") from err
+
+
+def share_of(file: BinaryIO | None) -> float | None:
+    """How much of an open file has been read."""
+    if file is None or file.closed:
+        return None
+    return file.tell() / max(os.fstat(file.fileno()).st_size, 1)
+
+
+def lines(file: BinaryIO) -> Iterator[bytes]:
+    """The lines; of one that is too long only the beginning, which is no JSON."""
+    while line := file.readline(LONGEST_LINE):
+        if not line.endswith(b"\n") and len(line) == LONGEST_LINE:
+            while (rest := file.readline(LONGEST_LINE)) and not rest.endswith(b"\n"):
+                pass
+            line = b"\x00"
+        yield line
+
+
+def message_of(line: bytes) -> tuple[str, int, Any]:
+    """Topic, time in nanoseconds and message of a line; NoMessage if it is none."""
+    try:
+        found = json.loads(line, parse_int=_whole)
+    except (ValueError, RecursionError):
+        raise NoMessage("it is no JSON, or too long") from None
+    if not isinstance(found, dict):
+        raise NoMessage("it is no object")
+    topic, time = found.get("topic"), found.get("time")
+    if not isinstance(topic, str) or not topic:
+        raise NoMessage("it has no topic")
+    if (
+        isinstance(time, bool)
+        or not isinstance(time, (int, float))
+        or not math.isfinite(time)
+        or not 0 <= time * SECOND < LATEST
+    ):
+        raise NoMessage("it has no time in seconds")
+    at = time * SECOND if isinstance(time, int) else round(time * SECOND)
+    if isinstance(found.get("msg"), dict):
+        return _name(topic), at, found["msg"]
+    return _name(topic), at, {name: value for name, value in found.items() if name not in _OF_EVENTS}
+
+
+def _whole(text: str) -> int | float:
+    return int(text) if len(text) < 40 else float(text)
+
+
+def _name(topic: str) -> str:
+    return topic if topic.startswith("/") else f"/{topic}"

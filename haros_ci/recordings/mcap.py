@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: Apache-2.0
+"""MCAP files (mcap.dev/spec) from their beginning to their end: no summary is needed, so that one which was cut off can be read, too."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterator
+from pathlib import Path
+from typing import BinaryIO
+
+from haros_ci.recordings.jsonl import opened
+from haros_ci.recordings.packed import LARGEST, unpacked, unpacking
+from haros_ci.recordings.recording import Channel, Cut
+
+_SCHEMA, _CHANNEL, _MESSAGE, _CHUNK, _END_OF_DATA = 3, 4, 5, 6, 15
+MOST_CHANNELS = 10_000
+_U16, _U32 = struct.Struct("<H"), struct.Struct("<I")
+_HEAD = struct.Struct("<BQ")
+_OF_MESSAGE = struct.Struct("<HIQQ")
+#: Where the name of a chunk's compression stands, and the largest piece that is passed over at once.
+_OF_CHUNK = 28
+_PIECE = 1 << 20
+LATEST = 1 << 62
+
+
+class McapFile:
+    """An ``.mcap`` file."""
+
+    def __init__(self, path: Path, *, is_packed: bool = False) -> None:
+        self.path = path
+        self.file: BinaryIO | None = None
+        self.is_packed = is_packed
+        self.schemas: dict[int, tuple[str, str, str]] = {}
+        self.channels: dict[int, Channel] = {}
+
+    def raw(self, channels: dict[str, set[str]]) -> Iterator[tuple[Channel, int, bytes]]:
+        try:
+            with unpacking(self.path) if self.is_packed else opened(self.path) as file:
+                self.file = None if self.is_packed else file
+                file.read(8)
+                yield from self.records(file, channels)
+        except (OSError, EOFError) as err:
+            raise Cut(str(err)) from None
+
+    def records(self, file: BinaryIO, channels: dict[str, set[str]]) -> Iterator[tuple[Channel, int, bytes]]:
+        """The messages of the data section."""
+        while True:
+            head = file.read(_HEAD.size)
+            if len(head) != _HEAD.size:
+                raise Cut("it ends early")
+            kind, size = _HEAD.unpack(head)
+            if kind == _END_OF_DATA:
+                return
+            if kind not in (_SCHEMA, _CHANNEL, _MESSAGE, _CHUNK):
+                _pass_over(file, size)
+                continue
+            if size > LARGEST:
+                raise Cut(f"a record of {size} bytes is too large")
+            content = file.read(size)
+            if len(content) != size:
+                raise Cut("it ends early")
+            if kind == _CHUNK:
+                yield from self.chunk(content, channels)
+            else:
+                yield from self.record(kind, content, channels)
+
+    def chunk(self, content: bytes, channels: dict[str, set[str]]) -> Iterator[tuple[Channel, int, bytes]]:
+        """The messages of a chunk, in order of time."""
+        form, at = _text(content, _OF_CHUNK)
+        if len(content) < at + 8:
+            raise Cut("a chunk ends early")
+        inner = unpacked(content[at + 8 :], form)
+        found: list[tuple[Channel, int, bytes]] = []
+        at = 0
+        while at < len(inner):
+            if at + _HEAD.size > len(inner):
+                raise Cut("a chunk ends early")
+            kind, size = _HEAD.unpack_from(inner, at)
+            at += _HEAD.size
+            if at + size > len(inner):
+                raise Cut("a chunk ends early")
+            found += self.record(kind, inner[at : at + size], channels)
+            at += size
+        yield from sorted(found, key=lambda each: each[1])
+
+    def record(self, kind: int, content: bytes, channels: dict[str, set[str]]) -> Iterator[tuple[Channel, int, bytes]]:
+        """What a record holds: a message, or the channel or the type of others."""
+        try:
+            if kind == _MESSAGE:
+                key, _, time, _ = _OF_MESSAGE.unpack_from(content)
+                if key not in self.channels or time > LATEST:
+                    raise Cut("a message has no channel, or no time")
+                yield self.channels[key], time, content[_OF_MESSAGE.size :]
+            elif kind == _SCHEMA:
+                self.schema(content)
+            elif kind == _CHANNEL:
+                self.channel(content, channels)
+        except struct.error:
+            raise Cut("a record is damaged") from None
+
+    def schema(self, content: bytes) -> None:
+        """Take the definition of a type."""
+        name, at = _text(content, 2)
+        encoding, at = _text(content, at)
+        definition, _ = _text(content, at)
+        if len(self.schemas) >= MOST_CHANNELS:
+            raise Cut("it has too many types")
+        self.schemas[_U16.unpack_from(content)[0]] = name, encoding, definition
+
+    def channel(self, content: bytes, channels: dict[str, set[str]]) -> None:
+        """Take a topic."""
+        key, schema = _U16.unpack_from(content)[0], _U16.unpack_from(content, 2)[0]
+        if key in self.channels:
+            return
+        topic, at = _text(content, 4)
+        written, _ = _text(content, at)
+        name, encoding, definition = self.schemas.get(schema, ("", "", ""))
+        known = encoding if encoding not in ("ros2msg", "ros1msg", "") else written
+        self.channels[key] = Channel(topic, name, definition, known)
+        channels.setdefault(topic, set()).add(name)
+
+
+def _text(content: bytes, at: int) -> tuple[str, int]:
+    """The text at a place, and where it ends."""
+    size = _U32.unpack_from(content, at)[0]
+    end = at + 4 + size
+    if end > len(content):
+        raise Cut("a record is damaged")
+    return content[at + 4 : end].decode("utf-8", "replace"), end
+
+
+def _pass_over(file: BinaryIO, size: int) -> None:
+    while size > 0:
+        read = len(file.read(min(size, _PIECE)))
+        if not read:
+            raise Cut("it ends early")
+        size -= read

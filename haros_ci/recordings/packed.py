@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Compressed data, unpacked up to a limit."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Any, BinaryIO
+
+from haros_ci.recordings.recording import Cut
+
+#: Bytes of one chunk or message, unpacked.
+LARGEST = 256 << 20
+#: Bytes of one file, unpacked.
+LARGEST_FILE = 64 << 30
+_PIECE = 1 << 20
+
+
+def unpacked(content: bytes, form: str, limit: int = LARGEST) -> bytes:
+    """*content*, which is of the *form* none, bz2, lz4 or zstd; Cut if it is more than *limit* bytes, or damaged."""
+    if form in ("", "none"):
+        return content
+    made = decompressor(form)
+    try:
+        found: bytes = made.decompress(content, limit + 1)
+    except (OSError, EOFError, RuntimeError, ValueError, _zstd_error()) as err:
+        raise Cut(f"{form} data is damaged: {err}") from None
+    if len(found) > limit:
+        raise Cut(f"{form} data is more than {limit >> 20} MB when unpacked")
+    if not made.eof:
+        raise Cut(f"{form} data ends early")
+    return found
+
+
+def decompressor(form: str) -> Any:
+    """An object that unpacks piece by piece; Cut for a form that is not known."""
+    if form == "bz2":
+        import bz2
+
+        return bz2.BZ2Decompressor()
+    if form == "lz4":
+        import lz4.frame  # type: ignore[import-not-found, import-untyped, unused-ignore]
+
+        return lz4.frame.LZ4FrameDecompressor()
+    if form == "zstd":
+        return _zstd().ZstdDecompressor()
+    raise Cut(f"compression {form[:40]!r} is not known")
+
+
+def _zstd() -> Any:
+    if sys.version_info >= (3, 14):
+        from compression import zstd
+    else:
+        from backports import zstd  # type: ignore[import-not-found, import-untyped, unused-ignore]
+    return zstd
+
+
+def _zstd_error() -> type[Exception]:
+    found: type[Exception] = _zstd().ZstdError
+    return found
+
+
+def unpack_file(path: Path, to: BinaryIO, limit: int) -> None:
+    """Write what the zstd file *path* holds; Cut at *limit* bytes, or where it is damaged."""
+    written = 0
+    try:
+        with _zstd().open(path, "rb") as packed:
+            while piece := packed.read(_PIECE):
+                written += len(piece)
+                if written > limit:
+                    raise Cut(f"it is more than {limit >> 20} MB when unpacked")
+                to.write(piece)
+    except (OSError, EOFError, _zstd_error()) as err:
+        raise Cut(f"zstd data is damaged: {err}") from None
+
+
+def unpacking(path: Path) -> BinaryIO:
+    """A zstd file, unpacked as it is read."""
+    found: BinaryIO = _zstd().open(path, "rb")
+    return found

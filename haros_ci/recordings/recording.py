@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What every recording is: topics, and messages in the order in which they stand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+
+class Cut(Exception):
+    """Behind this place a recording cannot be read, and why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Unreadable:
+    """A message that is there and cannot be had, and why."""
+
+    reason: str
+
+
+@dataclass(slots=True)
+class Channel:
+    """A topic of a bag with its type (``pkg/T`` or ``pkg/msg/T``), the type's *definition* ("" where the bag has none), and how messages are written."""
+
+    topic: str
+    type: str
+    definition: str
+    encoding: str
+    decoder: Any = None
+    count: int = 0
+
+
+class Recording:
+    """Messages with their times. *first* and *last* are those of the messages so far, in nanoseconds; *count* is how many those are.
+
+    ``topics`` are those that it has, with their types; *notes* are sentences about what could not be read.
+    """
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.first: int | None = None
+        self.last: int | None = None
+        self.count = 0
+        self.notes: list[str] = []
+        self.topics: dict[str, set[str]] = {}
+
+    def messages(self, wanted: frozenset[str]) -> Iterator[tuple[str, Any, int, int]]:
+        """Topic, message, time and number, from 1, of the messages on the topics *wanted*; a message can be ``Unreadable``."""
+        raise NotImplementedError
+
+    def share(self) -> float | None:
+        """How much of it has been read, None if that is not known."""
+        return None
+
+    def passed(self, time: int) -> int:
+        """Count a message; its number."""
+        if self.first is None:
+            self.first = time
+        self.last = time
+        self.count += 1
+        return self.count

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Several properties against one recording: who gets which message, by which clock, and what cannot be had."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from haros_ci.behaviour.parser import parse_property
+from haros_ci.monitoring.clock import Clock, stamp_of
+from haros_ci.monitoring.patterns import monitor_of
+from haros_ci.monitoring.verdict import Verdict
+from haros_ci.monitoring.watch import Watch
+
+MS, SECOND = 1_000_000, 1_000_000_000
+
+
+def watch(*texts: str, by_header: bool = False, names: dict[str, str] | None = None) -> Watch:
+    return Watch((monitor_of(parse_property(text), names or {}) for text in texts), by_header=by_header)
+
+
+def stamped(time: int, **fields: Any) -> dict[str, Any]:
+    return {"header": {"stamp": {"sec": time // SECOND, "nanosec": time % SECOND}}, **fields}
+
+
+@pytest.mark.parametrize(
+    ("times", "expected"),
+    [
+        ((5, 7, 7, 9), [5, 7, 7, 9]),
+        ((5, 4, 6), [5, 5, 6]),
+        ((10 * SECOND, SECOND, 2 * SECOND), [10 * SECOND, 10 * SECOND, 11 * SECOND]),
+        ((10 * SECOND, SECOND, 0, 2 * SECOND), [10 * SECOND, 10 * SECOND, 10 * SECOND, 11 * SECOND]),
+    ],
+)
+def test_times_only_go_on(times: tuple[int, ...], expected: list[int]) -> None:
+    clock = Clock()
+    assert [clock.at(time, number) for number, time in enumerate(times, 1)] == expected
+
+
+def test_steps_back_are_counted() -> None:
+    clock = Clock()
+    for number, time in enumerate((0, 5 * SECOND, 5 * SECOND - 1, 0, 1), 1):
+        clock.at(time, number)
+    assert (clock.noise, clock.jumps, clock.first_jump) == (1, 1, 4)
+
+
+@pytest.mark.parametrize(
+    ("message", "stamp"),
+    [
+        (stamped(1_500_000_000), 1_500_000_000),
+        ({"header": {"stamp": {"secs": 2, "nsecs": 3}}}, 2_000_000_003),
+        (stamped(0), None),
+        ({"header": {"stamp": {"sec": "1", "nanosec": 0}}}, None),
+        ({"header": {"stamp": {"sec": 1 << 60, "nanosec": 0}}}, None),
+        ({"header": 3}, None),
+        ({}, None),
+        (3, None),
+    ],
+)
+def test_stamps(message: Any, stamp: int | None) -> None:
+    assert stamp_of(message) == stamp
+
+
+def test_messages_are_in_the_order_of_their_stamps() -> None:
+    text = "globally: /b requires /a within 5 ms"
+    for by_header, verdict in ((True, Verdict.HELD), (False, Verdict.VIOLATED)):
+        watched = watch(text, by_header=by_header)
+        watched.take("/b", stamped(SECOND + 4 * MS), 100 * MS, 1)
+        watched.take("/a", stamped(SECOND), 101 * MS, 2)
+        if not by_header:
+            watched.begin(0) if watched.began is None else None
+        assert watched.finish(None)[0].verdict is verdict
+
+
+def test_messages_without_a_stamp_leave_their_properties_undecided() -> None:
+    watched = watch("globally: no /a {x > 1}", "globally: no /b {x > 1}", by_header=True)
+    watched.take("/a", stamped(SECOND, x=1), 0, 1)
+    watched.take("/b", {"x": 2}, 0, 2)
+    first, second = watched.finish(None)
+    assert (first.verdict, second.verdict) == (Verdict.HELD, Verdict.UNDECIDED)
+    assert "message 2, on /b, has no header stamp" in second.reason
+
+
+def test_what_cannot_be_read_leaves_its_properties_undecided_from_there_on() -> None:
+    watched = watch("globally: no /a", "globally: some /a", "globally: /b causes /c")
+    watched.begin(0)
+    watched.take("/a", {}, 0, 1)
+    watched.leave("/a", "message 2, on /a, cannot be read")
+    watched.take("/b", {}, 1, 3)
+    watched.take("/c", {}, 1, 4)
+    verdicts = [each.verdict.value for each in watched.finish(2)]
+    assert verdicts == ["violated", "held", "held"]
+
+
+def test_topics_are_called_as_in_the_recording() -> None:
+    watched = watch("globally: no cmd {x > 1}", names={"cmd": "/robot/cmd"})
+    assert watched.topics == {"/robot/cmd"}
+    watched.take("/robot/cmd", {"x": 2}, 0, 1)
+    (outcome,) = watched.finish(None)
+    assert (outcome.verdict, outcome.witnesses[0].topic) == (Verdict.VIOLATED, "/robot/cmd")
+
+
+@pytest.mark.parametrize(("recorded", "verdict"), [({"/a"}, "held"), ({"/b"}, "never exercised"), (None, "held")])
+def test_what_was_not_recorded_is_not_held(recorded: set[str] | None, verdict: str) -> None:
+    watched = watch("globally: no /a")
+    watched.begin(0)
+    (outcome,) = watched.finish(9, None if recorded is None else frozenset(recorded))
+    assert outcome.verdict.value == verdict
+
+
+@pytest.mark.parametrize(("end", "verdict"), [(4, "undecided"), (5, "violated")])
+def test_the_end_of_the_recording_counts(end: int, verdict: str) -> None:
+    watched = watch("globally: /a causes /b within 5 ms")
+    watched.begin(0)
+    watched.take("/a", {}, 0, 1)
+    assert watched.finish(end * MS)[0].verdict.value == verdict
+
+
+def test_an_empty_recording() -> None:
+    assert [each.verdict.value for each in watch("globally: some /a", "globally: /a causes /b").finish(None)] == [
+        "undecided", "never exercised"]  # fmt: skip

@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: Apache-2.0
+"""``haros-ci monitor``: which properties of which configuration, under which names, what is said, and the exit codes."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from haros_ci.cli import main
+
+TALKER = """\
+#!/usr/bin/env python3
+import rospy
+from std_msgs.msg import UInt8
+
+rospy.init_node('talker')
+out = rospy.Publisher('level', UInt8, queue_size=1)
+rospy.Subscriber('ask', UInt8, print)
+rospy.spin()
+"""
+FILES = {
+    "src/demo/package.xml": "<package><name>demo</name><version>1.0.0</version><description>d</description>"
+    "<maintainer email='a@b.cd'>a</maintainer><license>x</license><buildtool_depend>catkin</buildtool_depend>"
+    "<run_depend>rospy</run_depend><run_depend>std_msgs</run_depend></package>",
+    "src/demo/CMakeLists.txt": "cmake_minimum_required(VERSION 3.5)\nproject(demo)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+    "catkin_install_python(PROGRAMS talker.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n",
+    "src/demo/talker.py": TALKER,
+    "src/demo/launch/demo.launch": "<launch><node pkg='demo' type='talker.py' name='a' ns='robot'>"
+    "<remap from='ask' to='/question'/></node><node pkg='demo' type='talker.py' name='b'/></launch>",
+    "src/demo/launch/other.launch": "<launch><node pkg='demo' type='talker.py' name='c'/></launch>",
+}
+PROJECT = """\
+packages: [demo]
+configurations:
+  demo:
+    launch: [demo/launch/demo.launch]
+    hpl:
+      assumptions:
+        - 'globally: no /question {data = 9}'
+      properties:
+        - |
+          # id: answers
+          globally: /question causes /robot/level within 100 ms
+        - 'globally: no /robot/level {data > 100}'
+        - 'globally: no /robot/level {data ='
+nodes:
+  demo/talker.py:
+    hpl:
+      properties:
+        - |
+          # id: asked
+          globally: level requires ask
+"""
+Row = tuple[str, float, int]
+
+
+@pytest.fixture
+def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    for path, text in {**FILES, "haros.yaml": PROJECT}.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def record(path: Path, *rows: Row) -> str:
+    file = path / "run.jsonl"
+    file.write_text("".join(json.dumps({"topic": t, "time": s, "msg": {"data": d}}) + "\n" for t, s, d in rows))
+    return str(file)
+
+
+def verdicts(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, dict[str, str], Any]:
+    code = main(["monitor", *arguments, "--no-cache", "--output", "json"])
+    said = json.loads(capsys.readouterr().out)
+    return code, {f"{each['id']} {each['node'] or ''}".strip(): each["verdict"] for each in said["properties"]}, said
+
+
+QUESTION, LEVEL = "/question", "/robot/level"
+
+
+def test_properties_of_a_configuration_and_its_nodes(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    run = record(workspace, (QUESTION, 5, 1), (LEVEL, 5.05, 7), (QUESTION, 6, 9), (LEVEL, 6.1, 7), (LEVEL, 6.2, 101))
+    code, found, said = verdicts(capsys, "--jsonl", run)
+    assert code == 1
+    assert found == {
+        "globally: no /question {data = 9}": "violated",
+        "answers": "violated",
+        "globally: no /robot/level {data > 100}": "violated",
+        "asked /robot/a": "held",
+        "asked /b": "never exercised",
+    }
+    (late,) = (each for each in said["properties"] if each["id"] == "answers")
+    assert (late["time"], late["path"], late["line"]) == (6.1, "haros.yaml", 10)
+    assert [(each["role"], each["number"], each["time"]) for each in late["witnesses"]] == [("trigger", 3, 6.0)]
+    (above,) = (each for each in said["properties"] if "100" in each["id"])
+    assert above["witnesses"][0]["publishers"] == [{"node": "/robot/a", "path": "src/demo/talker.py", "line": 6}]
+    assert said["recording"]["notes"] == ["haros.yaml:13:45: is no HPL; haros-ci hpl says why"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "expected"),
+    [
+        (("--property", "answers"), (1, {"answers": "violated"})),
+        (("--property", "globally: some /question"), (0, {"globally: some /question": "held"})),
+        (("--property", "globally: some /question", "--property", "asked"), (0, {
+            "globally: some /question": "held", "asked /robot/a": "held", "asked /b": "never exercised"})),
+        (("--property", "globally: some /question", "--configuration", "demo"), (0, {"globally: some /question": "held"})),
+        (("--property", "answers", "--fail-on", "never"), (0, {"answers": "violated"})),
+        (("--property", "until /question: no /robot/level"), (0, {"until /question: no /robot/level": "held"})),
+    ],
+)  # fmt: skip
+def test_properties_that_are_asked_for(
+    workspace: Path, capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], expected: object
+) -> None:
+    run = record(workspace, (QUESTION, 6, 9), (LEVEL, 6.1, 7))
+    assert verdicts(capsys, "--jsonl", run, *arguments)[:2] == expected
+
+
+@pytest.mark.parametrize(
+    ("arguments", "text"),
+    [
+        ((), "one recording is needed"),
+        (("--bag", "x", "--jsonl", "y"), "one recording is needed"),
+        (("--jsonl", "none"), "cannot be read"),
+        (("--jsonl", "run.jsonl", "--property", "no such"), "is no id of a property, and no HPL"),
+        (
+            ("--jsonl", "run.jsonl", "--property", "globally: no /a {x = @B.y}"),
+            "no event before this one has the alias B",
+        ),
+        (("--jsonl", "run.jsonl", "--configuration", "none"), "no configuration none"),
+        (("--jsonl", "run.jsonl", "--output", "unheard"), "unknown format"),
+    ],
+)
+def test_wrong_usage(
+    workspace: Path, capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], text: str
+) -> None:
+    record(workspace, (QUESTION, 6, 9))
+    assert main(["monitor", *arguments, "--no-cache"]) == 2
+    assert text in capsys.readouterr().err
+
+
+def test_without_a_project_file_a_configuration_is_named(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (workspace / "haros.yaml").unlink()
+    run = record(workspace, (QUESTION, 6, 9))
+    assert main(["monitor", "--jsonl", run, "--no-cache"]) == 2
+    assert "of which configuration is the recording?" in capsys.readouterr().err
+    assert verdicts(capsys, "--jsonl", run, "--property", "globally: no /question")[0] == 1
+
+
+def test_the_text_has_a_timeline_and_moves_no_cursor(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    run = record(workspace, (QUESTION, 0, 1), (QUESTION, 5, 1), ("/\x1b[2J", 10, 7))
+    assert main(["monitor", "--jsonl", run, "--no-cache", "--property", "globally: no /question {data = 1}"]) == 1
+    text = capsys.readouterr().out
+    assert "x violated: globally: no /question {data = 1}" in text and "|x-----" in text and "\x1b" not in text
+
+
+def test_findings_stand_at_the_property_and_lead_over_the_publishers(workspace: Path) -> None:
+    run = record(workspace, (QUESTION, 5, 1), (LEVEL, 6, 101))
+    assert (
+        main(["monitor", "--jsonl", run, "--no-cache", "--output", "sarif=run.sarif", "--output", "junit=run.xml"]) == 1
+    )
+    (log,) = json.loads((workspace / "run.sarif").read_text())["runs"]
+    found = {each["ruleId"]: each for each in log["results"] if "100}" in each["message"]["text"]}
+    result = found["hpl-violated"]
+    place = result["locations"][0]["physicalLocation"]
+    assert (place["artifactLocation"]["uri"], place["region"]["startLine"]) == ("haros.yaml", 12)
+    (step,) = result["codeFlows"][0]["threadFlows"][0]["locations"]
+    assert step["location"]["physicalLocation"]["artifactLocation"]["uri"] == "src/demo/talker.py"
+    assert "t = +1.000 s: behaviour on /robot/level with data = 101" in step["location"]["message"]["text"]
+    assert "hpl-violated" in (workspace / "run.xml").read_text()
+
+
+def test_a_comment_accepts_a_violation(workspace: Path) -> None:
+    path = workspace / "haros.yaml"
+    path.write_text(PROJECT.replace("> 100}'", "> 100}'  # haros: ignore[hpl-violated] known"))
+    run = record(workspace, (QUESTION, 5, 1), (LEVEL, 5.01, 101))
+    assert main(["monitor", "--jsonl", run, "--no-cache"]) == 0
+
+
+def test_a_bag(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    from recordings.bags import ros1
+
+    ros1(workspace / "run.bag", [(QUESTION, 1, 0), (LEVEL, 7, 50), (QUESTION, 1, 1_000), (LEVEL, 7, 1_100)])
+    code, found, said = verdicts(capsys, "--bag", "run.bag", "--property", "answers")
+    assert (code, found) == (1, {"answers": "violated"})
+    assert said["recording"]["topics"] == {QUESTION: 2, LEVEL: 2}
+
+
+def test_nothing_of_it_is_loaded_elsewhere(workspace: Path) -> None:
+    code = (
+        "import sys; from haros_ci.cli import main; sys.argv[1:] = %r\ntry: main()\nexcept SystemExit: pass\n"
+        "print([name for name in sys.modules if name.startswith(('haros_ci.monitoring', 'haros_ci.recordings', 'rosbags', 'numpy', 'sqlite3'))])"
+    )
+    for arguments in (["--help"], ["check", "--no-cache", "--profile", "architecture", "--output", "json=out.json"]):
+        done = subprocess.run([sys.executable, "-c", code % arguments], capture_output=True, text=True, check=True)
+        assert done.stdout.splitlines()[-1] == "[]", arguments
