@@ -69,11 +69,11 @@ def chosen(
     stated = stated_in(project) if project.project_file else ()
     name = configuration if configuration is not None else _only(stated, every, asked)
     system = _system(every, name)
-    candidates = [each for each in stated if _is_of(each.owner, name, system)]
+    candidates = [stated for stated in stated if _is_of(stated.owner, name, system)]
     picked = tuple(_picked(candidates, asked, Owner("configuration", name) if name else WORKSPACE))
-    notes = [f"{each.location}: is no HPL; haros-ci hpl says why" for each in picked if not _is_sound(each)]
+    notes = [f"{stated.location}: is no HPL; haros-ci hpl says why" for stated in picked if not _is_sound(stated)]
     properties = Properties(project, picked)
-    found = [one for each in picked if _is_sound(each) for one in _monitored(properties, each, system, notes)]
+    found = [one for stated in picked if _is_sound(stated) for one in _monitored(properties, stated, system, notes)]
     return Chosen(name, tuple(found), _publishers(system), tuple(notes))
 
 
@@ -86,14 +86,14 @@ def _system(every: Iterable[System], name: str) -> System | None:
 
 
 def _only(stated: Iterable[Stated], every: Sequence[System], asked: Sequence[str]) -> str:
-    owners = sorted({each.owner.name for each in stated if each.owner.kind == "configuration"})
+    owners = sorted({other_stated.owner.name for other_stated in stated if other_stated.owner.kind == "configuration"})
     if len(owners) == 1:
         return owners[0]
     if not owners and len(every) == 1:
         return every[0].name
-    if asked and not any(each.identity in asked for each in stated):
+    if asked and not any(other_stated.identity in asked for other_stated in stated):
         return ""
-    names = owners or sorted(each.name for each in every)
+    names = owners or sorted(system.name for system in every)
     raise UserError(
         "of which configuration is the recording?",
         help=f"name it: --configuration NAME; there are {', '.join(names[:10]) or 'none'}",
@@ -110,18 +110,18 @@ def _picked(candidates: Sequence[Stated], asked: Sequence[str], owner: Owner) ->
     if not asked:
         yield from candidates
     for text in asked:
-        named = [each for each in candidates if text in (each.identity, each.source.text.strip())]
+        named = [candidate for candidate in candidates if text in (candidate.identity, candidate.source.text.strip())]
         if named:
             yield from named
             continue
-        for each in in_file(text, COMMAND_LINE, owner):
-            if each.fault is not None or (each.parsed is not None and mistakes(each.parsed)):
-                what = each.fault.whole if each.fault is not None else mistakes(each.parsed)[0].message  # type: ignore[arg-type]
+        for stated in in_file(text, COMMAND_LINE, owner):
+            if stated.fault is not None or (stated.parsed is not None and mistakes(stated.parsed)):
+                what = stated.fault.whole if stated.fault is not None else mistakes(stated.parsed)[0].message  # type: ignore[arg-type]
                 raise UserError(
                     f"--property {text}: is no id of a property, and no HPL: {what}",
                     help="docs/hpl.md has the language",
                 )
-            yield each
+            yield stated
 
 
 def _is_sound(stated: Stated) -> bool:
@@ -180,4 +180,4 @@ def _publishers(system: System | None) -> dict[str, tuple[Publisher, ...]]:
         for end in node.of("publishers"):
             if end.known:
                 found.setdefault(end.name, {})[Publisher(node.name, end.location)] = None
-    return {name: tuple(each) for name, each in found.items()}
+    return {name: tuple(item) for name, item in found.items()}

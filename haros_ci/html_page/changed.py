@@ -28,21 +28,21 @@ def changed(pool: Pool, found: Changes) -> dict[str, Any]:
     """The changes as rows, and the picture of the edges that came, went or stand beside them."""
     rows = [
         (
-            each.what,
-            each.action,
-            pool.text(title(each)),
-            pool.texts(each.names),
-            pool.texts(each.old_names),
-            pool.text(each.before),
-            pool.text(each.after),
-            pool.texts(each.nodes),
-            pool.texts(each.programs),
-            pool.texts(each.configurations),
-            pool.texts(each.users),
-            pool.texts(each.details),
-            pool.place(each.location),
+            change.what,
+            change.action,
+            pool.text(title(change)),
+            pool.texts(change.names),
+            pool.texts(change.old_names),
+            pool.text(change.before),
+            pool.text(change.after),
+            pool.texts(change.nodes),
+            pool.texts(change.programs),
+            pool.texts(change.configurations),
+            pool.texts(change.users),
+            pool.texts(change.details),
+            pool.place(change.location),
         )
-        for each in found.changes
+        for change in found.changes
     ]
     return {
         "headline": pool.text(headline(found)) if found.changes else NONE,
@@ -66,8 +66,8 @@ def _picture(pool: Pool, found: Changes) -> dict[str, Any] | None:
         "size": layout.size,
         "nodes": [(pool.text(name), node_state[name], *place) for name, place in zip(names, layout.nodes, strict=True)],
         "channels": [
-            (each.channel.what, pool.text(each.channel.name), *place)
-            for each, place in zip(made.channels, layout.channels, strict=True)
+            (channel.channel.what, pool.text(channel.channel.name), *place)
+            for channel, place in zip(made.channels, layout.channels, strict=True)
         ],
         "edges": [
             (node, channel, int(gives), states.get((node, channel, gives), ""), points)
@@ -99,9 +99,9 @@ def _elements(found: Changes, names: list[str]) -> tuple[Elements, dict[tuple[in
 def _states(found: Changes, names: list[str]) -> dict[str, str]:
     """The state of each node: added or removed as a whole, changed, or "" for one that is only beside what has changed."""
     states = dict.fromkeys(names, "")
-    for each in found.changes:
-        whole = each.what == "node" and each.action in (ADDED, REMOVED)
-        for name in each.names if whole else each.nodes:
+    for change in found.changes:
+        whole = change.what == "node" and change.action in (ADDED, REMOVED)
+        for name in change.names if whole else change.nodes:
             if name in states and states[name] not in (ADDED, REMOVED):
-                states[name] = each.action if whole else "changed"
+                states[name] = change.action if whole else "changed"
     return states

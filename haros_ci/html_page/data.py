@@ -93,14 +93,14 @@ def data_of(given: Input) -> dict[str, Any]:
 
 def _left_out(frames: Frames, findings: int, given: Input) -> list[str]:
     """What the page does not have for its size."""
-    said = []
+    sentences = []
     if findings:
-        said.append(f"{summary.plural(findings, 'finding')} left out: those known before, then notes.")
+        sentences.append(f"{summary.plural(findings, 'finding')} left out: those known before, then notes.")
     if frames.is_full:
-        said.append("Source lines left out: the page has them for the first findings only.")
+        sentences.append("Source lines left out: the page has them for the first findings only.")
     if given.more_than_shown:
-        said.append(f"{summary.plural(given.more_than_shown, 'configuration')} left out by --configuration.")
-    return said
+        sentences.append(f"{summary.plural(given.more_than_shown, 'configuration')} left out by --configuration.")
+    return sentences
 
 
 def _summary(pool: Pool, report: Report, given: Input) -> dict[str, Any]:

@@ -74,7 +74,7 @@ class Elements:
 
     @property
     def is_too_large(self) -> bool:
-        edges = sum(len(each.ends) for each in self.channels)
+        edges = sum(len(channel.ends) for channel in self.channels)
         return len(self.nodes) + len(self.channels) > MOST_ELEMENTS or edges > MOST_EDGES
 
 
@@ -85,7 +85,7 @@ def elements(configuration: Configuration) -> Elements:
     _boxes(made)
     index = {id(node): number for number, node in enumerate(nodes)}
     every = channels(configuration)
-    has_room = sum(not each.implicit for each in every) + len(nodes) <= FEW
+    has_room = sum(not channel.implicit for channel in every) + len(nodes) <= FEW
     for channel in every:
         ends = dict.fromkeys((index[id(node)], end.kind in OUTGOING) for node, end in channel.ends)
         touched = {number for number, _ in ends}

@@ -50,7 +50,7 @@ def findings(
     for _, result in sorted(found, key=lambda pair: standing(pair[1]) != OPEN):
         frames.keep([result.location])
         near = [*result.related[:MOST_PLACES], *result.flow[:MOST_PLACES]]
-        frames.keep((each.location for each in near), around=1)
+        frames.keep((related.location for related in near), around=1)
     return [_row(pool, id, result, package) for id, result in found]
 
 
@@ -76,20 +76,22 @@ def _row(pool: Pool, id: str, result: Result, package: Callable[[str], str | Non
         _near(pool, result.flow),
         pool.text(result.graph or None),
         tuple((pool.text(a), pool.text(b)) for a, b in result.edges[:200]),
-        tuple(pool.text(each.justification or each.kind) for each in result.suppressions),
-        pool.texts(tuple(each.description for each in result.fixes)),
+        tuple(pool.text(suppression.justification or suppression.kind) for suppression in result.suppressions),
+        pool.texts(tuple(fix.description for fix in result.fixes)),
         _near(pool, [Related(copy.location, "") for copy in result.copies]),
     )
 
 
 def _near(pool: Pool, places: Iterable[Related]) -> tuple[tuple[int, int], ...]:
     shown = tuple(places)[:MOST_PLACES]
-    return tuple((pool.place(each.location), pool.text(label(each)) if each.message else NONE) for each in shown)
+    return tuple(
+        (pool.place(related.location), pool.text(label(related)) if related.message else NONE) for related in shown
+    )
 
 
 def rules(pool: Pool, report: Report, found: Iterable[tuple[str, Result]]) -> list[dict[str, Any]]:
     """The rules of *found*, by tool and id: summary, page, tags, profiles, other names."""
-    wanted = {(result.tool, result.rule) for _, result in found}
+    named = {(result.tool, result.rule) for _, result in found}
     known = {(run.tool.name, rule.id): rule for run in report.runs for rule in run.rules}
     return [
         {
@@ -102,5 +104,5 @@ def rules(pool: Pool, report: Report, found: Iterable[tuple[str, Result]]) -> li
             "address": pool.text(rule.help_uri),
         }
         for (tool, id), rule in sorted(known.items())
-        if (tool, id) in wanted
+        if (tool, id) in named
     ]

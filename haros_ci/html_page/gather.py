@@ -70,7 +70,9 @@ def _kept(
         ]
     )
     store = architectures.store
-    return kept_output("report", make, workspace, key, store, is_binary=True, is_kept=lambda output: not output.messages)
+    return kept_output(
+        "report", make, workspace, key, store, is_binary=True, is_kept=lambda output: not output.messages
+    )
 
 
 def _made(

@@ -22,28 +22,28 @@ def launch_tree(pool: Pool, one: Configuration) -> dict[str, Any]:
     """
     facts = one.launch_facts
     includes = _once((fact for fact in facts if isinstance(fact, IncludeUse)), lambda f: (f.included, f.location))
-    ways = {(*each.included, each.location): number for number, each in enumerate(includes)}
+    ways = {(*include.included, include.location): number for number, include in enumerate(includes)}
     declared = _once((fact for fact in facts if isinstance(fact, ArgumentDeclaration)), lambda f: (f.location, f.name))
     return {
         "includes": [
             (
-                pool.place(each.location),
-                pool.text(each.text),
-                pool.text(each.path),
-                pool.texts(tuple(dict.fromkeys(passed.name for passed in each.passed))),
-                pool.text(presence_text(each.presence)),
-                ways.get(each.included, -1),
+                pool.place(include.location),
+                pool.text(include.text),
+                pool.text(include.path),
+                pool.texts(tuple(dict.fromkeys(passed.name for passed in include.passed))),
+                pool.text(presence_text(include.presence)),
+                ways.get(include.included, -1),
             )
-            for each in includes
+            for include in includes
         ],
         "declared": [
             (
-                pool.place(each.location),
-                pool.text(each.name),
-                pool.text(each.default),
-                pool.texts(each.choices[:20]),
+                pool.place(item.location),
+                pool.text(item.name),
+                pool.text(item.default),
+                pool.texts(item.choices[:20]),
             )
-            for each in declared
+            for item in declared
         ],
     }
 

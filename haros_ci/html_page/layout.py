@@ -57,7 +57,7 @@ def laid_out(made: Elements) -> Layout | None:
 
     if made.is_too_large:
         return None
-    shown = [number for number, each in enumerate(made.channels) if not each.switch]
+    shown = [number for number, channel in enumerate(made.channels) if not channel.switch]
     graph = graphlay.Graph()
     for number, box in enumerate(made.boxes):
         graph.node(("box", number), width=10, height=10, label="", **_parent(graph, box.parent))
@@ -99,18 +99,19 @@ def _placed(made: Elements, found: Any, ends: list[tuple[int, int, bool]], place
     layout.boxes = [rectangle(("box", number)) for number in range(len(made.boxes))]
     most = found.bounds["max"]
     right, bottom = round(most["x"] - left) + GAP, round(most["y"] - top) + GAP
-    below = _rows([each for each in made.channels if each.switch], right, bottom + GAP)
+    below = _rows([channel for channel in made.channels if channel.switch], right, bottom + GAP)
     layout.channels = [
-        next(below) if each.switch else rectangle(("channel", number)) for number, each in enumerate(made.channels)
+        next(below) if channel.switch else rectangle(("channel", number))
+        for number, channel in enumerate(made.channels)
     ]
     for (number, node, gives), edge in zip(ends, found.edges, strict=True):
         points = [round(value) for point in edge["points"] for value in (point["x"] - left, point["y"] - top)]
         layout.edges.append((node, number, gives, tuple(points)))
     layout.edges += [
         (node, number, gives, ())
-        for number, each in enumerate(made.channels)
-        if each.switch
-        for node, gives in each.ends
+        for number, channel in enumerate(made.channels)
+        if channel.switch
+        for node, gives in channel.ends
     ]
     layout.size = _size(layout, right, bottom)
     return layout
@@ -144,7 +145,7 @@ def node_size(made: Elements, number: int) -> tuple[int, int]:
     lines = min(len(own), MOST_LINES) + (len(own) > MOST_LINES)
     node = made.nodes[number]
     name = len(node.name.rpartition("/")[2]) * BOLD
-    small = [f"{node.package}/{node.type}", *(f"→ {each.name}" for each in own[:MOST_LINES])]
+    small = [f"{node.package}/{node.type}", *(f"→ {item.name}" for item in own[:MOST_LINES])]
     return text_width(max(name, max(map(len, small)) * SMALL) / CHARACTER), HEAD + lines * LINE + (4 if lines else 0)
 
 

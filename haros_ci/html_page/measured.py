@@ -19,9 +19,9 @@ BARS, WORST = 24, 100
 def metrics(pool: Pool, values: Iterable[Measurement], limits: Iterable[Limit]) -> list[dict[str, Any]]:
     """For each level and metric that has values: how many, the bars, the limits with how many are beyond them, the worst."""
     by_metric: dict[tuple[str, str], list[Measurement]] = {}
-    for each in values:
-        if isfinite(each.value) and level(each) in ("function", "class", "file"):
-            by_metric.setdefault((level(each), each.metric), []).append(each)
+    for value in values:
+        if isfinite(value.value) and level(value) in ("function", "class", "file"):
+            by_metric.setdefault((level(value), value.metric), []).append(value)
     given: dict[tuple[str, str], list[Limit]] = {}
     for limit in limits:
         given.setdefault((limit.level, limit.metric), []).append(limit)
@@ -34,13 +34,19 @@ def metrics(pool: Pool, values: Iterable[Measurement], limits: Iterable[Limit]) 
 def _metric(pool: Pool, kind: str, metric: str, found: list[Measurement], limits: Sequence[Limit]) -> dict[str, Any]:
     is_lowest = any(limit.is_lowest for limit in limits) or metric == "maintainability-index"
     worst = sorted(
-        found, key=lambda each: (each.value if is_lowest else -each.value, each.path, each.line, each.function)
+        found,
+        key=lambda measurement: (
+            measurement.value if is_lowest else -measurement.value,
+            measurement.path,
+            measurement.line,
+            measurement.function,
+        ),
     )
     return {
         "level": kind,
         "metric": metric,
         "count": len(found),
-        "bars": bars([each.value for each in found]),
+        "bars": bars([measurement.value for measurement in found]),
         "limits": [
             (
                 pool.text(limit.rule),
@@ -52,12 +58,12 @@ def _metric(pool: Pool, kind: str, metric: str, found: list[Measurement], limits
         ],
         "worst": [
             (
-                number(round(each.value, 2)),
-                pool.row("places", (pool.text(each.path), each.line, 0)),
-                pool.text("::".join(part for part in (each.class_name, each.function) if part)),
-                pool.text(each.package),
+                number(round(measurement.value, 2)),
+                pool.row("places", (pool.text(measurement.path), measurement.line, 0)),
+                pool.text("::".join(part for part in (measurement.class_name, measurement.function) if part)),
+                pool.text(measurement.package),
             )
-            for each in worst[:WORST]
+            for measurement in worst[:WORST]
         ],
     }
 

@@ -33,8 +33,8 @@ def direct(name: str, needs: Mapping[str, Iterable[str]], circles: Mapping[str, 
     kept = []
     for other in sorted(own):
         is_circle = name in circles and circles.get(other) == circles[name]
-        ways = (each for each in own if each != other and circles.get(each, -1) != circles.get(other, -2))
-        if is_circle or not any(other in reached(each, needs, name) for each in ways):
+        ways = (item for item in own if item != other and circles.get(item, -1) != circles.get(other, -2))
+        if is_circle or not any(other in reached(way, needs, name) for way in ways):
             kept.append(other)
     return kept
 
@@ -44,8 +44,8 @@ def reached(start: str, needs: Mapping[str, Iterable[str]], without: str) -> set
     found: set[str] = set()
     work = [start]
     while work:
-        for each in needs.get(work.pop(), ()):
-            if each not in found and each != without:
-                found.add(each)
-                work.append(each)
+        for need in needs.get(work.pop(), ()):
+            if need not in found and need != without:
+                found.add(need)
+                work.append(need)
     return found

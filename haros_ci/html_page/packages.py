@@ -54,9 +54,9 @@ def packages(pool: Pool, workspace: Workspace) -> list[dict[str, Any]]:
             "lines": [lines.get(one.name, Counter())[language] for language in LANGUAGES],
             "needs": sorted(
                 {
-                    (pool.text(each.name), KINDS[each.kind], int(each.name in names))
-                    for each in one.dependencies
-                    if each.kind in KINDS and each.name != one.name
+                    (pool.text(dependency.name), KINDS[dependency.kind], int(dependency.name in names))
+                    for dependency in one.dependencies
+                    if dependency.kind in KINDS and dependency.name != one.name
                 }
             ),
             "circle": circles.get(one.name, -1),
@@ -81,16 +81,18 @@ def _needed(package: Package, names: set[str]) -> set[str]:
 
 def interfaces(pool: Pool, builds: Mapping[str, Build]) -> list[tuple[Any, ...]]:
     """Messages, services and actions of the workspace: name, kind, file, and the fields of each section (type, name, constant or default)."""
-    every = sorted((each for build in builds.values() for each in build.interfaces), key=lambda i: (i.name, i.path))
+    every = sorted(
+        (interface for build in builds.values() for interface in build.interfaces), key=lambda i: (i.name, i.path)
+    )
     return [
         (
-            pool.text(each.name),
-            each.kind,
-            pool.place_of(each.path),
+            pool.text(interface.name),
+            interface.kind,
+            pool.place_of(interface.path),
             tuple(
                 tuple((pool.text(f.written or f.type), pool.text(f.name), pool.text(f.value)) for f in section[:200])
-                for section in each.sections
+                for section in interface.sections
             ),
         )
-        for each in every[:MOST_INTERFACES]
+        for interface in every[:MOST_INTERFACES]
     ]

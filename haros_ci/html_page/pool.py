@@ -50,7 +50,7 @@ class Pool:
         return NONE if text is None else self.row("texts", terminal(text[:LONGEST]))
 
     def texts(self, texts: tuple[str, ...]) -> tuple[int, ...]:
-        return tuple(self.text(each) for each in texts)
+        return tuple(self.text(text) for text in texts)
 
     def place(self, place: Location | None) -> int:
         """The index of a place: path, line and column, 0 for what is not known of it."""
@@ -83,6 +83,6 @@ class Pool:
 
 def presence_text(presence: Presence) -> str:
     """The launch arguments under which something is there: ``slam:=true``, ``≠`` for any other value."""
-    same = in_words((each.argument, each.value) for each in presence if each.equal)
-    other = " ".join(f"{each.argument}≠{each.value}" for each in presence if not each.equal)
+    same = in_words((item.argument, item.value) for item in presence if item.equal)
+    other = " ".join(f"{item.argument}≠{item.value}" for item in presence if not item.equal)
     return f"{same} {other}".strip()

@@ -64,7 +64,7 @@ def _row(pool: Pool, one: Held) -> dict[str, Any]:
         "kind": stated.owner.kind,
         "owner": pool.text(stated.owner.name),
         "granted": int(stated.is_axiom),
-        **{key: pool.text(each.value if each is not None else None) for key, each in metadata.items()},
+        **{key: pool.text(metadata.value if metadata is not None else None) for key, metadata in metadata.items()},
         "text": pool.text(canonical(parsed) if parsed is not None else stated.source.text),
         "place": pool.place(place),
         "until": _last_line(stated),

@@ -27,7 +27,7 @@ _STYLE = (
 def render(one: Configuration) -> str | None:
     """The picture, with a final newline; None for what is too large to be drawn."""
     made = elements(one)
-    shown = [number for number, each in enumerate(made.channels) if not each.switch]
+    shown = [number for number, channel in enumerate(made.channels) if not channel.switch]
     layout = laid_out(made)
     if layout is None:
         return None
@@ -71,8 +71,8 @@ def _node(node: Node, own: list[Channel], place: Rectangle) -> str:
     x, y, width, _ = place
     classes = _classes("n", bool(node.conditions or node.presence), is_known(node.name))
     lines = [
-        f"{'→' if each.ends[0][1].kind in ('publishers', 'clients', 'action_clients') else '←'} {each.name}"
-        for each in own[:MOST_LINES]
+        f"{'→' if channel.ends[0][1].kind in ('publishers', 'clients', 'action_clients') else '←'} {channel.name}"
+        for channel in own[:MOST_LINES]
     ]
     lines += [f"and {len(own) - MOST_LINES} more"] if len(own) > MOST_LINES else []
     middle = x + width // 2

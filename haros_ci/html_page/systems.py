@@ -43,7 +43,7 @@ def _configuration(pool: Pool, one: Configuration) -> dict[str, Any]:
         "launch": pool.texts(one.launch),
         "arguments": [(pool.text(name), pool.text(str(plain(value)))) for name, value in one.arguments],
         "nodes": [_node(pool, node) for node in made.nodes],
-        "parameters": [_parameter(pool, each) for each in parameters_of(one)],
+        "parameters": [_parameter(pool, parameter) for parameter in parameters_of(one)],
         "others": [(_node(pool, node), pool.text(presence_text(node.presence))) for node in _others(one)],
         "variants": variants(pool, one, made.nodes, _others(one)),
         "unknown": (sum(UNKNOWN in end.name for end in ends), len(ends)),
@@ -66,7 +66,8 @@ def _picture(pool: Pool, made: Elements, layout: Layout) -> tuple[Any, ...]:
         tuple((box.kind, pool.text(box.name), box.parent, *place) for box, place in boxes),
         tuple((box, *place) for box, place in zip(made.box_of, layout.nodes, strict=True)),
         tuple(
-            (each.channel.what, pool.text(each.channel.name), each.switch, each.box, *place) for each, place in channels
+            (channel.channel.what, pool.text(channel.channel.name), channel.switch, channel.box, *place)
+            for channel, place in channels
         ),
         tuple((node, channel, int(gives), points) for node, channel, gives, points in layout.edges),
     )
@@ -149,8 +150,8 @@ def _qos(pool: Pool, qos: Qos | None) -> int:
         "liveliness": qos.liveliness,
         "lease": qos.lease,
     }
-    said = tuple((name, pool.text(str(plain(value)))) for name, value in values.items() if value is not None)
-    return pool.row("qos", said)
+    policies = tuple((name, pool.text(str(plain(value)))) for name, value in values.items() if value is not None)
+    return pool.row("qos", policies)
 
 
 def _value(pool: Pool, value: object) -> int:

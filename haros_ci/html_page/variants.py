@@ -39,14 +39,14 @@ def offered(
 ) -> Iterator[Assigned]:
     """What can be set: what nodes that are not there ask for, the other truth value of what nodes ask for, and declared choices."""
     for node in others:
-        wanted = assignment(node.presence, defaults)
-        if wanted:
-            yield wanted
-    for each in (each for node in nodes for each in node.presence if each.equal and each.value in _TRUTH):
-        yield from _set(Choice(each.argument, "false" if each.value == "true" else "true"), defaults)
-    deciding = {each.argument for node in (*nodes, *others) for each in node.presence}
-    for each in _declared(one, deciding):
-        yield from _set(each, defaults)
+        chosen = assignment(node.presence, defaults)
+        if chosen:
+            yield chosen
+    for item in (item for node in nodes for item in node.presence if item.equal and item.value in _TRUTH):
+        yield from _set(Choice(item.argument, "false" if item.value == "true" else "true"), defaults)
+    deciding = {item.argument for node in (*nodes, *others) for item in node.presence}
+    for item in _declared(one, deciding):
+        yield from _set(item, defaults)
 
 
 def _declared(one: Configuration, names: Container[str]) -> Iterator[Choice]:
@@ -57,8 +57,8 @@ def _declared(one: Configuration, names: Container[str]) -> Iterator[Choice]:
                 yield choice(fact.name, value, boolean=value.lower() in _TRUTH)
 
 
-def _set(wanted: Choice, defaults: Mapping[str, str]) -> Iterator[Assigned]:
-    found = assignment((wanted,), defaults)
+def _set(chosen: Choice, defaults: Mapping[str, str]) -> Iterator[Assigned]:
+    found = assignment((chosen,), defaults)
     if found:
         yield found
 
@@ -71,11 +71,11 @@ def stays(presence: Presence, assigned: Assigned) -> bool:
 def comes(presence: Presence, assigned: Assigned, defaults: Mapping[str, str]) -> bool:
     """Whether what is not there by default is there under the arguments; what is not assigned has its default."""
     set_ones = dict(assigned)
-    rest = tuple(each for each in presence if each.argument not in set_ones)
+    rest = tuple(item for item in presence if item.argument not in set_ones)
     return stays(presence, assigned) and assignment(rest, defaults) == ()
 
 
 def _as_presence(assigned: Assigned, presence: Presence) -> Presence:
     """The arguments as choices, spelt as *presence* spells its own."""
-    truths = {each.argument for each in presence if each.value in _TRUTH}
+    truths = {item.argument for item in presence if item.value in _TRUTH}
     return tuple(sorted(choice(name, value, boolean=name in truths) for name, value in assigned))

@@ -104,8 +104,8 @@ class Monitor:
 
     def part(self, event: Event, role: str) -> Part:
         """What is asked of a message in this role."""
-        others = [each for each in self.property.events if each is not event]
-        asked = [each for other in others for each in chains(other.predicate, event.alias)] if event.alias else []
+        others = [other_event for other_event in self.property.events if other_event is not event]
+        asked = [chain for other in others for chain in chains(other.predicate, event.alias)] if event.alias else []
         own = [*chains(event.predicate, None), *(chains(event.predicate, event.alias) if event.alias else ())]
         test = test_of(event, self.constants, self.faults, of_slots=self.is_kept_in_slots(role))
         slots = Slots(event, asked, self.constants) if asked else None

@@ -21,7 +21,7 @@ class Record:
         self, topic: str, message: Any, time: int, number: int, slots: Mapping[str, Any] | None = None
     ) -> None:
         self.topic, self.message, self.time, self.number, self.slots = topic, message, time, number, slots
-        self.weight = 0 if slots is None else sum(len(each) for each in slots.values() if hasattr(each, "__len__"))
+        self.weight = 0 if slots is None else sum(len(slot) for slot in slots.values() if hasattr(slot, "__len__"))
 
 
 class Pool:

@@ -75,7 +75,7 @@ class Slots:
 
     def __init__(self, event: Event, expressions: Iterable[Expression], constants: Constants) -> None:
         compiled = _Compiler(event, constants)
-        self.closures = {key_of(each): compiled.of(each) for each in expressions}
+        self.closures = {key_of(expression): compiled.of(expression) for expression in expressions}
 
     def of(self, message: Any) -> dict[str, Any]:
         """The values that *message* has for them."""
@@ -102,8 +102,8 @@ def chains(expression: Expression | None, name: str | None) -> Iterator[Expressi
         if rooted == (name,):
             yield expression
         return
-    for each in children(expression):
-        yield from chains(each, name)
+    for child in children(expression):
+        yield from chains(child, name)
 
 
 def _rooted(expression: Expression | None) -> tuple[str | None] | None:
@@ -156,12 +156,12 @@ class _Compiler:
             case Field() | Item() | Variable():
                 return self.chain(expression)
             case SetOf(values=values):
-                parts = [self.of(each) for each in values]
+                parts = [self.of(value) for value in values]
                 return lambda message, known: [part(message, known) for part in parts]
             case Range():
                 return self.range(expression)
             case Call(name=name, arguments=arguments):
-                return self.call(FUNCTIONS[name], [self.of(each) for each in arguments])
+                return self.call(FUNCTIONS[name], [self.of(argument) for argument in arguments])
             case Unary(operator="not", operand=operand):
                 inner = self.of(operand)
                 return lambda message, known: not inner(message, known)
@@ -208,7 +208,7 @@ class _Compiler:
         return lambda message, known: Interval(low(message, known), high(message, known), opened, closed)
 
     def call(self, function: Callable[..., Any], arguments: list[Closure]) -> Closure:
-        return lambda message, known: tamed(function(*(each(message, known) for each in arguments)))
+        return lambda message, known: tamed(function(*(argument(message, known) for argument in arguments)))
 
     def quantifier(self, quantifier: Quantifier) -> Closure:
         domain = self.of(quantifier.domain)
@@ -223,12 +223,12 @@ class _Compiler:
             found = members(domain(message, known))
             inner = dict(known)
 
-            def each() -> Iterator[Any]:
+            def entry() -> Iterator[Any]:
                 for value in range(len(found)) if is_array else found:
                     inner[name] = value
                     yield condition(message, inner)
 
-            return decide(each())
+            return decide(entry())
 
         return holds
 

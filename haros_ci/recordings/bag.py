@@ -49,7 +49,7 @@ class Bag(Recording):
         share = share_of(self.container.file) if self.container is not None else None
         return None if share is None else (self.read + share) / len(self.files)
 
-    def messages(self, wanted: frozenset[str]) -> Iterator[tuple[str, Any, int, int]]:
+    def messages(self, requested: frozenset[str]) -> Iterator[tuple[str, Any, int, int]]:
         from haros_ci.recordings.types import decoder_of
 
         for path in self.files:
@@ -58,7 +58,7 @@ class Bag(Recording):
                 for channel, time, raw in self.container.raw(self.topics):
                     number = self.passed(time)
                     topic = channel.topic
-                    if topic not in wanted:
+                    if topic not in requested:
                         continue
                     if channel.decoder is None:
                         channel.decoder = decoder_of(channel)

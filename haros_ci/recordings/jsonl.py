@@ -39,7 +39,7 @@ class JsonLines(Recording):
     def share(self) -> float | None:
         return share_of(self.file)
 
-    def messages(self, wanted: frozenset[str]) -> Iterator[tuple[str, Any, int, int]]:
+    def messages(self, requested: frozenset[str]) -> Iterator[tuple[str, Any, int, int]]:
         faults = 0
         with opened(self.path) as file:
             self.file = file
@@ -60,7 +60,7 @@ class JsonLines(Recording):
                     continue
                 self.topics.setdefault(topic, set())
                 number = self.passed(time)
-                if topic in wanted:
+                if topic in requested:
                     yield topic, message, time, number
         if faults > 1:
             self.notes.append(f"{faults - 1} further lines are no messages")

@@ -81,7 +81,7 @@ class McapFile:
                 raise Cut("a chunk ends early")
             found += self.record(kind, inner[at : at + size], channels)
             at += size
-        yield from sorted(found, key=lambda each: each[1])
+        yield from sorted(found, key=lambda item: item[1])
 
     def record(self, kind: int, content: bytes, channels: dict[str, set[str]]) -> Iterator[tuple[Channel, int, bytes]]:
         """What a record holds: a message, or the channel or the type of others."""

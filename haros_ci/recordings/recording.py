@@ -45,8 +45,8 @@ class Recording:
         self.notes: list[str] = []
         self.topics: dict[str, set[str]] = {}
 
-    def messages(self, wanted: frozenset[str]) -> Iterator[tuple[str, Any, int, int]]:
-        """Topic, message, time and number, from 1, of the messages on the topics *wanted*; a message can be ``Unreadable``."""
+    def messages(self, requested: frozenset[str]) -> Iterator[tuple[str, Any, int, int]]:
+        """Topic, message, time and number, from 1, of the messages on the topics *requested*; a message can be ``Unreadable``."""
         raise NotImplementedError
 
     def share(self) -> float | None:

@@ -64,7 +64,7 @@ class Ros1File:
                 raise Cut("a chunk ends early")
             found += self.record(header.get(b"op", b"\x00")[0], header, content[at : at + size], channels)
             at += size
-        yield from sorted(found, key=lambda each: each[1])
+        yield from sorted(found, key=lambda item: item[1])
 
     def record(
         self, kind: int, header: dict[bytes, bytes], content: bytes, channels: dict[str, set[str]]
@@ -74,14 +74,14 @@ class Ros1File:
         if kind == _CONNECTION and key not in self.channels:
             if len(self.channels) >= MOST_CHANNELS:
                 raise Cut("it has too many connections")
-            said = _fields(content)
-            name = header.get(b"topic", b"").decode("utf-8", "replace")
-            kind_of, definition = (said.get(part, b"").decode("utf-8", "replace") for part in _SAID)
+            connection = _fields(content)
+            name = connection.get(b"topic", b"").decode("utf-8", "replace")
+            kind_of, definition = (connection.get(part, b"").decode("utf-8", "replace") for part in _SAID)
             channel = Channel(name, kind_of, definition, "ros1")
             self.channels[key] = channel
             channels.setdefault(name, set()).add(channel.type)
         elif kind == _MESSAGE:
-            time = header.get(b"time", b"")
+            time = connection.get(b"time", b"")
             if key not in self.channels or len(time) != _TIME.size:
                 raise Cut("a message has no connection, or no time")
             seconds, rest = _TIME.unpack(time)

@@ -77,18 +77,18 @@ def _lines(held: Held) -> Iterator[str]:
     span = "" if held.begin is None or held.end is None else f", {held.end - held.begin:.3f} s"
     of = f" of {held.configuration}" if held.configuration else ""
     yield terminal(f"{held.name}{of}: {held.messages:,} messages{span}, by {held.clock} time")
-    for each in held.properties:
-        node = f" ({each.node})" if each.node else ""
-        yield terminal(f"{SIGNS[each.verdict]} {each.verdict}: {each.title}{node}")
-        if each.reason:
-            yield terminal(f"    {each.reason}")
-        if each.verdict == "violated":
-            yield from _violation(each, held)
-        scopes, triggers, behaviours = each.counts
+    for one in held.properties:
+        node = f" ({one.node})" if one.node else ""
+        yield terminal(f"{SIGNS[one.verdict]} {one.verdict}: {one.title}{node}")
+        if one.reason:
+            yield terminal(f"    {one.reason}")
+        if one.verdict == "violated":
+            yield from _violation(one, held)
+        scopes, triggers, behaviours = one.counts
         yield f"    scope opened {scopes} times, {triggers} triggers, {behaviours} times the behaviour"
-        if each.note:
-            yield terminal(f"    {each.note}")
-    counts = {name: sum(each.verdict == name for each in held.properties) for name in SIGNS}
+        if one.note:
+            yield terminal(f"    {one.note}")
+    counts = {name: sum(one.verdict == name for one in held.properties) for name in SIGNS}
     yield ", ".join(f"{count} {name}" for name, count in counts.items())
     for note in held.notes:
         yield terminal(f"note: {note}")
@@ -142,7 +142,7 @@ def as_json(held: Held) -> str:
         },
         "configuration": held.configuration or None,
         "clock": held.clock,
-        "properties": [_property(each) for each in held.properties],
+        "properties": [_property(one) for one in held.properties],
     }
     return json.dumps(document, indent=2) + "\n"
 
@@ -161,7 +161,7 @@ def _property(judged: Judged) -> dict[str, Any]:
         "verdict": judged.verdict,
         "reason": judged.reason or None,
         "time": judged.time,
-        "witnesses": [_moment(each) for each in judged.moments],
+        "witnesses": [_moment(one) for one in judged.moments],
         **dict(zip(("scopes", "triggers", "behaviours"), judged.counts)),
     }
 

@@ -160,7 +160,9 @@ def argv(walk: Walk, is_own: bool = False) -> Value:
     if is_own:
         words = [word for word in words if not (isinstance(word, Known) and ":=" in word.value)]
     else:
-        words += [Opaque(f"it is {word}, which roslaunch gives", None, syntax.Type("str")) for word in ("__name:=", "__log:=")]
+        words += [
+            Opaque(f"it is {word}, which roslaunch gives", None, syntax.Type("str")) for word in ("__name:=", "__log:=")
+        ]
     return Sequence(Cell(tuple(Cell(word) for word in words)))
 
 
