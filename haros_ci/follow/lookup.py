@@ -38,7 +38,7 @@ def named_cell(walk: Walk, frame: Frame, name: str) -> Cell | None:
     this = frame.this
     if this is None and frame.outer is not None:
         this = frame.outer.this
-    if this is not None and "::" not in name:
+    if this is not None:
         cell = members.member(walk, this, name, frame) or library_cpp.protected(walk, this, name)
         if cell is not None:
             return cell

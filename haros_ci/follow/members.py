@@ -32,6 +32,9 @@ from haros_ci.values.abstract import (
     join,
 )
 
+#: So many bases of a class are looked at for ``Base::member``.
+MOST_BASES = 40
+
 
 def member(walk: Walk, value: Value, name: str, frame: Frame) -> Cell | None:
     """The cell of a data member; made where the class declares it (or Python may), None where there is none."""
@@ -43,10 +46,12 @@ def member(walk: Walk, value: Value, name: str, frame: Frame) -> Cell | None:
         value = of.value
     if not isinstance(value, Object):
         return _of_module_or_class(walk, value, name)
+    if "::" in name:
+        return _of_base(walk, value, name, frame)
     cell = value.fields.get(name)
-    if value.definition is None and name in ros2_parameters.READ_AS and "of" in value.fields:
-        ros2_parameters.read_as(walk, value.fields["of"].value, name)
-    if cell is None and value.definition is not None:
+    if value.definition is None:
+        _read_as(walk, value, name)
+    elif cell is None:
         source, definition = value.definition
         if source.program.language == "python":
             cell = static_cell(walk, source, definition, name)
@@ -61,6 +66,47 @@ def member(walk: Walk, value: Value, name: str, frame: Frame) -> Cell | None:
                 walk.opaque(f"the member {name} is not set before", frame, None, kind), kind
             )
     return cell
+
+
+def _read_as(walk: Walk, value: Object, name: str) -> None:
+    if name in ros2_parameters.READ_AS and "of" in value.fields:
+        ros2_parameters.read_as(walk, value.fields["of"].value, name)
+
+
+def _of_base(walk: Walk, value: Object, name: str, frame: Frame) -> Cell | None:
+    """The cell of ``Base::x``: the data member of that name that the class of an object, or a base of it, declares."""
+    head, _, last = name.rpartition("::")
+    if value.definition is None or value.definition[0].separator != "::":
+        return None
+    source, definition = value.definition
+    meant = walk.type_in(syntax.Type(head), frame).name
+    lineage = _lineage(walk, source, definition)
+    owners = [item for item in lineage if item[1].name in (meant, head)]
+    owners = owners or [item for item in lineage if item[1].name.endswith(f"::{head}")]  # the injected class name
+    found = methods.field_of(walk, *owners[0], last, {}) if len(owners) == 1 else None
+    if found is None or found[1].is_static:
+        return None
+    seen = methods.field_of(walk, source, definition, last, {})
+    if seen is not None and seen[1] is found[1]:
+        return member(walk, value, last, frame)
+    key = f"{owners[0][1].name}::{last}"  # the class has another one of that name, and methods of the base mean this
+    if key not in value.fields:
+        value.fields[key] = Cell(walk.opaque(f"{name} is hidden by a member of its derived class", frame), found[2])
+    return value.fields[key]
+
+
+def _lineage(walk: Walk, source: Source, definition: Class) -> list[tuple[Source, Class]]:
+    """A class of C++ and its bases in the workspace."""
+    key = ("lineage", id(definition))
+    if key not in walk.found:
+        found = walk.found[key] = [(source, definition)]
+        for where, known in found:
+            for base in walk.bases(where, known, {}) if len(found) < MOST_BASES else ():
+                owner = walk.class_of(base.name, where)
+                if owner is not None and all(owner[1] is not other for _, other in found):
+                    found.append(owner)
+    classes: list[tuple[Source, Class]] = walk.found[key]
+    return classes
 
 
 def _of_module_or_class(walk: Walk, value: Value, name: str) -> Cell | None:
