@@ -50,6 +50,8 @@ ELSEWHERE = frozenset(
 HOST = "it is the node of whoever loads the plug-in"
 MORE = "whoever loads the plug-in has endpoints of its own"
 OWN = "it depends on whoever loads the plug-in"
+#: Of a parameter whose name is not known, or in ROS 2 of any.
+SET = "whoever loads it may set it"
 HANDLE, NODE = "ros::NodeHandle", "rclcpp_lifecycle::LifecycleNode"
 NODES = frozenset(("rclcpp::Node", NODE))
 #: Members of base classes that hold the node (nav2_costmap_2d/layer.hpp, moveit's planning_request_adapter.h and others).
@@ -136,7 +138,7 @@ def _methods(functions: dict[str, list[tuple[Source, Function]]], plugin: Plugin
 def _ros1(types: Types, plugin: Plugin) -> Job:
     node, entry, place = _parts(plugin, 1)
     server = ParameterServer(())
-    provided = Perhaps("whoever loads it may set it")
+    provided = Perhaps(SET)
 
     def parameter(full: str) -> Value | None:
         return provided if "?" in full else server.get(full)
@@ -230,7 +232,8 @@ def _call(walk: Walk, frame: Frame, plugin: Plugin, this: Object, provided: Obje
 
 def _node(walk: Walk, source: Source, location: Location) -> Object:
     """The node of whoever loads the plug-in."""
-    node = RosNode("/?", "/", "/", GIVEN, "", location, why=(HOST, location))
+    others = {"?": Perhaps(SET, location)}
+    node = RosNode("/?", "/", "/", GIVEN, "", location, given=others, why=(HOST, location))
     walk.nodes.append(node)
     return Object(NODE if source.separator == "::" else "rclpy.node.Node", node=node)
 

@@ -6,6 +6,8 @@ from __future__ import annotations
 import pytest
 from follow_kit import cpp_files, ends, follow, main, names, node
 
+from haros_ci.follow.libraries.given_away import is_known
+
 MODULE = """#include <frame/module.h>
 struct Arm : public frame::Module {
   %s
@@ -146,3 +148,35 @@ def test_a_class_that_a_library_may_make_is_made_for_every_node() -> None:
     found = follow(files, 2).configurations
     made = [end.name for each in found for node in each.nodes for end in ends(node) if not end.implicit]
     assert made == ["/a", "/a"]
+
+
+@pytest.mark.parametrize(
+    "base",
+    ["std::thread", "ros::NodeHandle", "rviz::Display", "rviz_common::Tool", "rclcpp::Node", "rclcpp_action::Client"]
+    + ["rqt_gui_cpp::Plugin", "rqt_gui_py.plugin.Plugin", "rclpy.node.Node", "object", "Exception"]
+    + ["QObject", "QMainWindow", "QSGNode", "Qt::Key", "QtWidgets.QWidget"],
+)
+def test_libraries_that_call_nothing_are_known(base: str) -> None:
+    assert is_known(base)
+
+
+@pytest.mark.parametrize(
+    "base",
+    ["Queue", "Queue::Item", "Quadrotor", "Q", "QR::Reader", "Qtable", "rvizier::Tool", "rospyx.Node", "rclcppx::Node"]
+    + [
+        "objects.Base",
+        "Exceptional",
+        "ExceptionHandler::Base",
+        "stdx::thing",
+        "rosx::Node",
+        "nodelets::Base",
+        "frame::Q",
+    ],
+)
+def test_a_name_that_only_begins_so_is_of_another_library(base: str) -> None:
+    assert not is_known(base)
+
+
+def test_a_class_whose_base_begins_like_one_of_qt_is_called() -> None:
+    text = 'struct Arm : public Queue::Item { void process() override { ros::NodeHandle nh; ADV("a", 1); } };'
+    assert names(node(follow(cpp_files(main("Arm arm; frame::run(arm);", text))))) == ["/a"]

@@ -77,6 +77,54 @@ def test_a_plugin_of_ros_2_has_the_node_of_whoever_loads_it(inside: str) -> None
     assert (end.name, end.type) == ("/a", "std_msgs/msg/String")
 
 
+def initialized(code: str) -> str:
+    return f"void init(rclcpp::Node::SharedPtr n) {{ {code} }}"
+
+
+#: ROS 2: names made of a parameter that whoever loads the plug-in may set.
+GIVEN = [
+    'std::string t = n->declare_parameter("topic", "t"); n->create_publisher<std_msgs::msg::String>(t, 1);',
+    'n->declare_parameter("topic", "t"); auto t = n->get_parameter("topic").as_string();'
+    " n->create_publisher<std_msgs::msg::String>(t, 1);",
+    'std::string t; n->get_parameter_or("topic", t, std::string("<undefined>"));'
+    " n->create_publisher<std_msgs::msg::String>(t, 1);",
+    'std::string t = "<undefined>"; n->get_parameter("topic", t); n->create_publisher<std_msgs::msg::String>(t, 1);',
+]
+
+
+@pytest.mark.parametrize("code", GIVEN)
+def test_in_ros_2_a_parameter_that_whoever_loads_it_may_set_is_not_known(code: str) -> None:
+    (end,) = made(ros2(initialized(code)))
+    assert end.name == "/?"
+    reasons = {"whoever loads it may set it", "it is given from outside, but the node is not seen to declare it"}
+    assert reasons & {unknown.reason for unknown in end.unknowns if unknown.field == "name"}
+
+
+@pytest.mark.parametrize(
+    ("code", "expected"),
+    [
+        ('n->create_publisher<std_msgs::msg::String>("a", 1);', "/a"),
+        ('std::string t = "b"; n->create_publisher<std_msgs::msg::String>(t, 1);', "/b"),
+        ('n->declare_parameter("rate", 5); n->create_publisher<std_msgs::msg::String>("c", 1);', "/c"),
+        (
+            'n->declare_parameter("topic", "t"); n->set_parameter(rclcpp::Parameter("topic", "d"));'
+            ' n->create_publisher<std_msgs::msg::String>(n->get_parameter("topic").as_string(), 1);',
+            "/d",
+        ),
+        ('n->create_publisher<std_msgs::msg::String>("~/e", 1);', "/?/e"),
+    ],
+)
+def test_in_ros_2_what_no_parameter_tells_is_known(code: str, expected: str) -> None:
+    (end,) = made(ros2(initialized(code)))
+    assert end.name == expected
+
+
+def test_in_ros_2_a_declaration_keeps_its_default() -> None:
+    (end,) = made(ros2(initialized('n->declare_parameter("rate", 5);')), "parameters")
+    assert (end.name, end.value, end.effective) == ("/?:rate", 5, None)
+    assert "whoever loads it may set it" in [why.reason for why in end.unknowns]
+
+
 def test_a_base_class_of_the_workspace_holds_the_node() -> None:
     base = "namespace p { class Base { public: virtual void initialize() = 0; protected: rclcpp::Node::SharedPtr node_; }; }\n"
     (end,) = made(

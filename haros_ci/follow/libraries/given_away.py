@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
@@ -21,20 +22,11 @@ if TYPE_CHECKING:
 #: What frameworks commonly call first; other methods are known to be called from outside by ``virtual`` or ``override`` alone.
 BEGINNING = frozenset("init initialize onInit onInitialize setup configure load start".split())
 #: Base classes whose libraries call nothing that is overridden, or what the API rows tell.
-KNOWN = (
-    "std::",
-    "boost::",
-    "rclcpp",
-    "ros::",
-    "nodelet::",
-    "Q",
-    "rviz",
-    "rqt_",
-    "rclpy",
-    "rospy",
-    "object",
-    "Exception",
-)
+KNOWN = frozenset("std boost ros nodelet rclcpp rviz rclpy rospy object Exception".split())
+#: How the first part of a name begins whose library is known: packages of several namespaces or modules.
+_BEGINNINGS = ("rclcpp_", "rviz_", "rqt_")
+#: A class, namespace or module of Qt (doc.qt.io): QObject, QSGNode, Qt::, QtWidgets.
+_QT = re.compile(r"Qt(?:[A-Z]|$)|Q(?:[A-Z][a-z]|SG|GL)")
 
 
 def taken(walk: Walk, frame: Frame, name: str, args: Iterable[PassedArgument]) -> None:
@@ -75,10 +67,17 @@ def _called(walk: Walk, name: str, this: Object) -> None:
             callbacks.register(walk, found, doubt=doubt)
 
 
+def is_known(base: str) -> bool:
+    """Whether a class is of a library that is known to call nothing that is overridden; those of Qt are ``QObject`` and the like."""
+    first, *rest = base.replace("::", ".").split(".")
+    is_of_qt = _QT.match(first) is not None and (not rest or first.startswith("Qt"))
+    return first in KNOWN or first.startswith(_BEGINNINGS) or is_of_qt
+
+
 def _callable(walk: Walk, source: Source, definition: syntax.Class) -> list[str]:
     """The last parts of the names of the methods that a library may call of a class's objects, in their order."""
     bases = methods.library_bases(walk, source, definition)
-    if not bases or any(base in walk.rows or base.startswith(KNOWN) for base in bases):
+    if not bases or any(base in walk.rows or is_known(base) for base in bases):
         return []
     names: dict[str, None] = {}
     for where, class_ in walk.index.classes.get(definition.name, ()):
