@@ -126,11 +126,14 @@ def assemble(
         packages[directory] = settled(package, manifest.path, manifest.data, others), fault
     found += _doubles(package for package, _ in packages.values())
     owners = {directory: package.name for directory, (package, _) in packages.items()}
+    owned = _owned(sorted(files, key=lambda file: file.path), owners, ThirdParty(names, owners, requested))
+    reader = TextReader(root, listed, max_file_size, elsewhere)
+    found += _of_rosbuild(owned, names, reader)
     return Workspace(
         root=root,
         packages=tuple(sorted((package for package, _ in packages.values()), key=lambda p: (p.path, p.name))),
-        files=_owned(sorted(files, key=lambda file: file.path), owners, ThirdParty(names, owners, requested)),
-        reader=TextReader(root, listed, max_file_size, elsewhere),
+        files=owned,
+        reader=reader,
         targets=None
         if targets is None
         else targets & {*(file.path for file in files), *(problem.path for problem in unread)},
@@ -196,6 +199,21 @@ def _doubles(packages: Iterable[Package]) -> Iterable[Problem]:
             message = f"the package name {package.name!r} is also that of {first[package.name]}; rename or exclude one"
             yield Problem(package.path, message)
         first.setdefault(package.name, package.path)
+
+
+def _of_rosbuild(files: Iterable[SourceFile], names: frozenset[str], reader: TextReader) -> Iterable[Problem]:
+    """One problem for all packages of rosbuild (wiki.ros.org/rosbuild): a manifest.xml beside a CMakeLists.txt, in no package."""
+    found = [
+        file.path.removesuffix("CMakeLists.txt") + "manifest.xml"
+        for file in files
+        if file.package is None and file.path.rpartition("/")[2] == "CMakeLists.txt"
+    ]
+    found = [path for path in found if path in names and "<package" in reader.text(path)]
+    if found:
+        number = "1 package" if len(found) == 1 else f"{len(found)} packages"
+        yield Problem(
+            found[0], f"{number} of rosbuild (manifest.xml, no package.xml): their nodes are not in the model"
+        )
 
 
 def _sorted(problems: Iterable[Problem]) -> tuple[Problem, ...]:

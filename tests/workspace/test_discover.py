@@ -375,3 +375,34 @@ def test_settings_of_tools_above_a_given_directory_hold(tmp_path: Path) -> None:
     assert [file.path for file in found.files] == ["p/q/a.cpp"]
     assert found.text("p/b.cpp") == found.text("r/.clang-format") == "" and found.names == {"p/q/a.cpp"}
     assert discover(tmp_path, (".",)).setting("p/any.toml") == "# p/any.toml\n"
+
+
+ROSBUILD = {"manifest.xml": b"<package><depend package='roscpp'/></package>\n", "CMakeLists.txt": b"rosbuild_init()\n"}
+
+
+@pytest.mark.parametrize(("count", "words"), [(1, "1 package"), (3, "3 packages")])
+def test_packages_of_rosbuild_are_named_once(tmp_path: Path, count: int, words: str) -> None:
+    plant(tmp_path, {f"p{number}/{name}": data for number in range(count) for name, data in ROSBUILD.items()})
+    message = f"{words} of rosbuild (manifest.xml, no package.xml): their nodes are not in the model"
+    assert messages(discover(tmp_path, (".",))) == [("p0/manifest.xml", message)]
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        {**ROSBUILD, "package.xml": manifest("arm")},  # built with both
+        {"manifest.xml": ROSBUILD["manifest.xml"]},
+        {"CMakeLists.txt": b"project(arm)\n"},
+        {**ROSBUILD, "manifest.xml": b"<manifest><application/></manifest>\n"},
+        {**ROSBUILD, "manifest.xml": b""},
+        {f"sub/{name}": data for name, data in ROSBUILD.items()} | {"package.xml": manifest("arm")},
+        {"manifest.xml/CMakeLists.txt": b""},
+    ],
+)
+def test_what_is_no_package_of_rosbuild_is_not_named(tmp_path: Path, files: dict[str, bytes]) -> None:
+    assert messages(discover(plant(tmp_path, files), (".",))) == []
+
+
+def test_a_package_of_rosbuild_that_is_left_out_is_not_named(tmp_path: Path) -> None:
+    plant(tmp_path, {f"old/{name}": data for name, data in ROSBUILD.items()})
+    assert messages(discover(tmp_path, (".",), exclude=("old",))) == []
