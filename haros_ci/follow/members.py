@@ -49,9 +49,9 @@ def member(walk: Walk, value: Value, name: str, frame: Frame) -> Cell | None:
     if "::" in name:
         return _of_base(walk, value, name, frame)
     cell = value.fields.get(name)
-    if value.definition is None and name in ros2_parameters.READ_AS and "of" in value.fields:
-        ros2_parameters.read_as(walk, value.fields["of"].value, name)
-    if cell is None and value.definition is not None:
+    if value.definition is None:
+        _read_as(walk, value, name)
+    elif cell is None:
         source, definition = value.definition
         if source.program.language == "python":
             cell = static_cell(walk, source, definition, name)
@@ -66,6 +66,11 @@ def member(walk: Walk, value: Value, name: str, frame: Frame) -> Cell | None:
                 walk.opaque(f"the member {name} is not set before", frame, None, kind), kind
             )
     return cell
+
+
+def _read_as(walk: Walk, value: Object, name: str) -> None:
+    if name in ros2_parameters.READ_AS and "of" in value.fields:
+        ros2_parameters.read_as(walk, value.fields["of"].value, name)
 
 
 def _of_base(walk: Walk, value: Object, name: str, frame: Frame) -> Cell | None:

@@ -62,18 +62,7 @@ def class_method(
     """The method *name* of a class or its bases; the *arguments* of the call choose between overloads."""
     separator = source.separator
     if separator == "::":
-        key = ("methods", definition.name, name, source.path)
-        if key not in walk.found:
-            candidates = walk.index.near(walk.index.functions, f"{definition.name}::{name}", source, walk.files)
-            if not any(function.body is not None for _, function in candidates):
-                candidates = [*overloads.nearest(walk, _loose(walk, definition.name, name), source), *candidates]
-            walk.found[key] = _of_branches(walk, candidates)
-        candidates, lost = walk.found[key]
-        if lost is not None:
-            message = (
-                f"{definition.name}::{name} is defined in two branches of an #if, and only one of them is followed"
-            )
-            walk.gaps.setdefault(message, lost)
+        candidates = _cpp_methods(walk, source, definition, name)
     else:
         candidates = walk.index.near(walk.index.functions, f"{definition.name}.{name}", source, walk.files)
         candidates = overloads.python_methods([item for item in candidates if item[0].path == source.path])
@@ -188,33 +177,50 @@ def overload(walk: Walk, candidates: list[Found], arguments: Given) -> Found:
     return overloads.any_of(walk, best, candidates) if best[1].body is not None else best
 
 
+def _cpp_methods(walk: Walk, source: Source, definition: Class, name: str) -> list[Found]:
+    """The declarations and definitions of a method of a class of C++, as seen from *source*."""
+    key = ("methods", definition.name, name, source.path)
+    if key not in walk.found:
+        candidates = walk.index.near(walk.index.functions, f"{definition.name}::{name}", source, walk.files)
+        if not any(function.body is not None for _, function in candidates):
+            candidates = [*overloads.nearest(walk, _loose(walk, definition.name, name), source), *candidates]
+        walk.found[key] = _of_branches(walk, candidates)
+    found: tuple[list[Found], Location | None] = walk.found[key]
+    if found[1] is not None:
+        message = f"{definition.name}::{name} is defined in two branches of an #if, and only one of them is followed"
+        walk.gaps.setdefault(message, found[1])
+    return found[0]
+
+
 def _of_branches(walk: Walk, candidates: list[Found]) -> tuple[list[Found], Location | None]:
     """With the definitions elsewhere of what a header declares in one branch of an ``#if``, and defines in another.
 
     Those come first of which a definition may make something; then the place of one that may, too, and is not followed.
     """
-    for source, function in candidates:
-        if function.body is not None or not function.guards:
-            continue
-        requested = overloads.signature(function)
-        inside = [
-            item
-            for item in candidates
-            if item[1].body is not None
-            and item[1].guards != function.guards
-            and overloads.signature(item[1]) == requested
-        ]
-        elsewhere = [
-            item
-            for item in (_defined(walk, (source, function)) if inside else ())
-            if item not in candidates and overloads.signature(item[1]) == requested
-        ]
+    for declared in candidates:
+        inside = _in_other_branches(declared[1], candidates)
+        elsewhere = _alike(declared[1], _defined(walk, declared)) if inside else []
+        elsewhere = [item for item in elsewhere if item not in candidates]
         if elsewhere:
             making = [item for item in (*elsewhere, *inside) if walk.relevance.makes(item[1], item[0])]
             whole = [*making[:1], *(item for item in (*candidates, *elsewhere) if item not in making[:1])]
             others = [item for item in making if item[0] is not making[0][0]]
             return whole, Location(others[0][0].path, others[0][1].line) if others else None
     return candidates, None
+
+
+def _in_other_branches(declared: Function, candidates: list[Found]) -> list[Found]:
+    """Of *candidates* the definitions of what is *declared* only, under other guards than it is."""
+    if declared.body is not None or not declared.guards:
+        return []
+    return [
+        item for item in _alike(declared, candidates) if item[1].body is not None and item[1].guards != declared.guards
+    ]
+
+
+def _alike(function: Function, found: list[Found]) -> list[Found]:
+    requested = overloads.signature(function)
+    return [item for item in found if overloads.signature(item[1]) == requested]
 
 
 def _defined(walk: Walk, declared: Found) -> list[Found]:

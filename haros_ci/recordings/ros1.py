@@ -75,13 +75,13 @@ class Ros1File:
             if len(self.channels) >= MOST_CHANNELS:
                 raise Cut("it has too many connections")
             connection = _fields(content)
-            name = connection.get(b"topic", b"").decode("utf-8", "replace")
+            name = header.get(b"topic", b"").decode("utf-8", "replace")
             kind_of, definition = (connection.get(part, b"").decode("utf-8", "replace") for part in _SAID)
             channel = Channel(name, kind_of, definition, "ros1")
             self.channels[key] = channel
             channels.setdefault(name, set()).add(channel.type)
         elif kind == _MESSAGE:
-            time = connection.get(b"time", b"")
+            time = header.get(b"time", b"")
             if key not in self.channels or len(time) != _TIME.size:
                 raise Cut("a message has no connection, or no time")
             seconds, rest = _TIME.unpack(time)
