@@ -56,7 +56,7 @@ def register(
         for option in value.options:
             register(walk, option, others, is_update, doubt=ONE_OF)
         return
-    if not isinstance(value, Callable) or walk.is_raised:
+    if not isinstance(value, Callable) or walk.is_raised or walk.setting:
         return
     function = value.function
     if value.this is None and function.owner and value.frame is None:

@@ -15,7 +15,7 @@ from haros_ci.index.index import Source
 from haros_ci.model.location import Location
 from haros_ci.syntax import Function
 from haros_ci.syntax.walk import everything
-from haros_ci.values.abstract import Callable, Choice, Known, Opaque
+from haros_ci.values.abstract import NONE, Callable, Choice, Known, Opaque
 
 #: Parts of a body up to which a function is a setter.
 PARTS = 150
@@ -36,6 +36,7 @@ def is_followed(walk: Walk, definition: Function, source: Source, changed: froze
         found = walk.found[key] = _is_straight(definition)
     if found:
         walk.setters.add(id(definition))
+        walk.setting += 1
     return bool(found)
 
 
@@ -45,14 +46,29 @@ def _is_straight(definition: Function) -> bool:
 
 
 def followed(walk: Walk, function: Callable, mark: int) -> None:
-    """*function*, which makes nothing, was followed: if it is a setter, note the numbers that it has set since *mark*."""
+    """*function*, which makes nothing, was followed: if it is a setter, note the numbers that it has set since *mark*.
+
+    What else is not known after that, as it was given to a function of which nothing is known, stays as it is: so it does
+    where a function is not followed.
+    """
     if id(function.function) not in walk.setters or walk.quiet:
         return
+    walk.setting -= 1
     names = {cell: frozenset((name,)) for name, cell in (function.this.fields if function.this else {}).items()}
     changed = walk.relevance.changes(function.function, function.source)
-    for cell, value in walk.state.since(mark).items():
+    for cell, value in walk.state.undo(mark).items():
+        if not _is_number(cell.value):
+            continue
+        walk.state.write(cell, value)
         if isinstance(value, (Known, Choice)):
             walk.settled[cell] = value, names.get(cell, changed)
+
+
+def _is_number(held: object) -> bool:
+    """Whether what a variable holds is, or may be, a number: of all else a setter changes nothing (``inert``)."""
+    if isinstance(held, Choice):
+        return all(map(_is_number, held.options))
+    return isinstance(held, Opaque) or held == NONE or (isinstance(held, Known) and issubclass(held.kind, (int, float)))
 
 
 def disturbed(walk: Walk, function: Callable) -> None:

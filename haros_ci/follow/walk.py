@@ -158,6 +158,8 @@ class Walk:
     #: Functions that are followed as they set numbers, by identity; what they have set, under which names (``follow.setters``).
     setters: set[int] = field(default_factory=set)
     settled: dict[Cell, tuple[Value, frozenset[str]]] = field(default_factory=dict)
+    #: Those around what is followed: they register nothing, as they did not where they are not followed.
+    setting: int = 0
     #: The names that callbacks and threads assign to, as far as there are any.
     disturbed: set[str] = field(default_factory=set)
     #: By identity, what stands for template arguments in look-ups.

@@ -84,6 +84,13 @@ def test_the_number_is_part_of_a_name() -> None:
     assert other.name == "/n?" and [unknown.reason for unknown in other.unknowns] == ["D::cb may change it"]
 
 
+def test_lists_and_texts_stay_as_they_are() -> None:
+    given = CLASS.replace("void lamp", "std::vector<std::string> t_{}; void log() { n_ = 1; show(t_); } void lamp")
+    use = "for (auto& t : d.t_) d.p_ = nh.advertise<std_msgs::String>(t, 1);"
+    found = ends(cpp(f'D d(nh); d.t_ = {{"a", "b"}}; d.log(); {use}', given))
+    assert [end.name for end in found] == ["/a", "/b"]
+
+
 def test_a_case_of_a_switch_is_the_one() -> None:
     made = "".join(f'case {i}: p_ = nh_.advertise<std_msgs::String>("cam{i}", 1);' for i in (3, 2, 1))
     cameras = CLASS.replace("void lamp", f"void open() {{ switch (n_) {{ {made} }} }} void lamp")
