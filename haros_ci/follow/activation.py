@@ -305,6 +305,8 @@ def follow_body(walk: Walk, inner: Frame, function: Function) -> Value:
     path = inner.source.path
     guards = [Condition("#if", text, Location(path, line, column)) for line, column, text in function.guards]
     walk.conditions += guards
+    left_out = sum(walk.is_compiled(path, line) is False for line, _, _ in function.guards)
+    walk.dead += left_out
     loops, walk.loops = walk.loops, []
     try:
         ended = statements.execute(walk, inner, function.body or ())
@@ -315,6 +317,7 @@ def follow_body(walk: Walk, inner: Frame, function: Function) -> Value:
     finally:
         walk.loops = loops
         walk.active.pop()
+        walk.dead -= left_out
         del walk.conditions[len(walk.conditions) - len(guards) :]
     walk.is_raised = walk.is_raised or (ended == RAISED and not inner.exits)
     if inner.exits:

@@ -118,7 +118,15 @@ def _any_of(walk: Walk, one: Found, candidates: Sequence[Found]) -> Found:
         and len({s.path for s, _ in different}) == 1
     ):
         return one[0], _guarded(walk, functions)
+    may_be = [item for item in different if not _is_left_out(walk, *item)]
+    if len(may_be) == 1:
+        return may_be[0]
     return one[0], _unsure(walk, one[1], functions)
+
+
+def _is_left_out(walk: Walk, source: Source, function: Function) -> bool:
+    """Whether a function stands under an ``#if`` that is not compiled."""
+    return any(walk.is_compiled(source.path, line) is False for line, _, _ in function.guards)
 
 
 def is_any(walk: Walk, function: Function) -> bool:
