@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from haros_ci import syntax
 from haros_ci.follow import statements
 from haros_ci.follow.frames import NEXT, Frame
@@ -26,29 +28,38 @@ def preprocessor(walk: Walk, frame: Frame, statement: syntax.Preprocessor) -> st
             frame.scopes.append(declared)
             ended = _followed(walk, frame, branch.body, verdict is not False)
             frame.scopes.pop()
-        writes = walk.state.undo(mark)
-        for name, cell in declared.items():  # no scope of its own
-            first = fresh.setdefault(name, cell)
-            if first is not cell:  # one variable, declared by each branch anew
-                writes[first] = writes.pop(cell, cell.value)
-            else:
-                writes.setdefault(cell, cell.value)
-        branches.append((ended, writes))
+        branches.append((ended, _with_declared(walk.state.undo(mark), declared, fresh)))
     if not any(branch.text.startswith("#else") for branch in statement.branches):
         branches.append((NEXT, {}))
         verdicts.append(False if True in verdicts else None)
     live = [i for i, verdict in enumerate(verdicts) if verdict is not False] if False in verdicts else None
+    _complete(fresh.values(), [writes for _, writes in branches], live)
+    frame.scopes[-1].update((name, cell) for name, cell in fresh.items() if name not in frame.scopes[-1])
+    return statements.merge(walk, frame, branches, live)
+
+
+def _with_declared(writes: Writes, declared: dict[str, Cell], fresh: dict[str, Cell]) -> Writes:
+    """What a branch has written, and what it declares, which has no scope of its own."""
+    for name, cell in declared.items():
+        first = fresh.setdefault(name, cell)
+        if first is not cell:  # one variable, declared by each branch anew
+            writes[first] = writes.pop(cell, cell.value)
+        else:
+            writes.setdefault(cell, cell.value)
+    return writes
+
+
+def _complete(cells: Iterable[Cell], branches: list[Writes], live: list[int] | None) -> None:
+    """Let what branches declare be declared by all: who reads it was built with one that does."""
     counting = branches if live is None else [branches[i] for i in live]
-    for cell in fresh.values():  # who reads it was built with a branch that declares it
-        result = [writes[cell] for _, writes in counting if cell in writes]
-        result = result or [writes[cell] for _, writes in branches if cell in writes]
+    for cell in cells:
+        result = [writes[cell] for writes in counting if cell in writes]
+        result = result or [writes[cell] for writes in branches if cell in writes]
         value = result[0]
         for other in result[1:]:
             value = joined(value, other)
-        for _, writes in branches:
+        for writes in branches:
             writes.setdefault(cell, value)
-    frame.scopes[-1].update((name, cell) for name, cell in fresh.items() if name not in frame.scopes[-1])
-    return statements.merge(walk, frame, branches, live)
 
 
 def _followed(walk: Walk, frame: Frame, block: Block, can_be: bool) -> str:

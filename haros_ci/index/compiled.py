@@ -7,7 +7,7 @@ A macro that nobody is seen to define is not known: an option of the compiler or
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
 from haros_ci.index.index import Index
@@ -273,22 +273,29 @@ def _name(text: str) -> str:
 def _guard(directives: Iterable[Directive]) -> str:
     """The macro of a file's include guard: ``#ifndef A``, ``#define A`` and all else up to the ``#endif`` that is the last; "" without."""
     found = [directive for directive in directives if directive.word != "pragma"]
-    if (
-        len(found) < 3
-        or found[0].word not in ("ifndef", "if")
-        or found[1].word != "define"
-        or found[-1].word != "endif"
-    ):
+    if len(found) < 3 or (found[1].word, found[-1].word) != ("define", "endif"):
         return ""
-    text = found[0].text.replace(" ", "")
-    name = _name(text) if found[0].word == "ifndef" else text.removeprefix("!defined").strip("()")
+    name = _tested(found[0])
     if found[1].text != name and not name.rstrip("_").endswith(("_H", "_HPP", "_HH", "_HXX", "_INCLUDED", "_GUARD")):
         return ""  # a default, which the build may replace
     if _name(found[1].text) != name or not name:
         return ""
+    return name if _is_one_block(found) else ""
+
+
+def _tested(directive: Directive) -> str:
+    """The macro that is not defined where ``#ifndef A`` or ``#if !defined(A)`` holds; "" of another directive."""
+    text = directive.text.replace(" ", "")
+    if directive.word == "ifndef":
+        return _name(text)
+    return text[len("!defined") :].strip("()") if directive.word == "if" and text.startswith("!defined") else ""
+
+
+def _is_one_block(found: Sequence[Directive]) -> bool:
+    """Whether the last of the directives ends what the first begins, and that has one branch."""
     depth = 0
     for directive in found[:-1]:
         depth += (directive.word in _OPENING) - (directive.word == "endif")
         if not depth or (depth == 1 and directive.word in _FURTHER):
-            return ""
-    return name
+            return False
+    return depth == 1

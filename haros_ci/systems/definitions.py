@@ -73,17 +73,10 @@ def compiled_files(builds: Mapping[str, Build]) -> dict[str, tuple[CompiledAs, .
     readers = {name: _Reader(build) for name, build in sorted(builds.items())}
     every = {f"{name}::{target}": found for name, reader in readers.items() for target, found in reader.targets.items()}
     found: dict[str, list[CompiledAs]] = {}
-    for package, reader in readers.items():
-        macros = {target.name: reader.of(target, every) for target in reader.build.targets if target.sources}
-        named = {name for own in macros.values() for name in own.sure}
-        for target in reader.build.targets:
-            if target.sources:
-                own = macros[target.name]
-                others = named - own.sure.keys() - own.maybe - reader.general if not own.is_open else set[str]()
-                sure = {name: value for name, value in own.sure.items() if name not in own.maybe}
-                unit = CompiledAs(f"{package}/{target.name}", tuple(sorted(sure.items())), tuple(sorted(others)))
-                for path in (*target.sources, *target.conditional_sources):
-                    found.setdefault(path, []).append(unit)
+    for reader in readers.values():
+        for target, unit in reader.compiled(every):
+            for path in (*target.sources, *target.conditional_sources):
+                found.setdefault(path, []).append(unit)
     return {
         path: tuple(dict.fromkeys(units))
         for path, units in found.items()
@@ -132,6 +125,20 @@ class _Reader:
                 match = _DEFINITION.match(part)
                 self.general |= {match[1]} if match is not None else set()
             self.general |= {match[2] for match in _FLAG.finditer(word)}
+
+    def compiled(self, every: Mapping[str, _OfTarget]) -> Iterator[tuple[Target, CompiledAs]]:
+        """The targets that have sources, and how they are compiled."""
+        targets = [target for target in self.build.targets if target.sources]
+        macros = {target.name: self.of(target, every) for target in targets}
+        named = {name for own in macros.values() for name in own.sure}
+        for target in targets:
+            own = macros[target.name]
+            others = named - own.sure.keys() - own.maybe if not own.is_open else set[str]()
+            sure = {name: value for name, value in own.sure.items() if name not in own.maybe}
+            yield (
+                target,
+                CompiledAs(f"{target.package}/{target.name}", tuple(sorted(sure.items())), tuple(sorted(others))),
+            )
 
     def of(self, target: Target, every: Mapping[str, _OfTarget]) -> _Macros:
         """The macros of a target: its own, those of its directory, of flags, and of what it links."""
