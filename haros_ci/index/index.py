@@ -64,6 +64,8 @@ class Index:
     library: frozenset[str] = frozenset()
     #: The macros that the build of each package defines.
     defined: Mapping[str | None, tuple[str, ...]] = field(default_factory=dict)
+    #: Those that a target has in some builds only.
+    conditional: frozenset[str] = frozenset()
     #: The source files as targets compile them (``compiled.CompiledAs``), by path.
     compiled: Mapping[str, tuple[Any, ...]] = field(default_factory=dict)
     #: What look-ups have found, by the files of the node type that asked and whether every plug-in is followed.

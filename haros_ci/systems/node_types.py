@@ -43,6 +43,8 @@ def types_of(
     python = build_index(s for s in by_path.values() if s.program.language == "python")
     python.interfaces = frozenset(interface.name for build in builds.values() for interface in build.interfaces)
     cpp.defined = {build.package: build.defined for build in builds.values() if build.defined}
+    targets = [target for build in builds.values() for target in build.targets]
+    cpp.conditional = frozenset(path for target in targets for path in target.conditional_sources)
     cpp.compiled = definitions.compiled_files(builds)
     python.packages = frozenset(package.name for package in workspace.packages)
     programs = Programs(cpp, python, by_path, builds)
