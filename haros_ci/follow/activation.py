@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import partial
 
 from haros_ci import syntax
 from haros_ci.follow import (
@@ -42,6 +43,8 @@ IDLE = 800
 #: Steps of rehearsals after which a function is rehearsed no longer than one that makes nothing is followed.
 MANY = 20_000
 #: Why a node may have more than what was made, and why a value is not known.
+#: Why what is made may not be, of sources of which a build has one.
+ONE_OF = "it is in one of several files of which a build has one"
 TOO_DEEP = "the code is nested too deeply to be followed"
 
 
@@ -76,6 +79,10 @@ def invoke(
     if definition.body is None:
         source, definition = methods.with_body(walk, [(function.source, definition)])
         function = Callable(source, definition, function.this, function.bound, function.frame, function.templates)
+    ways = overloads.ways(walk, definition)
+    if ways:
+        others = [replace(function, source=source, function=other) for source, other in ways]
+        return walk.either_way([partial(invoke, walk, frame, other, args, targs) for other in others], ONE_OF)
     inner_scope = definition.owner or definition.name.rpartition(function.source.separator)[0]
     templates: Mapping[str, syntax.Argument] = function.templates
     if function.this is not None and definition.owner:
@@ -307,6 +314,8 @@ def follow_body(walk: Walk, inner: Frame, function: Function) -> Value:
     path = inner.source.path
     guards = [Condition("#if", text, Location(path, line, column)) for line, column, text in function.guards]
     walk.conditions += guards
+    left_out = sum(walk.is_compiled(path, line) is False for line, _, _ in function.guards)
+    walk.dead += left_out
     loops, walk.loops = walk.loops, []
     try:
         ended = statements.execute(walk, inner, function.body or ())
@@ -317,6 +326,7 @@ def follow_body(walk: Walk, inner: Frame, function: Function) -> Value:
     finally:
         walk.loops = loops
         walk.active.pop()
+        walk.dead -= left_out
         del walk.conditions[len(walk.conditions) - len(guards) :]
     walk.is_raised = walk.is_raised or (ended == RAISED and not inner.exits)
     if inner.exits:

@@ -25,6 +25,7 @@ from haros_ci.follow import (
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import text_methods
 from haros_ci.follow.walk import Walk
+from haros_ci.index.index import EITHER
 from haros_ci.index.types import is_smart_pointer, pointee
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
@@ -106,6 +107,11 @@ def _this(walk: Walk, frame: Frame, expression: syntax.This) -> Value:
             return properties.this(around.function, around.this)
         around = around.outer
     return walk.opaque("the object is not known", frame)
+
+
+def _compiled(walk: Walk, frame: Frame, expression: syntax.Compiled) -> Value:
+    verdicts = {walk.is_compiled(frame.source.path, line) for line, _, _ in expression.guards}
+    return Known(False) if False in verdicts else walk.opaque(EITHER, frame) if None in verdicts else Known(True)
 
 
 def _conditional(walk: Walk, frame: Frame, expression: syntax.Conditional) -> Value:
@@ -247,6 +253,7 @@ EVALUATORS: dict[type[Expression], _Evaluate] = dict(
         _on(syntax.New, lambda walk, frame, e: calls.new(walk, frame, e)),
         _on(syntax.Operation, lambda walk, frame, e: operators.operation(walk, frame, e)),
         _on(syntax.Assignment, lambda walk, frame, e: assignments.assignment(walk, frame, e)),
+        _on(syntax.Compiled, _compiled),
         _on(syntax.Conditional, _conditional),
         _on(syntax.Lambda, _lambda),
         _on(syntax.ListLiteral, _list),

@@ -56,11 +56,14 @@ class Entry:
     is_hosted: bool = False
     begin: Function_[[Walk, Frame], None] | None = None
     label: str = ""
+    #: ``package/name`` of the target, where several compile the same file with other macros.
+    target: str = ""
 
     @property
     def key(self) -> tuple[str, str, str]:
         """The file and the names of the function and class: the same in the next run."""
         function = self.function.name if self.function is not None else self.label
+        function = f"{function}@{self.target}" if self.target else function
         return self.source.path, function, self.definition.name if self.definition is not None else ""
 
 

@@ -3,46 +3,82 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from haros_ci import syntax
 from haros_ci.follow import statements
 from haros_ci.follow.frames import NEXT, Frame
 from haros_ci.follow.walk import Walk
+from haros_ci.syntax import Block
 from haros_ci.values.abstract import Cell
 from haros_ci.values.state import Writes, joined
 
 
 def preprocessor(walk: Walk, frame: Frame, statement: syntax.Preprocessor) -> str:
-    """Follow each branch, and go on with their join; what they declare is there afterwards."""
+    """Follow each branch, and go on with the join of those that may be compiled; what they declare is there afterwards."""
     branches: list[tuple[str, Writes]] = []
     fresh: dict[str, Cell] = {}
-    for branch in statement.branches:
+    verdicts = [walk.is_compiled(frame.source.path, branch.line) for branch in statement.branches]
+    if True in verdicts and walk.outer is not None:  # what a wrapper does not do as things are is nobody's
+        return _in_place(walk, frame, statement.branches[verdicts.index(True)].body)
+    for branch, verdict in zip(statement.branches, verdicts, strict=True):
         mark = walk.state.mark()
         declared: dict[str, Cell] = {}
         with walk.under("#if", branch.text, frame, branch.line, branch.column):
             frame.scopes.append(declared)
-            ended = NEXT
-            for item in branch.body:
-                walk.step()
-                ended = statements.STATEMENTS[type(item)](walk, frame, item)
-                if ended != NEXT:
-                    break
+            ended = _followed(walk, frame, branch.body, verdict is not False)
             frame.scopes.pop()
-        writes = walk.state.undo(mark)
-        for name, cell in declared.items():  # no scope of its own
-            first = fresh.setdefault(name, cell)
-            if first is not cell:  # one variable, declared by each branch anew
-                writes[first] = writes.pop(cell, cell.value)
-            else:
-                writes.setdefault(cell, cell.value)
-        branches.append((ended, writes))
+        branches.append((ended, _with_declared(walk.state.undo(mark), declared, fresh)))
     if not any(branch.text.startswith("#else") for branch in statement.branches):
         branches.append((NEXT, {}))
-    for cell in fresh.values():  # who reads it was built with a branch that declares it
-        result = [writes[cell] for _, writes in branches if cell in writes]
+        verdicts.append(False if True in verdicts else None)
+    live = [i for i, verdict in enumerate(verdicts) if verdict is not False] if False in verdicts else None
+    _complete(fresh.values(), [writes for _, writes in branches], live)
+    frame.scopes[-1].update((name, cell) for name, cell in fresh.items() if name not in frame.scopes[-1])
+    return statements.merge(walk, frame, branches, live)
+
+
+def _with_declared(writes: Writes, declared: dict[str, Cell], fresh: dict[str, Cell]) -> Writes:
+    """What a branch has written, and what it declares, which has no scope of its own."""
+    for name, cell in declared.items():
+        first = fresh.setdefault(name, cell)
+        if first is not cell:  # one variable, declared by each branch anew
+            writes[first] = writes.pop(cell, cell.value)
+        else:
+            writes.setdefault(cell, cell.value)
+    return writes
+
+
+def _complete(cells: Iterable[Cell], branches: list[Writes], live: list[int] | None) -> None:
+    """Let what branches declare be declared by all: who reads it was built with one that does."""
+    counting = branches if live is None else [branches[i] for i in live]
+    for cell in cells:
+        result = [writes[cell] for writes in counting if cell in writes]
+        result = result or [writes[cell] for writes in branches if cell in writes]
         value = result[0]
         for other in result[1:]:
             value = joined(value, other)
-        for _, writes in branches:
+        for writes in branches:
             writes.setdefault(cell, value)
-    frame.scopes[-1].update((name, cell) for name, cell in fresh.items() if name not in frame.scopes[-1])
-    return statements.merge(walk, frame, branches, None)
+
+
+def _followed(walk: Walk, frame: Frame, block: Block, can_be: bool) -> str:
+    """Follow a branch; what one that is not compiled returns does not count."""
+    before = frame.is_dead
+    frame.is_dead = before or not can_be
+    walk.dead += not can_be
+    try:
+        return _in_place(walk, frame, block)
+    finally:
+        frame.is_dead = before
+        walk.dead -= not can_be
+
+
+def _in_place(walk: Walk, frame: Frame, block: Block) -> str:
+    """Execute statements in the scope that there is."""
+    for item in block:
+        walk.step()
+        ended = statements.STATEMENTS[type(item)](walk, frame, item)
+        if ended != NEXT:
+            return ended
+    return NEXT

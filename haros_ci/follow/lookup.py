@@ -4,22 +4,20 @@
 from __future__ import annotations
 
 import builtins
-from dataclasses import dataclass
 from typing import Any
 
 from haros_ci import syntax
-from haros_ci.follow import construct, conversions, expressions, members, methods, overloads
+from haros_ci.follow import construct, conversions, members, methods, object_macros, overloads
 from haros_ci.follow.frames import NEXT, Frame
 from haros_ci.follow.libraries import cpp as library_cpp
 from haros_ci.follow.libraries import numbers as library_numbers
 from haros_ci.follow.libraries import python_modules
 from haros_ci.follow.ros import qos
 from haros_ci.follow.walk import Walk
-from haros_ci.index import macros as macros_
 from haros_ci.index.common_messages import COMMON, NAMES
 from haros_ci.index.index import EITHER, Source
 from haros_ci.model.location import Location
-from haros_ci.syntax import Expression, Type
+from haros_ci.syntax import Type
 from haros_ci.values.abstract import Callable, Cell, ClassValue, Known, Library, Module, Object, Value, join, tick
 
 
@@ -108,8 +106,8 @@ def name(walk: Walk, frame: Frame, expression: syntax.Name) -> Value:
     if key not in walk.found:
         walk.found[key] = _global_name(walk, frame, name)
     value: Any = walk.found[key]
-    if isinstance(value, ObjectMacro):
-        return _expanded(walk, frame, value, name)
+    if isinstance(value, object_macros.ObjectMacro):
+        return object_macros.expanded(walk, frame, value, name)
     if isinstance(value, Library) and walk.context.process is not None:
         profile = qos.preset(value.name)
         if profile is not None:
@@ -123,29 +121,6 @@ def name(walk: Walk, frame: Frame, expression: syntax.Name) -> Value:
             return method
     if isinstance(value, Callable) and value.function.owner and not value.function.is_static and frame.this is not None:
         return Callable(value.source, value.function, frame.this, templates=frame.templates)
-    return value
-
-
-@dataclass(frozen=True, slots=True)
-class ObjectMacro:
-    """An object-like macro: what its definitions stand for."""
-
-    bodies: tuple[Expression, ...]
-
-
-def _expanded(walk: Walk, frame: Frame, macro: ObjectMacro, name: str) -> Value:
-    """A macro's value where it stands; names in it mean there what they mean."""
-    looking = ("expanding", frame.source.path, name)
-    if looking in walk.found:
-        return walk.opaque(f"the macro {name} is defined by itself", frame)
-    walk.found[looking] = True
-    try:
-        values = [expressions.evaluate(walk, frame, body) for body in macro.bodies]
-    finally:
-        del walk.found[looking]
-    value = values[0]
-    for other in values[1:]:
-        value = join(value, other)
     return value
 
 
@@ -169,19 +144,16 @@ def _is_virtual(walk: Walk, frame: Frame, value: Callable) -> bool:
     return any(function.is_virtual for _, function in walk.index.functions.get(value.function.name, ()))
 
 
-def _global_name(walk: Walk, frame: Frame, name: str) -> Value | ObjectMacro:
+def _global_name(walk: Walk, frame: Frame, name: str) -> Value | object_macros.ObjectMacro:
     """What a name that is no variable means in C++: a function, macro, class, or a library's name."""
     index = walk.index
     for candidate in index.scopes(name, frame.scope, frame.source):
         functions = index.near(index.functions, candidate, frame.source, walk.files)
         if functions:
             return Callable(*methods.with_body(walk, functions))
-    macros = index.near(index.macros, name, frame.source, walk.files)
-    if macros:
-        packages = {frame.source.package, *(source.package for source, _ in macros)}
-        if any(name in index.defined.get(package, ()) for package in packages):
-            return walk.opaque(f"the build defines {name}", frame)
-        return ObjectMacro(tuple(macros_.expression(body) for _, body in macros))
+    macro = object_macros.meant(walk, frame, name)
+    if macro is not None:
+        return macro
     resolved = walk.type_in(syntax.Type(name), frame)
     found = walk.class_of(resolved.name, frame.source)
     if found is not None:

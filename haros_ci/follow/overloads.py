@@ -15,6 +15,7 @@ from haros_ci.follow.walk import Walk
 from haros_ci.index.index import EITHER, Source
 from haros_ci.index.types import INTEGERS, REALS, STRINGS, is_smart_pointer, pointee
 from haros_ci.syntax import Block, Function, Type
+from haros_ci.syntax.walk import everything
 from haros_ci.values.abstract import Known, Object, Value, join
 
 if TYPE_CHECKING:
@@ -107,18 +108,57 @@ def _any_of(walk: Walk, one: Found, candidates: Sequence[Found]) -> Found:
     alike = [
         item for item in candidates if item is one or (item[1].body is not None and signature(item[1]) == requested)
     ]
-    different = [one, *(item for item in alike if item[1] is not one[1] and not _same(item[1].body, one[1].body))]
+    different = [one, *(item for item in alike if item[1] is not one[1] and _is_other(walk, item, one))]
     if len(different) == 1:
         return one
     functions = tuple(item[1] for item in different)
-    names = [[p.name for p in function.parameters] for function in functions]
-    if (
-        all(f.guards for f in functions)
-        and all(n == names[0] for n in names)
-        and len({s.path for s, _ in different}) == 1
-    ):
+    if all(f.guards for f in functions) and _are_alternatives(different):
         return one[0], _guarded(walk, functions)
-    return one[0], _unsure(walk, one[1], functions)
+    may_be = [item for item in different if not _is_left_out(walk, *item)]
+    if len(may_be) == 1:
+        return may_be[0]
+    return one[0], _one_of(walk, one[1], may_be) or _unsure(walk, one[1], functions)
+
+
+def _are_alternatives(different: list[Found]) -> bool:
+    """Whether functions of one file have the same names of parameters: one body may stand for another."""
+    names = {tuple(parameter.name for parameter in function.parameters) for _, function in different}
+    return len(names) == 1 and len({source.path for source, _ in different}) == 1
+
+
+def _one_of(walk: Walk, one: Function, found: list[Found]) -> Function | None:
+    """What stands for functions in several files of which a build has one; None if these are others."""
+    paths = {source.path for source, _ in found}
+    if len(paths) != len(found) or not paths <= walk.index.conditional or one.kind != "function":
+        return None
+    made: Function = syntax.replace(one)
+    walk.found["any", id(made)] = made
+    walk.found["one of", id(made)] = tuple(found)
+    return made
+
+
+def _is_other(walk: Walk, item: Found, one: Found) -> bool:
+    """Whether two functions do not do the same: of the same text, in files of which a build has one, they use what their files define."""
+    if not _same(item[1].body, one[1].body):
+        return True
+    if item[0].path == one[0].path or not {item[0].path, one[0].path} <= walk.index.conditional:
+        return False
+    used = {node.name for node in everything(one[1].body) if isinstance(node, (syntax.Name, syntax.Member))}
+    programs = [source.program for source, _ in (one, item)]
+    defined = [function.name for program in programs for function in program.functions]
+    defined += [variable.name for program in programs for variable in program.variables]
+    return not used.isdisjoint(name.rpartition("::")[2] for name in defined)
+
+
+def _is_left_out(walk: Walk, source: Source, function: Function) -> bool:
+    """Whether a function stands under an ``#if`` that is not compiled."""
+    return any(walk.is_compiled(source.path, line) is False for line, _, _ in function.guards)
+
+
+def ways(walk: Walk, function: Function) -> tuple[Found, ...]:
+    """What *function* stands for, of which the build takes one: definitions in files that are there in some builds only; empty if it is itself."""
+    found: tuple[Found, ...] = walk.found.get(("one of", id(function)), ())
+    return found
 
 
 def is_any(walk: Walk, function: Function) -> bool:

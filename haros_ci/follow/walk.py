@@ -16,6 +16,7 @@ from haros_ci.follow.made import MadeEntity, Root
 from haros_ci.follow.ros.own_name import Naming
 from haros_ci.follow.twins import Standing, Twin
 from haros_ci.graph.ros2_process import RosNode
+from haros_ci.index import compiled
 from haros_ci.index.index import Index, Source
 from haros_ci.index.relevance import Relevance
 from haros_ci.index.types import NO_TYPE, resolve_type
@@ -71,6 +72,8 @@ class Walk:
     files: frozenset[str] = frozenset()
     #: What the exact tier tells of calls, by path, line and column: types and constants of arguments by function and count.
     exact: Exact | None = None
+    #: The target that counts where several compile the same file with other macros (``Entry.target``).
+    target: str = ""
     state: State = field(default_factory=State)
     conditions: list[Condition] = field(default_factory=list)
     made: dict[Any, MadeEntity] = field(default_factory=dict)
@@ -169,7 +172,8 @@ class Walk:
 
     def __post_init__(self) -> None:
         self.most = STEPS if self.context.of_base is None else WITH_PLUGINS
-        self.found = self.index.caches.setdefault((self.files, self.context.of_base is not None), {})
+        key = (self.files, self.context.of_base is not None, self.target)
+        self.found = self.index.caches.setdefault(key, {})
 
     def step(self) -> None:
         self.steps += 1
@@ -247,6 +251,14 @@ class Walk:
                 return _inside(own[above], name[len(above) + 1 :])
             above = above.rpartition("/")[0]
         return self.context.parameter(name)
+
+    def is_compiled(self, path: str, line: int) -> bool | None:
+        """Whether the build compiles the branch of the ``#if``, ``#elif`` or ``#else`` at a line of a file; None if that is not known."""
+        key = ("compiled", path, line)
+        if key not in self.found:
+            self.found[key] = compiled.is_compiled(self.index, path, line, self.files, self.target)
+        known: bool | None = self.found[key]
+        return known
 
     def type_in(self, kind: Type, frame: Frame) -> Type:
         """*kind* as written in *frame*, resolved."""

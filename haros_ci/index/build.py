@@ -70,25 +70,33 @@ def _through_alias(index: Index, source: Source, function: Function) -> None:
 
 
 def _without_doubles(fields: tuple[Field, ...]) -> tuple[Field, ...]:
-    """*fields* with one of each name: what two branches of an #if define starts as either says."""
+    """*fields* with one of each name: what the branches of an #if define starts as the one says that is compiled."""
     if len({field.name for field in fields}) == len(fields):
         return fields
-    found: dict[str, Field] = {}
+    every: dict[str, list[Field]] = {}
     for field in fields:
-        known = found.get(field.name)
-        if known is None or known.init is None:
-            found[field.name] = field
-        elif field.init is not None and field.init != known.init:
-            either = syntax.Conditional(syntax.Unknown(EITHER), _start(known.init), _start(field.init))
-            found[field.name] = syntax.replace(known, init=syntax.Equals(either))
-    return tuple(found.values())
+        every.setdefault(field.name, []).append(field)
+    return tuple(_one_of(found) for found in every.values())
 
 
-def _start(init: syntax.Init) -> syntax.Expression:
+def _one_of(fields: list[Field]) -> Field:
+    """What several definitions of one variable come to: the first that says what it starts as, or either."""
+    with_init = [field for field in fields if field.init is not None]
+    first = (with_init or fields)[0]
+    if all(field.init == first.init for field in with_init):
+        return first
+    value = _start(with_init[-1].init)
+    for field in reversed(with_init[:-1]):
+        test = syntax.Compiled(field.guards) if field.guards else syntax.Unknown(EITHER)
+        value = syntax.Conditional(test, _start(field.init), value)
+    return syntax.replace(first, init=syntax.Equals(value))
+
+
+def _start(init: syntax.Init | None) -> syntax.Expression:
     """The expression that a variable starts with."""
     if isinstance(init, syntax.Equals):
         return init.value
-    return init.arguments[0] if len(init.arguments) == 1 else syntax.Unknown(EITHER)
+    return init.arguments[0] if init is not None and len(init.arguments) == 1 else syntax.Unknown(EITHER)
 
 
 def _local(program: Program) -> dict[str, Alias | None]:

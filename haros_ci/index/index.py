@@ -64,6 +64,10 @@ class Index:
     library: frozenset[str] = frozenset()
     #: The macros that the build of each package defines.
     defined: Mapping[str | None, tuple[str, ...]] = field(default_factory=dict)
+    #: Those that a target has in some builds only.
+    conditional: frozenset[str] = frozenset()
+    #: The source files as targets compile them (``compiled.CompiledAs``), by path.
+    compiled: Mapping[str, tuple[Any, ...]] = field(default_factory=dict)
     #: What look-ups have found, by the files of the node type that asked and whether every plug-in is followed.
     caches: dict[Any, dict[Any, Any]] = field(default_factory=dict)
     #: ``pkg::Type`` for every ``#include "pkg/Type.h"``, by file.
@@ -225,11 +229,11 @@ class Index:
             source = self.sources.get(path)
             found: dict[str, None] = {}
             for include in source.program.includes if source is not None else ():
-                found.update(dict.fromkeys(self._named_file(include.strip('<>" '), path)))
+                found.update(dict.fromkeys(self.included_files(include.strip('<>" '), path)))
             known = self.links[path] = tuple(found)
         return known
 
-    def _named_file(self, include: str, path: str) -> list[str]:
+    def included_files(self, include: str, path: str) -> list[str]:
         """The files that an include may mean: beside the file that includes it, else by the end of their paths."""
         beside = posixpath.normpath(posixpath.join(posixpath.dirname(path), include))
         if beside in self.sources:

@@ -18,7 +18,7 @@ from haros_ci.index.index import Index, Source
 from haros_ci.index.relevance import Answers, Relevance
 from haros_ci.index.trace import XML_FILES, YAML_FILES, Trace
 from haros_ci.keeping.moves import Lines, moves
-from haros_ci.syntax import Alias, Class, Field, Function, Program
+from haros_ci.syntax import Alias, Class, Directive, Field, Function, Program
 from haros_ci.syntax.codec import plain
 
 #: A function by its file, its qualified name and its number among those of that name; and a number for what it changes.
@@ -233,6 +233,8 @@ def _compare(change: SourceChange, path: str, before: Source, now: Source, relev
     old, new = before.program, now.program
     if (old.includes, old.scopes, old.registered) != (new.includes, new.scopes, new.registered):
         change.includes.add(path)
+    if _placeless(old.directives) != _placeless(new.directives):  # which lines of what includes it are compiled
+        change.includes.add(path)
     for which in ("classes", "variables", "aliases", "macros"):
         removed, come = _entities(getattr(old, which)), _entities(getattr(new, which))
         for name in removed.keys() | come.keys():
@@ -247,6 +249,10 @@ def _compare(change: SourceChange, path: str, before: Source, now: Source, relev
             change.is_shape = change.is_shape or "operator" in name
         if gone_ones != come_ones and _does_other(before, now, gone_ones, come_ones, relevance):
             change.names.add(number_of(name))
+
+
+def _placeless(directives: Sequence[Directive]) -> list[tuple[str, str]]:
+    return [(directive.word, directive.text) for directive in directives]
 
 
 def _entities(

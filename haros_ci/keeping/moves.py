@@ -110,6 +110,8 @@ def _fits(inner: Lines, lines: Lines) -> bool:
 
 def _same_field(name: str, old: Record, new: Record, lines: Lines) -> bool:
     one, other = getattr(old, name), getattr(new, name)
+    if name == "guards":
+        return _same_guards(one, other, lines)
     return _paired(((one, other),), lines) if name in LINES else _same(one, other, lines)
 
 

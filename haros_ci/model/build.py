@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import posixpath
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.model.location import Location
@@ -169,7 +169,8 @@ class CMakeCommand:
 
     What only a build knows stays in the arguments as ``${NAME}``. Places in the workspace begin with ``${ROOT}/``, those of the build tree
     with ``${BUILD}/``; *directory* is the root-relative directory that relative ones count from. *is_conditional* if a
-    construct that could not be decided stands around it, *is_test* if it runs for tests only. A command inside a
+    construct that could not be decided stands around it; *under* are the numbers of these branches, -1 among them where the arguments
+    themselves are not certain. *is_test* if it runs for tests only. A command inside a
     function stands where the function is called.
     """
 
@@ -179,6 +180,7 @@ class CMakeCommand:
     directory: str
     is_conditional: bool = False
     is_test: bool = False
+    under: tuple[int, ...] = field(default=(), compare=False)
 
     def place(self, word: str) -> str | None:
         """The root-relative path that *word* means; None if it is not known, or not in the workspace."""
@@ -211,7 +213,7 @@ class Build:
 
     *scripts* are Python files that are installed as programs or begin with a shebang. *python_roots* are pairs of an
     import root (``""`` for all, or a top-level name) and the root-relative directory that it stands for. *defined* are
-    the macros that the build defines for C++. *python_packages* are the import packages that setup.py names, *script_directories* are
+    the macros that the build defines for C++, *flags* what CMAKE_CXX_FLAGS is, *are_flags_known* False where that depends on what only a build knows. *python_packages* are the import packages that setup.py names, *script_directories* are
     ``(develop or install, directory, line)`` of setup.cfg: where its programs are put. *commands* are those of CMake in the order in which they run.
     """
 
@@ -225,6 +227,8 @@ class Build:
     scripts: tuple[str, ...] = ()
     python_roots: tuple[tuple[str, str], ...] = ()
     defined: tuple[str, ...] = ()
+    flags: str = ""
+    are_flags_known: bool = True
     parameter_libraries: tuple[ParameterLibrary, ...] = ()
     problems: tuple[Problem, ...] = ()
     commands: tuple[CMakeCommand, ...] = ()

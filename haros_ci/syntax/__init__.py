@@ -10,6 +10,7 @@ from haros_ci.syntax.expressions import (
     Boolean,
     Call,
     Cast,
+    Compiled,
     Conditional,
     Dereference,
     DictLiteral,
@@ -35,7 +36,7 @@ from haros_ci.syntax.expressions import (
     name_of,
 )
 from haros_ci.syntax.node import Node, Record, replace
-from haros_ci.syntax.program import Alias, Class, Field, Function, Initializer, Parameter, Program
+from haros_ci.syntax.program import Alias, Class, Directive, Field, Function, Initializer, Parameter, Program
 from haros_ci.syntax.statements import (
     Block,
     Braces,
@@ -85,10 +86,12 @@ __all__ = [
     "Case",
     "Cast",
     "Class",
+    "Compiled",
     "Conditional",
     "Continue",
     "Dereference",
     "DictLiteral",
+    "Directive",
     "Do",
     "DoubleStar",
     "Each",

@@ -119,6 +119,12 @@ class Assignment(Node, frozen=True, tag="set"):
     value: Expression
 
 
+class Compiled(Node, frozen=True, tag="compiled"):
+    """Whether what stands under these ``#if`` lines is compiled: (line, column, text). The index writes it, no front end."""
+
+    guards: tuple[tuple[int, int, str], ...]
+
+
 class Conditional(Node, frozen=True, tag="if"):
     """The conditional expression."""
 
@@ -214,6 +220,7 @@ Expression: TypeAlias = (
     | New
     | Operation
     | Assignment
+    | Compiled
     | Conditional
     | Lambda
     | ListLiteral

@@ -60,7 +60,7 @@ class Function(Record, frozen=True):
 
 
 class Field(Record, frozen=True):
-    """A data member, or a variable at namespace or module scope, where its *name* is qualified."""
+    """A data member, or a variable at namespace or module scope, where its *name* is qualified. *guards* are as of functions."""
 
     name: str
     type: Type
@@ -68,6 +68,18 @@ class Field(Record, frozen=True):
     line: int
     column: int
     is_static: bool = False
+    guards: tuple[tuple[int, int, str], ...] = ()
+
+
+class Directive(Record, frozen=True):
+    """A line of the preprocessor: its *word* (``define``, ``include``, ``if``, …) and the *text* after it, without comments.
+
+    ``lost`` stands for those of a file that has too many.
+    """
+
+    line: int
+    word: str
+    text: str
 
 
 class Class(Record, frozen=True):
@@ -97,7 +109,8 @@ class Program(Record, frozen=True):
     """One file. *scopes* are using-directives: (qualified enclosing scope, namespace). *includes* are C++'s, as written.
 
     *macros* are ``(name, parameters or None, body)``; *registered* are calls at namespace scope, such as
-    ``PLUGINLIB_EXPORT_CLASS(A, B)``: (macro, arguments as text, line, column). *problems* are (line, message).
+    ``PLUGINLIB_EXPORT_CLASS(A, B)``: (macro, arguments as text, line, column). *problems* are (line, message). *directives*
+    are those of the preprocessor that decide which lines a build compiles, in their order.
     """
 
     language: str
@@ -110,3 +123,4 @@ class Program(Record, frozen=True):
     macros: tuple[tuple[str, tuple[str, ...] | None, str], ...] = ()
     registered: tuple[tuple[str, tuple[str, ...], int, int], ...] = ()
     problems: tuple[tuple[int, str], ...] = ()
+    directives: tuple[Directive, ...] = ()

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from haros_ci import syntax
 from haros_ci.follow.follow import Entry
@@ -49,6 +49,7 @@ def executables(programs: Programs, *, tests: bool = False) -> dict[tuple[str, s
             files = files_of(programs, target, named)
             entry = _main(programs, (*target.sources, *target.conditional_sources))
             if entry is not None:
+                entry = of_target(programs, entry, target)
                 found.setdefault((package, target.output), (entry, files))
         for path in build.scripts:
             source = programs.sources.get(path)
@@ -172,6 +173,14 @@ def files_of(programs: Programs, target: Target, named: Linkable | None = None) 
                 seen.add(linked.name)
                 waiting.append(linked)
     return frozenset(files)
+
+
+def of_target(programs: Programs, entry: Entry, target: Target) -> Entry:
+    """*entry* of a target, whose name is in it where another one compiles the same files with other macros."""
+    name = f"{target.package}/{target.name}"
+    paths = (*target.sources, *target.conditional_sources)
+    every = [{(way.macros, way.undefined) for way in programs.cpp.compiled.get(path, ())} for path in paths]
+    return replace(entry, target=name) if any(len(ways) > 1 for ways in every) else entry
 
 
 def linkable(programs: Programs) -> Linkable:

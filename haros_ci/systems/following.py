@@ -204,7 +204,7 @@ def _followed_in(
     language = "python" if entry.source.program.language == "python" else "cpp"
     version = (language, 1 if context.process is None else 2)
     relevance, view = relevance_of(types, entry, version, files)
-    walk = Walk(index, types.rows[version], context, types.configs, relevance, files, types.exact)
+    walk = Walk(index, types.rows[version], context, types.configs, relevance, files, types.exact, entry.target)
     problems: tuple[Problem, ...] = ()
     try:
         if not follow(walk, entry):

@@ -42,6 +42,8 @@ def key_of(types: Types, rows: Mapping[tuple[str, int], Iterable[Row]]) -> str:
         [sorted(index.interfaces) for index in (cpp, python)],
         [sorted(index.packages) for index in (cpp, python)],
         sorted(cpp.defined.items(), key=repr),
+        sorted(cpp.compiled.items()),
+        sorted(cpp.conditional),
         plugins,
         [(base, [item.key for item in found]) for base, found in sorted(types.of_base.items())],
         sorted(types.declared.items()),

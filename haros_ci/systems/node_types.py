@@ -20,7 +20,7 @@ from haros_ci.model.build import Build
 from haros_ci.model.launch import LaunchFile
 from haros_ci.model.workspace import Workspace
 from haros_ci.substitutions.files import files_of
-from haros_ci.systems import client_libraries, gazebo_plugins, ros2_controllers, ros2_entries
+from haros_ci.systems import client_libraries, definitions, gazebo_plugins, ros2_controllers, ros2_entries
 from haros_ci.systems.entries import Programs, declared, executables, nodelets, plugin_files, plugins, plugins_of_base
 from haros_ci.systems.following import KnownNodes, Types
 from haros_ci.timing import timed
@@ -43,6 +43,9 @@ def types_of(
     python = build_index(s for s in by_path.values() if s.program.language == "python")
     python.interfaces = frozenset(interface.name for build in builds.values() for interface in build.interfaces)
     cpp.defined = {build.package: build.defined for build in builds.values() if build.defined}
+    targets = [target for build in builds.values() for target in build.targets]
+    cpp.conditional = frozenset(path for target in targets for path in target.conditional_sources)
+    cpp.compiled = definitions.compiled_files(builds)
     python.packages = frozenset(package.name for package in workspace.packages)
     programs = Programs(cpp, python, by_path, builds)
     tables: dict[tuple[str, int], dict[str, tuple[Row, ...]]] = {}

@@ -11,7 +11,7 @@ from haros_ci.index.index import Source, aliased
 from haros_ci.model.api import Row
 from haros_ci.model.build import Target
 from haros_ci.syntax import Class
-from haros_ci.systems.entries import Programs, base_of, described_classes, executables, files_of
+from haros_ci.systems.entries import Programs, base_of, described_classes, executables, files_of, of_target
 
 #: The base class of what rclcpp_components_register_node registers, and the macro that registers a class in its source.
 FACTORY = "rclcpp_components::NodeFactory"
@@ -68,7 +68,10 @@ def _registered(programs: Programs) -> Iterator[tuple[str, Source, str]]:
 def _component(programs: Programs, package: str, name: str, target: Target | None) -> Found | None:
     files = files_of(programs, target) if target is not None else frozenset[str]()
     defined = class_named(programs, package, name, files)
-    return (Entry(defined[0], definition=defined[1]), files) if defined is not None else None
+    if defined is None:
+        return None
+    entry = Entry(defined[0], definition=defined[1])
+    return (of_target(programs, entry, target) if target is not None else entry), files
 
 
 def class_named(programs: Programs, package: str, name: str, files: frozenset[str]) -> tuple[Source, Class] | None:

@@ -19,6 +19,7 @@ from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.workspace.cmake import follow
 from haros_ci.workspace.cmake_state import MAX_MESSAGE, MAX_PROBLEMS, CMakeState, CMakeTarget
 from haros_ci.workspace.cmake_targets import FLAG
+from haros_ci.workspace.cmake_words import MAYBE, written
 from haros_ci.workspace.exported import linked
 from haros_ci.workspace.interfaces import read_interface
 from haros_ci.workspace.language import HEAD, script_language
@@ -77,6 +78,8 @@ def build_of(workspace: Workspace, package: Package, tree: PathTree | None = Non
         scripts=_scripts(workspace, package, python, installed),
         python_roots=tuple(sorted(roots.items())),
         defined=_defined(state),
+        flags=written(state.get("CMAKE_CXX_FLAGS") or ""),
+        are_flags_known=MAYBE not in (state.get("CMAKE_CXX_FLAGS") or ""),
         parameter_libraries=_parameter_libraries(tree, package, state, setup),
         problems=tuple(sorted(set(problems), key=lambda p: (p.path, p.line or 0, p.message))),
         commands=tuple(state.commands),

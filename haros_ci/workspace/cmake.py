@@ -167,7 +167,8 @@ def _fork(
     ends = []
     for body in bodies:
         state.journal = []
-        state.doubts.append(doubt)
+        state.branches += 1
+        state.doubts.append(replace(doubt, branch=state.branches))
         depth = len(state.doubts)
         try:
             signal = run_block(state, body, macro)
@@ -183,7 +184,8 @@ def _fork(
     elif len(going) < len(alive):
         exits = {signal for signal, _ in alive}
         leaving = next(signal for signal in (RETURN, BREAK, CONTINUE) if signal in exits)
-        state.doubts.append(replace(doubt, leaving=leaving))
+        state.branches += 1
+        state.doubts.append(replace(doubt, leaving=leaving, branch=state.branches))
     for key in dict.fromkeys(key for _, after in alive for key in after):
         scope, name, _ = next(after[key] for _, after in alive if key in after)
         state.spend()

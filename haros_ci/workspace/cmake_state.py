@@ -53,13 +53,15 @@ class CMakeBudgetExhausted(Exception):
 class Doubt:
     """A construct that cannot be decided; *text* is its condition.
 
-    *leaving* is the return, break or continue in it that makes what follows doubtful, too.
+    *leaving* is the return, break or continue in it that makes what follows doubtful, too. *branch* numbers the branches that are gone
+    through.
     """
 
     path: str
     line: int
     text: str
     leaving: str = ""
+    branch: int = field(default=0, compare=False)
 
 
 @dataclass(slots=True)
@@ -120,6 +122,7 @@ class CMakeState:
         self.file = ""
         self.site: Location | None = None
         self.calls = 0
+        self.branches = 0
         self.depth = 0
         self.doubts: list[Doubt] = []
         self.hidden: dict[Doubt, dict[str, None]] = {}
@@ -140,6 +143,7 @@ class CMakeState:
             directory=inside(self.source_directory()) or ".",
             is_conditional=bool(self.doubts) or any(MAYBE in word for word in call.words),
             is_test=bool(self.testing),
+            under=(*(doubt.branch for doubt in self.doubts), *([-1] if any(MAYBE in w for w in call.words) else [])),
         )
         self.commands[command] = None
 

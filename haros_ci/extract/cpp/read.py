@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from tree_sitter import Node
 
-from haros_ci.extract.cpp import blanks, branches, scopes
+from haros_ci.extract.cpp import blanks, branches, directives, scopes
 from haros_ci.extract.cpp.grammar import errors, missing, parse
 from haros_ci.extract.cpp.unit import CppScope, Unit, unit_of
 from haros_ci.syntax import Program
@@ -23,12 +23,13 @@ def read_cpp(text: str) -> Program:
     if len(text) > LARGEST:
         return Program("cpp", problems=((1, f"larger than {LARGEST} characters: the file is not read"),))
     text = text.removeprefix("\ufeff")
-    data, root = tree_of(blanks.readable(text))
+    readable = blanks.readable(text)
+    data, root = tree_of(readable)
     if root is None:
         return Program("cpp", problems=((1, "too unlike C++ to parse in reasonable time: the file is not read"),))
     unit = unit_of(data)
     scopes.declare(unit, [root], CppScope(), 0)
-    return _program(unit)
+    return _program(unit, readable)
 
 
 def tree_of(text: str) -> tuple[bytes, Node | None]:
@@ -52,7 +53,7 @@ def _unread(root: Node) -> int:
     return sum(node.end_byte - node.start_byte + 1 for node in (*errors(root, _COUNTED), *missing(root, _COUNTED)))
 
 
-def _program(unit: Unit) -> Program:
+def _program(unit: Unit, text: str) -> Program:
     found = unit.found
     return Program(
         "cpp",
@@ -65,4 +66,5 @@ def _program(unit: Unit) -> Program:
         macros=tuple(found.macros),
         registered=tuple(found.registered),
         problems=tuple(found.problems),
+        directives=directives.found(text),
     )

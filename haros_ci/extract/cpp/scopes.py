@@ -64,9 +64,11 @@ def _declaration(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
         line, column = unit.position(declared.node)
         if scope.members is None:
             name = scope.qualified(declared.name)
-            unit.found.variables.append(Field(name, declared.type, init, line, column, before.is_static))
+            unit.found.variables.append(Field(name, declared.type, init, line, column, before.is_static, scope.guards))
         else:
-            scope.members.append(Field(declared.name, declared.type, init, line, column, before.is_static))
+            scope.members.append(
+                Field(declared.name, declared.type, init, line, column, before.is_static, scope.guards)
+            )
 
 
 def _function(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:

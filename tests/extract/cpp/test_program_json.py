@@ -80,7 +80,7 @@ def _classes(value: Any) -> set[type]:
 
 
 @pytest.mark.parametrize(
-    "value", [None, 0, "", [], {}, [1], ["cpp"] + [[]] * 10, [1] + [[]] * 9, ["cpp", ["x"]], ["cpp", [[]] * 9]]
+    "value", [None, 0, "", [], {}, [1], ["cpp"] + [[]] * 11, [1] + [[]] * 9, ["cpp", ["x"]], ["cpp", [[]] * 9]]
 )
 def test_other_shapes(value: Any) -> None:
     assert decoded(json.dumps(value)) is None
