@@ -184,10 +184,15 @@ def alone(types: Types, package: str, name: str) -> Job:
     return Job(node, (id(entry), chosen), follow_it, _size(types, files))
 
 
+#: Why a nodelet that nothing loads has no name of its own (names.cpp of roscpp).
+COLON = "its look-up name has a colon, which no node name may have: whoever loads it names it"
+
+
 def standalone(types: Types, look_up: str) -> Job:
-    """A nodelet in a process of its own, under the name that the nodelet program gives it (``pkg_Class``)."""
+    """A nodelet in a process of its own, under the name that the nodelet program gives it (``pkg_Class``: nodelet.cpp, ``getDefaultName``)."""
     described, entry, files = types.nodelets[look_up]
-    name = "/" + "_".join(part for part in look_up.replace(":", "/").split("/") if part)
+    is_invalid = ":" in look_up
+    name = "/?" if is_invalid else "/" + "_".join(part for part in look_up.split("/") if part)
     instance = Instance(name, "/", (), {}, name)
     server = ParameterServer(())
     package, last = type_of(look_up, described)
@@ -205,7 +210,10 @@ def standalone(types: Types, look_up: str) -> Job:
     def follow_it() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
         followed = run_node(types, entry, files, instance, server.get)
         unknowns = incomplete(followed, entry, node.location)
-        made = replace(node, unknowns=unknowns, endpoints=endpoints(followed.made, by({}), server))
+        if is_invalid:
+            unknowns = (*unknowns, Unknown("name", COLON, node.location))
+        ends = endpoints(followed.made, by({}), server, f"{UNNAMED}: {COLON}" if is_invalid else UNNAMED)
+        made = replace(node, unknowns=unknowns, endpoints=ends)
         return (made,), followed.problems
 
     return Job(node, (id(entry), instance.name), follow_it, _size(types, files))

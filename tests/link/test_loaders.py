@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from follow_kit import CMAKE, CPP_HEAD, ends, follow, names
+from follow_kit import CMAKE, CPP_HEAD, ends, follow, names, only
 
 from haros_ci.model.architecture import Architecture, Node
 
@@ -196,3 +196,32 @@ def test_nodelets_that_load_themselves_end() -> None:
     assert sorted(set(names(first(found)))) == ["/s/b/late", "/s/b/state", "/s/out"]
     reasons = [unknown.reason for unknown in first(found).unknowns]
     assert reasons == ["nodelets load each other too deeply to be followed"]
+
+
+@pytest.mark.parametrize(
+    ("attribute", "name", "reasons"),
+    [
+        ('name="p/relay"', "/p_relay", []),
+        ('name="relay"', "/relay", []),
+        ("", "/?", ["its look-up name has a colon, which no node name may have: whoever loads it names it"]),
+        (
+            'name="p::Relay"',
+            "/?",
+            ["its look-up name has a colon, which no node name may have: whoever loads it names it"],
+        ),
+    ],
+)
+def test_a_nodelet_that_nothing_loads_has_the_name_that_the_program_nodelet_makes(
+    attribute: str, name: str, reasons: list[str]
+) -> None:
+    """nodelet.cpp, ``getDefaultName``: slashes become underscores, and roscpp refuses a colon."""
+    files = {
+        "p/package.xml": '<package><name>p</name><export><nodelet plugin="${prefix}/p.xml"/></export></package>',
+        "p/CMakeLists.txt": CMAKE.format("p") + "add_library(relay src/relay.cpp)\n",
+        "p/p.xml": f'<library path="lib/librelay"><class {attribute} type="p::Relay" base_class_type="nodelet::Nodelet"/></library>',
+        "p/src/relay.cpp": RELAY,
+    }
+    (node,) = only(follow(files)).nodes
+    assert node.name == name
+    assert [unknown.reason for unknown in node.unknowns if unknown.field == "name"] == reasons
+    assert all(end.name.startswith((f"{name}/", "/out", "/in")) or "?" in end.name for end in node.endpoints)
