@@ -9,7 +9,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, BinaryIO, Protocol
 
-from haros_ci.bounded_yaml import Limits, YamlFault, data
+from haros_ci.bounded_yaml import YamlFault, YamlLimits, data
 from haros_ci.errors import UserError
 from haros_ci.recordings.recording import Channel, Cut, Recording, Unreadable
 
@@ -98,7 +98,7 @@ def _named(directory: Path) -> tuple[Path, ...]:
     if metadata.stat().st_size > LARGEST_METADATA:
         raise UserError(f"{metadata}: is too large", help=f"at most {LARGEST_METADATA >> 20} MB are read")
     try:
-        read = data(metadata.read_text("utf-8"), Limits(LARGEST_METADATA, 50, 200_000, 100))
+        read = data(metadata.read_text("utf-8"), YamlLimits(LARGEST_METADATA, 50, 200_000, 100))
     except (YamlFault, ValueError) as err:
         raise UserError(f"{metadata}: is no metadata of a bag: {err}", help="name a file of the bag itself") from err
     information = read.get("rosbag2_bagfile_information") if isinstance(read, dict) else None

@@ -15,6 +15,7 @@ from haros_ci.errors import UserError
 from haros_ci.recordings import bag, packed
 from haros_ci.recordings.bag import Bag
 from haros_ci.recordings.recording import Channel, Cut, Unreadable
+from haros_ci.recordings.types import checked, decoder_of
 
 ROWS: list[Row] = [("/a", 1, 0), ("/b", 2, 5), ("/a", 3, 10), ("/a", 4, 20)]
 WANTED = frozenset(("/a",))
@@ -280,3 +281,61 @@ def test_what_is_no_file(tmp_path: Path, name: str) -> None:
     os.mkfifo(tmp_path / "fifo")
     with pytest.raises(UserError):
         Bag(tmp_path / name)
+
+
+RULE = "=" * 80 + "\n"
+
+
+@pytest.mark.parametrize(
+    ("definition", "reason"),
+    [
+        ("B[1000000] b\n" + RULE + "MSG: demo/B\nuint8 y\n", "its arrays of a fixed size have more than 2,000 messages or texts"),
+        ("string[1000000] b\n", "its arrays of a fixed size have more than 2,000 messages or texts"),
+        ("float64[1000000000] b\n", "an array has more than 10,000,000 elements"),
+        ("A a\n", "demo/msg/A contains itself"),
+        (
+            "T0 a\n" + "".join(f"{RULE}MSG: demo/T{n}\nT{n + 1} a\nT{n + 1} b\n" for n in range(40)) + f"{RULE}MSG: demo/T40\nuint8 y\n",
+            "demo/msg/T16 has more than 10,000,000 values",
+        ),
+        ("float64[10] b\n", "it is shorter than a demo/A"),
+    ],
+    ids=["messages", "texts", "numbers", "itself", "doubling", "short"],
+)  # fmt: skip
+@pytest.mark.parametrize("encoding", ["ros1", "cdr"])
+def test_definitions_that_are_out_of_bounds(definition: str, reason: str, encoding: str) -> None:
+    found = decoder_of(Channel("/t", "demo/A", definition, encoding))(b"\x00\x01\x00\x00", 1)
+    assert isinstance(found, Unreadable) and found.reason == f"message 1, on /t, cannot be read: {reason}"
+
+
+NUMBER = (1, ("uint8", 0))
+
+
+@pytest.mark.parametrize(
+    "types",
+    [
+        {"demo/msg/A:\n    pass\nimport os\nclass B": ([], [("x", NUMBER)])},
+        {"demo/msg/A": ([], [("x: int = open('f', 'w')\n    y", NUMBER)])},
+        {"demo/msg/A": ([("K = 1\n    Z", "int32", 1)], [("x", NUMBER)])},
+        {"demo/msg/A": ([("K", "int32]\n    Z: ClassVar[int", 1)], [("x", NUMBER)])},
+        {"demo/msg/A": ([("K", "string", object())], [("x", NUMBER)])},
+        {"demo/msg/A": ([], [("x", (2, "demo/msg/B', 1), open('f'), ('"))])},
+        {"demo/msg/A": ([], [("x", (1, ("uint8', 0)), open('f'", 0)))])},
+        {"demo/msg/A": ([], [("x", (3, (NUMBER, "open('f')")))])},
+        {"demo/msg/A": ([], [("x", (3, (NUMBER, -1)))])},
+        {"demo/msg/А": ([], [("x", NUMBER)])},
+    ],
+)
+def test_nothing_but_names_values_and_sizes_becomes_code(types: dict[str, Any]) -> None:
+    with pytest.raises(ValueError, match="is no name|no plain value|elements"):
+        checked(types)
+
+
+def test_a_usual_definition_is_in_bounds() -> None:
+    checked(
+        {
+            "geometry_msgs/msg/Pose": (
+                [("K", "int32", 1), ("S", "string", "a\"'\n")],
+                [("p", (2, "geometry_msgs/msg/Point")), ("c", (3, (NUMBER, 36)))],
+            )
+        }
+    )
