@@ -19,11 +19,12 @@ from haros_ci.follow import (
     overloads,
     setters,
     statements,
+    template_arguments,
 )
 from haros_ci.follow.frames import NEXT, RAISED, Frame
 from haros_ci.follow.libraries import library
 from haros_ci.follow.walk import DEPTH, Walk
-from haros_ci.index.index import EITHER, Source
+from haros_ci.index.index import EITHER
 from haros_ci.index.types import STRINGS, is_smart_pointer
 from haros_ci.model.architecture import Condition
 from haros_ci.model.location import Location
@@ -94,8 +95,8 @@ def invoke(
             for n, t in zip(definition.templates, targs, strict=False)
             if isinstance(t, syntax.Type)
         }
-        templates = {**templates, **_deduced(definition, args), **explicit}
-        templates = defaulted(walk, function.source, inner_scope, definition, templates, args)
+        templates = {**templates, **template_arguments.deduced(definition, args), **explicit}
+        templates = template_arguments.defaulted(walk, function.source, inner_scope, definition, templates, args)
     inner = Frame(
         function.source,
         inner_scope,
@@ -168,55 +169,6 @@ def _with_bound(
             for a in spread
         ),
         *rest,
-    )
-
-
-def _deduced(definition: Function, args: tuple[call_arguments.PassedArgument, ...]) -> dict[str, syntax.Argument]:
-    found: dict[str, syntax.Argument] = {}
-    for parameter, argument in zip(definition.parameters, args, strict=False):
-        kind = argument.type
-        if kind is None:
-            continue
-        if parameter.type.name in definition.templates:
-            found.setdefault(parameter.type.name, kind.bare())
-        elif parameter.type.arguments:
-            for inner, actual in zip(parameter.type.arguments, kind.arguments, strict=False):
-                if (
-                    isinstance(inner, syntax.Type)
-                    and inner.name in definition.templates
-                    and isinstance(actual, syntax.Type)
-                ):
-                    found.setdefault(inner.name, actual)
-    return found
-
-
-def defaulted(
-    walk: Walk,
-    source: Source,
-    scope: str,
-    definition: Function,
-    templates: Mapping[str, syntax.Argument],
-    args: tuple[call_arguments.PassedArgument, ...],
-) -> Mapping[str, syntax.Argument]:
-    """*templates* with the default types of those that neither the call nor an argument can tell."""
-    if not definition.template_defaults:
-        return templates
-    named = {argument.keyword for argument in args}
-    provided = [
-        parameter.type
-        for number, parameter in enumerate(definition.parameters)
-        if number < len(args) or parameter.name in named
-    ]
-    found = dict(templates)
-    for name, kind in definition.template_defaults:
-        if name not in found and not any(_mentions(type_, name) for type_ in provided):
-            found[name] = walk.resolved(kind, scope, source, found)
-    return found
-
-
-def _mentions(kind: syntax.Type, name: str) -> bool:
-    return kind.name.partition("::")[0] == name or any(
-        isinstance(argument, syntax.Type) and _mentions(argument, name) for argument in kind.arguments
     )
 
 

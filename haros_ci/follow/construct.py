@@ -16,6 +16,7 @@ from haros_ci.follow import (
     data_classes,
     expressions,
     methods,
+    template_arguments,
     uncertain,
 )
 from haros_ci.follow.frames import Frame
@@ -240,7 +241,7 @@ def initialise(
     found = chosen or methods.class_method(walk, source, definition, short, arguments, methods.BASES)
     where, function = found if found is not None else (source, None)
     if function is not None:
-        templates = activation.defaulted(walk, where, definition.name, function, templates, arguments)
+        templates = template_arguments.defaulted(walk, where, definition.name, function, templates, arguments)
     inner = Frame(where, definition.name, function, this, templates=templates, mark=walk.state.mark())
     inits: dict[str, syntax.Initializer] = {}
     body_at = location

@@ -81,12 +81,9 @@ def _turned(
     is_kept = loop.is_endless and worthwhile and not walk.quiet
     start, first = (keep(walk), walk.state.mark()) if is_kept else None, 0
     for turn in range(TURNS):
-        if turn or statement.keyword != "do":
-            holds = _holds(walk, frame, test)
-            if holds is False:
-                return _leave(walk, loop, goes_on=True)
-            if holds is None:
-                return None
+        holds = _holds(walk, frame, test) if turn or statement.keyword != "do" else True
+        if not holds:
+            return _leave(walk, loop, goes_on=True) if holds is False else None
         if not worthwhile or _is_long(walk, loop, *before):
             break
         ended = _counted(walk, frame, loop, turn, one, after)

@@ -99,12 +99,13 @@ def _lineage(walk: Walk, source: Source, definition: Class) -> list[tuple[Source
     """A class of C++ and its bases in the workspace."""
     key = ("lineage", id(definition))
     if key not in walk.found:
-        found = walk.found[key] = [(source, definition)]
-        for where, known in found:
-            for base in walk.bases(where, known, {}) if len(found) < MOST_BASES else ():
-                owner = walk.class_of(base.name, where)
-                if owner is not None and all(owner[1] is not other for _, other in found):
-                    found.append(owner)
+        found, at = [(source, definition)], 0
+        while at < len(found) < MOST_BASES:
+            where, known = found[at]
+            at += 1
+            owners = (walk.class_of(base.name, where) for base in walk.bases(where, known, {}))
+            found += [item for item in owners if item is not None and all(item[1] is not other for _, other in found)]
+        walk.found[key] = found
     classes: list[tuple[Source, Class]] = walk.found[key]
     return classes
 

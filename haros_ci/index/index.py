@@ -112,19 +112,27 @@ class Index:
             found = [item for item in found if self._may_be_here(item[0], source, files)]
         if not found:
             return []
-        if len(found) > 1:
-            for fits in (
-                lambda other: other.path == source.path,
-                lambda other: other.path in self.reach(source.path),
-                lambda other: other.path in files,
-                lambda other: other.package == source.package,
-            ):
-                nearest = [item for item in found if fits(item[0])]
-                if nearest:
-                    return nearest
+        nearest = self._nearest(found, source, files) if len(found) > 1 else []
+        if nearest:
+            return nearest
         if table is self.variables or table is self.macros or table is self.functions:
             return [item for item in found if self._of_a_class(item[1]) or self.sees(source, item[0], files)]
         return found
+
+    def _nearest(
+        self, found: list[tuple[Source, Entity]], source: Source, files: frozenset[str]
+    ) -> list[tuple[Source, Entity]]:
+        """Those of the file itself, else of what it includes, else of the executable, else of the package; empty if there are none of these."""
+        for fits in (
+            lambda other: other.path == source.path,
+            lambda other: other.path in self.reach(source.path),
+            lambda other: other.path in files,
+            lambda other: other.package == source.package,
+        ):
+            nearest = [item for item in found if fits(item[0])]
+            if nearest:
+                return nearest
+        return []
 
     @staticmethod
     def _may_be_here(other: Source, source: Source, files: frozenset[str]) -> bool:

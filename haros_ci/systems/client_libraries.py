@@ -7,7 +7,7 @@ where an endpoint cannot be seen any more.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from haros_ci.follow.ros import api_rows
 from haros_ci.index.index import Source
@@ -64,12 +64,13 @@ def _defines(source: Source, described: frozenset[str]) -> bool:
 
 def _programs(builds: Mapping[str, Build]) -> frozenset[str]:
     own = [build for name, build in builds.items() if name in WHOLE or name in DESCRIBED]
-    targets = (target for build in own for target in build.targets if target.kind == "executable")
-    return frozenset(
-        (
-            *(path for target in targets for path in (*target.sources, *target.conditional_sources)),
-            *(path for build in own for path in build.scripts),
-            *(installed.path for build in own for installed in build.installed if installed.kind == "program"),
-            *(point.path for build in own for point in build.entry_points),
-        )
-    )
+    return frozenset(path for build in own for path in _started(build))
+
+
+def _started(build: Build) -> Iterator[str]:
+    for target in build.targets:
+        if target.kind == "executable":
+            yield from (*target.sources, *target.conditional_sources)
+    yield from build.scripts
+    yield from (installed.path for installed in build.installed if installed.kind == "program")
+    yield from (point.path for point in build.entry_points)

@@ -66,6 +66,7 @@ def build_of(workspace: Workspace, package: Package, tree: PathTree | None = Non
     python = [file.path for file in own if file.language == "python"]
     roots = dict(setup.roots)
     roots.update(state.python_packages)
+    flags = state.get("CMAKE_CXX_FLAGS") or ""
     return Build(
         package=package.name,
         targets=tuple(_target(made, package) for made in state.targets.values()),
@@ -78,8 +79,8 @@ def build_of(workspace: Workspace, package: Package, tree: PathTree | None = Non
         scripts=_scripts(workspace, package, python, installed),
         python_roots=tuple(sorted(roots.items())),
         defined=_defined(state),
-        flags=written(state.get("CMAKE_CXX_FLAGS") or ""),
-        are_flags_known=MAYBE not in (state.get("CMAKE_CXX_FLAGS") or ""),
+        flags=written(flags),
+        are_flags_known=MAYBE not in flags,
         parameter_libraries=_parameter_libraries(tree, package, state, setup),
         problems=tuple(sorted(set(problems), key=lambda p: (p.path, p.line or 0, p.message))),
         commands=tuple(state.commands),

@@ -13,7 +13,7 @@ NAMES = st.text("abcde_1", max_size=9)
 
 
 @pytest.mark.parametrize(
-    ("one", "other"),
+    ("first", "second"),
     [
         ("velocity_comand", "velocity_command"),
         ("velocity", "velocty"),
@@ -24,13 +24,13 @@ NAMES = st.text("abcde_1", max_size=9)
         ("trajectories", "trajectorie"),
     ],
 )
-def test_a_slip(one: str, other: str) -> None:
-    assert is_slip(one, other)
-    assert is_slip(other, one)
+def test_a_slip(first: str, second: str) -> None:
+    assert is_slip(first, second)
+    assert is_slip(second, first)
 
 
 @pytest.mark.parametrize(
-    ("one", "other"),
+    ("first", "second"),
     [
         ("velocity", "velocity"),
         ("odom", "odon"),
@@ -45,22 +45,22 @@ def test_a_slip(one: str, other: str) -> None:
         ("", ""),
     ],
 )
-def test_no_slip(one: str, other: str) -> None:
-    assert not is_slip(one, other)
-    assert not is_slip(other, one)
+def test_no_slip(first: str, second: str) -> None:
+    assert not is_slip(first, second)
+    assert not is_slip(second, first)
 
 
 @pytest.mark.parametrize(
-    ("one", "other"),
+    ("first", "second"),
     [("/scan", "/robot/scan"), ("/node/grid", "/node/layer/grid"), ("/a/b/scan", "/scan"), ("/a/scan", "/a/b/scan")],
 )
-def test_moved(one: str, other: str) -> None:
-    assert is_moved(one, other)
-    assert is_moved(other, one)
+def test_moved(first: str, second: str) -> None:
+    assert is_moved(first, second)
+    assert is_moved(second, first)
 
 
 @pytest.mark.parametrize(
-    ("one", "other"),
+    ("first", "second"),
     [
         ("/scan", "/scan"),
         ("/a/scan", "/b/scan"),
@@ -69,15 +69,15 @@ def test_moved(one: str, other: str) -> None:
         ("/scan", "/robot/scans"),
     ],
 )
-def test_not_moved(one: str, other: str) -> None:
-    assert not is_moved(one, other)
-    assert not is_moved(other, one)
+def test_not_moved(first: str, second: str) -> None:
+    assert not is_moved(first, second)
+    assert not is_moved(second, first)
 
 
 @given(NAMES, NAMES)
-def test_likeness_is_mutual(one: str, other: str) -> None:
-    assert is_slip(one, other) == is_slip(other, one)
-    assert not is_slip(one, one)
+def test_likeness_is_mutual(first: str, second: str) -> None:
+    assert is_slip(first, second) == is_slip(second, first)
+    assert not is_slip(first, first)
 
 
 @pytest.mark.parametrize(

@@ -16,6 +16,7 @@ from haros_ci.values.abstract import NONE, TRUE, Cell, Known, Object, Opaque, Se
 from haros_ci.values.state import Held
 
 if TYPE_CHECKING:
+    from haros_ci.follow.made import MadeEntity
     from haros_ci.follow.ros.selectors import Applied
     from haros_ci.follow.walk import Walk
 
@@ -156,11 +157,11 @@ def read_as(walk: Walk, parameter: Value, name: str, kinds: tuple[syntax.Argumen
         return
     text = pattern(parameter.fields["name"].value)[0]
     for key, made in list(walk.made.items()):
-        if (
-            made.kind == "getters"
-            and made.location == parameter.location
-            and made.written == text
-            and made.type is None
-            and not (LISTED in parameter.fields and ("?" in text or walk.ruled_out() > made.dead))
-        ):
+        is_it = made.kind == "getters" and made.location == parameter.location and made.written == text
+        if is_it and made.type is None and not _is_uncertain(walk, parameter, text, made):
             walk.made[key] = replace(made, type=kind)
+
+
+def _is_uncertain(walk: Walk, parameter: Object, text: str, made: MadeEntity) -> bool:
+    """Whether a parameter of a list that was read may be another one, or is read as this where nothing comes to it."""
+    return LISTED in parameter.fields and ("?" in text or walk.ruled_out() > made.dead)
