@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from haros_ci.follow.ros.ends import ANONYMOUS, UNNAMED, by, endpoints
+from haros_ci.follow.ros.paces import paces
 from haros_ci.follow.walk import Renamed
 from haros_ci.graph.names import clean, pattern, resolve, resolve_target
 from haros_ci.graph.parameters import ParameterServer
@@ -106,7 +107,7 @@ def launched(types: Types, started: Started, server: ParameterServer) -> Job:
         followed = run_node(types, entry, files, instance, parameter)
         unknowns = (*node.unknowns, *incomplete(followed, entry, node.location))
         ends = endpoints(followed.made, by(remaps), server)
-        return (replace(node, endpoints=ends, unknowns=unknowns),), followed.problems
+        return (replace(node, endpoints=ends, unknowns=unknowns, paces=paces(followed.made)),), followed.problems
 
     return Job(node, (id(entry), instance.name), follow_it, _size(types, files))
 
@@ -169,7 +170,7 @@ def alone(types: Types, package: str, name: str) -> Job:
         ends = endpoints(followed.made, by({}), server, ANONYMOUS if chosen.endswith("_?") else UNNAMED)
         kind = "node" if ends or followed.names else PROGRAM
         made = replace(node, name=chosen, process=chosen, kind=kind, unknowns=unknowns, endpoints=ends)
-        return (made,), followed.problems
+        return (replace(made, paces=paces(followed.made)),), followed.problems
 
     return Job(node, (id(entry), instance.name), follow_it, _size(types, files))
 
@@ -196,6 +197,6 @@ def standalone(types: Types, look_up: str) -> Job:
         followed = run_node(types, entry, files, instance, server.get)
         unknowns = incomplete(followed, entry, node.location)
         made = replace(node, unknowns=unknowns, endpoints=endpoints(followed.made, by({}), server))
-        return (made,), followed.problems
+        return (replace(made, paces=paces(followed.made)),), followed.problems
 
     return Job(node, (id(entry), instance.name), follow_it, _size(types, files))
