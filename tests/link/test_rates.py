@@ -165,6 +165,17 @@ RATES_2 = {
     ),
 }
 
+CLOCK = "timer_ = rclcpp::create_timer(this, get_clock(), %s, std::bind(&A::tick, this));"
+RATES_2 |= {
+    "the period of a rate": (CLOCK % "rclcpp::Rate(40.0).period()", "40 Hz"),
+    "the period of a rate in a variable": (
+        'const auto period = rclcpp::Rate(declare_parameter<double>("hz", 25.0)).period();' + CLOCK % "period", "25 Hz"
+    ),
+    "a duration of rclcpp": (CLOCK % "rclcpp::Duration::from_seconds(0.2)", "5 Hz"),
+    "a number is no duration": (CLOCK % "7", "unknown (its period is no duration that is known)"),
+    "a function's result": (CLOCK % "choose()", "unknown (its period is no duration that is known)"),
+}  # fmt: skip
+
 
 @pytest.mark.parametrize("case", RATES_2)
 def test_wall_timers_of_ros_2(case: str) -> None:

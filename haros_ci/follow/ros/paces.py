@@ -28,6 +28,7 @@ FREQUENCY = "frequency"
 NO_DURATION = "its period is no duration that is known"
 #: Turns a second that are taken for a limit; a timer of less than a nanosecond is none.
 LEAST = 1e-9
+_DURATION = frozenset((*UNITS, FREQUENCY))
 
 
 def emit(applied: Applied, entry: Entry) -> None:
@@ -38,7 +39,7 @@ def emit(applied: Applied, entry: Entry) -> None:
     if entry.kind not in KINDS or walk.quiet or walk.is_raised:
         return
     how = next((key for key in (FREQUENCY, "period") if key in entry.values), "period")
-    found = value_of(applied, entry.values[how]) if how in entry.values else None
+    found = value_of(applied, entry.values[how]) if how in entry.values else _duration_among(applied)
     value = found if isinstance(found, (Known, Object, Opaque)) or found is None else opaque_of(found)
     unit, number, why = _measured(applied, value, FREQUENCY if how == FREQUENCY else "seconds")
     node = ros2_nodes.of_value(walk, applied.receiver) if walk.context.process is not None else None
@@ -52,7 +53,7 @@ def emit(applied: Applied, entry: Entry) -> None:
         conditions=tuple(walk.conditions),
         effective=number,
         node=node.whole if node is not None else None,
-        dead=walk.ruled_out() + bool(walk.doubts),
+        dead=walk.ruled_out() + bool(walk.doubts or applied.frame.is_dead or walk.beyond),
         unknowns=(("period", why, applied.location),) if why else (),
     )
     known = walk.paces.get(key)
@@ -65,11 +66,20 @@ def emit(applied: Applied, entry: Entry) -> None:
     walk.paces[key] = (made, this)
 
 
+def _duration_among(applied: Applied) -> Value | None:
+    """The one argument that is a duration, of a call whose overloads have it in several places (rclcpp/create_timer.hpp)."""
+    every = [argument.value for argument in applied.args]
+    found = [value for value in every if isinstance(value, Object) and not _DURATION.isdisjoint(value.fields)]
+    return found[0] if len(found) == 1 else None
+
+
 def _measured(applied: Applied, value: Value | None, unit: str) -> tuple[str, Any, str]:
     """The unit and number of a period or frequency; the number is None for a reason."""
     if isinstance(value, Pointer):
         value = value.cell.value
     if isinstance(value, Object):
+        if FREQUENCY in value.fields:  # what ``rclcpp::Rate(hertz).period()`` returns
+            return _number(value.fields[FREQUENCY].value, FREQUENCY)
         parts = [(name, cell.value) for name, cell in value.fields.items() if name in UNITS]
         if len(parts) == 1:
             return _number(parts[0][1], parts[0][0])
