@@ -172,6 +172,15 @@ RATES_2 |= {
         'const auto period = rclcpp::Rate(declare_parameter<double>("hz", 25.0)).period();' + CLOCK % "period", "25 Hz"
     ),
     "a duration of rclcpp": (CLOCK % "rclcpp::Duration::from_seconds(0.2)", "5 Hz"),
+    "a duration of seconds": (CLOCK % "std::chrono::duration<double>(0.1)", "10 Hz"),
+    "a duration that is cast": (
+        CLOCK % "std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(0.02))", "50 Hz"
+    ),
+    "a duration with a ratio": (CLOCK % "std::chrono::duration<double, std::milli>(20)", "50 Hz"),
+    "a duration of another ratio": (
+        CLOCK % "std::chrono::duration<double, std::ratio<1, 30>>(1)",
+        "unknown (its period is no duration that is known)",
+    ),
     "a number is no duration": (CLOCK % "7", "unknown (its period is no duration that is known)"),
     "a function's result": (CLOCK % "choose()", "unknown (its period is no duration that is known)"),
 }  # fmt: skip

@@ -16,6 +16,7 @@ from haros_ci.follow.ros import ros2_nodes
 from haros_ci.follow.ros.qos_profiles import UNITS
 from haros_ci.model.api import Entry
 from haros_ci.model.rates import Pace
+from haros_ci.syntax import Type
 from haros_ci.values.abstract import Known, Object, Opaque, Pointer, Value, opaque_of
 from haros_ci.values.given import Given
 
@@ -28,7 +29,15 @@ FREQUENCY = "frequency"
 NO_DURATION = "its period is no duration that is known"
 #: Turns a second that are taken for a limit; a timer of less than a nanosecond is none.
 LEAST = 1e-9
-_DURATION = frozenset((*UNITS, FREQUENCY))
+#: What ``std::chrono::duration<T, ratio>`` counts, by its ratio.
+COUNT = "count"
+RATIOS = {
+    "std::ratio": "seconds",
+    "std::milli": "milliseconds",
+    "std::micro": "microseconds",
+    "std::nano": "nanoseconds",
+}
+_DURATION = frozenset((*UNITS, FREQUENCY, COUNT))
 
 
 def emit(applied: Applied, entry: Entry) -> None:
@@ -80,6 +89,9 @@ def _measured(applied: Applied, value: Value | None, unit: str) -> tuple[str, An
     if isinstance(value, Object):
         if FREQUENCY in value.fields:  # what ``rclcpp::Rate(hertz).period()`` returns
             return _number(value.fields[FREQUENCY].value, FREQUENCY)
+        if COUNT in value.fields:
+            ratio = _ratio(value)
+            return _number(value.fields[COUNT].value, RATIOS[ratio]) if ratio in RATIOS else (unit, None, NO_DURATION)
         parts = [(name, cell.value) for name, cell in value.fields.items() if name in UNITS]
         if len(parts) == 1:
             return _number(parts[0][1], parts[0][0])
@@ -94,6 +106,14 @@ def _measured(applied: Applied, value: Value | None, unit: str) -> tuple[str, An
     if is_chrono and unit != FREQUENCY and isinstance(value, Known):
         return unit, None, NO_DURATION
     return _number(value, unit)
+
+
+def _ratio(duration: Object) -> str:
+    """The name of a duration's ratio, ``std::ratio`` without one; "" where it is one with numbers."""
+    if len(duration.arguments) < 2:
+        return "std::ratio"
+    ratio = duration.arguments[1]
+    return ratio.name if isinstance(ratio, Type) and not ratio.arguments and ratio.name != "std::ratio" else ""
 
 
 def _number(value: Value, unit: str) -> tuple[str, Any, str]:
