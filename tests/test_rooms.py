@@ -36,6 +36,8 @@ DOORS: dict[str, set[str]] = {
     "index": {"model", "substitutions", "syntax"},
     # the call graph stands on the index of the programs; it knows no system and no check
     "code": {"index", "model", "syntax"},
+    # how often code publishes, and what follows for topics
+    "rates": {"code", "model", "syntax"},
     # call sites as text, and what the call graph says of them
     "coverage": {"code", "index", "model", "results", "syntax"},
     "knowledge": set(),
@@ -104,6 +106,7 @@ DOORS: dict[str, set[str]] = {
         "own_sources",
         "plugins",
         "query",
+        "rates",
         "registry",
         "report",
         "results",

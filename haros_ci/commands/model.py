@@ -28,9 +28,9 @@ from haros_ci.writing import put as put_bytes
 #: The most problems that are printed one by one.
 SHOWN = 20
 #: Options that say what of the architecture is made, and how it is written.
-OPTIONS = ("launch", "arg", "env", "no_known_nodes", "as_running", "configuration", "format", "compact")
+OPTIONS = ("launch", "arg", "env", "no_known_nodes", "as_running", "configuration", "format", "compact", "rates")
 #: Options that choose of what is printed, and change nothing of which calls the model has.
-UNCOVERED = ("configuration", "as_running", "expect", "check_readme")
+UNCOVERED = ("configuration", "as_running", "expect", "check_readme", "rates")
 #: What --format json --compact is called here.
 COMPACT = "compact json"
 FORMATS = ("text", "json", "dot", "mermaid", "svg", "sqlite", "nodl", "readme")
@@ -70,6 +70,10 @@ def model(flags: Mapping[str, Any]) -> int:
             from haros_ci.analysis.unmodelled import unmodelled
         made = varied(workspace, settings, store, **options)
         found = selected(made.architecture, flags["configuration"])
+        if flags["rates"]:
+            from haros_ci.analysis.rates import with_rates
+
+            found = with_rates(found, made.sources, workspace)
         found = as_running(found) if flags["as_running"] else found
         problems = (*workspace.problems, *workspace.faults, *found.problems)
         found = replace(found, problems=tuple(dict.fromkeys(problems)))

@@ -76,8 +76,8 @@ class Kept:
 
     made: Mapping[Any, MadeEntity]
     gaps: Mapping[str, Location]
-    #: Of nodes, names and alternatives.
-    counts: tuple[int, int, int]
+    #: Of nodes, names, alternatives, and of timers and rates.
+    counts: tuple[int, int, int, int]
     #: The static variables and plug-ins that there were.
     sets: tuple[frozenset[Any], frozenset[Any]]
     #: The callbacks, and the number of each.
@@ -157,7 +157,7 @@ def _both(
 
 def keep(walk: Walk) -> Kept:
     """A snapshot of what the walk has recorded so far, to go back to."""
-    counts = len(walk.nodes), len(walk.names), len(walk.alternatives)
+    counts = len(walk.nodes), len(walk.names), len(walk.alternatives), len(walk.paces)
     sets = frozenset(walk.statics), frozenset(walk.offered)
     return Kept(dict(walk.made), dict(walk.gaps), counts, sets, (tuple(walk.roots), dict(walk.known_roots)))
 
@@ -168,7 +168,9 @@ def go_back(walk: Walk, kept: Kept) -> None:
     walk.made.update(kept.made)
     walk.gaps.clear()
     walk.gaps.update(kept.gaps)
-    nodes, names, alternatives = kept.counts
+    nodes, names, alternatives, paces = kept.counts
+    for key in list(walk.paces)[paces:]:
+        del walk.paces[key]
     del walk.nodes[nodes:], walk.names[names:], walk.alternatives[alternatives:]
     walk.roots[:] = kept.roots[0]
     walk.known_roots = dict(kept.roots[1])

@@ -77,6 +77,8 @@ class Walk:
     state: State = field(default_factory=State)
     conditions: list[Condition] = field(default_factory=list)
     made: dict[Any, MadeEntity] = field(default_factory=dict)
+    #: Timers and rates by place, period and node, each with the object whose method makes it (``ros.paces``).
+    paces: dict[Any, tuple[MadeEntity, Object | None]] = field(default_factory=dict)
     roots: list[Root] = field(default_factory=list)
     #: The number of each root by what is called back; of a root that is gone it is that of none or another.
     known_roots: dict[Any, int] = field(default_factory=dict)

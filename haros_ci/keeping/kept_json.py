@@ -8,6 +8,7 @@ from dataclasses import fields
 from typing import Any
 
 from haros_ci.follow.made import MadeEntity
+from haros_ci.follow.ros.paces import KINDS as PACES
 from haros_ci.graph.parameters import Perhaps
 from haros_ci.graph.ros2_process import RemappingRule, RosNode
 from haros_ci.model.architecture import KINDS, Condition, Qos
@@ -97,7 +98,7 @@ CLASSES: dict[type, dict[str, Check]] = {
         "options": lambda value: isinstance(value, dict) and all(map(_flag, value.values())),
     },
     MadeEntity: {
-        "kind": lambda value: value in KINDS,
+        "kind": lambda value: value in KINDS or value in PACES,
         "name": _text,
         "type": _optional(_text),
         "location": _is(Location),

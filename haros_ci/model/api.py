@@ -47,7 +47,7 @@ is alternatives joined by ``|``, the first that is there counts, and ``?literal`
     handle          the object is a node handle: ``parent`` (a handle) and ``namespace`` (text, ``~``: private) combined
     node            the process registers as node ``name`` (ros::init, rospy.init_node); ``anonymous`` is true, or flags
                     that name ``AnonymousName``
-    rate, timer     ``period`` in seconds or ``frequency`` in hertz; not endpoints, kept for other checks
+    rate, timer     ``period`` in seconds or ``frequency`` in hertz; not endpoints, kept as ``paces`` of the node
     parameters      ROS 2: a parameter is declared; ``value`` is its default, ``descriptor`` a ParameterDescriptor
 
 In rows of ROS 2 a ``node`` is an object: the one constructed, else the one returned, becomes a node of the process by

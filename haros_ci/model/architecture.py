@@ -13,6 +13,7 @@ from haros_ci.model.launch_facts import LaunchFact
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.presence import ALWAYS, Presence
+from haros_ci.model.rates import Pace, Rates
 from haros_ci.model.workspace import Problem
 
 #: Kinds of endpoints, in the order in which they are listed.
@@ -160,6 +161,8 @@ class Node:
     #: Under which launch arguments it is there.
     presence: Presence = ()
     takes_undeclared: bool = False
+    #: The timers and rates that it makes, by place.
+    paces: tuple[Pace, ...] = field(default=(), compare=False)
     #: Where its process makes two nodes of this name that there are at the same time; () if none are known.
     twins: tuple[Location, ...] = ()
 
@@ -201,6 +204,8 @@ class Configuration:
     alternatives: tuple[Node, ...] = ()
     alternative_parameters: tuple[Parameter, ...] = ()
     launch_facts: tuple[LaunchFact, ...] = ()
+    #: How often its nodes publish, where that was asked for.
+    rates: Rates | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

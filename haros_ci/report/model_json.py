@@ -38,6 +38,7 @@ from haros_ci.report.channels import (
     place_key,
 )
 from haros_ci.report.escape import terminal
+from haros_ci.report.model_rates import rates_of
 
 SCHEMA_VERSION = 1
 _SCALARS = (bool, float, int, str, type(None))
@@ -149,6 +150,7 @@ def _configuration(configuration: Configuration, place: Places) -> dict[str, Any
         "parameters": [_parameter(parameter, place) for parameter in parameters_of(configuration)],
         **{what: [_channel(item, place) for item in found if item.what == what] for what in CHANNELS},
         "user_data": plain(configuration.user_data),
+        **({} if configuration.rates is None else {"rates": rates_of(configuration.rates, place.location)}),
     }
 
 

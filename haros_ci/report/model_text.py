@@ -12,6 +12,7 @@ from haros_ci.model.location import Location
 from haros_ci.report.channels import CHANNELS, channels, endpoints_of, is_known, nodes_of
 from haros_ci.report.escape import terminal
 from haros_ci.report.message import shorten
+from haros_ci.report.model_rates import lines
 from haros_ci.report.summary import plural
 
 MAX_REASONS = 10
@@ -123,6 +124,8 @@ def _block(configuration: Configuration) -> Iterator[str]:
     for node in nodes:
         yield f"  node {_node(node)}"
     yield from _unknown(gaps(configuration))
+    if configuration.rates is not None:
+        yield from lines(configuration.rates)
 
 
 def _node(node: Node) -> str:

@@ -218,7 +218,7 @@ def _followed_in(
     if context.loaded:
         trace.is_whole = False
     trace.names.update(relevance.asked())
-    made, nodes = tuple(walk.made.values()), tuple(walk.nodes)
+    made, nodes = (*walk.made.values(), *(pace for pace, _ in walk.paces.values())), tuple(walk.nodes)
     requested = context.marks.settled(requested)
     followed = Followed(
         made,

@@ -9,6 +9,7 @@ from dataclasses import replace
 from haros_ci.follow.follow import Entry
 from haros_ci.follow.made import MadeEntity
 from haros_ci.follow.ros.ends import endpoints
+from haros_ci.follow.ros.paces import paces
 from haros_ci.follow.ros.ros2_nodes import ALONE, SIM_TIME, UNDECLARED
 from haros_ci.graph.names import clean
 from haros_ci.graph.parameters import ParameterServer
@@ -184,9 +185,10 @@ def nodes_of(
     followed = run_process(types, entry, files, started, node)
     unknowns = (*node.unknowns, *incomplete(followed, entry, node.location))
     if not followed.nodes:
-        kind = node.kind if is_named or followed.made or node.source == "launch" else PROGRAM
         ends = endpoints(followed.made, lambda item: item.name, NOTHING)
-        return (_with_rules(replace(node, kind=kind, endpoints=ends, unknowns=unknowns), started),), followed.problems
+        kind = node.kind if is_named or ends or node.source == "launch" else PROGRAM
+        made = replace(node, kind=kind, endpoints=ends, unknowns=unknowns, paces=paces(followed.made))
+        return (_with_rules(made, started),), followed.problems
     found: list[Node] = []
     ends_of = _ends(types, followed)
     main = followed.nodes[0]
@@ -215,6 +217,7 @@ def nodes_of(
                 twins=twins.get(other_node.name, ()),
                 takes_undeclared=other_node.options.get(UNDECLARED, False),
                 endpoints=_sorted((*ends, *_implicit(other_node, kind, started, ends))),
+                paces=paces(followed.made, other_node.name),
             )
         )
     return tuple(found), followed.problems

@@ -9,6 +9,7 @@ from typing import Any
 
 from haros_ci.follow.ros.ends import UNNAMED, by, endpoints
 from haros_ci.follow.ros.own_name import ANONYMOUS, OwnName, own_name
+from haros_ci.follow.ros.paces import paces
 from haros_ci.follow.walk import Renamed
 from haros_ci.graph.names import clean, resolve, resolve_target
 from haros_ci.graph.parameters import ParameterServer
@@ -16,7 +17,7 @@ from haros_ci.graph.remap_rules import of_ros1_node, written_rule
 from haros_ci.graph.ros2_process import Parameters
 from haros_ci.graph.words import scalar, split
 from haros_ci.keeping.kept import Followed
-from haros_ci.model.architecture import Node, Unknown
+from haros_ci.model.architecture import KINDS, Node, Unknown
 from haros_ci.model.build import PluginClass
 from haros_ci.model.launch import Started
 from haros_ci.model.launch_facts import ParameterFileUse
@@ -108,7 +109,7 @@ def launched(types: Types, started: Started, server: ParameterServer) -> Job:
         followed = run_node(types, entry, files, instance, parameter)
         unknowns = (*node.unknowns, *incomplete(followed, entry, node.location))
         ends = endpoints(followed.made, by(remaps), server)
-        return (replace(node, endpoints=ends, unknowns=unknowns),), followed.problems
+        return (replace(node, endpoints=ends, unknowns=unknowns, paces=paces(followed.made)),), followed.problems
 
     return Job(node, (id(entry), instance.name), follow_it, _size(types, files))
 
@@ -170,7 +171,7 @@ def alone(types: Types, package: str, name: str) -> Job:
         except Renamed:
             followed = under(own.name)
         names = followed.names
-        if names or followed.made:  # else it is a program that is no node
+        if names or any(item.kind in KINDS for item in followed.made):  # else it is a program that is no node
             before, own = own.name, own_name(names)
             followed = followed if own.name == before else under(own.name)
         unknowns = incomplete(followed, entry, location)
@@ -179,6 +180,7 @@ def alone(types: Types, package: str, name: str) -> Job:
         why = ANONYMOUS if own.reason is None else f"{UNNAMED}: {own.reason}"
         ends = endpoints(followed.made, by({}), server, why)
         made = replace(node, name=own.name, process=own.name, unknowns=unknowns, endpoints=ends)
+        made = replace(made, paces=paces(followed.made))
         return (made if ends or names else replace(made, kind=PROGRAM),), followed.problems
 
     return Job(node, (id(entry), chosen), follow_it, _size(types, files))
@@ -214,6 +216,6 @@ def standalone(types: Types, look_up: str) -> Job:
             unknowns = (*unknowns, Unknown("name", COLON, node.location))
         ends = endpoints(followed.made, by({}), server, f"{UNNAMED}: {COLON}" if is_invalid else UNNAMED)
         made = replace(node, unknowns=unknowns, endpoints=ends)
-        return (made,), followed.problems
+        return (replace(made, paces=paces(followed.made)),), followed.problems
 
     return Job(node, (id(entry), instance.name), follow_it, _size(types, files))

@@ -168,8 +168,10 @@ ROWS: tuple[Mapping[str, object], ...] = (
     *({"class": f"rclcpp::executors::{name}", "bases": ["rclcpp::Executor"]} for name in EXECUTORS),
     *({"class": f"rclcpp::experimental::executors::{name}", "bases": ["rclcpp::Executor"]} for name in EXECUTORS),
     *({"call": f"rclcpp::Executor::{name}", "args": [0, 1, 2, 3, 4]} for name in EXECUTOR_METHODS),
-    *({"call": f"rclcpp::{name}", "args": [1], "makes": [{"kind": "rate", "frequency": "{0}"}]}
-      for name in ("Rate", "WallRate")),
+    # The period of a rate is the rate itself here: whoever asks for a duration finds its frequency.
+    *({"call": f"rclcpp::{name}", "args": [1], "makes": [{"kind": "rate", "frequency": "{0}"}],
+       "fills": {"frequency": "{0}"}} for name in ("Rate", "WallRate")),
     *({"call": f"rclcpp::{name}::sleep", "args": [0]} for name in ("Rate", "WallRate")),
+    *({"call": f"rclcpp::{name}::period", "args": [0], "transparent": "{this}"} for name in ("Rate", "WallRate")),
     {"call": "rclcpp::get_logger", "args": [1], "returns": "rclcpp::Logger"},
 )

@@ -127,5 +127,7 @@ ROWS: tuple[Mapping[str, object], ...] = (
     *({"call": f"std::chrono::{unit}", "args": [1], "fills": {unit: "{0}"}} for unit, _ in UNITS),
     *({"call": f'operator""{suffix}', "args": [1], "fills": {unit: "{0}"}, "returns": f"std::chrono::{unit}"}
       for unit, suffix in UNITS),
+    # Of a duration in the abstract the unit is in the template arguments, seconds where there is one.
+    {"call": "std::chrono::duration", "args": [1], "fills": {"count": "{0}"}},
     {"call": "std::chrono::duration_cast", "args": [1], "transparent": "{0}"},
 )

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from haros_ci import syntax
 from haros_ci.follow import thrown
 from haros_ci.follow.made import MadeEntity, make
-from haros_ci.follow.ros import own_name, ros2_emit
+from haros_ci.follow.ros import own_name, paces, ros2_emit
 from haros_ci.follow.ros.ends import UNNAMED
 from haros_ci.follow.walk import Renamed, Walk
 from haros_ci.graph.names import clean, pattern, resolve
@@ -47,6 +47,7 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
             raise Renamed
         return None
     if entry.kind not in KINDS:
+        paces.emit(applied, entry)
         return None
     unknowns: Unknowns = []
     name, written = _name(applied, entry, unknowns)

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
 from haros_ci.follow.made import MadeEntity
+from haros_ci.follow.ros.paces import endpoints_only
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.index.ros_types import data_type
 from haros_ci.model.architecture import KINDS, Condition, Endpoint, Unknown
@@ -50,7 +51,7 @@ def endpoints(
                 *_typed_by_others(item, final, unnamed),
             ),
         )
-        for item, final in ((item, remap(item)) for item in made)
+        for item, final in ((item, remap(item)) for item in endpoints_only(made))
     ]
     found = [_typed(end, server) if end.kind == "getters" and end.type is None else end for end in found]
     return tuple(

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.made import MadeEntity, make
+from haros_ci.follow.ros import paces
 from haros_ci.follow.walk import Walk
 from haros_ci.graph.names import clean, pattern, resolve
 from haros_ci.model.location import Location
@@ -67,6 +68,9 @@ def _load(walk: Walk, name: Value, kind: Value, renames: Mapping[str, Value] | N
         if why is not None and "?" in item.name and not any(field == "name" for field, _, _ in unknowns):
             unknowns = (*unknowns, ("name", f"the name of the nodelet: {why}", where or location))
         item = replace(item, conditions=(*walk.conditions, *item.conditions), unknowns=unknowns)
+        if item.kind in paces.KINDS:
+            walk.paces[item.kind, item.location, full] = (item, None)
+            continue
         make(walk, _renamed(item, named, location))
         if item.kind == "setters":
             _was_set(walk, item.name, location)

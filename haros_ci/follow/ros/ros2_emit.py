@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from haros_ci import syntax
 from haros_ci.follow import conversions, thrown
 from haros_ci.follow.made import MadeEntity, make
-from haros_ci.follow.ros import forwarding, qos_overrides, ros2_nodes, ros2_parameters, ros2_selectors
+from haros_ci.follow.ros import forwarding, paces, qos_overrides, ros2_nodes, ros2_parameters, ros2_selectors
 from haros_ci.graph.names import UNKNOWN, pattern
 from haros_ci.graph.ros2_process import GIVEN, NO_DEFAULT, NO_NAME, RosNode
 from haros_ci.index.ros_types import ros2_data_type, ros2_parameter_type
@@ -49,6 +49,7 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
     from haros_ci.follow.ros.selectors import value_of
 
     if entry.kind not in KINDS:
+        paces.emit(applied, entry)
         return None
     walk = applied.walk
     node, why_not = ros2_nodes.of_entry(applied, entry)

@@ -1,0 +1,231 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How often a node's publish calls run: as numbers, and as shares of the rates of the topics that it subscribes to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from math import inf
+
+from haros_ci import syntax
+from haros_ci.code.body import Call
+from haros_ci.code.callbacks import Callback
+from haros_ci.code.codebase import Codebase, Routine
+from haros_ci.model.architecture import Endpoint, Node
+from haros_ci.model.location import Location
+from haros_ci.model.rates import NEVER, Pace, Rate, at_most, either, exactly, total, unknown
+from haros_ci.rates.publishers import Publishing, publishing
+from haros_ci.rates.runs import Runs, runs
+from haros_ci.rates.turns import Paced, turns
+
+#: Calls inside calls, from a callback to where something is published.
+DEPTH = 8
+#: Why the rate of what answers others is not known, by the kind of its callback.
+ASKED = {
+    "service": "it runs when a service is called",
+    "action": "it runs when a goal comes",
+    "response": "it runs when a response comes",
+    "parameters": "it runs when parameters are set",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Flow:
+    """A rate of its own, and for each topic how often it happens for each message, from the least to the most."""
+
+    own: Rate = NEVER
+    topics: tuple[tuple[str, float, float], ...] = ()
+
+    def sometimes(self) -> Flow:
+        """The same where it does not happen each time."""
+        return Flow(at_most(self.own), tuple((name, 0.0, high) for name, _, high in self.topics))
+
+
+@dataclass(frozen=True, slots=True)
+class PublishCall:
+    """A call that publishes on the *topic* of a node, and how often it does."""
+
+    location: Location
+    topic: str
+    flow: Flow
+
+
+@dataclass(frozen=True, slots=True)
+class _Context:
+    """How often a function runs; *is_once*: where a program or thread begins, and nowhere else."""
+
+    flow: Flow
+    is_once: bool = False
+
+
+@dataclass(slots=True)
+class NodeFlows:
+    """What is known of one node: the rates of its functions are asked for once."""
+
+    code: Codebase
+    node: Node
+    _known: dict[int, _Context] = field(default_factory=dict)
+    _active: set[int] = field(default_factory=set)
+
+    def calls(self, end: Endpoint) -> tuple[tuple[PublishCall, ...], str]:
+        """The publish calls of a publisher, and why there may be others; "" if these are all."""
+        found, reason = self._publishing(end)
+        calls = tuple(
+            PublishCall(Location(routine.path, call.line, call.column), end.name, self.of_call(routine, call))
+            for routine, call in found.calls
+        )
+        return calls, reason
+
+    def _publishing(self, end: Endpoint) -> tuple[Publishing, str]:
+        if end.implicit or end.source not in ("source", "exact-tier") or end.location is None:
+            return Publishing(()), "no code of the workspace publishes it"
+        found = publishing(self.code, end.location)
+        same = [other for other in self.node.endpoints if other.kind == end.kind and other.location == end.location]
+        if len(same) > 1:
+            return Publishing(()), "one call makes several publishers"
+        return found, found.reason
+
+    def of_call(self, routine: Routine, call: Call, depth: int = 0) -> Flow:
+        """How often a call in *routine* runs."""
+        found = turns(self.code, routine, call)
+        if found.reason:
+            return Flow(unknown(found.reason))
+        context = self.of_routine(routine, depth)
+        if found.paced is not None:
+            flow = self._paced(found.paced, context)
+        elif runs(self.code, routine).is_made and depth == 0:
+            flow = Flow(unknown("it runs whenever an object is made"))
+        else:
+            flow = context.flow
+        return flow.sometimes() if found.is_sometimes else flow
+
+    def _paced(self, paced: Paced, context: _Context) -> Flow:
+        every = self._paces("rate", paced.made)
+        rate = self._of_paces(every, "the node is not seen to make the rate of the loop")
+        if context.is_once:
+            return Flow(rate if paced.is_endless else at_most(rate))
+        if context.flow.own.reason in ASKED.values() or context.flow.topics or context.flow.own.is_known:
+            return Flow(at_most(rate))
+        return Flow(unknown(context.flow.own.reason or "it is not known how many such loops run"))
+
+    def _paces(self, kind: str, place: Location) -> list[Pace]:
+        found = [pace for pace in self.node.paces if pace.kind == kind and pace.location.path == place.path]
+        return [
+            pace for pace in found if pace.location.line == place.line and place.column in (None, pace.location.column)
+        ]
+
+    def _of_paces(self, every: Iterable[Pace], missing: str) -> Rate:
+        result: Rate | None = None
+        for pace in every:
+            if pace.is_repeated and pace.kind == "timer":
+                return unknown("one call makes several timers")
+            if pace.hertz is None:
+                return unknown(pace.reason or "its period is not greater than zero")
+            rate = exactly(round(pace.hertz, 9))
+            rate = at_most(rate) if pace.is_conditional and pace.kind == "timer" else rate
+            result = rate if result is None else either(result, rate)
+        return unknown(missing) if result is None else result
+
+    def of_routine(self, routine: Routine, depth: int = 0) -> _Context:
+        """How often a function runs."""
+        key = id(routine)
+        if key in self._known:
+            return self._known[key]
+        if depth > DEPTH or key in self._active:
+            return _Context(Flow(unknown("functions call each other in a circle, or too deeply to be looked at")))
+        self._active.add(key)
+        try:
+            found = self._of_runs(routine, runs(self.code, routine), depth)
+        finally:
+            self._active.discard(key)
+        if depth == 0:
+            self._known[key] = found
+        return found
+
+    def _of_runs(self, routine: Routine, found: Runs, depth: int) -> _Context:
+        if found.reason:
+            return _Context(Flow(unknown(found.reason)))
+        flows = [self._of_callback(callback) for callback in found.callbacks]
+        is_once = not flows
+        mains = {routine.path} if found.begins and not found.is_made else set()
+        for where, call in found.calls:
+            outer = self.of_routine(where, depth + 1)
+            placed = turns(self.code, where, call)
+            is_once = is_once and outer.is_once and placed.paced is None and not placed.reason
+            flows.append(self.of_call(where, call, depth + 1))
+            if outer.is_once and runs(self.code, where).begins:
+                mains.add(where.path)
+        for where, call in found.threads:
+            outer = self.of_routine(where, depth + 1)
+            placed = turns(self.code, where, call)
+            if not outer.is_once or placed.paced is not None or placed.reason:
+                return _Context(Flow(unknown("a thread begins with it whenever something else happens")))
+        if len(mains) + len(found.threads) > 1:
+            return _Context(Flow(unknown("several programs, or threads, run it")))
+        return _Context(add(flows), is_once)
+
+    def _of_callback(self, callback: Callback) -> Flow:
+        place = callback.location
+        if callback.kind in ASKED:
+            return Flow(unknown(ASKED[callback.kind]))
+        if callback.kind == "timer":
+            rate = self._of_paces(self._paces("timer", place), "the node is not seen to make the timer")
+            if _is_oneshot(callback):
+                return Flow(unknown("the timer fires once each time that it is started"))
+            why = self._is_changed(callback)
+            if why == "setPeriod":
+                return Flow(unknown("the period of the timer is set again"))
+            return Flow(at_most(rate) if why else rate)
+        ends = [end for end in self.node.endpoints if end.kind == "subscribers" and end.location == place]
+        if not ends:
+            return Flow(unknown("the node is not seen to make the subscription"))
+        if any("?" in end.name for end in ends):
+            return Flow(unknown("the name of the topic is not known"))
+        return Flow(NEVER, tuple((end.name, 0.0 if end.conditions or end.is_ruled_out else 1.0, 1.0) for end in ends))
+
+    def _is_changed(self, callback: Callback) -> str:
+        """The name of a call that stops a timer, or sets its period, in the file that makes it; "" without one."""
+        words = {"setPeriod", "cancel", "stop", "shutdown"}
+        for other in self.code.routines(callback.maker.path):
+            for call in self.code.body(other).calls:
+                if call.name in words and "timer" in _text(call.receiver).lower():
+                    return call.name
+        return ""
+
+
+def _text(expression: syntax.Expression | None) -> str:
+    while isinstance(expression, (syntax.Dereference, syntax.Address)):
+        expression = expression.value
+    return expression.name if isinstance(expression, (syntax.Name, syntax.Member)) else ""
+
+
+def _is_oneshot(callback: Callback) -> bool:
+    """Whether a timer fires once, or waits to be started (ros/node_handle.h, rospy/timer.py)."""
+    plain = [value for value in callback.call.args if not isinstance(value, syntax.Keyword)]
+    keywords = {value.name for value in callback.call.args if isinstance(value, syntax.Keyword)}
+    if keywords & {"oneshot", "autostart"}:
+        return True
+    flags = plain[2:] if callback.ros == 1 else []
+    return any(not isinstance(value, syntax.This) and not _is_false(value) for value in flags)
+
+
+def _is_false(value: syntax.Expression) -> bool:
+    return isinstance(value, syntax.Boolean) and not value.value
+
+
+def add(flows: Iterable[Flow]) -> Flow:
+    """The flow of what happens as often as all of *flows* together."""
+    every = list(flows)
+    topics: dict[str, tuple[float, float]] = {}
+    for flow in every:
+        for name, low, high in flow.topics:
+            before = topics.get(name, (0.0, 0.0))
+            topics[name] = before[0] + low, before[1] + high
+    return Flow(total(flow.own for flow in every), tuple((name, *pair) for name, pair in sorted(topics.items())))
+
+
+def scaled(rate: Rate, low: float, high: float) -> Rate:
+    """What happens from *low* to *high* times for each time that *rate* says."""
+    if rate.high == 0 or high == 0:
+        return NEVER
+    return Rate(rate.low * low, inf if inf in (rate.high, high) else rate.high * high, rate.reason)

@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What runs a function: callbacks, calls of others, the program's beginning, threads; and whether these are all.
+
+It is the same for all nodes: which of the timers and subscriptions a node makes is asked for each node (``flows``).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from haros_ci import syntax
+from haros_ci.code import classes, kinds
+from haros_ci.code.body import Call, last_part
+from haros_ci.code.callbacks import Callback, callbacks, given_function
+from haros_ci.code.calls import called, function_meant
+from haros_ci.code.codebase import Codebase, Routine
+from haros_ci.syntax import Expression
+from haros_ci.syntax.walk import everything
+
+#: Bases that call nothing of a class but what it registers.
+HARMLESS = frozenset(
+    "rclcpp::Node rclcpp_lifecycle::LifecycleNode rclpy.node.Node Node object nodelet::Nodelet nav2_util::LifecycleNode "
+    "rclpy.lifecycle.Node rclpy.lifecycle.LifecycleNode std::enable_shared_from_this".split()
+)
+#: Functions that begin a thread with a function, by the last part of the name.
+THREADS = frozenset(("thread", "Thread", "create_thread", "jthread"))
+#: Methods that a framework calls once when the node starts.
+STARTS = frozenset(("onInit",))
+#: Methods that ROS libraries call by themselves, whatever else does.
+FRAMEWORK = frozenset("on_configure on_activate on_deactivate on_cleanup on_shutdown on_error".split())
+#: Routines that mention a name and are looked at.
+MOST = 4_000
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Runs:
+    """The *callbacks* that a routine is, the *calls* that run it, whether it is where a program or thread *begins*.
+
+    *is_made* says that it runs whenever an object is made; *reason* why there may be more, "" if these are all.
+    """
+
+    callbacks: tuple[Callback, ...] = ()
+    calls: tuple[tuple[Routine, Call], ...] = ()
+    begins: bool = False
+    is_made: bool = False
+    #: The calls that begin a thread with it.
+    threads: tuple[tuple[Routine, Call], ...] = ()
+    reason: str = ""
+
+
+def runs(code: Codebase, routine: Routine) -> Runs:
+    """What runs *routine*."""
+    key = ("runs", id(routine))
+    if key not in code.kept:
+        code.kept[key] = _runs(code, routine)
+    found: Runs = code.kept[key]  # type: ignore[assignment]
+    return found
+
+
+def _runs(code: Codebase, routine: Routine) -> Runs:
+    function = routine.function
+    own = _callbacks(code).get(id(routine), ())
+    name = function.name.rpartition(routine.source.separator)[2]
+    if function.kind == "lambda" and own and len({(one.maker, one.call.line, one.call.column) for one in own}) == 1:
+        return Runs(own)
+    if function.kind == "module" or (name == "main" and not function.owner and not routine.is_python):
+        return Runs(begins=True)
+    if function.kind == "lambda" or routine.outer is not None and not name:
+        return Runs(reason="it is not seen who calls the lambda")
+    if function.kind == "constructor" or (routine.is_python and name == "__init__"):
+        return Runs(begins=True, is_made=True)
+    if function.kind == "destructor":
+        return Runs(reason="it runs when an object is gone")
+    outside = _overrides(code, routine, name)
+    if outside:
+        return Runs(reason=outside)
+    return _mentioned(code, routine, name, own)
+
+
+def _callbacks(code: Codebase) -> dict[int, tuple[Callback, ...]]:
+    if "callbacks by routine" not in code.kept:
+        found: dict[int, tuple[Callback, ...]] = {}
+        for callback in callbacks(code):
+            found[id(callback.routine)] = (*found.get(id(callback.routine), ()), callback)
+        code.kept["callbacks by routine"] = found
+    known: dict[int, tuple[Callback, ...]] = code.kept["callbacks by routine"]  # type: ignore[assignment]
+    return known
+
+
+def _overrides(code: Codebase, routine: Routine, name: str) -> str:
+    """Why somebody outside the workspace may call a method; "" if nobody may."""
+    owner = classes.owner_of(code, routine)
+    if owner is None:
+        return "the class of the method is not known" if routine.function.owner and not routine.is_python else ""
+    if name in FRAMEWORK:
+        return "it is a transition of a managed node"
+    outside = [other for above, other in classes.bases(code, owner) if above is None and other not in HARMLESS]
+    if not outside:
+        return ""
+    is_virtual = routine.is_python or any(
+        function.is_virtual for _, function in code.index(routine.source).functions.get(routine.function.name, ())
+    )
+    return f"{outside[0]}, which is not in the workspace, may call it" if is_virtual else ""
+
+
+def _mentioned(code: Codebase, routine: Routine, name: str, own: tuple[Callback, ...]) -> Runs:
+    """What runs a named function, from all mentions of its name in programs of its language."""
+    calls: list[tuple[Routine, Call]] = []
+    threads: list[tuple[Routine, Call]] = []
+    begins = name in STARTS or (routine.is_python and name == "main" and not routine.function.owner)
+    count = 0
+    for path in sorted(code.mentioning(name)):
+        for where in code.routines(path):
+            if where.is_python is not routine.is_python or where.is_test and not routine.is_test:
+                continue
+            count += 1
+            if count > MOST:
+                return Runs(reason="its name is too common to look at every mention")
+            found, started, why = _in(code, where, routine, name, own)
+            if why:
+                return Runs(reason=why)
+            calls += found
+            threads += started
+    reason = "" if calls or own or begins or threads else "it is not seen who calls it"
+    return Runs(own, tuple(calls), begins, threads=tuple(threads), reason=reason)
+
+
+def _in(
+    code: Codebase, where: Routine, routine: Routine, name: str, own: tuple[Callback, ...]
+) -> tuple[list[tuple[Routine, Call]], list[tuple[Routine, Call]], str]:
+    """The calls of *routine* in another, those that begin a thread with it there, and why it may be run in other ways."""
+    parts = (*where.function.inits, *(where.function.body or ()))
+    mentions = [node for node in everything(parts) if _last(node) == name]
+    if not mentions:
+        return [], [], ""
+    accounted: set[int] = set()
+    calls: list[tuple[Routine, Call]] = []
+    threads: list[tuple[Routine, Call]] = []
+    registered = {(one.call.line, one.call.column, one.role) for one in own if one.maker is where}
+    for call in code.body(where).calls:
+        if _last(call.callee) == name:
+            targets = called(code, where, call.whole)
+            if routine in targets:
+                calls.append((where, call))
+            elif not targets and _may_be(code, where, routine, call.callee):
+                return [], [], f"{where.title} may call it"
+            accounted.add(id(call.callee))
+        for position, argument in enumerate(call.args):
+            role, value = str(position), argument
+            if isinstance(argument, syntax.Keyword):
+                role, value = argument.name, argument.value
+            is_thread = last_part(call.callee) in THREADS or _starts(code, where, call)
+            if (call.line, call.column, role) in registered or (
+                is_thread and routine in given_function(code, where, value)
+            ):
+                accounted |= {id(node) for node in everything(value) if _last(node) == name}
+                threads += [(where, call)] if is_thread else []
+    for variable in (one for every in code.body(where).variables.values() for one in every):
+        if variable.type.name.rpartition("::")[2] in THREADS and any(
+            routine in function_meant(code, where, part) for part in variable.parts
+        ):
+            return [], [], f"{where.title} begins a thread with it"
+    for target, _, _, _ in code.body(where).sets:
+        accounted.add(id(target))
+    for node in mentions:
+        if id(node) not in accounted and _is_given(code, where, routine, node):
+            return [], [], f"{where.title} gives it to others"
+    return calls, threads, ""
+
+
+def _starts(code: Codebase, where: Routine, call: Call) -> bool:
+    """Whether a call is ``start(function)`` of a thread object (ecl/threads/thread.hpp)."""
+    return (
+        call.name == "start"
+        and call.receiver is not None
+        and kinds.type_name(code, where, call.receiver) == "ecl::Thread"
+    )
+
+
+def _last(node: object) -> str:
+    if isinstance(node, (syntax.Name, syntax.Member)):
+        return node.name.rpartition("::")[2]
+    return ""
+
+
+def _may_be(code: Codebase, where: Routine, routine: Routine, callee: Expression) -> bool:
+    """Whether a call of that name that is not known to run anything may run *routine*."""
+    if isinstance(callee, syntax.Name):
+        if "::" in callee.name:
+            head = callee.name.rpartition("::")[0].rpartition("::")[2]
+            return not routine.owner or head == routine.owner.rpartition("::")[2]
+        return not kinds.is_local(code, where, callee.name)
+    if not isinstance(callee, syntax.Member):
+        return False
+    if not routine.owner:
+        return where.is_python and not isinstance(callee.object, syntax.This)
+    owner = classes.owner_of(code, routine)
+    if isinstance(callee.object, syntax.This):
+        other = classes.owner_of(code, where)
+    else:
+        if kinds.type_name(code, where, callee.object) and kinds.class_of(code, where, callee.object) is None:
+            return False
+        other = kinds.class_of(code, where, callee.object)
+    if other is None or owner is None:
+        return True
+    names = classes.base_names(code, other) | classes.base_names(code, owner)
+    return other[1].name == owner[1].name or owner[1].name in names or other[1].name in names
+
+
+def _is_given(code: Codebase, where: Routine, routine: Routine, node: Expression | object) -> bool:
+    if not isinstance(node, (syntax.Name, syntax.Member)):
+        return False
+    meant = function_meant(code, where, node)
+    if meant:
+        return routine in meant
+    if isinstance(node, syntax.Name):
+        return not kinds.is_local(code, where, node.name) and not routine.owner
+    return _may_be(code, where, routine, node) and not kinds.type_name(code, where, node)

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The rates of a configuration: of each publish call, of what each node publishes, and of each topic as a whole."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import inf
+
+from haros_ci.code.codebase import Codebase
+from haros_ci.model.architecture import Configuration, Node
+from haros_ci.model.location import Location
+from haros_ci.model.rates import NEVER, CallRate, Rate, Rates, TopicRate, total, unknown
+from haros_ci.rates.flows import Flow, NodeFlows, scaled
+
+#: Rounds after which a rate that still grows has no bound, and all that there are.
+WIDEN, ROUNDS = 12, 40
+CYCLE = "callbacks publish what calls them again"
+NOBODY = "no node of the configuration publishes it"
+
+
+@dataclass(frozen=True, slots=True)
+class _Published:
+    node: str
+    topic: str
+    location: Location | None
+    calls: tuple[tuple[Location, Flow], ...]
+    reason: str
+
+
+def rates_of(configuration: Configuration, code: Codebase) -> Rates:
+    """The rates of a *configuration*, whose programs are in *code*."""
+    published = [one for node in configuration.nodes for one in _of_node(code, node)]
+    topics = _solved(published)
+    found = []
+    for one in published:
+        calls = tuple(CallRate(location, _at(flow, topics)) for location, flow in one.calls)
+        rate = total(call.rate for call in calls)
+        rate = rate if not one.reason else unknown(one.reason, rate.low)
+        found.append(TopicRate(one.node, one.topic, one.location, rate, calls))
+    order = sorted(found, key=lambda one: (one.node, one.topic, one.location.sort_key if one.location else ()))
+    return Rates(tuple(order), tuple(sorted(topics.items())))
+
+
+def _of_node(code: Codebase, node: Node) -> list[_Published]:
+    flows = NodeFlows(code, node)
+    found = []
+    for end in node.endpoints:
+        if end.kind != "publishers" or (end.implicit and end.location is None) or end.is_ruled_out:
+            continue
+        calls, reason = flows.calls(end)
+        placed = tuple((call.location, call.flow) for call in calls)
+        found.append(_Published(node.name, end.name, end.location, placed, reason))
+    return found
+
+
+def _solved(published: list[_Published]) -> dict[str, Rate]:
+    """The least rates that agree with what is published; one that still grows after some rounds has no bound."""
+    names = {one.topic for one in published if "?" not in one.topic}
+    topics = dict.fromkeys(names, NEVER)
+    for turn in range(ROUNDS):
+        now = {name: _sum(published, name, topics) for name in names}
+        if now == topics:
+            break
+        if turn >= WIDEN:
+            now = {
+                name: Rate(topics[name].low, inf, CYCLE) if rate.high > topics[name].high else rate
+                for name, rate in now.items()
+            }
+        if turn >= WIDEN + len(names):
+            now = {name: Rate(min(rate.low, topics[name].low), rate.high, rate.reason) for name, rate in now.items()}
+        topics = now
+    return topics
+
+
+def _sum(published: list[_Published], name: str, topics: Mapping[str, Rate]) -> Rate:
+    parts = []
+    for one in published:
+        if one.topic == name:
+            rate = total(_at(flow, topics) for _, flow in one.calls)
+            parts.append(rate if not one.reason else unknown(one.reason, rate.low))
+    return total(parts)
+
+
+def _at(flow: Flow, topics: Mapping[str, Rate]) -> Rate:
+    """A flow as a number, under the rates that topics have."""
+    inherited = [
+        scaled(topics[name] if name in topics else unknown(NOBODY), low, high) for name, low, high in flow.topics
+    ]
+    return total((flow.own, *inherited))

@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How often a call runs each time that its function does: conditions, ways out before it, and loops around it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from haros_ci import syntax
+from haros_ci.code import classes, kinds
+from haros_ci.code.body import Call
+from haros_ci.code.codebase import Codebase, Routine
+from haros_ci.model.location import Location
+from haros_ci.syntax import Block, Expression, Statement
+from haros_ci.syntax.walk import everything
+
+#: Conditions that hold as long as the program runs.
+RUNNING = re.compile(
+    r"(true|1|True|not rospy\.is_shutdown\(\)|(ros|rclcpp|rclpy)(::|\.)ok\([\w.>()-]{0,60}\)|(ros::)?ok\(\)"
+    r"|[\w.>-]{1,40}(\.|->)ok\(\)|!ros::isShuttingDown\(\)|__name__ == ['\"]__main__['\"])"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Paced:
+    """A loop with a rate's ``sleep()`` in each turn; *made* is where the rate is. *is_endless*: it ends with the program alone."""
+
+    made: Location
+    is_endless: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Turns:
+    """A call runs once for each run of its function, or in some of them (*is_sometimes*), or as its loop says.
+
+    *paced* is the innermost loop with a rate around it, *reason* why a loop has no rate that is known.
+    """
+
+    is_sometimes: bool = False
+    paced: Paced | None = None
+    reason: str = ""
+
+
+def turns(code: Codebase, routine: Routine, call: Call) -> Turns:
+    """How often *call* runs when *routine* runs."""
+    found = _Search(call.whole)
+    found.block(routine.function.body or ())
+    if not found.is_found:
+        return Turns(reason="it is not in a statement of its own")
+    sometimes = found.is_sometimes or any(getattr(one, "operator", "") in ("&&", "||") for one in found.around)
+    for loop in reversed(found.loops):
+        if not isinstance(loop, syntax.Loop):
+            return Turns(reason="it is in a loop of unknown length")
+        rate = _rate_of(code, routine, loop)
+        if rate is None:
+            is_open = RUNNING.fullmatch(" ".join(loop.text.split())) is not None
+            return Turns(reason="it is in a loop without a rate" if is_open else "it is in a loop of unknown length")
+        if any(isinstance(node, syntax.Continue) for node in _inside(loop.body)):
+            return Turns(reason="the loop may go on without the sleep of its rate")
+        made = rate_made(code, routine, rate)
+        if made is None:
+            return Turns(reason="it is not seen where the rate of the loop is made")
+        leaves = any(isinstance(node, (syntax.Break, syntax.Return, syntax.Throw)) for node in _inside(loop.body))
+        leaves = leaves or any(isinstance(node, (syntax.Return, syntax.Throw)) for node in everything(loop.body))
+        sleeps = [one for one in everything(loop.body) if isinstance(one, syntax.Call) and _sleeps(one)]
+        is_endless = not leaves and len(sleeps) == 1 and RUNNING.fullmatch(" ".join(loop.text.split())) is not None
+        return Turns(sometimes, Paced(made, is_endless))
+    return Turns(sometimes)
+
+
+def _sleeps(call: syntax.Call) -> bool:
+    return "sleep" in syntax.name_of(call.callee).lower()
+
+
+def _inside(block: Block) -> Iterator[Statement]:
+    """The statements of a loop's body, those of loops in it left out."""
+    for statement in block:
+        yield statement
+        for inner in blocks(statement):
+            if not isinstance(statement, (syntax.Loop, syntax.Each)):
+                yield from _inside(inner)
+
+
+def blocks(statement: Statement) -> tuple[Block, ...]:
+    """The blocks in a statement."""
+    if isinstance(statement, syntax.If):
+        return statement.then, statement.other
+    if isinstance(statement, (syntax.Loop, syntax.Each, syntax.Nested)):
+        return (statement.body,)
+    if isinstance(statement, syntax.Switch):
+        return tuple(case.body for case in statement.cases)
+    if isinstance(statement, syntax.Try):
+        return (statement.body, *(handler.body for handler in statement.handlers))
+    if isinstance(statement, syntax.Preprocessor):
+        return tuple(branch.body for branch in statement.branches)
+    return ()
+
+
+class _Search:
+    """The way from a function's body to a call: whether it is conditional, and the loops around it."""
+
+    def __init__(self, target: syntax.Call) -> None:
+        self.target = target
+        self.is_found = False
+        self.is_sometimes = False
+        self.loops: list[syntax.Loop | syntax.Each] = []
+        self.around: list[Expression] = []
+
+    def block(self, block: Block) -> bool:
+        exits = False
+        for statement in block:
+            if self._statement(statement):
+                self.is_sometimes = self.is_sometimes or exits
+                return True
+            exits = exits or _leaves(statement)
+        return False
+
+    def _statement(self, statement: Statement) -> bool:
+        inner = blocks(statement)
+        for number, block in enumerate(inner):
+            if not self.block(block):
+                continue
+            if isinstance(statement, (syntax.Loop, syntax.Each)):
+                self.loops.insert(0, statement)
+            elif isinstance(statement, syntax.If):
+                is_running = number == 0 and RUNNING.fullmatch(" ".join(statement.text.split())) is not None
+                self.is_sometimes = self.is_sometimes or not is_running
+            elif not isinstance(statement, syntax.Nested) and not (isinstance(statement, syntax.Try) and number == 0):
+                self.is_sometimes = True
+            return True
+        own = statement.value if isinstance(statement, (syntax.Do, syntax.Return)) else None
+        if isinstance(statement, syntax.Variable):
+            own = next(iter(syntax.started(statement.init)), None)
+        if isinstance(statement, (syntax.If, syntax.Switch)):
+            own = statement.test if isinstance(statement, syntax.If) else statement.value
+        if isinstance(own, syntax.Assignment):
+            own = own.value
+        if own is None or not any(node is self.target for node in everything(own)):
+            return False
+        self.is_found = True
+        if own is not self.target:  # a part of an expression that may not be evaluated
+            whole = [node for node in everything(own) if isinstance(node, (syntax.Operation, syntax.Conditional))]
+            self.is_sometimes = self.is_sometimes or bool(whole)
+        return True
+
+
+def _leaves(statement: Statement) -> bool:
+    """Whether what follows a statement may be passed over: a way out of the function, or of the turn of the loop around it."""
+    if any(isinstance(node, (syntax.Return, syntax.Throw)) for node in everything(statement)):
+        return True
+    return any(isinstance(node, (syntax.Break, syntax.Continue)) for node in _inside((statement,)))
+
+
+def _rate_of(code: Codebase, routine: Routine, loop: syntax.Loop) -> Expression | None:
+    """What ``sleep()`` is called on in every turn of a loop; None if there is no one such call."""
+    found: list[Expression] = []
+    waiting: list[Statement] = list(loop.body)
+    while waiting:
+        statement = waiting.pop()
+        if isinstance(statement, syntax.Nested):
+            waiting += statement.body
+        elif isinstance(statement, syntax.Try):
+            waiting += statement.body
+        elif isinstance(statement, syntax.Do) and isinstance(statement.value, syntax.Call):
+            callee = statement.value.callee
+            if isinstance(callee, syntax.Member) and callee.name == "sleep" and not statement.value.arguments:
+                found.append(callee.object)
+    return found[0] if len(found) == 1 else None
+
+
+def rate_made(code: Codebase, routine: Routine, rate: Expression) -> Location | None:
+    """Where the rate object is made that an expression is: a variable or member that begins in one place."""
+    while isinstance(rate, (syntax.Dereference, syntax.Address)):
+        rate = rate.value
+    if isinstance(rate, syntax.Name):
+        made = _variable(code, routine, rate.name)
+        if made is not None:
+            return made
+        if kinds.is_local(code, routine, rate.name):
+            return None
+    if not isinstance(rate, (syntax.Name, syntax.Member)):
+        return None
+    if isinstance(rate, syntax.Member) and not isinstance(rate.object, syntax.This):
+        return None
+    owner = classes.owner_of(code, routine)
+    values = kinds.attribute_values(code, owner, syntax.name_of(rate)) if owner is not None else ()
+    if len(values) == 1:
+        where, value = values[0]
+        if isinstance(value, syntax.Call):
+            return Location(where.path, value.line, value.column)
+        if not routine.is_python:
+            return Location(where.path, where.function.line, None)
+    return None
+
+
+def _variable(code: Codebase, routine: Routine, name: str) -> Location | None:
+    if not routine.is_python:
+        found = kinds.variable(code, routine, name)
+        if not (isinstance(found, tuple) and len(found) == 2):
+            return None
+        where, local = found
+        if len(code.body(where).variables.get(name, ())) != 1:
+            return None
+        if any(isinstance(target, syntax.Name) and target.name == name for target, *_ in code.body(where).sets):
+            return None
+        if isinstance(local.value, syntax.Call) and local.type.name in ("", "auto"):
+            return Location(where.path, local.value.line, local.value.column)
+        return Location(where.path, local.line, local.column)
+    around: Routine | None = routine
+    while around is not None:
+        values = [value for target, _, value, _ in code.body(around).sets if _is_name(target, name)]
+        if values:
+            only = values[0]
+            one = isinstance(only, syntax.Call) and len(values) == 1
+            return Location(around.path, only.line, only.column) if one and isinstance(only, syntax.Call) else None
+        around = around.outer
+    modules = [other for other in code.routines(routine.path) if other.function.kind == "module"]
+    if routine not in modules and len(modules) == 1:
+        return _variable(code, modules[0], name)
+    return None
+
+
+def _is_name(target: Expression, name: str) -> bool:
+    return isinstance(target, syntax.Name) and target.name == name

@@ -1,0 +1,239 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How often nodes publish: what is known, and what is not, with its reason."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from follow_kit import cpp_files, main
+from rates_kit import architecture, cpp, python, rates, ros2
+
+from haros_ci.report import model_json, model_text
+
+LOOP = 'ros::Publisher p = ADV("a", 1);\n%s\n'
+CLASS = """struct A {
+  A(ros::NodeHandle& nh) {
+    pub_ = ADV("a", 1);
+    %s
+  }
+  %s
+  void got(const std_msgs::String& m) { %s }
+  void send() { std_msgs::String m; pub_.publish(m); }
+  ros::Publisher pub_; ros::Timer timer_; ros::Subscriber sub_;
+};"""
+PARAMETER = 'double f; ros::NodeHandle("~").param("f", f, 20.0); '
+LAUNCH = '<launch><arg name="f" default="40.0"/><node pkg="p" type="n" name="n"><param name="f" value="$(arg f)"/></node></launch>'
+
+
+def of_class(constructor: str, callback: str = "", launch: str = "", body: str = "A a(nh);") -> str:
+    tick = "void tick(const ros::TimerEvent&) { send(); }" if "tick" in constructor else ""
+    return cpp(body, CLASS % (constructor, tick, callback), launch)["/a"]
+
+
+LOOPS = {
+    "a rate": ("ros::Rate r(10); while (ros::ok()) { p.publish(m); r.sleep(); }", "10 Hz"),
+    "a wall rate": ("ros::WallRate r(10); while (ros::ok()) { p.publish(m); r.sleep(); }", "10 Hz"),
+    "a rate of a duration": ("ros::Rate r(ros::Duration(0.5)); while (ros::ok()) { p.publish(m); r.sleep(); }", "2 Hz"),
+    "a constant": ("const int f = 25; ros::Rate r(f); while (nh.ok()) { p.publish(m); r.sleep(); }", "25 Hz"),
+    "twice a turn": ("ros::Rate r(10); while (ros::ok()) { p.publish(m); p.publish(m); r.sleep(); }", "20 Hz"),
+    "sometimes": ("ros::Rate r(10); while (ros::ok()) { if (f()) p.publish(m); r.sleep(); }", "0 to 10 Hz"),
+    "a loop that may end": ("ros::Rate r(10); while (ros::ok() && f()) { p.publish(m); r.sleep(); }", "0 to 10 Hz"),
+    "a loop that is left": (
+        "ros::Rate r(10); while (ros::ok()) { p.publish(m); if (f()) break; r.sleep(); }",
+        "0 to 10 Hz",
+    ),
+    "another sleep": ("ros::Rate r(10); while (ros::ok()) { p.publish(m); usleep(5); r.sleep(); }", "0 to 10 Hz"),
+    "behind a way out": (
+        "ros::Rate r(10); if (f()) return 1; while (ros::ok()) { p.publish(m); r.sleep(); }",
+        "0 to 10 Hz",
+    ),
+    "once": ("p.publish(m);", "0 Hz"),
+}
+UNKNOWN_LOOPS = {
+    "no rate": ("while (ros::ok()) { p.publish(m); ros::spinOnce(); }", "without a rate"),
+    "another loop in it": ("ros::Rate r(10); while (ros::ok()) { for (;f();) p.publish(m); r.sleep(); }", "unknown length"),
+    "a list": ("ros::Rate r(10); while (ros::ok()) { for (auto x : xs) p.publish(m); r.sleep(); }", "unknown length"),
+    "a sleep in some turns": ("ros::Rate r(10); while (ros::ok()) { p.publish(m); if (f()) r.sleep(); }", "without a rate"),
+    "a turn without the sleep": (
+        "ros::Rate r(10); while (ros::ok()) { p.publish(m); if (f()) continue; r.sleep(); }", "without the sleep"
+    ),
+    "a rate that is not known": ("ros::Rate r(g()); while (ros::ok()) { p.publish(m); r.sleep(); }", "not known"),
+    "a rate of zero": ("ros::Rate r(0); while (ros::ok()) { p.publish(m); r.sleep(); }", "not greater than zero"),
+    "a negative rate": ("ros::Rate r(-5); while (ros::ok()) { p.publish(m); r.sleep(); }", "not greater than zero"),
+    "a rate that is set again": (
+        "ros::Rate r(10); r = ros::Rate(g()); while (ros::ok()) { p.publish(m); r.sleep(); }", "not seen where the rate"
+    ),
+    "a publisher that others get": ("use(p); ros::Rate r(10); while (ros::ok()) { p.publish(m); r.sleep(); }", "to others"),
+    "a publisher that is never used": ("", "no call is seen"),
+    "a rate that is given": ("ros::Rate r(10); ros::Rate& q = pick(r); while (ros::ok()) { p.publish(m); q.sleep(); }", "not"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", LOOPS)
+def test_a_loop_has_the_rate_that_it_sleeps_with(case: str) -> None:
+    body, expected = LOOPS[case]
+    assert cpp(LOOP % ("std_msgs::String m; " + body))["/a"] == expected
+
+
+@pytest.mark.parametrize("case", UNKNOWN_LOOPS)
+def test_a_loop_whose_rate_is_not_seen_is_unknown_with_its_reason(case: str) -> None:
+    body, reason = UNKNOWN_LOOPS[case]
+    found = cpp(LOOP % ("std_msgs::String m; " + body))["/a"]
+    assert found.startswith(("unknown", "at least")) and reason in found
+
+
+TIMERS = {
+    "a timer": ("timer_ = nh.createTimer(ros::Duration(0.1), &A::tick, this);", "10 Hz"),
+    "a timer of a rate": ("timer_ = nh.createTimer(ros::Rate(30), &A::tick, this);", "30 Hz"),
+    "a parameter": (PARAMETER + "timer_ = nh.createTimer(ros::Duration(1.0 / f), &A::tick, this);", "20 Hz"),
+    "under a condition": ("if (g()) timer_ = nh.createTimer(ros::Duration(0.1), &A::tick, this);", "0 to 10 Hz"),
+}
+UNKNOWN_TIMERS = {
+    "a period that is not known": ("timer_ = nh.createTimer(ros::Duration(g()), &A::tick, this);", "its period is not known"),
+    "a timer for once": ("timer_ = nh.createTimer(ros::Duration(0.1), &A::tick, this, true);", "fires once"),
+    "whether it is for once is not known": ("timer_ = nh.createTimer(ros::Duration(1), &A::tick, this, g());", "once"),
+    "two ways": ("timer_ = nh.createTimer(ros::Duration(1), &A::tick, this); keep(&A::send);", "gives it to others"),
+    "nobody": ("", "not seen who calls it"),
+    "a list of timers": (
+        "for (int i = 0; i < 2; ++i) ts_[i] = nh.createTimer(ros::Duration(1), &A::tick, this);", ""
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", TIMERS)
+def test_a_callback_has_the_rate_of_its_timer(case: str) -> None:
+    constructor, expected = TIMERS[case]
+    assert of_class(constructor) == expected
+
+
+@pytest.mark.parametrize("case", UNKNOWN_TIMERS)
+def test_a_timer_that_is_not_seen_to_repeat_is_unknown(case: str) -> None:
+    constructor, reason = UNKNOWN_TIMERS[case]
+    found = of_class(constructor)
+    assert found.startswith(("unknown", "0 to")) and reason in found
+
+
+def test_two_programs_or_objects_of_one_class_are_not_one_timer() -> None:
+    timer = "timer_ = nh.createTimer(ros::Duration(0.1), &A::tick, this);"
+    assert of_class(timer, body="A a(nh), b(nh);").startswith("unknown (one call makes several timers")
+
+
+def test_a_launch_argument_is_the_rate() -> None:
+    timer = PARAMETER + "timer_ = nh.createTimer(ros::Duration(1.0 / f), &A::tick, this);"
+    assert of_class(timer, launch=LAUNCH) == "40 Hz"
+
+
+INHERITED = {
+    "each message": ("send();", "10 Hz"),
+    "under a condition": ("if (m.data.empty()) send();", "0 to 10 Hz"),
+    "behind a way out": ("if (m.data.empty()) return; send();", "0 to 10 Hz"),
+    "twice": ("send(); send();", "20 Hz"),
+    "in a loop": ("for (char c : m.data) send();", "unknown (it is in a loop of unknown length)"),
+}
+
+
+@pytest.mark.parametrize("case", INHERITED)
+def test_a_callback_inherits_the_rate_of_its_topic(case: str) -> None:
+    callback, expected = INHERITED[case]
+    loop = 'A a(nh); ros::Publisher p = ADV("in", 1); std_msgs::String m; ros::Rate r(10);'
+    loop += " while (ros::ok()) { p.publish(m); ros::spinOnce(); r.sleep(); }"
+    assert of_class('sub_ = nh.subscribe("in", 1, &A::got, this);', callback, body=loop) == expected
+
+
+def test_a_topic_that_nobody_publishes_has_no_rate() -> None:
+    found = of_class('sub_ = nh.subscribe("in", 1, &A::got, this);', "send();")
+    assert found == "unknown (no node of the configuration publishes it)"
+
+
+def test_a_cycle_ends_without_a_bound() -> None:
+    timer = "timer_ = nh.createTimer(ros::Duration(0.1), &A::tick, this);"
+    found = of_class('sub_ = nh.subscribe("a", 1, &A::got, this);' + timer, "send();")
+    assert found.startswith("at least ") and "callbacks publish what calls them again" in found
+
+
+def test_a_cycle_that_nothing_starts_publishes_nothing() -> None:
+    assert of_class('sub_ = nh.subscribe("a", 1, &A::got, this);', "send();") == "0 Hz"
+
+
+RATES_2 = {
+    "a literal": ("timer_ = create_wall_timer(100ms, [this]() { pub_->publish(m_); });", "10 Hz"),
+    "seconds": ("timer_ = create_wall_timer(std::chrono::seconds(2), std::bind(&A::tick, this));", "0.5 Hz"),
+    "a parameter": (
+        'int p = declare_parameter("p", 20); timer_ = create_wall_timer(std::chrono::milliseconds(p), std::bind(&A::tick, this));',
+        "50 Hz",
+    ),
+}
+
+CLOCK = "timer_ = rclcpp::create_timer(this, get_clock(), %s, std::bind(&A::tick, this));"
+RATES_2 |= {
+    "the period of a rate": (CLOCK % "rclcpp::Rate(40.0).period()", "40 Hz"),
+    "the period of a rate in a variable": (
+        'const auto period = rclcpp::Rate(declare_parameter<double>("hz", 25.0)).period();' + CLOCK % "period", "25 Hz"
+    ),
+    "a duration of rclcpp": (CLOCK % "rclcpp::Duration::from_seconds(0.2)", "5 Hz"),
+    "a duration of seconds": (CLOCK % "std::chrono::duration<double>(0.1)", "10 Hz"),
+    "a duration that is cast": (
+        CLOCK % "std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(0.02))", "50 Hz"
+    ),
+    "a duration with a ratio": (CLOCK % "std::chrono::duration<double, std::milli>(20)", "50 Hz"),
+    "a duration of another ratio": (
+        CLOCK % "std::chrono::duration<double, std::ratio<1, 30>>(1)",
+        "unknown (its period is no duration that is known)",
+    ),
+    "a number is no duration": (CLOCK % "7", "unknown (its period is no duration that is known)"),
+    "a function's result": (CLOCK % "choose()", "unknown (its period is no duration that is known)"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", RATES_2)
+def test_wall_timers_of_ros_2(case: str) -> None:
+    body, expected = RATES_2[case]
+    assert ros2(body) == expected
+
+
+PYTHON = {
+    "a rate": ("p = PUB('a')\nr = rospy.Rate(10)\nwhile not rospy.is_shutdown():\n    p.publish('')\n    r.sleep()\n", "10 Hz"),
+    "a function": (
+        "def main():\n    p = PUB('a')\n    r = rospy.Rate(5)\n    while not rospy.is_shutdown():\n        p.publish('')\n"
+        "        r.sleep()\nif __name__ == '__main__':\n    main()\n",
+        "5 Hz",
+    ),
+    "a timer": (
+        "p = PUB('a')\ndef tick(event):\n    p.publish('')\nrospy.Timer(rospy.Duration(0.5), tick)\nrospy.spin()\n", "2 Hz"
+    ),
+    "a timer for once": (
+        "p = PUB('a')\ndef tick(event):\n    p.publish('')\nrospy.Timer(rospy.Duration(0.5), tick, oneshot=True)\n",
+        "unknown (the timer fires once each time that it is started)",
+    ),
+    "a thread of a callback": (
+        "import threading\np = PUB('a')\ndef work():\n    p.publish('')\ndef got(m):\n"
+        "    threading.Thread(target=work).start()\nrospy.Subscriber('in', String, got)\nrospy.spin()\n",
+        "unknown (a thread begins with it whenever something else happens)",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", PYTHON)
+def test_rospy(case: str) -> None:
+    body, expected = PYTHON[case]
+    assert python(body)["/a"] == expected
+
+
+TWO = 'ros::Publisher p = ADV("a", 1), q = ADV("b", 1); std_msgs::String m; ros::Rate r(10); while (ros::ok()) { p.publish(m); r.sleep(); }'
+
+
+def test_the_model_has_rates_only_where_they_are_asked_for() -> None:
+    found = architecture(cpp_files(main(TWO)))
+    data = json.loads(model_json.render(found))["configurations"][0]["rates"]
+    assert [(one["topic"], one["low"], one["high"]) for one in data["published"]] == [
+        ("/a", 10.0, 10.0),
+        ("/b", 0.0, None),
+    ]
+    assert data["published"][1]["reason"] == "no call is seen to publish it"
+    assert "/n publishes /a: 10 Hz" in model_text.render(found)
+
+
+def test_publishers_of_a_topic_add_up() -> None:
+    launch = '<launch><node pkg="p" type="n" name="x"/><node pkg="p" type="n" name="y"/></launch>'
+    assert dict((name, str(rate)) for name, rate in rates(cpp_files(main(TWO), launch)).topics)["/a"] == "20 Hz"
