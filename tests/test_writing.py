@@ -187,6 +187,7 @@ ALLOWED = {
     "workspace/revision.py": SCRATCH,
     "workspace/renames.py": SCRATCH,
     "linters/": "scratch directories of tools",
+    "recordings/sqlite.py": "unpacks a database into a scratch directory, and opens it for reading alone (mode=ro, immutable)",
     "haros_plugins/run.py": SCRATCH,
     "report/model_sqlite.py": SCRATCH,
     "api/testing.py": SCRATCH,

@@ -113,7 +113,9 @@ def is_inert(
     for argument in args:
         value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
         if isinstance(value, (Sequence, Mapped, Callable, ClassValue, Choice)) or (
-            isinstance(value, Known) and issubclass(value.kind, (str, list, dict)) and argument.cell is not None
+            isinstance(value, Known)
+            and issubclass(value.kind, (str, list, dict))
+            and (argument.cell is not None or value is not argument.value)
         ):
             return False
         if isinstance(value, Object) and not _only_numbers(value, changed):

@@ -131,7 +131,7 @@ def _one_of(walk: Walk, one: Function, found: list[Found]) -> Function | None:
     paths = {source.path for source, _ in found}
     if len(paths) != len(found) or not paths <= walk.index.conditional or one.kind != "function":
         return None
-    made: Function = syntax.replace(one)
+    made: Function = syntax.replace(one, name=one.name)  # another one, by identity
     walk.found["any", id(made)] = made
     walk.found["one of", id(made)] = tuple(found)
     return made

@@ -122,8 +122,7 @@ class McapFile:
 
 def _text(content: bytes, at: int) -> tuple[str, int]:
     """The text at a place, and where it ends."""
-    size = _U32.unpack_from(content, at)[0]
-    end = at + 4 + size
+    end = at + 4 + (_U32.unpack_from(content, at)[0] if len(content) >= at + 4 else 0)
     if end > len(content):
         raise Cut("a record is damaged")
     return content[at + 4 : end].decode("utf-8", "replace"), end

@@ -24,6 +24,7 @@ PROGRAM = ROOT / "haros_ci"
 
 #: Modules that read bytes which no workspace, log, shard, cache or tool has written.
 NOT_FUZZED = {
+    "html_page.gather": "reads what analysis.kept_runs has kept, through the cache, and escapes it again",
     "own_sources": "digests the bytes of haros-ci itself",
     "streams": "opens the null device in place of streams that are closed",
     "workspace.base_settings": "opens files that linters.settings_files parses",
