@@ -306,6 +306,28 @@ def test_copies_of_other_projects_are_no_calls(workspace: Path, capsys: pytest.C
     assert found.state in ("other", "unreached")
 
 
+@pytest.mark.parametrize(("package", "state"), [("image_transport", "other"), ("acme_transport", "open")])
+def test_calls_of_a_library_that_the_rows_describe_are_no_calls(
+    package: str, state: str, workspace: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    header = (
+        "namespace image_transport {\nclass Publisher : public Base { public:\n"
+        '  void make(rclcpp::Node * node) { node->create_publisher<std_msgs::msg::Bool>("raw", 1); }\n};\n'
+        'Publisher create_publisher(rclcpp::Node * node) { node->declare_parameter("plugins", 1); return Publisher(); }\n}\n'
+    )
+    write(
+        workspace / "src" / package,
+        {
+            "package.xml": MANIFEST.format(name=package),
+            "CMakeLists.txt": CMAKE.replace("lamp", package).replace("add_executable", "add_library"),
+            f"src/{package}.cpp": header,
+        },
+    )
+    found = [site for site in sites(capsys) if site.package == package]
+    assert len(found) == 2 and {site.state for site in found} == {state}
+    assert {site.reason for site in found} == {"in a library that the API rows describe"} or state != "other"
+
+
 def test_the_summary_of_a_check_says_a_small_share(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
     said = "The model accounts for"
     command = ["check", "--no-cache", "--profile", "architecture"]

@@ -23,6 +23,7 @@ from haros_ci.model.api import Row
 from haros_ci.model.architecture import Architecture, Node
 from haros_ci.model.coverage import ENDPOINT, ENOUGH, OPEN, OTHER, PRODUCTION, TEST, UNREACHED, Coverage, Site
 from haros_ci.model.workspace import Workspace
+from haros_ci.systems.client_libraries import library_files
 from haros_ci.systems.link import Linked
 from haros_ci.timing import timed
 
@@ -83,6 +84,8 @@ class _CoverageJudge:
     sought: list[TextSite] | None = None
     #: Files of libraries that are copied into a package, each with the directory of its library.
     copies: Mapping[str, str] = field(default_factory=dict)
+    #: Files of libraries that the rows describe: they are not followed.
+    libraries: frozenset[str] = frozenset()
     #: Modules that only share the last part of their names with one that is imported.
     shadowed: frozenset[str] = frozenset()
 
@@ -118,6 +121,7 @@ class _CoverageJudge:
         area = self.areas()
         areas = {match.source.path: area(match.source) for match in found}
         self.copies = copies(self.workspace)
+        self.libraries = library_files(self.code.sources, self.made.builds, self.rows)
         pending = [match for match in found if not places.has(match)]
         users = Users(self.made.architecture, self.code.sources)
         verdicts = dict(self.judged(found, places, area)) if pending else {}
@@ -206,6 +210,8 @@ class _CoverageJudge:
             return OTHER, *none
         if found.source.path in self.copies:
             return OTHER, "a copy of another project", self.copies[found.source.path]
+        if found.source.path in self.libraries:
+            return OTHER, "in a library that the API rows describe", found.source.package or ""
         if piece is None:
             return UNREACHED, "the file is in no target", ""
         if found.source.path in self.shadowed:

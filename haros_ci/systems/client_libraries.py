@@ -26,19 +26,23 @@ DESCRIBED = frozenset(
 )
 
 
-def used(sources: Iterable[Source], builds: Mapping[str, Build], rows: Iterable[Row]) -> tuple[Source, ...]:
-    """*sources* without those of libraries that *rows* describe; what their packages build or install as programs stays."""
-    every = tuple(sources)
-    if not any(source.package in WHOLE or source.package in DESCRIBED for source in every):
-        return every
+def library_files(
+    sources: Iterable[Source], builds: Mapping[str, Build], rows: Mapping[tuple[str, int], Iterable[Row]]
+) -> frozenset[str]:
+    """The paths of *sources* that are of libraries which *rows* describe, but not what their packages build or install as programs."""
+    every = [source for source in sources if source.package in WHOLE or source.package in DESCRIBED]
+    if not every:
+        return frozenset()
     programs = _programs(builds)
-    described = frozenset(name for row in rows for name in (*api_rows.names_of(row), row.call))
+    described = frozenset(
+        name for found in rows.values() for row in found for name in (*api_rows.names_of(row), row.call)
+    )
     modules = {
         _top(source)
         for source in every
         if source.package in DESCRIBED and source.module and _defines(source, described)
     }
-    return tuple(source for source in every if source.path in programs or not _is_library(source, described, modules))
+    return frozenset(source.path for source in every if _is_library(source, described, modules)) - programs
 
 
 def _is_library(source: Source, described: frozenset[str], modules: set[tuple[str | None, str]]) -> bool:

@@ -37,8 +37,9 @@ def types_of(
     load: Callable[[str], LaunchFile | None] = lambda path: None,
 ) -> Types:
     """The node types of a workspace, ready to be followed."""
-    own = client_libraries.used(sources, builds, [row for items in rows.values() for row in items])
-    by_path = {source.path: source for source in sorted(own, key=lambda s: s.path)}
+    sources = sorted(sources, key=lambda source: source.path)
+    library_files = client_libraries.library_files(sources, builds, rows)
+    by_path = {source.path: source for source in sources if source.path not in library_files}
     cpp = build_index(s for s in by_path.values() if s.program.language != "python")
     python = build_index(s for s in by_path.values() if s.program.language == "python")
     python.interfaces = frozenset(interface.name for build in builds.values() for interface in build.interfaces)
