@@ -26,7 +26,7 @@ def preprocessor(walk: Walk, frame: Frame, statement: syntax.Preprocessor) -> st
         declared: dict[str, Cell] = {}
         with walk.under("#if", branch.text, frame, branch.line, branch.column):
             frame.scopes.append(declared)
-            ended = _followed(walk, frame, branch.body, verdict is not False)
+            ended = statements.follow_branch(walk, frame, branch.body, verdict is not False, _in_place)
             frame.scopes.pop()
         branches.append((ended, _with_declared(walk.state.undo(mark), declared, fresh)))
     if not any(branch.text.startswith("#else") for branch in statement.branches):
@@ -60,18 +60,6 @@ def _complete(cells: Iterable[Cell], branches: list[Writes], live: list[int] | N
             value = joined(value, other)
         for writes in branches:
             writes.setdefault(cell, value)
-
-
-def _followed(walk: Walk, frame: Frame, block: Block, can_be: bool) -> str:
-    """Follow a branch; what one that is not compiled returns does not count."""
-    before = frame.is_dead
-    frame.is_dead = before or not can_be
-    walk.dead += not can_be
-    try:
-        return _in_place(walk, frame, block)
-    finally:
-        frame.is_dead = before
-        walk.dead -= not can_be
 
 
 def _in_place(walk: Walk, frame: Frame, block: Block) -> str:

@@ -108,26 +108,28 @@ def _if(walk: Walk, frame: Frame, statement: syntax.If) -> str:
     branches = []
     mark = walk.state.mark()
     with walk.under("if", text, frame, line, column):
-        ended = _followed(walk, frame, then, holds is not False)
+        ended = follow_branch(walk, frame, then, holds is not False)
     branches.append((ended, walk.state.undo(mark)))
     if else_line:
         path = frame.source.path
         walk.pairs[Location(path, else_line, else_column)] = Location(path, line, column)
         with walk.under("else", text, frame, else_line, else_column):
-            ended = _followed(walk, frame, other, holds is not True)
+            ended = follow_branch(walk, frame, other, holds is not True)
         branches.append((ended, walk.state.undo(mark)))
     else:
         branches.append((NEXT, {}))
     return merge(walk, frame, branches, None if holds is None else [0 if holds else 1])
 
 
-def _followed(walk: Walk, frame: Frame, block: Block, can_be: bool) -> str:
-    """Follow a branch; what one that cannot be taken returns does not count."""
+def follow_branch(
+    walk: Walk, frame: Frame, block: Block, can_be: bool, run: Callable[[Walk, Frame, Block], str] = execute
+) -> str:
+    """Follow a branch by *run*; what one that cannot be taken returns does not count."""
     before = frame.is_dead
     frame.is_dead = before or not can_be
     walk.dead += not can_be
     try:
-        return execute(walk, frame, block)
+        return run(walk, frame, block)
     finally:
         frame.is_dead = before
         walk.dead -= not can_be
