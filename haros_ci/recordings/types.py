@@ -34,8 +34,7 @@ _NAME = 2
 def decoder_of(channel: Channel) -> Decoder:
     """What makes a message, or an ``Unreadable``, of bytes and the number of the message."""
     try:
-        store, name = _store(channel)
-        least = least_bytes(store.fielddefs, name)
+        store, name, least = _store(channel)
     except Exception as err:  # noqa: BLE001 (whatever a definition does to rosbags is a fault of the definition)
         why = str(err).splitlines()[0][:200] if str(err) else type(err).__name__
         return lambda raw, number: unreadable(number, channel, why)
@@ -53,7 +52,8 @@ def decoder_of(channel: Channel) -> Decoder:
     return decode
 
 
-def _store(channel: Channel) -> tuple[Any, str]:
+def _store(channel: Channel) -> tuple[Any, str, int]:
+    """rosbags' types for a channel, the name of its type there, and the bytes that a message has at least."""
     from rosbags.typesys import Stores, get_types_from_msg, get_typestore  # type: ignore[import-not-found, import-untyped, unused-ignore]
 
     if channel.encoding not in ("ros1", "cdr"):
@@ -68,18 +68,18 @@ def _store(channel: Channel) -> tuple[Any, str]:
         store = get_typestore(Stores.ROS1_NOETIC if channel.encoding == "ros1" else Stores.LATEST)
         if name not in store.fielddefs:
             raise ValueError(f"the bag does not say what a {channel.type} is")
-        return store, name
+        return store, name, least_bytes(store.fielddefs, name)
     if len(channel.definition) > LONGEST or channel.definition.count("\n") > MOST_LINES:
         raise ValueError(f"the definition of {channel.type} is too long")
     types = get_types_from_msg(channel.definition, name)
     checked(types)
-    least_bytes(types, name)
+    least = least_bytes(types, name)
     store = get_typestore(Stores.EMPTY)
     store.register(types)
     if channel.encoding == "ros1" and _is_hollow(types):
         raise ValueError(f"{channel.type} has an array of messages without any field")
     store.get_msgdef(name)
-    return store, name
+    return store, name, least
 
 
 def checked(types: Any) -> None:
