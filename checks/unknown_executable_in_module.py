@@ -31,7 +31,7 @@ def check(project: Project) -> Iterator[Finding]:
         package, program = project.package(arguments.get("package", "")), arguments.get("executable", "")
         if package is None or not program or not _lacks(package, program):
             continue
-        similar = similar_names(program, _programs(package), package.name)
+        similar = similar_names(program, package.build.programs(), package.name)
         yield Finding(
             at=Location(routine.path, call.line, call.column),
             message=f"package {package} builds or installs no program {program!r}: this node cannot start{meant(similar)}",
@@ -40,24 +40,9 @@ def check(project: Project) -> Iterator[Finding]:
         )
 
 
-def _programs(package: ProjectPackage) -> set[str]:
-    build = package.build
-    names = {target.output or target.name for target in build.targets if target.kind == "executable"}
-    names |= {
-        installed.name or posixpath.basename(installed.path)
-        for installed in build.installed
-        if installed.kind == "program"
-    }
-    return (
-        names
-        | {entry_point.name for entry_point in build.entry_points}
-        | {posixpath.basename(path) for path in build.scripts}
-    )
-
-
 def _lacks(package: ProjectPackage, program: str) -> bool:
     """Whether all programs of the package are known, this is none of them, and nothing in its build has the name."""
-    if package.ros != 2 or program in _programs(package) or not package.build.commands:
+    if package.ros != 2 or program in package.build.programs() or not package.build.commands:
         return False
     if not package.cmake.is_whole or package.cmake.installs_unknown:
         return False

@@ -213,8 +213,10 @@ class Build:
 
     *scripts* are Python files that are installed as programs or begin with a shebang. *python_roots* are pairs of an
     import root (``""`` for all, or a top-level name) and the root-relative directory that it stands for. *defined* are
-    the macros that the build defines for C++, *flags* what CMAKE_CXX_FLAGS is, *are_flags_known* False where that depends on what only a build knows. *python_packages* are the import packages that setup.py names, *script_directories* are
-    ``(develop or install, directory, line)`` of setup.cfg: where its programs are put. *commands* are those of CMake in the order in which they run.
+    the macros that the build defines for C++, *flags* what CMAKE_CXX_FLAGS is, *are_flags_known* False where that depends on
+    what only a build knows. *python_packages* are the import packages that setup.py names, *script_directories* are
+    ``(develop or install, directory, line)`` of setup.cfg: where its programs are put. *commands* are those of CMake in the
+    order in which they run.
     """
 
     package: str
@@ -235,3 +237,11 @@ class Build:
     distribution: Distribution | None = None
     python_packages: tuple[tuple[str, Location], ...] = ()
     script_directories: tuple[tuple[str, str, int], ...] = ()
+
+    def programs(self) -> set[str]:
+        """The names by which ``rosrun`` and ``ros2 run`` start what the package builds or installs."""
+        names = {target.output or target.name for target in self.targets if target.kind == "executable"}
+        names |= {entry_point.name for entry_point in self.entry_points}
+        names |= {posixpath.basename(path) for path in self.scripts}
+        programs = (installed for installed in self.installed if installed.kind == "program")
+        return names | {installed.name or posixpath.basename(installed.path) for installed in programs}

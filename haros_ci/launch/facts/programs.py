@@ -53,7 +53,7 @@ class Programs:
             return None, (), False
         if (use.package, use.program) in self.known or (use.kind == "nodelet" and self._is_described(use.program)):
             return True, (), False
-        names = self._classes(build, use) if use.kind != "executable" else self._executables(build)
+        names = self._classes(build, use) if use.kind != "executable" else build.programs()
         if use.program in names:
             return True, (), False
         if use.kind == "executable" and self._is_library(use, build, start):
@@ -89,19 +89,6 @@ class Programs:
         if use.kind == "nodelet":
             return {plugin.name for plugin in build.plugins if plugin.base == _NODELET}
         return {plugin.type for plugin in build.plugins if plugin.base in _LOADED or "NodeFactory" in plugin.base}
-
-    def _executables(self, build: Build) -> set[str]:
-        names = {target.output or target.name for target in build.targets if target.kind == "executable"}
-        names |= {
-            installed.name or posixpath.basename(installed.path)
-            for installed in build.installed
-            if installed.kind == "program"
-        }
-        return (
-            names
-            | {entry_point.name for entry_point in build.entry_points}
-            | {posixpath.basename(path) for path in build.scripts}
-        )
 
     def _may_be_made(self, use: ProgramUse, start: str) -> bool:
         """Whether the package may have it in a way that is not known: its build or a file names it, or makes names."""
