@@ -128,22 +128,29 @@ def invoke(
     idle = walk.idle.get(id(definition), 0) if walk.is_called_back and not makes_nothing else 0
     if idle > IDLE:
         return inert.skipped(walk, inner, function, definition, returns, arguments)
-    if (makes_nothing and (is_long or inert.is_inert(walk, function, definition, returns, arguments))) or (
-        walk.quiet and spent > (REHEARSED if walk.quiet_steps < MANY else SPENT)
+    is_inert = makes_nothing and not is_long and inert.is_inert(walk, function, definition, returns, arguments)
+    is_setter = is_inert and setters.is_setter(walk, definition, function.source)
+    if (
+        (makes_nothing and is_long)
+        or (is_inert and not is_setter)
+        or (walk.quiet and spent > (REHEARSED if walk.quiet_steps < MANY else SPENT))
     ):
         return inert.skipped(walk, inner, function, definition, returns, arguments)
     bind(walk, frame, inner, definition, arguments)
     before, there = walk.steps, walk.extent()
     walk.beyond += frame.is_dead
+    walk.setting += is_setter
     try:
         value = conversions.converted(follow_body(walk, inner, definition), returns)
     finally:
         walk.beyond -= frame.is_dead
+        walk.setting -= is_setter
     value = copies.returned(walk, inner, definition, returns, value)
     if makes_nothing or walk.quiet:
         spent, times = walk.spent.get(id(definition), (0, 0))
         walk.spent[id(definition)] = spent + walk.steps - before, times + 1
-        setters.followed(walk, function, inner.mark)
+        if is_setter:
+            setters.followed(walk, function, inner.mark)
     elif walk.is_called_back:
         is_idle = walk.extent() == there and walk.steps - before > 1
         walk.idle[id(definition)] = walk.idle.get(id(definition), 0) + walk.steps - before if is_idle else 0

@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from haros_ci import syntax
-from haros_ci.follow import call_arguments, lookup, methods, partials, setters
+from haros_ci.follow import call_arguments, lookup, methods, partials
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
@@ -122,7 +122,7 @@ def is_inert(
             return False
     if function.this is not None and not _only_numbers(function.this, changed):
         return False
-    return not setters.is_followed(walk, definition, function.source, changed)
+    return True
 
 
 Pointers = dict[str, tuple[tuple[Source, str, syntax.Init | None, Type], ...]]

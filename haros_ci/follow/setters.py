@@ -23,20 +23,18 @@ PARTS = 150
 LOOPS = (syntax.Loop, syntax.Each, syntax.NestedFunction, syntax.NestedClass, syntax.Lambda)
 
 
-def is_followed(walk: Walk, definition: Function, source: Source, changed: frozenset[str]) -> bool:
-    """Whether a call of a function that makes nothing is followed for the numbers that are *changed*.
+def is_setter(walk: Walk, definition: Function, source: Source) -> bool:
+    """Whether this call of an inert function is followed for the numbers that it changes.
 
     So it is in the beginning of a node, where calls come one after the other, for a short function without loops.
     """
+    changed = walk.relevance.changes(definition, source)
     if walk.quiet or walk.is_called_back or not changed or not changed.isdisjoint(walk.disturbed):
         return False
     key = ("setter", definition.name, source.path, definition.line, id(definition))
     found = walk.found.get(key)
     if found is None:
         found = walk.found[key] = _is_straight(definition)
-    if found:
-        walk.setters.add(id(definition))
-        walk.setting += 1
     return bool(found)
 
 
@@ -46,14 +44,11 @@ def _is_straight(definition: Function) -> bool:
 
 
 def followed(walk: Walk, function: Callable, mark: int) -> None:
-    """*function*, which makes nothing, was followed: if it is a setter, note the numbers that it has set since *mark*.
+    """*function* was followed as a setter: note the numbers that it has set since *mark*.
 
     What else is not known after that, as it was given to a function of which nothing is known, stays as it is: so it does
     where a function is not followed.
     """
-    if id(function.function) not in walk.setters or walk.quiet:
-        return
-    walk.setting -= 1
     names = {cell: frozenset((name,)) for name, cell in (function.this.fields if function.this else {}).items()}
     changed = walk.relevance.changes(function.function, function.source)
     for cell, value in walk.state.undo(mark).items():

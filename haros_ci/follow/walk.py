@@ -160,10 +160,9 @@ class Walk:
     spent: dict[int, tuple[int, int]] = field(default_factory=dict)
     #: Steps that callbacks have put into functions that could make something, since they last did, by function.
     idle: dict[int, int] = field(default_factory=dict)
-    #: Functions that are followed as they set numbers, by identity; what they have set, under which names (``follow.setters``).
-    setters: set[int] = field(default_factory=set)
+    #: What functions that are followed as they set numbers have set, under which names (``follow.setters``).
     settled: dict[Cell, tuple[Value, frozenset[str]]] = field(default_factory=dict)
-    #: Those around what is followed: they register nothing, as they did not where they are not followed.
+    #: Such functions around what is followed: they register nothing, as they did not where they are not followed.
     setting: int = 0
     #: The names that callbacks and threads assign to, as far as there are any.
     disturbed: set[str] = field(default_factory=set)

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from follow_kit import cpp, ends
+from follow_kit import cpp, ends, names
 from ros2_cpp_kit import component, explicit
 from test_ros2_python import node
 
@@ -89,6 +89,28 @@ def test_lists_and_texts_stay_as_they_are() -> None:
     use = "for (auto& t : d.t_) d.p_ = nh.advertise<std_msgs::String>(t, 1);"
     found = ends(cpp(f'D d(nh); d.t_ = {{"a", "b"}}; d.log(); {use}', given))
     assert [end.name for end in found] == ["/a", "/b"]
+
+
+PUT = """
+void put(std::string* t, int* n, int k) {
+  if (k > 3) { *n = k; } else { *n = k + 1; }
+  *n += 1;
+  if (t != nullptr) { *t = "b"; }
+}
+ros::Publisher q;
+void tick(const ros::TimerEvent&) { ros::NodeHandle nh; q = nh.advertise<std_msgs::String>("late", 1); }
+"""
+
+
+@pytest.mark.parametrize("before", ["", "put(nullptr, &n, 1);", "put(nullptr, &n, 1); put(nullptr, &n, 5);"])
+def test_a_function_that_sets_a_number_in_one_call_sets_a_text_in_another(before: str) -> None:
+    """What a call is followed for is that call's: the text is not known afterwards, and callbacks are registered."""
+    found = cpp(
+        f'int n = 0; std::string s = "a"; {before} put(&s, &n, 2); ADV(s, 1);'
+        " ros::Timer t = nh.createTimer(ros::Duration(1), tick);",
+        PUT,
+    )
+    assert names(found) == ["/?", "/late"]
 
 
 def test_a_case_of_a_switch_is_the_one() -> None:
