@@ -148,7 +148,7 @@ def test_without_a_project_file_a_configuration_is_named(workspace: Path, capsys
     (workspace / "haros.yaml").unlink()
     run = record(workspace, (QUESTION, 6, 9))
     assert main(["monitor", "--jsonl", run, "--no-cache"]) == 2
-    assert "of which configuration is the recording?" in capsys.readouterr().err
+    assert "the workspace has several configurations, and none is named" in capsys.readouterr().err
     assert verdicts(capsys, "--jsonl", run, "--property", "globally: no /question")[0] == 1
 
 

@@ -95,8 +95,8 @@ def _only(stated: Iterable[Stated], every: Sequence[System], asked: Sequence[str
         return ""
     names = owners or sorted(system.name for system in every)
     raise UserError(
-        "of which configuration is the recording?",
-        help=f"name it: --configuration NAME; there are {', '.join(names[:10]) or 'none'}",
+        "the workspace has several configurations, and none is named",
+        help=f"name the recording's: --configuration NAME; there are {', '.join(names[:10]) or 'none'}",
     )
 
 

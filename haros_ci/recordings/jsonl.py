@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from haros_ci.errors import UserError
-from haros_ci.recordings.recording import Recording
+from haros_ci.recordings.recording import LATEST, LONGEST_NAME, MOST_CHANNELS, Recording
 
 #: Bytes of a line.
 LONGEST_LINE = 16 << 20
@@ -21,7 +21,6 @@ MOST_FAULTS = 1_000
 SECOND = 1_000_000_000
 #: What ROSMonitoring writes beside the fields of a message.
 _OF_EVENTS = frozenset(("topic", "time", "order", "ros_version", "service", "request", "response", "spec"))
-LATEST = 1 << 62
 
 
 class NoMessage(Exception):
@@ -39,6 +38,14 @@ class JsonLines(Recording):
     def share(self) -> float | None:
         return share_of(self.file)
 
+    def know(self, topic: str) -> None:
+        """Take a topic; NoMessage if its name is too long, or there are too many."""
+        if len(topic) > LONGEST_NAME:
+            raise NoMessage(f"its topic has a name of more than {LONGEST_NAME:,} characters")
+        if topic not in self.topics and len(self.topics) >= MOST_CHANNELS:
+            raise NoMessage(f"it is on one more topic than {MOST_CHANNELS:,}")
+        self.topics.setdefault(topic, set())
+
     def messages(self, requested: frozenset[str]) -> Iterator[tuple[str, Any, int, int]]:
         faults = 0
         with opened(self.path) as file:
@@ -48,6 +55,7 @@ class JsonLines(Recording):
                     continue
                 try:
                     topic, time, message = message_of(line)
+                    self.know(topic)
                 except NoMessage as err:
                     faults += 1
                     if faults == 1:
@@ -58,7 +66,6 @@ class JsonLines(Recording):
                             help="docs/monitor.md states the format",
                         ) from None
                     continue
-                self.topics.setdefault(topic, set())
                 number = self.passed(time)
                 if topic in requested:
                     yield topic, message, time, number

@@ -10,17 +10,15 @@ from typing import BinaryIO
 
 from haros_ci.recordings.jsonl import opened
 from haros_ci.recordings.packed import LARGEST, unpacked, unpacking
-from haros_ci.recordings.recording import Channel, Cut
+from haros_ci.recordings.recording import LATEST, LONGEST_NAME, MOST_CHANNELS, Channel, Cut, Definitions
 
 _SCHEMA, _CHANNEL, _MESSAGE, _CHUNK, _END_OF_DATA = 3, 4, 5, 6, 15
-MOST_CHANNELS = 10_000
 _U16, _U32 = struct.Struct("<H"), struct.Struct("<I")
 _HEAD = struct.Struct("<BQ")
 _OF_MESSAGE = struct.Struct("<HIQQ")
 #: Where the name of a chunk's compression stands, and the largest piece that is passed over at once.
 _OF_CHUNK = 28
 _PIECE = 1 << 20
-LATEST = 1 << 62
 
 
 class McapFile:
@@ -29,6 +27,7 @@ class McapFile:
     def __init__(self, path: Path, *, is_packed: bool = False) -> None:
         self.path = path
         self.file: BinaryIO | None = None
+        self.definitions = Definitions()
         self.is_packed = is_packed
         self.schemas: dict[int, tuple[str, str, str]] = {}
         self.channels: dict[int, Channel] = {}
@@ -105,7 +104,9 @@ class McapFile:
         definition, _ = _text(content, at)
         if len(self.schemas) >= MOST_CHANNELS:
             raise Cut("it has too many types")
-        self.schemas[_U16.unpack_from(content)[0]] = name, encoding, definition
+        if max(len(name), len(encoding)) > LONGEST_NAME:
+            raise Cut(f"a type has a name of more than {LONGEST_NAME:,} characters")
+        self.schemas[_U16.unpack_from(content)[0]] = name, encoding, self.definitions.kept(definition)
 
     def channel(self, content: bytes, channels: dict[str, set[str]]) -> None:
         """Take a topic."""

@@ -7,9 +7,29 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
+#: Topics and types of one recording, characters of their names, of one definition and of all.
+MOST_CHANNELS, LONGEST_NAME, LONGEST_DEFINITION, MOST_TEXT = 10_000, 1_000, 300_000, 64 << 20
+#: Nanoseconds since 1970 that are taken for a time.
+LATEST = 1 << 62
+
 
 class Cut(Exception):
     """Behind this place a recording cannot be read, and why."""
+
+
+class Definitions:
+    """What is kept of the definitions of a recording's types: packed, they are much smaller than here."""
+
+    def __init__(self) -> None:
+        self.left = MOST_TEXT
+
+    def kept(self, text: str) -> str:
+        """*text*, or so much of it that it is seen to be too long; Cut where there is too much in all."""
+        text = text[: LONGEST_DEFINITION + 1]
+        self.left -= len(text)
+        if self.left < 0:
+            raise Cut("the definitions of its types are too long")
+        return text
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +49,10 @@ class Channel:
     encoding: str
     decoder: Any = None
     count: int = 0
+
+    def __post_init__(self) -> None:
+        if max(len(self.topic), len(self.type), len(self.encoding)) > LONGEST_NAME:
+            raise Cut(f"a topic or type has a name of more than {LONGEST_NAME:,} characters")
 
 
 class Recording:

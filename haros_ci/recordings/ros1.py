@@ -11,15 +11,14 @@ from typing import BinaryIO
 from haros_ci.errors import UserError
 from haros_ci.recordings.jsonl import opened
 from haros_ci.recordings.packed import LARGEST, unpacked
-from haros_ci.recordings.recording import Channel, Cut
+from haros_ci.recordings.recording import MOST_CHANNELS, Channel, Cut, Definitions
 
 _MESSAGE, _CHUNK, _CONNECTION = 2, 5, 7
 LARGEST_HEADER = 1 << 20
-MOST_CHANNELS = 10_000
 _U32 = struct.Struct("<I")
 _TIME = struct.Struct("<II")
 _VERSION = b"#ROSBAG V2.0\n"
-_SAID = (b"type", b"message_definition")
+_OF_CONNECTION = (b"type", b"message_definition")
 
 
 class Ros1File:
@@ -28,6 +27,7 @@ class Ros1File:
     def __init__(self, path: Path) -> None:
         self.path = path
         self.file: BinaryIO | None = None
+        self.definitions = Definitions()
         self.channels: dict[int, Channel] = {}
 
     def raw(self, channels: dict[str, set[str]]) -> Iterator[tuple[Channel, int, bytes]]:
@@ -76,8 +76,8 @@ class Ros1File:
                 raise Cut("it has too many connections")
             connection = _fields(content)
             name = header.get(b"topic", b"").decode("utf-8", "replace")
-            kind_of, definition = (connection.get(part, b"").decode("utf-8", "replace") for part in _SAID)
-            channel = Channel(name, kind_of, definition, "ros1")
+            kind_of, definition = (connection.get(part, b"").decode("utf-8", "replace") for part in _OF_CONNECTION)
+            channel = Channel(name, kind_of, self.definitions.kept(definition), "ros1")
             self.channels[key] = channel
             channels.setdefault(name, set()).add(channel.type)
         elif kind == _MESSAGE:

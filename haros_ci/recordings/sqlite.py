@@ -11,11 +11,8 @@ from typing import BinaryIO
 from urllib.parse import quote
 
 from haros_ci.recordings.packed import LARGEST, LARGEST_FILE, unpack_file
-from haros_ci.recordings.recording import Channel, Cut
+from haros_ci.recordings.recording import LATEST, MOST_CHANNELS, Channel, Cut, Definitions
 from haros_ci.scratch import scratch_directory
-
-MOST_CHANNELS = 10_000
-LATEST = 1 << 62
 
 
 class SqliteFile:
@@ -71,9 +68,10 @@ class SqliteFile:
     def definitions(self, database: sqlite3.Connection) -> Iterator[tuple[str, str]]:
         """The definitions of types that the file has."""
         query = "SELECT topic_type, encoding, encoded_message_definition FROM message_definitions LIMIT ?"
+        texts = Definitions()
         for type, encoding, text in database.execute(query, (MOST_CHANNELS,)):
             if encoding == "ros2msg":
-                yield str(type), str(text)
+                yield str(type), texts.kept(str(text))
 
 
 def _is_plain(sql: object) -> bool:

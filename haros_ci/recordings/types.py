@@ -14,14 +14,14 @@ from typing import Any
 
 from haros_ci.recordings.bag import MAGIC_ZSTD, unreadable
 from haros_ci.recordings.packed import unpacked
-from haros_ci.recordings.recording import Channel
+from haros_ci.recordings.recording import LONGEST_DEFINITION, Channel
 
 Decoder = Callable[[bytes, int], Any]
 _TYPE = re.compile(r"[A-Za-z]\w{0,200}(?:/msg)?/[A-Za-z]\w{0,200}", re.ASCII)
 _NAME_OF_TYPE = re.compile(r"[A-Za-z]\w{0,200}(?:/[A-Za-z]\w{0,200}){0,3}", re.ASCII)
 _NAME_OF_FIELD = re.compile(r"[A-Za-z]\w{0,200}", re.ASCII)
-#: Signs of a definition, and lines of it.
-LONGEST, MOST_LINES = 300_000, 10_000
+#: Lines of a definition.
+MOST_LINES = 10_000
 #: Fields of a definition with all that it uses; elements of an array of a fixed size, and signs of a bounded text.
 MOST_FIELDS, LARGEST_ARRAY = 3_000, 10_000_000
 #: Elements of all arrays of a fixed size of messages or texts: rosbags writes code for each of them.
@@ -69,7 +69,7 @@ def _store(channel: Channel) -> tuple[Any, str, int]:
         if name not in store.fielddefs:
             raise ValueError(f"the bag does not say what a {channel.type} is")
         return store, name, least_bytes(store.fielddefs, name)
-    if len(channel.definition) > LONGEST or channel.definition.count("\n") > MOST_LINES:
+    if len(channel.definition) > LONGEST_DEFINITION or channel.definition.count("\n") > MOST_LINES:
         raise ValueError(f"the definition of {channel.type} is too long")
     types = get_types_from_msg(channel.definition, name)
     checked(types)

@@ -14,7 +14,8 @@ from recordings.bags import BEGIN, MS, Row, demanded, ros1, ros2
 from haros_ci.errors import UserError
 from haros_ci.recordings import bag, packed
 from haros_ci.recordings.bag import Bag
-from haros_ci.recordings.recording import Channel, Cut, Unreadable
+from haros_ci.recordings.mcap import McapFile
+from haros_ci.recordings.recording import LONGEST_DEFINITION, Channel, Cut, Unreadable
 from haros_ci.recordings.types import checked, decoder_of
 
 ROWS: list[Row] = [("/a", 1, 0), ("/b", 2, 5), ("/a", 3, 10), ("/a", 4, 20)]
@@ -303,6 +304,7 @@ RULE = "=" * 80 + "\n"
 )  # fmt: skip
 @pytest.mark.parametrize("encoding", ["ros1", "cdr"])
 def test_definitions_that_are_out_of_bounds(definition: str, reason: str, encoding: str) -> None:
+    demanded()
     found = decoder_of(Channel("/t", "demo/A", definition, encoding))(b"\x00\x01\x00\x00", 1)
     assert isinstance(found, Unreadable) and found.reason == f"message 1, on /t, cannot be read: {reason}"
 
@@ -339,3 +341,34 @@ def test_a_usual_definition_is_in_bounds() -> None:
             )
         }
     )
+
+
+def text(value: str) -> bytes:
+    """A text of MCAP."""
+    return struct.pack("<I", len(value)) + value.encode()
+
+
+def test_what_is_kept_of_definitions_has_a_bound(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Packed, a chunk of a few kB can have gigabytes of them."""
+    file = McapFile(Path("run.mcap"))
+    file.schema(b"\x01\x00" + text("demo/A") + text("ros2msg") + text("# " + "x" * 500_000))
+    assert len(file.schemas[1][2]) == LONGEST_DEFINITION + 1
+    monkeypatch.setattr(file.definitions, "left", 10)
+    file.schema(b"\x02\x00" + text("demo/B") + text("ros2msg") + text("uint8 x"))
+    assert file.schemas[2] == ("demo/B", "ros2msg", "uint8 x")
+    with pytest.raises(Cut, match="definitions of its types are too long"):
+        file.schema(b"\x03\x00" + text("demo/C") + text("ros2msg") + text("uint8 x"))
+
+
+@pytest.mark.parametrize("topic, type", [("/" + "a" * 1_000, "demo/A"), ("/a", "demo/" + "A" * 1_000)])
+def test_names_have_a_bound(topic: str, type: str) -> None:
+    with pytest.raises(Cut, match="a name of more than 1,000 characters"):
+        Channel(topic, type, "", "cdr")
+    with pytest.raises(Cut, match="a name of more than 1,000 characters"):
+        McapFile(Path("run.mcap")).schema(b"\x01\x00" + text("A" * 1_001) + text("ros2msg") + text(""))
+    assert Channel(topic[:1_000], type[:1_000], "", "cdr").count == 0
+
+
+def test_a_chunk_that_ends_in_its_head_is_cut() -> None:
+    with pytest.raises(Cut, match="a record is damaged"):
+        list(McapFile(Path("run.mcap")).chunk(b"", {}))

@@ -92,3 +92,17 @@ def test_what_is_no_file(tmp_path: Path, name: str) -> None:
         os.mkfifo(tmp_path / "fifo")
     with pytest.raises(UserError):
         list(JsonLines(tmp_path / name).messages(frozenset()))
+
+
+def test_topics_have_a_bound(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(jsonl, "MOST_CHANNELS", 2)
+    path = tmp_path / "run.jsonl"
+    topics = ["/a", "/b", "/c", "/" + "d" * 1_000, "/a"]
+    path.write_text("".join(json.dumps({"topic": topic, "time": 1, "msg": {}}) + "\n" for topic in topics))
+    recording = JsonLines(path)
+    assert [number for *_, number in recording.messages(frozenset(topics))] == [1, 2, 3]
+    assert set(recording.topics) == {"/a", "/b"}
+    assert recording.notes == [
+        "line 3 is no message: it is on one more topic than 2",
+        "1 further lines are no messages",
+    ]
