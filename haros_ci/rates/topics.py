@@ -56,10 +56,13 @@ def _of_node(code: Codebase, node: Node) -> list[_Published]:
 
 def _solved(published: list[_Published]) -> dict[str, Rate]:
     """The least rates that agree with what is published; one that still grows after some rounds has no bound."""
-    names = {one.topic for one in published if "?" not in one.topic}
-    topics = dict.fromkeys(names, NEVER)
+    by_topic: dict[str, list[_Published]] = {}
+    for one in published:
+        if "?" not in one.topic:
+            by_topic.setdefault(one.topic, []).append(one)
+    topics = dict.fromkeys(by_topic, NEVER)
     for turn in range(ROUNDS):
-        now = {name: _sum(published, name, topics) for name in names}
+        now = {name: _sum(group, topics) for name, group in by_topic.items()}
         if now == topics:
             break
         if turn >= WIDEN:
@@ -67,19 +70,16 @@ def _solved(published: list[_Published]) -> dict[str, Rate]:
                 name: Rate(topics[name].low, inf, CYCLE) if rate.high > topics[name].high else rate
                 for name, rate in now.items()
             }
-        if turn >= WIDEN + len(names):
+        if turn >= WIDEN + len(by_topic):
             now = {name: Rate(min(rate.low, topics[name].low), rate.high, rate.reason) for name, rate in now.items()}
         topics = now
     return topics
 
 
-def _sum(published: list[_Published], name: str, topics: Mapping[str, Rate]) -> Rate:
-    parts = []
-    for one in published:
-        if one.topic == name:
-            rate = total(_at(flow, topics) for _, flow in one.calls)
-            parts.append(rate if not one.reason else unknown(one.reason, rate.low))
-    return total(parts)
+def _sum(published: list[_Published], topics: Mapping[str, Rate]) -> Rate:
+    """The rate of a topic, of all that is *published* on it."""
+    rates = ((one, total(_at(flow, topics) for _, flow in one.calls)) for one in published)
+    return total(unknown(one.reason, rate.low) if one.reason else rate for one, rate in rates)
 
 
 def _at(flow: Flow, topics: Mapping[str, Rate]) -> Rate:
