@@ -25,6 +25,15 @@ GIT = {
     "GIT_COMMITTER_DATE": "2024-01-01T00:00:00Z",
 }
 
+#: A package of ROS 1 that installs the script talker.py.
+TALKER_PACKAGE = {
+    "src/demo/package.xml": "<package><name>demo</name><version>1.0.0</version><description>d</description>"
+    "<maintainer email='a@b.cd'>a</maintainer><license>x</license><buildtool_depend>catkin</buildtool_depend>"
+    "<run_depend>rospy</run_depend><run_depend>std_msgs</run_depend></package>",
+    "src/demo/CMakeLists.txt": "cmake_minimum_required(VERSION 3.5)\nproject(demo)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+    "catkin_install_python(PROGRAMS talker.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n",
+}
+
 
 def haros(*arguments: str, cwd: Path, **environment: str) -> subprocess.CompletedProcess[str]:
     """``haros-ci ARGUMENTS`` in *cwd*; CI variables of the machine the tests run on are kept away from it."""

@@ -9,15 +9,12 @@ import sys
 from pathlib import Path
 
 import pytest
+from commandline import TALKER_PACKAGE
 
 from haros_ci.cli import main
 
 FILES = {
-    "src/demo/package.xml": "<package><name>demo</name><version>1.0.0</version><description>d</description>"
-    "<maintainer email='a@b.cd'>a</maintainer><license>x</license><buildtool_depend>catkin</buildtool_depend>"
-    "<run_depend>rospy</run_depend><run_depend>std_msgs</run_depend></package>",
-    "src/demo/CMakeLists.txt": "cmake_minimum_required(VERSION 3.5)\nproject(demo)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
-    "catkin_install_python(PROGRAMS talker.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n",
+    **TALKER_PACKAGE,
     "src/demo/talker.py": "#!/usr/bin/env python3\nimport rospy\nfrom std_msgs.msg import UInt8\n\nrospy.init_node('talker')\n"
     "out = rospy.Publisher('level', UInt8, queue_size=1)\nrospy.spin()\n",
     "src/demo/launch/demo.launch": "<launch><node pkg='demo' type='talker.py' name='a' ns='robot'/></launch>",

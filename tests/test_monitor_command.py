@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from commandline import TALKER_PACKAGE
 
 from haros_ci.cli import main
 
@@ -24,11 +25,7 @@ rospy.Subscriber('ask', UInt8, print)
 rospy.spin()
 """
 FILES = {
-    "src/demo/package.xml": "<package><name>demo</name><version>1.0.0</version><description>d</description>"
-    "<maintainer email='a@b.cd'>a</maintainer><license>x</license><buildtool_depend>catkin</buildtool_depend>"
-    "<run_depend>rospy</run_depend><run_depend>std_msgs</run_depend></package>",
-    "src/demo/CMakeLists.txt": "cmake_minimum_required(VERSION 3.5)\nproject(demo)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
-    "catkin_install_python(PROGRAMS talker.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n",
+    **TALKER_PACKAGE,
     "src/demo/talker.py": TALKER,
     "src/demo/launch/demo.launch": "<launch><node pkg='demo' type='talker.py' name='a' ns='robot'>"
     "<remap from='ask' to='/question'/></node><node pkg='demo' type='talker.py' name='b'/></launch>",
