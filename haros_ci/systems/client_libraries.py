@@ -16,13 +16,43 @@ from haros_ci.model.build import Build
 
 #: Packages that are libraries as a whole (ros/ros_comm, ros/roscpp_core, ros/nodelet_core, ros2/rclcpp, ros2/rclpy).
 WHOLE = frozenset(
-    "roscpp rospy xmlrpcpp rosgraph rosconsole rostime cpp_common roscpp_serialization roscpp_traits nodelet "
-    "rclcpp rclcpp_action rclcpp_lifecycle rclpy".split()
+    [
+        "roscpp",
+        "rospy",
+        "xmlrpcpp",
+        "rosgraph",
+        "rosconsole",
+        "rostime",
+        "cpp_common",
+        "roscpp_serialization",
+        "roscpp_traits",
+        "nodelet",
+        "rclcpp",
+        "rclcpp_action",
+        "rclcpp_lifecycle",
+        "rclpy",
+    ]
 )
 #: Packages of which the files that define what the rows describe are a library; they have nodes and plug-ins of their own, too.
 DESCRIBED = frozenset(
-    "actionlib bondcpp bondpy camera_info_manager camera_info_manager_py diagnostic_updater dynamic_reconfigure image_transport "
-    "interactive_markers message_filters nodelet_topic_tools point_cloud_transport self_test tf tf2_ros tf2_ros_py".split()
+    [
+        "actionlib",
+        "bondcpp",
+        "bondpy",
+        "camera_info_manager",
+        "camera_info_manager_py",
+        "diagnostic_updater",
+        "dynamic_reconfigure",
+        "image_transport",
+        "interactive_markers",
+        "message_filters",
+        "nodelet_topic_tools",
+        "point_cloud_transport",
+        "self_test",
+        "tf",
+        "tf2_ros",
+        "tf2_ros_py",
+    ]
 )
 
 

@@ -74,6 +74,8 @@ class Types:
     fresh: list[tuple[Any, Followed]] = field(default_factory=list)
     #: The steps of each result that counts for a ROS 2 entry, by its key and a digest of what it is of.
     counted: dict[Any, dict[str, int]] = field(default_factory=dict)
+    #: The steps of each result that the present job uses, by a digest of what it is of.
+    used: dict[str, int] = field(default_factory=dict)
     views: dict[frozenset[str], Relevance] = field(default_factory=dict)
     #: ROS 2: executables and components, by package and executable or class.
     ros2_programs: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]] = field(default_factory=dict)
@@ -125,7 +127,7 @@ def run_node(
     earlier = types.followed.setdefault(key, [])
     for done in earlier:
         if all(same(parameter(name), value) for name, value in done.asked.items()):
-            return done
+            return _used(types, key, instance, done)
     requested: dict[str, Value | None] = {}
 
     def ask(name: str) -> Value | None:
@@ -148,7 +150,14 @@ def run_node(
         renames=renames,
     )
     earlier.append(followed_in(types, entry, files, context, requested, key))
-    return earlier[-1]
+    return _used(types, key, instance, earlier[-1])
+
+
+def _used(types: Types, key: Any, instance: Instance, done: Followed) -> Followed:
+    """*done*, counted for the present job; what a nodelet loads is not, as another process may have followed it."""
+    if not instance.depth:
+        types.used[digest_of(key, *done.asked.items())] = done.steps
+    return done
 
 
 def relevance_of(

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from itertools import islice
@@ -13,7 +13,6 @@ from haros_ci.follow.context import Exact
 from haros_ci.graph.names import clean
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.index.index import Source
-from haros_ci.keeping.kept import Followed
 from haros_ci.launch.ros1.entry import entry_files
 from haros_ci.launch.ros1.roslaunch import evaluate
 from haros_ci.launch.ros2.dialect import is_ros2_file
@@ -22,7 +21,7 @@ from haros_ci.launch.ros2.evaluate import launch_system
 from haros_ci.launch.ros2.parameter_files import parameter_file
 from haros_ci.launch.ros2.places import Places
 from haros_ci.model.api import Row
-from haros_ci.model.architecture import Architecture, Configuration, Node, Parameter
+from haros_ci.model.architecture import Architecture, Configuration, Parameter
 from haros_ci.model.build import Build
 from haros_ci.model.environment import NOTHING, Environment
 from haros_ci.model.launch import LaunchFile
@@ -51,19 +50,8 @@ from haros_ci.systems.simulation import ros2 as ros2_simulation
 from haros_ci.systems.simulation.simulators import Completes
 from haros_ci.systems.simulation.trees import DescriptionTrees
 from haros_ci.systems.system import Job
+from haros_ci.systems.work import Result, Share, Work, in_turn
 from haros_ci.timing import timed
-
-#: A node with its endpoints, and what went wrong.
-Result = tuple[tuple[Node, ...], tuple[Problem, ...]]
-#: The same, all that was followed for it, and the steps that count for each program so far.
-Worked = tuple[Result, list[tuple[Any, Followed]], dict[Any, dict[str, int]]]
-#: Does jobs, each of a group that has work in common, and gives their results in order.
-Share = Callable[[Sequence[Callable[[], Any]], Sequence[Hashable]], Sequence[Any]]
-
-
-def in_turn(jobs: Sequence[Callable[[], Any]], groups: Sequence[Hashable]) -> Sequence[Any]:
-    """Do the jobs here, one after the other."""
-    return [job() for job in jobs]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -116,7 +104,7 @@ class Opened:
 class Linked:
     """An architecture; *under* gives a configuration of it by its name, with some launch arguments set otherwise.
 
-    It is linked as any other, with what has been followed before; None if no launch file starts it. *builds* and *sources* are what was
+    It is linked as any other, with what has been followed before; None if no launch file starts it, or if the steps of the workspace are used up. *builds* and *sources* are what was
     linked.
     """
 
@@ -251,18 +239,16 @@ def linked(
     order = sorted(
         range(len(every)), key=lambda number: -every[number].size
     )  # large ones first: nobody waits at the end
-    work = [partial(_worked, types, every[number]) for number in order]
-    done = dict(zip(order, share(work, [every[number].group for number in order]), strict=True))
-    _count(types, done.values())
-    made = ros2_library.seen_in(node for number in range(len(jobs)) for node in done[number][0][0])
+    work = Work(types, share)
+    done = work.do(every, order)
+    made = ros2_library.seen_in(node for item in done[: len(jobs)] for node in item.result[0])
     more = list(_more(types, made)) if requested is None else []
-    brought = share([partial(_worked, types, job) for job in more], [job.group for job in more])
-    _count(types, brought)
+    brought = work.do(more, range(len(more)))
     if keeper is not None:
-        keeping.hand_on(keeper, key, old, [item for _, fresh, _ in (*done.values(), *brought) for item in fresh])
-    present.remember(types, (fresh for _, fresh, _ in (*done.values(), *brought)))
-    results = (done[number][0] for number in range(len(jobs)))
-    other_results = (done[number][0] for number in range(len(jobs), len(every)))
+        keeping.hand_on(keeper, key, old, [followed for item in (*done, *brought) for followed in item.fresh])
+    present.remember(types, (item.fresh for item in (*done, *brought)))
+    results = (item.result for item in done[: len(jobs)])
+    other_results = (item.result for item in done[len(jobs) :])
     completion = Completion(workspace, builds, types)
     for item, opened in launched:
         followed = list(islice(results, len(opened.jobs)))
@@ -271,7 +257,7 @@ def linked(
         configurations.append(_configuration(completion, item, opened, followed, beside))
     alone = zip(results, jobs[sum(len(opened.jobs) for _, opened in launched) :], strict=True)
     configurations += unstarted.configurations(alone, problems, {item.name for item in configurations})
-    for ((nodes, _), *_), job in zip(brought, more, strict=True):
+    for (nodes, _), job in zip((item.result for item in brought), more, strict=True):
         if nodes[0].kind != system.PROGRAM and ros2_library.tells(nodes, made):
             own = f"{nodes[0].package}/{nodes[0].type.removeprefix(f'{nodes[0].package}/')}"
             configurations.append(Configuration(name=f"{own} ({job.label})", nodes=nodes))
@@ -280,7 +266,7 @@ def linked(
     items = {item.name: item for item, _ in launched}
 
     def under(name: str, assignment: Mapping[str, str]) -> Configuration | None:
-        if name not in items:
+        if name not in items or work.is_over:
             return None
         item = replace(items[name], arguments={**items[name].arguments, **assignment})
         opened = open_(types, workspace, load, ros2, item, defaults.over(item.environment, environment), trees)
@@ -324,20 +310,6 @@ def _environment(jobs: Sequence[Job], results: Sequence[Result]) -> tuple[Parame
         for node in nodes
         if job.parameters is not None
     )
-
-
-def _worked(types: Types, job: Job) -> Worked:
-    """What a job gives, all that was followed for it, and the steps that count for its program so far."""
-    before = len(types.fresh)
-    made = job.follow()
-    return made, types.fresh[before:], types.counted
-
-
-def _count(types: Types, done: Iterable[Worked]) -> None:
-    """Let the steps count here that went into programs in other processes."""
-    for _, _, counted in done:
-        for entry, steps in counted.items():
-            types.counted.setdefault(entry, {}).update(steps)
 
 
 def _more(types: Types, made: Seen) -> Iterator[Job]:

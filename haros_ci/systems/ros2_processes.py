@@ -94,7 +94,7 @@ def _shared(
             digest = _digest(key, done)
             if is_over and digest not in counted:
                 break  # what an earlier run has followed; this one would not
-            counted[digest] = done.steps
+            counted[digest] = types.used[digest] = done.steps
             return _put_under(types, done, names, instead, parameter)
     if is_over:
         return Followed((), (Problem(entry.source.path, TOO_OFTEN),), (), {}, {})
@@ -131,7 +131,8 @@ def _shared(
     )
     done = followed_in(types, entry, files, context, requested, key)
     earlier.append(done)
-    counted[_digest(key, done)] = done.steps
+    digest = _digest(key, done)
+    counted[digest] = types.used[digest] = done.steps
     return _put_under(types, done, names, instead, parameter)
 
 

@@ -23,8 +23,27 @@ SERVERS = ("gzserver", "gazebo", "debug", "gdbrun", "perf")
 UNDECIDED = "the plug-ins of its world and its models decide"
 #: Options of Gazebo's server that a value follows.
 TAKING = frozenset(
-    """-e --physics -p --play -o --profile -s --server-plugin -g --gui-client-plugin --gui-plugin --seed --iters
-    --record_encoding --record_path --record_period --record_filter --initial_sim_time --params-file""".split()
+    [
+        "-e",
+        "--physics",
+        "-p",
+        "--play",
+        "-o",
+        "--profile",
+        "-s",
+        "--server-plugin",
+        "-g",
+        "--gui-client-plugin",
+        "--gui-plugin",
+        "--seed",
+        "--iters",
+        "--record_encoding",
+        "--record_path",
+        "--record_period",
+        "--record_filter",
+        "--initial_sim_time",
+        "--params-file",
+    ]
 )
 #: Services of the simulator by which any node can bring a model.
 SPAWNING = frozenset(("gazebo_msgs/SpawnModel", "gazebo_msgs/srv/SpawnEntity"))
