@@ -139,7 +139,8 @@ def value_type(value: Value) -> Type | None:
     if isinstance(value, Mapped):
         return syntax.Type("dict")
     if isinstance(value, Choice):
-        return value_type(value.options[0])
+        first, *others = [value_type(option) for option in value.options]
+        return first if all(kind == first for kind in others) else None
     if isinstance(value, Pointer):
         return value.cell.type or value_type(value.cell.value)
     if isinstance(value, Callable):

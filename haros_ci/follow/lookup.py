@@ -11,7 +11,7 @@ from haros_ci.follow import construct, conversions, members, methods, object_mac
 from haros_ci.follow.frames import NEXT, Frame
 from haros_ci.follow.libraries import cpp as library_cpp
 from haros_ci.follow.libraries import numbers as library_numbers
-from haros_ci.follow.libraries import python_modules
+from haros_ci.follow.libraries import python_modules, python_numbers
 from haros_ci.follow.ros import qos
 from haros_ci.follow.walk import Walk
 from haros_ci.index.common_messages import COMMON, NAMES
@@ -268,7 +268,13 @@ def imported(walk: Walk, frame: Frame, target: str) -> Value:
             break
         rest.append(last)
     beside = python_modules.beside(walk, frame.source, target)
-    return imported(walk, frame, beside) if beside is not None else Library(python_modules.passed_on(target))
+    return imported(walk, frame, beside) if beside is not None else library_name(python_modules.passed_on(target))
+
+
+def library_name(name: str) -> Value:
+    """A dotted name of a Python library: a number that it stands for, or the name."""
+    number = python_numbers.CONSTANTS.get(name)
+    return Library(name) if number is None else Known(number)
 
 
 def _inside(walk: Walk, frame: Frame, source: Source, rest: list[str]) -> Value:

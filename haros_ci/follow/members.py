@@ -160,7 +160,9 @@ def attribute(walk: Walk, value: Value, name: str, frame: Frame) -> Value:
     if isinstance(value, Library):
         if value.name == "sys" and name == "argv":
             return library_python.argv(walk)
-        return Library(f"{value.name}.{name}" if frame.source.program.language == "python" else f"{value.name}::{name}")
+        if frame.source.program.language == "python":
+            return lookup.library_name(f"{value.name}.{name}")
+        return Library(f"{value.name}::{name}")
     if isinstance(value, Object):
         cell = member(walk, value, name, frame)
         if cell is not None:

@@ -10,7 +10,7 @@ from typing import Any
 from haros_ci import syntax
 from haros_ci.follow import activation, call_arguments, conversions, expressions, methods
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.libraries import formats, python_kinds, python_lists, texts
+from haros_ci.follow.libraries import formats, python_kinds, python_lists, python_numbers, texts
 from haros_ci.follow.walk import Walk
 from haros_ci.index.types import STRINGS
 from haros_ci.syntax import Expression
@@ -148,11 +148,23 @@ def binary(walk: Walk, frame: Frame, symbol: str, left: Value, right: Value) -> 
                 return Known((item in items) == (symbol == "in"))
             except TypeError:
                 pass
-    kind = conversions.value_type(left) or conversions.value_type(right)
-    comparison = symbol in ("==", "!=", "<", ">", "<=", ">=", "in", "not in", "is", "is not")
-    return walk.opaque(
-        "it is computed from what is not known", frame, None, syntax.Type("bool") if comparison else kind
-    )
+    return walk.opaque("it is computed from what is not known", frame, None, _computed_type(frame, symbol, left, right))
+
+
+def _computed_type(frame: Frame, symbol: str, left: Value, right: Value) -> syntax.Type | None:
+    """The type that an operator gives for two values; None where what is not known decides it (for C++: [expr.arith.conv])."""
+    if symbol in ("==", "!=", "<", ">", "<=", ">=", "in", "not in", "is", "is not"):
+        return syntax.Type("bool")
+    kinds = [conversions.value_type(left), conversions.value_type(right)]
+    if frame.source.separator == ".":
+        return python_numbers.operation(
+            symbol, kinds, right.value if isinstance(right, Known) and right.__class__ is Known else None
+        )
+    names = [kind.name if kind is not None else "" for kind in kinds]
+    for name in ("std::string", "double", "float"):
+        if name in names:
+            return syntax.Type(name)
+    return kinds[0] if all(names) else None
 
 
 def _of_lists(walk: Walk, frame: Frame, symbol: str, left: Value, right: Value) -> Value | None:

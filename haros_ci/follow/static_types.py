@@ -6,6 +6,7 @@ from __future__ import annotations
 from haros_ci import syntax
 from haros_ci.follow import conversions, enums, expressions
 from haros_ci.follow.frames import Frame
+from haros_ci.follow.libraries import python_numbers
 from haros_ci.follow.walk import Walk
 from haros_ci.index.types import SEQUENCES
 from haros_ci.syntax import Expression, Type
@@ -123,20 +124,16 @@ def _static_type(walk: Walk, frame: Frame, expression: Expression) -> Type | Non
         return _static_type(walk, frame, expression.value)
     if isinstance(expression, syntax.Cast):
         return walk.type_in(expression.type, frame)
-    if isinstance(expression, syntax.Operation) and expression.operator in (
-        "==",
-        "!=",
-        "<",
-        ">",
-        "<=",
-        ">=",
-        "!",
-        "&&",
-        "||",
+    if isinstance(expression, syntax.Operation) and (
+        expression.operator in COMPARING or (expression.operator in CHOOSING and frame.source.separator != ".")
     ):
         return syntax.Type("bool")
     if isinstance(expression, syntax.Operation):
         kinds = [_static_type(walk, frame, item) for item in expression.operands]
+        if frame.source.separator == ".":
+            last = expression.operands[-1]
+            exponent = last.value if isinstance(last, syntax.Number) else None
+            return python_numbers.operation(expression.operator, kinds, exponent)
         known = [kind for kind in kinds if kind is not None]
         for name in ("std::string", "double", "float"):
             if any(kind.name == name for kind in known):
@@ -149,6 +146,9 @@ def _static_type(walk: Walk, frame: Frame, expression: Expression) -> Type | Non
     return conversions.value_type(value)
 
 
+#: Operators whose result is a truth value in both languages, and those that give an operand in Python.
+COMPARING = frozenset(("==", "!=", "<", ">", "<=", ">=", "!"))
+CHOOSING = frozenset(("&&", "||"))
 LITERAL_TYPES: dict[type[Expression], Type] = {
     syntax.String: syntax.Type("std::string"),
     syntax.Boolean: syntax.Type("bool"),

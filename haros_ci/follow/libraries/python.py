@@ -15,6 +15,7 @@ from haros_ci.follow.libraries import (
     formats,
     python_kinds,
     python_lists,
+    python_numbers,
     python_texts,
 )
 from haros_ci.follow.libraries import (
@@ -109,7 +110,7 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
         return comprehensions.applied(walk, frame, name, args)
     if name == "[slice]" and all(isinstance(a.value, Known) for a in args):
         return Object("slice", fields={str(n): Cell(a.value) for n, a in enumerate(args)})
-    plain = python_texts.computed(walk, frame, name, args)
+    plain = python_texts.computed(walk, frame, name, args) or python_numbers.called(walk, frame, name, args)
     if plain is not None:
         return plain
     if name in ("os.path.join", "posixpath.join") and args:
