@@ -43,7 +43,7 @@ def _ament(package: ProjectPackage) -> Iterator[Finding]:
                 and _is_its_own(package, name, header)
             ):
                 needed.setdefault(name, (header, place))
-        if not needed:
+        if not needed or any(_leads_out(word) for word in package.cmake.include_words(target)):
             continue
         used = using.of(target)
         for name, (header, place) in needed.items() if used is not None else ():
@@ -56,6 +56,12 @@ def _ament(package: ProjectPackage) -> Iterator[Finding]:
                     apart=(target.name, name),
                     related=((place, f"includes {header}"),),
                 )
+
+
+def _leads_out(word: str) -> bool:
+    """Whether an include directory may be one outside the package, which has headers that no package has brought."""
+    rest = re.sub(r"^\$<(?:BUILD|INSTALL)(?:_LOCAL)?_INTERFACE:(.*)>$", r"\1", word)
+    return "/../" in f"/{rest}/" or rest.startswith(("/", "$ENV{"))
 
 
 def _is_its_own(package: ProjectPackage, name: str, header: str) -> bool:
