@@ -266,7 +266,7 @@ def ros2_launch(
 
         return read_ros2_xml(launch, path)
 
-    def read_yaml(text: str, path: str) -> Description:
+    def read_yaml(text: str, path: str) -> Description | None:
         from haros_ci.extract.launch.ros2_yaml import read_ros2_yaml
 
         return read_ros2_yaml(text, path)

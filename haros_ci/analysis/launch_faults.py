@@ -84,7 +84,8 @@ def _of_tags(
         if of_ros2 and not is_ros1:
             from haros_ci.extract.launch.ros2_yaml import read_ros2_yaml
 
-            yield from _problems(path, read_ros2_yaml(text, path).problems)
+            description = read_ros2_yaml(text, path)
+            yield from _problems(path, description.problems) if description is not None else ()
         return
     if not text.lstrip().startswith("<"):
         return

@@ -15,16 +15,20 @@ from haros_ci.model.location import Location
 #: How deep elements may be nested, and how many there may be once aliases are followed.
 MAX_DEPTH = 40
 MAX_ENTITIES = 50_000
+#: Namespaces around a node in a parameter file that are looked into.
+PARAMETER_DEPTH = 3
 
 
-def read_ros2_yaml(text: str, path: str) -> Description:
+def read_ros2_yaml(text: str, path: str) -> Description | None:
     """The actions of the launch file *text* at *path*: a map whose one key is ``launch``; never raises.
 
-    An element that launch refuses is left out, with a problem; the rest is kept.
+    An element that launch refuses is left out, with a problem; the rest is kept. None for a map of something else.
     """
     reader = _LaunchYamlReader(path)
     try:
         root = compose(text)
+        if root is not None and is_other_data(root, path):
+            return None
         if root is None or root.id != "mapping" or len(root.value) != 1 or root.value[0][0].value != "launch":
             line = 1 if root is None else root.start_mark.line + 1
             return Description(problems=((line, "not a launch file: it needs the one key 'launch', with a list"),))
@@ -34,6 +38,22 @@ def read_ros2_yaml(text: str, path: str) -> Description:
         return Description(problems=((err.line, str(err)),))
     actions = reader.builder.actions(top.children)
     return Description(actions=actions, problems=tuple(reader.builder.problems))
+
+
+def is_other_data(root: Any, path: str) -> bool:
+    """Whether the YAML node *root* of the file at *path* is a map of something else, though its name is that of a launch file.
+
+    Parameter files of nodes that are called so (``driver_launch.yaml``) have nodes as keys; only ``x.launch.yaml`` says what it is.
+    """
+    if root.id != "mapping" or not root.value or any(key.value == "launch" for key, _ in root.value):
+        return False
+    return not path.endswith((".launch.yaml", ".launch.yml")) or _has_parameters(root, PARAMETER_DEPTH)
+
+
+def _has_parameters(node: Any, depth: int) -> bool:
+    return node.id == "mapping" and any(
+        key.value == "ros__parameters" or (depth > 0 and _has_parameters(value, depth - 1)) for key, value in node.value
+    )
 
 
 @dataclass(slots=True)

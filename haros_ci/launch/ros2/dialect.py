@@ -18,7 +18,7 @@ def description_reader(
     read_python: Callable[[str, Mapping[str, str]], Description | None],
     read_launch: Callable[[str], LaunchFile | None],
     read_xml: Callable[[LaunchFile, str], Description],
-    read_yaml: Callable[[str, str], Description],
+    read_yaml: Callable[[str, str], Description | None],
 ) -> Callable[[Mapping[str, str]], Callable[[str], Description | None]]:
     """For an environment a function from a root-relative path to the description of the launch file there; None if it is no ROS 2 one.
 

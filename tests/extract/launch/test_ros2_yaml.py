@@ -6,13 +6,19 @@ from __future__ import annotations
 import pytest
 
 from haros_ci.extract.launch.ros2_yaml import read_ros2_yaml
-from haros_ci.model.launch_actions import Substitution
+from haros_ci.model.launch_actions import Description, Substitution
 
 PATH = "bot/launch/a.launch.yaml"
 
 
+def read(text: str) -> Description:
+    found = read_ros2_yaml(text, PATH)
+    assert found is not None
+    return found
+
+
 def test_elements_in_order_with_their_places() -> None:
-    description = read_ros2_yaml(
+    description = read(
         """
 launch:
 - arg:
@@ -32,8 +38,7 @@ launch:
       - from: f.yaml
       remap:
       - {from: a, to: b}
-""",
-        PATH,
+"""
     )
     assert description.problems == ()
     arg, group = description.actions
@@ -52,7 +57,7 @@ launch:
 
 def test_a_group_with_attributes_has_its_elements_below_children() -> None:
     text = "launch:\n- group:\n    scoped: false\n    children:\n    - let: {name: a, value: b}\n"
-    group = read_ros2_yaml(text, PATH).actions[0]
+    group = read(text).actions[0]
     assert group.get("scoped") == ("false",)
     assert [child.kind for child in group.children] == ["let"]
 
@@ -73,9 +78,40 @@ def test_a_group_with_attributes_has_its_elements_below_children() -> None:
     ],
 )
 def test_what_is_refused_is_reported(text: str, line: int, message: str) -> None:
-    assert (line, message) in read_ros2_yaml(text, PATH).problems
+    assert (line, message) in read(text).problems
 
 
 def test_deep_and_circular_files_are_refused() -> None:
-    assert read_ros2_yaml("launch: " + "[" * 500, PATH).actions == ()
-    assert read_ros2_yaml("launch: &a\n- group: *a\n", PATH).actions == ()
+    assert read("launch: " + "[" * 500).actions == ()
+    assert read("launch: &a\n- group: *a\n").actions == ()
+
+
+PARAMETERS = "/bot/driver_launch:\n  ros__parameters:\n    rate: 5\n"
+
+
+@pytest.mark.parametrize(
+    ("path", "text"),
+    [
+        ("bot/config/driver_launch.yaml", PARAMETERS),
+        ("bot/test/driver.launch.yaml", PARAMETERS),
+        ("bot/test/driver.launch.yml", f"bot:\n  {PARAMETERS.replace(chr(10), chr(10) + '  ')}"),
+        ("bot/config/rocket_launch.yaml", "pad: 39\nthrust: [1, 2]\n"),
+        ("bot/config/rocket_launch.yml", "launcher: {node: x}\n"),
+    ],
+)
+def test_a_map_of_something_else_is_no_launch_file(path: str, text: str) -> None:
+    assert read_ros2_yaml(text, path) is None
+
+
+@pytest.mark.parametrize(
+    ("path", "text"),
+    [
+        ("bot/launch/a.launch.yaml", "lauch:\n- node: {}\n"),
+        ("bot/launch/a_launch.yaml", "launch:\n- node: {}\n"),
+        ("bot/launch/a_launch.yaml", "launch: []\nros__parameters: {}\n"),
+        ("bot/launch/a_launch.yaml", "- node: {}\n"),
+        ("bot/launch/a_launch.yaml", ""),
+    ],
+)
+def test_a_launch_file_stays_one(path: str, text: str) -> None:
+    assert read_ros2_yaml(text, path) is not None
