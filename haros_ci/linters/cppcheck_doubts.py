@@ -9,7 +9,14 @@ from functools import lru_cache
 
 from haros_ci.linters.constant_switches import is_switched_by_hand
 from haros_ci.linters.cppcheck_conditions import OF_VALUES, has_large_constant, is_spelled_out
-from haros_ci.linters.cppcheck_uses import is_copied, is_meant, is_pointed_to, is_read_checked
+from haros_ci.linters.cppcheck_uses import (
+    has_no_truth_value,
+    is_array_that_is_copied,
+    is_copied,
+    is_meant,
+    is_pointed_to,
+    is_read_checked,
+)
 from haros_ci.results.scope import scopes
 
 #: A literal of the user's own that takes a default, as pybind11's arguments do: ``"steps"_a = false``.
@@ -89,6 +96,10 @@ def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
     is its label. It does not know which classes are views of what others own, takes each name of a structured binding for a
     variable of its own, and looks at one preprocessor configuration.
     """
+    if rule == "assignBoolToPointer" and has_no_truth_value(_line(text, line)):
+        return True
+    if rule == "autoVariables" and is_array_that_is_copied(line, text):
+        return True
     if rule in _OF_LITERALS:
         lines = text.split("\n")
         return 0 < line <= len(lines) and _NAMED_ARGUMENT.search(lines[line - 1]) is not None

@@ -47,9 +47,32 @@ def is_read_checked(line: int, text: str) -> bool:
     )
 
 
+#: What an assignment assigns; what can be a truth value in it; and a variable that is copied to where a pointer points.
+_ASSIGNED = re.compile(r"(?<![=!<>+*/|&^%-])=(?![=])([^;{}]*);")
+_TRUTH = re.compile(r"\b(?:true|false|TRUE|FALSE|not|and|or|bool)\b|[!<>]|==|&&|\|\||\(")
+_COPIED = re.compile(r"\s*\*\s?[A-Za-z_]\w*\s?=\s?([A-Za-z_]\w*)\s?;")
+#: Lines above the use of a variable in which its declaration is looked for.
+_FAR = 60
 #: A reference that is made: its name, and of what.
 _MADE_ANEW = re.compile(r"\b\w*(?:make|create|clone|unique|release|new)\w*\s?[<(]", re.IGNORECASE)
 _REFERENCE = re.compile(r"&\s?([A-Za-z_]\w*)\s?=\s?([^;=][^;]*);")
+
+
+def has_no_truth_value(line: str) -> bool:
+    """Whether nothing on the right of the assignment on *line* can be a truth value: a pointer to a member is copied from a map, say."""
+    assigned = _ASSIGNED.search(line[:_LONGEST].replace("->", "."))
+    return assigned is not None and _TRUTH.search(assigned[1]) is None
+
+
+def is_array_that_is_copied(line: int, text: str) -> bool:
+    """Whether *line* assigns a local ``std::array``, which is copied as a whole: cppcheck takes it for a C array, of which the address is kept."""
+    lines = text.split("\n")
+    assigned = _COPIED.match(lines[line - 1][:_LONGEST]) if 0 < line <= len(lines) else None
+    if assigned is None:
+        return False
+    declared = re.compile(rf"\b(?:std::)?array\s?<[^;]{{0,200}}>\s?{assigned[1]}\b")
+    before = (lines[number - 1][:_LONGEST] for number in range(line - 1, max(line - _FAR, 0), -1))
+    return any(declared.search(other) for other in before)
 
 
 def is_copied(line: int, text: str) -> bool:

@@ -482,3 +482,72 @@ def test_long_tests_take_no_time(filler: str) -> None:
     start = time.monotonic()
     is_refuted("unusedVariable", UNUSED, 3, text)
     assert time.monotonic() - start < 2
+
+
+BOOL = "Boolean value assigned to pointer."
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "f_action act = action_db[a];",
+        "act = this->table[i];",
+        "act = &Arm::home;",
+        "Handler handler = handlers.at_key;",
+    ],
+)
+def test_a_pointer_that_gets_no_truth_value(line: str) -> None:
+    assert is_refuted("assignBoolToPointer", BOOL, 3, f"void f()\n{{\n  {line}\n}}\n")
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "act = false;",
+        "int * p = true;",
+        "p = a == b;",
+        "p = !q;",
+        "p = is_on(a);",
+        "p = a && b;",
+        "p = a < b;",
+        "p = not q;",
+        "p == false;",
+        "if (a == b) {",
+        "",
+    ],
+)
+def test_a_pointer_that_may_get_a_truth_value(line: str) -> None:
+    assert not is_refuted("assignBoolToPointer", BOOL, 3, f"void f()\n{{\n  {line}\n}}\n")
+
+
+AUTO = "Address of local auto-variable assigned to a function parameter."
+
+
+@pytest.mark.parametrize(
+    "declared",
+    [
+        "const std::array<std::uint32_t, 2> bytes{1, 2};",
+        "std::array<int, 2> bytes;",
+        "array<std::array<int, 3>, 2> bytes = {};",
+    ],
+)
+def test_a_local_array_that_is_copied(declared: str) -> None:
+    assert is_refuted(
+        "autoVariables", AUTO, 3, f"void f(std::array<int, 2> * out) {{\n  {declared}\n  *out = bytes;\n}}\n"
+    )
+
+
+@pytest.mark.parametrize(
+    ("declared", "use"),
+    [
+        ("int bytes[2];", "*out = bytes;"),
+        ("std::array<int, 2> bytes;", "*out = &bytes;"),
+        ("std::array<int, 2> bytes;", "*out = bytes.data();"),
+        ("std::array<int, 2> others; int bytes[2];", "*out = bytes;"),
+        ("std::vector<int> bytes;", "out = bytes;"),
+        ("", "*out = bytes;"),
+        ("std::array<int, 2> bytes;", ""),
+    ],
+)
+def test_the_address_of_a_local_variable(declared: str, use: str) -> None:
+    assert not is_refuted("autoVariables", AUTO, 3, f"void f(int ** out) {{\n  {declared}\n  {use}\n}}\n")
