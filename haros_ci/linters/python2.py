@@ -55,7 +55,8 @@ _OPEN_BRACES = re.compile(
 
 def is_python2(text: str) -> bool:
     """Whether *text*, which is not valid Python 3, has the marks of Python 2."""
-    return any(pattern.search(text) for pattern in (_SHEBANG, _STATEMENTS, _OPERATORS))
+    code = _TEXTS.sub("", text)
+    return any(pattern.search(code) for pattern in (_SHEBANG, _STATEMENTS, _OPERATORS))
 
 
 def runs_only_on_python2(text: str) -> bool:
@@ -105,4 +106,6 @@ def is_newer(line: str, message: str) -> bool:
 def why_unreadable(text: str) -> str:
     """Why a tool could not parse *text*, for a notification."""
     version = ".".join(map(str, sys.version_info[:2]))
+    if sys.version_info < (3, 12) and any(map(_NEWER.match, _TEXTS.sub("", text).split("\n"))):
+        return f"it is for Python 3.12 or later, and haros-ci runs on Python {version}; run it on that of the robot"
     return "it is Python 2" if is_python2(text) else f"it is not valid Python {version}"

@@ -58,7 +58,8 @@ def _parse(text: str) -> ast.Module:
     try:
         return ast.parse(text)
     except SyntaxError as error:
-        raise Unmeasurable(f"not Python 3: {error.msg}", error.lineno) from error
+        version = ".".join(map(str, sys.version_info[:2]))
+        raise Unmeasurable(f"Python {version} cannot parse it: {error.msg}", error.lineno) from error
     except ValueError as error:  # NUL bytes
         raise Unmeasurable("not Python source") from error
 

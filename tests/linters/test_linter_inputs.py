@@ -16,7 +16,7 @@ from haros_ci.linters.compile_db import flags_by_file
 from haros_ci.linters.linter import LintOptions, Unit
 from haros_ci.linters.process import search_path
 from haros_ci.linters.pylint_config import config_path, inert_options
-from haros_ci.linters.python2 import is_newer, is_python2
+from haros_ci.linters.python2 import is_newer, is_python2, why_unreadable
 from haros_ci.model.package import Package, SourceFile
 
 PYTHON_2 = [
@@ -73,6 +73,33 @@ def test_newer_python_is_recognised(line: str) -> None:
 )
 def test_what_is_broken_is_not_newer(line: str) -> None:
     assert not is_newer(line, "invalid syntax")
+
+
+@pytest.mark.skipif(sys.version_info >= (3, 12), reason="this Python reads it")
+@pytest.mark.parametrize(
+    "text",
+    [
+        'class A[T]:\n    """Owns the ``B`` of ``c``\n    and `d`\n    """\n',
+        "def f[T](a: T) -> T:\n    return a\n",
+        "x = 1\ntype Y = int\n",
+    ],
+)
+def test_why_newer_python_is_not_read(text: str) -> None:
+    assert not is_python2(text)
+    assert why_unreadable(text).startswith("it is for Python 3.12 or later")
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("print 'a'\n", "it is Python 2"),
+        ('"""\nclass A[T]:\n"""\nprint a\n', "it is Python 2"),
+        ("def f(:\n", "it is not valid Python"),
+        ('"""\nsay `a`\n"""\ndef f(:\n', "it is not valid Python"),
+    ],
+)
+def test_why_other_python_is_not_read(text: str, why: str) -> None:
+    assert why_unreadable(text).startswith(why)
 
 
 UNTERMINATED = "unterminated string literal (detected at line 1)"

@@ -9,7 +9,7 @@ import warnings
 from collections.abc import Mapping
 
 from haros_ci.extract.python.annotations import NO_TYPE
-from haros_ci.extract.python.python2 import repair
+from haros_ci.extract.python.other_versions import repair
 from haros_ci.extract.python.scope import Bindings, Collected, PythonScope, bound
 from haros_ci.extract.python.source import Edit, Source, source_of
 from haros_ci.extract.python.statements import block

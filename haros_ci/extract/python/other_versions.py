@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Python 2 text as Python 3: the statements and literals that only Python 2 has are respelled on their lines.
+"""Text of other versions of Python for the parser of this one: what it lacks is respelled on its lines.
 
-What is rewritten: print, exec and raise with a comma, ``except A, e``, backquotes, ``<>``, ``0777``, ``1L``, ``ur""``
-and tabs mixed with spaces (docs.python.org/3/whatsnew/3.0.html). Nothing else changes, and no line moves.
+Of Python 2: print, exec and raise with a comma, ``except A, e``, backquotes, ``<>``, ``0777``, ``1L``, ``ur""`` and tabs mixed with
+spaces (docs.python.org/3/whatsnew/3.0.html). Of Python 3.12: type parameters, and the word of ``type`` statements (PEP 695).
+Nothing else changes, and no line moves.
 """
 
 from __future__ import annotations
@@ -103,7 +104,14 @@ def _statements(line: list[Token]) -> Iterator[list[Token]]:
 
 def _statement(tokens: list[Token], prints: bool) -> Iterator[_Change]:
     word = tokens[0].text if tokens else ""
-    if word == "print" and prints:
+    if word in ("def", "class"):
+        yield from _without_parameters(tokens, 1)
+    elif word == "async" and len(tokens) > 2 and tokens[1].text == "def":
+        yield from _without_parameters(tokens, 2)
+    elif word == "type" and len(tokens) > 3 and tokens[1].kind == "name" and tokens[2].text in ("=", "["):
+        yield tokens[0].start, tokens[1].start, ""
+        yield from _without_parameters(tokens, 1)
+    elif word == "print" and prints:
         yield from _print(tokens)
     elif word == "exec" and _has_operand(tokens):
         yield tokens[0].end, tokens[0].end, "("
@@ -121,6 +129,15 @@ def _statement(tokens: list[Token], prints: bool) -> Iterator[_Change]:
             yield tokens[comma].start, tokens[comma].end, " as "
         elif comma and tokens[comma + 1].text in OPENING:
             yield tokens[comma].start, tokens[-1].start, ""
+
+
+def _without_parameters(tokens: list[Token], name: int) -> Iterator[_Change]:
+    """What is named by the token at *name* without its type parameters: ``class A[T]:``, ``def f[T: B](a: T):``, ``type A[T] = B[T]``."""
+    after = name + 1
+    if len(tokens) > after and tokens[name].kind == "name" and tokens[after].text == "[":
+        end = next((token.end for token in tokens[after:] if token.text == "]" and not token.depth), None)
+        if end is not None:
+            yield tokens[after].start, end, ""
 
 
 def _print(tokens: list[Token]) -> Iterator[_Change]:

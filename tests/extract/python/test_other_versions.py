@@ -1,19 +1,28 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Python 2 files: what is respelled, what is left alone, and that places stay those of the file."""
+"""Files for Python 2 and for Python 3.12: what is respelled, what is left alone, and that places stay those of the file."""
 
 from __future__ import annotations
 
+import sys
 from typing import Any
 
 import pytest
 from syntax_kit import read_python
 
-from haros_ci.extract.python.python2 import repair
+from haros_ci.extract.python.other_versions import repair
 
 
 @pytest.mark.parametrize(
     ("text", "repaired"),
     [
+        ("class A[T]:", "class A:"),
+        ("class A[T](B[T]):", "class A(B[T]):"),
+        ("class A[T: (int, B[str]), *U, **P](B[T]): pass", "class A(B[T]): pass"),
+        ("def f[T](a: T) -> list[T]:", "def f(a: T) -> list[T]:"),
+        ("def f[\n  T: B = C[int],\n](a: T): return a", "def f(a: T): return a"),
+        ("async def f[T](a: T):", "async def f(a: T):"),
+        ("type A = list[int]", "A = list[int]"),
+        ("type A[T] = list[T]; type B = A[int]", "A = list[T]; B = A[int]"),
         ("print 'a'", "print( 'a')"),
         ("print 'a', b,  # c", "print( 'a', b,)  # c"),
         ("print", "print()"),
@@ -52,6 +61,13 @@ def test_repaired(text: str, repaired: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
+        "type = 3",
+        "type(a)",
+        "type[0] = 1",
+        "a = type[int]",
+        "def f(a: list[int]): pass",
+        "class A(B[int]): pass",
+        "b[0].class_[1]",
         "print('a')",
         "print ('a', b)",
         "print = a",
@@ -131,3 +147,14 @@ def test_given_up(text: str, line: int) -> None:
     ((found, message),) = program.problems
     assert (program.language, program.functions, found) == ("python", (), line)
     assert "cannot parse the file" in message and message.endswith("run haros-ci on its Python")
+
+
+@pytest.mark.skipif(sys.version_info >= (3, 12), reason="this Python reads it as it is")
+def test_type_parameters_change_nothing() -> None:
+    newer = "type Some = int\nclass A[T](B):\n    def f[U: Some](self, a: U) -> T:\n        return g(a)\n"
+    older = "Some = int\nclass A(B):\n    def f(self, a: U) -> T:\n        return g(a)\n"
+    found, expected = read_python(newer), read_python(older)
+    assert found.problems == ()
+    assert [(each.name, each.bases) for each in found.classes] == [(each.name, each.bases) for each in expected.classes]
+    assert [each.name for each in found.functions] == [each.name for each in expected.functions]
+    assert found.functions[-1].parameters == expected.functions[-1].parameters
