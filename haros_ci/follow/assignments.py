@@ -124,7 +124,7 @@ def _fill(walk: Walk, held: Object, value: Value) -> bool:
             walk.state.write(member, value.fields[name].value)
         else:
             walk.state.write(member, Opaque(uncertain.UNCERTAIN, None, member.type))
-    if not same or not isinstance(value, Object):
+    if not isinstance(value, Object) or value.definition is None:
         return False
     for name, member in value.fields.items():
         if name not in held.fields:
@@ -208,7 +208,7 @@ def _entry(walk: Walk, frame: Frame, target: syntax.Subscript) -> Cell | None:
         return None
     if len(pairs) >= LIST_LIMIT:
         return None
-    cell = Cell(walk.opaque("it is not set before", frame))
+    cell: Cell = Cell(walk.opaque("it is not set before", frame))
     assert isinstance(container, Mapped)
     walk.state.write(container.content, {**pairs, key.value: cell})
     return cell

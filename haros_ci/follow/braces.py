@@ -121,16 +121,16 @@ def is_array_of_objects(walk: Walk, frame: Frame, kind: Type | None) -> bool:
 
 def grown(walk: Walk, frame: Frame, container: Sequence, index: int) -> Cell | None:
     """The element *index* of an array whose length is not known, constructed if need be."""
-    cells: Any = container.content.value
+    cells = container.content.value
     inner = container.type.of(0) if container.type is not None else None
     if inner is None or not 0 <= index < GROWN or not copies.is_by_value(inner):
         return None
     if walk.class_of(inner.name, frame.source) is None:
         return None
-    fresh = [Cell(made(walk, frame, inner), inner) for _ in range(index + 1 - len(cells))]
-    walk.state.write(container.content, (*cells, *fresh))
-    found: Cell = container.content.value[index]
-    return found
+    held = cells if isinstance(cells, tuple) else ()
+    whole = (*held, *(Cell(made(walk, frame, inner), inner) for _ in range(index + 1 - len(held))))
+    walk.state.write(container.content, whole)
+    return whole[index]
 
 
 def made(walk: Walk, frame: Frame, kind: Type) -> Value:

@@ -159,8 +159,8 @@ def _vector(walk: Walk, frame: Frame, kind: Type, arguments: tuple[call_argument
         return Sequence(twin.content, kind) if isinstance(twin, Sequence) else twin
     inner = kind.of(0) or NO_TYPE
     if inner.name in STRINGS and all(braces.is_text(argument) for argument in arguments):
-        items = Cell(tuple(Cell(argument.value) for argument in arguments))
-        return braces.from_list(walk, frame, kind, Sequence(items))  # no other constructor takes texts
+        items = Sequence(Cell(tuple(Cell(argument.value) for argument in arguments)))
+        return braces.from_list(walk, frame, kind, items)  # no other constructor takes texts
     begin = create if tuples.is_unset(kind, inner) else of_template
     fill = arguments[1].value if len(arguments) > 1 else None
     within = fill.content.value if isinstance(fill, Sequence) else ()
@@ -338,6 +338,7 @@ def python_construct(
     walk: Walk, frame: Frame, this: Object, arguments: tuple[call_arguments.PassedArgument, ...], location: Location
 ) -> None:
     """``__init__``, and the constructors of libraries' base classes."""
+    assert this.definition is not None
     source, definition = this.definition
     method = methods.method_of(walk, this, "__init__")
     if method is not None:

@@ -105,6 +105,7 @@ def derives(walk: Walk, one: tuple[Source, Class], base: Class, depth: int = 0) 
 
 def is_reference(walk: Walk, value: Object, name: str) -> bool:
     """Whether a member is a reference."""
+    assert value.definition is not None
     source, definition = value.definition
     key = ("reference", source.path, definition.name, name)
     if key not in walk.found:

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 from haros_ci.graph.ros2_process import RosNode
 from haros_ci.model.architecture import Condition, Qos
 from haros_ci.model.location import Location
-from haros_ci.values.abstract import Callable, Cell
+from haros_ci.values.abstract import Callable
+from haros_ci.values.cells import Slot
 
 if TYPE_CHECKING:
     from haros_ci.follow.walk import Walk
@@ -57,7 +58,7 @@ class Root:
 
     function: Callable
     conditions: tuple[Condition, ...]
-    writes: Mapping[Cell, Any] = field(default_factory=dict)
+    writes: Mapping[Slot, object] = field(default_factory=dict)
     #: Whether it is called when somebody sets parameters, or takes a node down: what it changes then is not seen elsewhere.
     is_update: bool = False
     #: Whether a managed node is brought up by it, before anything else is called back.

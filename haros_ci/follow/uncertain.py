@@ -78,7 +78,7 @@ def lost(walk: Walk, frame: Frame, target: Expression, value: Value) -> None:
             if isinstance(container, (Sequence, Mapped)) and (isinstance(key, Known) or python):
                 if python:
                     dispatch.kept(walk, container, value)
-                walk.state.write(container.content, walk.opaque(UNCERTAIN, frame))
+                walk.state.forget(container.content, walk.opaque(UNCERTAIN, frame))
             elif isinstance(container, (Sequence, Mapped)):
                 _element(walk, frame, container, value)
             elif isinstance(container, Known):
@@ -131,7 +131,7 @@ def _element(walk: Walk, frame: Frame, container: Value, value: Value) -> None:
         for cell in container.content.value:
             _maybe(walk, frame, cell, value)
     elif isinstance(container, (Sequence, Mapped)):
-        walk.state.write(container.content, walk.opaque(UNCERTAIN, frame))
+        walk.state.forget(container.content, walk.opaque(UNCERTAIN, frame))
 
 
 def _maybe(walk: Walk, frame: Frame, cell: Cell, value: Value) -> None:
@@ -213,6 +213,6 @@ def deleted(walk: Walk, frame: Frame, text: str) -> None:
         if not found[2]:
             walk.state.write(cell, walk.opaque("it is deleted", frame))
         elif isinstance(cell.value, (Sequence, Mapped)):
-            walk.state.write(cell.value.content, walk.opaque("something is deleted from it", frame))
+            walk.state.forget(cell.value.content, walk.opaque("something is deleted from it", frame))
         else:
             _forget(walk, frame, cell)

@@ -26,7 +26,8 @@ from haros_ci.model.build import ConfigFile
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Function, Type
 from haros_ci.values.abstract import NONE, Cell, Known, Object, Opaque, Value, join
-from haros_ci.values.state import State
+from haros_ci.values.cells import Slot
+from haros_ci.values.state import Held, State, Writes
 
 #: Statements and calls that one node may take, and as many in rehearsals; what is beyond is named in a notification.
 STEPS = 60_000
@@ -102,8 +103,9 @@ class Walk:
     #: Look-ups that hold something of this node.
     own: dict[Any, Any] = field(default_factory=dict)
     active: list[Function] = field(default_factory=list)
-    #: What the node itself sets on the parameter server, by full name.
-    server: Cell = field(default_factory=lambda: Cell({}))
+    #: What the node itself sets on the parameter server, by full name; of ROS 2 what its nodes declare and set, by theirs and that of the parameter.
+    server: Cell[dict[str, Value] | Opaque] = field(default_factory=lambda: Cell({}))
+    declared: Cell[dict[str, Held] | Opaque] = field(default_factory=lambda: Cell({}))
     config_objects: dict[str, Object] = field(default_factory=dict)
     #: The calls that name a ROS 1 process.
     names: list[Naming] = field(default_factory=list)
@@ -130,9 +132,9 @@ class Walk:
     #: Steps that went into rehearsals of callbacks.
     rehearsed: int = 0
     #: What each callback writes by itself, as far as they have been rehearsed.
-    effects: list[dict[Cell, Any]] = field(default_factory=list)
+    effects: list[Writes] = field(default_factory=list)
     #: What the first *joined* of them leave behind, joined.
-    together: dict[Cell, Any] = field(default_factory=dict)
+    together: Writes = field(default_factory=dict)
     joined: int = 0
     #: Why what is made now may not be made at all, where no statement is the condition.
     doubts: list[str] = field(default_factory=list)
@@ -161,7 +163,7 @@ class Walk:
     #: Steps that callbacks have put into functions that could make something, since they last did, by function.
     idle: dict[int, int] = field(default_factory=dict)
     #: What functions that are followed as they set numbers have set, under which names (``follow.setters``).
-    settled: dict[Cell, tuple[Value, frozenset[str]]] = field(default_factory=dict)
+    settled: dict[Slot, tuple[Value, frozenset[str]]] = field(default_factory=dict)
     #: Such functions around what is followed: they register nothing, as they did not where they are not followed.
     setting: int = 0
     #: The names that callbacks and threads assign to, as far as there are any.
@@ -186,7 +188,7 @@ class Walk:
         """How much there is so far of what a function may make."""
         return len(self.made), len(self.roots), len(self.nodes), len(self.gaps), self.news
 
-    def is_older(self, cell: Cell, tick: int) -> bool:
+    def is_older(self, cell: Slot, tick: int) -> bool:
         """Whether a variable is there since before *tick*, as far as the program goes."""
         return cell.born < tick or cell in self.lasting
 
@@ -206,7 +208,7 @@ class Walk:
                 self.doubts.pop()
 
     def either_way(
-        self, ways: Iterable[Function_[[], Value]], reason: str, settle: Function_[[list[Any]], None] | None = None
+        self, ways: Iterable[Function_[[], Value]], reason: str, settle: Function_[[list[Writes]], None] | None = None
     ) -> Value:
         """The join of values of which one is computed, each with its effects: there is no telling which.
 
@@ -240,11 +242,11 @@ class Walk:
 
         None if there is none, which is so, too, where the node has deleted it (kept as ``NONE``).
         """
-        own: Any = self.server.value
+        own = self.server.value
         if isinstance(own, Opaque):
             return own
         if name in own:
-            found: Value = own[name]
+            found = own[name]
             return None if found == NONE else found
         above = name.rpartition("/")[0]
         while above and own:

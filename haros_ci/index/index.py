@@ -15,7 +15,8 @@ from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
 from haros_ci.index.trace import Trace, Traced
-from haros_ci.syntax import Alias, Class, Field, Function, Program
+from haros_ci.syntax import Alias, Class, Field, Function
+from haros_ci.syntax.source import Source as Source
 
 Entity = TypeVar("Entity")
 #: Typedefs of typedefs that are looked through.
@@ -27,20 +28,6 @@ POINTERS = ("ConstUniquePtr", "ConstWeakPtr", "UniquePtr", "WeakPtr", "ConstPtr"
 #: What makes behaviour trees includes this; what is loaded for them is of this base.
 TREES, BEHAVIOR_TREE_NODE = "/bt_factory.h", "TreeNode"
 HEADERS = (".h", ".hh", ".hpp", ".hxx", ".H", ".inl", ".ipp", ".tpp")
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Source:
-    """A file as a program: *path* is relative to the root, *module* its dotted Python name."""
-
-    path: str
-    package: str | None
-    program: Program
-    module: str = ""
-
-    @property
-    def separator(self) -> str:
-        return "." if self.program.language == "python" else "::"
 
 
 @dataclass(slots=True)

@@ -104,8 +104,9 @@ def for_each(walk: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Valu
 def _fits(walk: Walk, frame: Frame, expected: Value, cell: Cell) -> bool | None:
     """Whether the element in *cell* is the one *expected*, a value or a predicate; None if that is not known."""
     if not isinstance(expected, Callable):
-        known = isinstance(expected, Known) and isinstance(cell.value, Known)
-        return bool(expected.value == cell.value.value) if known and isinstance(expected, Known) else None
+        if isinstance(expected, Known) and isinstance(cell.value, Known):
+            return bool(expected.value == cell.value.value)
+        return None
     mark = walk.state.mark()
     argument = call_arguments.PassedArgument(cell.value, cell, cell.type)
     verdict = activation.invoke(walk, frame, expected, (argument,))

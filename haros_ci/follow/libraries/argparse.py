@@ -99,7 +99,7 @@ def _read(options: tuple[Cell, ...], words: list[str]) -> tuple[dict[str, Any], 
     kept: dict[int, Value] = {}
     is_open = 0
     for cell in options:
-        members = cell.value.fields
+        members = cell.value.fields if isinstance(cell.value, Object) else {}
         provided = {key: member.value for key, member in members.items() if not key.isdigit()}
         flags = [_data(members[key].value) for key in members if key.isdigit()]
         action = _data(provided["action"]) if "action" in provided else "store"

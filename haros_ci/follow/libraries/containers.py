@@ -27,6 +27,7 @@ from haros_ci.values.abstract import (
     Text,
     Value,
 )
+from haros_ci.values.cells import Content
 from haros_ci.values.state import certain, last, possible
 
 if TYPE_CHECKING:
@@ -126,7 +127,7 @@ def sequence(walk: Walk, frame: Frame, receiver: Sequence, name: str, args: tupl
                 walk.state.write(receiver.content, (*cells[:expected], *made))
                 return NONE
             if 0 <= expected <= 1000:  # so many, whatever they are
-                unknown = walk.opaque("an element that is not known", frame, None, inner)
+                unknown: Value = walk.opaque("an element that is not known", frame, None, inner)
                 walk.state.write(receiver.content, tuple(Cell(unknown, inner) for _ in range(expected)))
                 return NONE
         walk.state.write(receiver.content, walk.opaque("a list of unknown length", frame))
@@ -223,15 +224,16 @@ def swapped(walk: Walk, args: tuple[PassedArgument, ...]) -> Value | None:
     if one is None or other is None:
         return None
     if isinstance(one.value, plain) and isinstance(other.value, plain):
-        before = one.value
-        walk.state.write(one, other.value)
-        walk.state.write(other, before)
-        return NONE
-    for kind in (Sequence, Mapped):
-        if isinstance(one.value, kind) and isinstance(other.value, kind):
-            content, with_ = one.value.content, other.value.content
-            before = content.value
-            walk.state.write(content, with_.value)
-            walk.state.write(with_, before)
-            return NONE
+        return _swap(walk, one, other)
+    if isinstance(one.value, Sequence) and isinstance(other.value, Sequence):
+        return _swap(walk, one.value.content, other.value.content)
+    if isinstance(one.value, Mapped) and isinstance(other.value, Mapped):
+        return _swap(walk, one.value.content, other.value.content)
     return None
+
+
+def _swap(walk: Walk, one: Cell[Content], other: Cell[Content]) -> Value:
+    before = one.value
+    walk.state.write(one, other.value)
+    walk.state.write(other, before)
+    return NONE

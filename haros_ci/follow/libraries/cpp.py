@@ -83,8 +83,8 @@ def instance(walk: Walk, frame: Frame, kind: Type, args: tuple[PassedArgument, .
             texts.start(walk, stream, args[0].value)
         return stream
     if name == DESCRIPTOR and not args and walk.context.process is not None:
-        flag = {"read_only": Cell(FALSE, syntax.Type("bool"))}
-        ranges = {item: Cell(Sequence(Cell(()))) for item in ("floating_point_range", "integer_range")}
+        flag: dict[str, Cell] = {"read_only": Cell(FALSE, syntax.Type("bool"))}
+        ranges: dict[str, Cell] = {item: Cell(Sequence(Cell(()))) for item in ("floating_point_range", "integer_range")}
         return Object(name, fields={**flag, **ranges})
     if name in FILES:
         return Object(name, fields={"[path]": Cell(args[0].value if args else NONE)})

@@ -99,7 +99,7 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
         columns = [None if a.keyword else comprehensions.items(a.value) for a in args]
         if columns and all(column is not None for column in columns):
             rows = list(zip(*(c for c in columns if c is not None), strict=False))
-            made = tuple(Cell(Sequence(Cell(tuple(Cell(v) for v in row)))) for row in rows)
+            made: tuple[Cell, ...] = tuple(Cell(Sequence(Cell(tuple(Cell(v) for v in row)))) for row in rows)
             return Sequence(Cell(made))
     if name in DICTS:
         return comprehensions.dictionary(walk, frame, args)
@@ -271,7 +271,7 @@ def _dictionary(walk: Walk, frame: Frame, pairs: Any, name: str, args: tuple[Pas
     if name in ("values", "itervalues"):
         return Sequence(Cell(tuple(pairs.values())))
     if name in ("items", "iteritems"):
-        made = tuple(Cell(Sequence(Cell((Cell(Known(key)), cell)))) for key, cell in pairs.items())
+        made: tuple[Cell, ...] = tuple(Cell(Sequence(Cell((Cell(Known(key)), cell)))) for key, cell in pairs.items())
         return Sequence(Cell(made))
     if name == "get" and args and isinstance(args[0].value, Known):
         try:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from haros_ci import syntax
 from haros_ci.follow import comprehensions
 from haros_ci.values.abstract import LIST_LIMIT, NONE, Cell, Known, Sequence, Value, same
+from haros_ci.values.state import certain
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
@@ -46,7 +47,7 @@ def made(items: list[Value]) -> Sequence:
 
 def _with(cells: tuple[Cell, ...], more: Sequence | list[Value]) -> tuple[Cell, ...]:
     """The elements of a set, and those of *more* that are not in it."""
-    items = more if isinstance(more, list) else [cell.value for cell in more.content.value]
+    items = more if isinstance(more, list) else [cell.value for cell in certain(more.content.value)]
     fresh = [item for item in items if not any(item is cell.value or _same(item, cell.value) for cell in cells)]
     return (*cells, *map(Cell, fresh))
 
@@ -125,7 +126,7 @@ def _combining(walk: Walk, receiver: Sequence, name: str, args: tuple[PassedArgu
     if not isinstance(found, Sequence) or not METHODS[name].endswith("="):
         return found
     content = found.content.value
-    walk.state.write(receiver.content, _with(receiver.content.value, found) if name == "update" else content)
+    walk.state.write(receiver.content, _with(certain(receiver.content.value), found) if name == "update" else content)
     return NONE
 
 

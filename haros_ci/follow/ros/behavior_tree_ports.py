@@ -156,6 +156,7 @@ Ports = dict[str, tuple[Frame, Expression] | None]
 
 def _declared(walk: Walk, node: Object) -> tuple[Ports, bool]:
     """The ports that a class's ``providedPorts`` declares by name, with their defaults; and whether these are all."""
+    assert node.definition is not None
     key = ("ports", id(node.definition[1]))
     if key not in walk.own:
         ports: Ports = {}

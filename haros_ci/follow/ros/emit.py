@@ -129,14 +129,14 @@ def _fitting(found: Value, kind: str | None, default: Value | None) -> Value | N
 def _set(applied: Applied, name: str, value: Value) -> None:
     """The node finds afterwards what it has set, ``NONE`` for deleted; after a name that is not known, nothing for sure."""
     walk = applied.walk
-    own: Any = walk.server.value
+    own = walk.server.value
     if isinstance(own, Opaque):
         return
     if "?" in name:
         walk.state.write(walk.server, Opaque("a parameter is set under a name that is not known", applied.location))
         return
     known, data = data_of(value)
-    below = {other: NONE for other in own if other.startswith(f"{name}/")}
+    below: dict[str, Value] = {other: NONE for other in own if other.startswith(f"{name}/")}
     walk.state.write(walk.server, {**own, **below, name: Known(data) if known else value})
 
 

@@ -110,7 +110,7 @@ def _renamed(item: MadeEntity, renames: Mapping[str, Value] | None, location: Lo
 
 def _was_set(walk: Walk, name: str, location: Location) -> None:
     """The node finds what the nodelet has set, if not to what."""
-    own: Any = walk.server.value
+    own = walk.server.value
     if isinstance(own, dict):
         value = Opaque("a nodelet sets it", location)
         walk.state.write(walk.server, value if "?" in name else {**own, name: value})

@@ -125,9 +125,12 @@ def override_policies(options: Value | None) -> tuple[str, ...] | None:
 def _kinds(named: Value) -> tuple[str, ...] | None:
     """The policies of a list of QosPolicyKind."""
     content = named.content.value if isinstance(named, Sequence) else None
-    if not isinstance(content, tuple) or not all(isinstance(cell.value, Library) for cell in content):
+    libraries = (
+        [cell.value for cell in content if isinstance(cell.value, Library)] if isinstance(content, tuple) else []
+    )
+    if not isinstance(content, tuple) or len(libraries) < len(content):
         return None
-    words = (_snake(re.split(r"::|\.", cell.value.name)[-1]) for cell in content)
+    words = (_snake(re.split(r"::|\.", library.name)[-1]) for library in libraries)
     return tuple(word.removeprefix("rmw_qos_policy_") for word in words)
 
 

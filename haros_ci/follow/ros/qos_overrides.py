@@ -73,9 +73,9 @@ def apply(
             why = value if isinstance(value, Opaque) else None
             reason = why.reason if why else f"a parameter overrides {policy} with what it cannot be"
             unknowns.append(("qos", reason, (why and why.location) or applied.location))
-    own: Any = applied.walk.server.value
+    own = applied.walk.declared.value
     if held and not isinstance(own, Opaque):
-        applied.walk.state.write(applied.walk.server, {**own, **held})
+        applied.walk.state.write(applied.walk.declared, {**own, **held})
     return changed, unknowns
 
 

@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow.ros import ros2_nodes
 from haros_ci.graph.ros2_process import EVERY
-from haros_ci.values.abstract import NONE, Cell, Known, Opaque, Pointer, Sequence, Value
+from haros_ci.values.abstract import Cell, Known, Opaque, Pointer, Sequence, Value
 
 if TYPE_CHECKING:
     from haros_ci.follow.ros.selectors import Applied
@@ -49,7 +49,7 @@ def _is_below(name: str, prefixes: list[str], depth: int) -> bool:
 
 def _names(applied: Applied, node: RosNode) -> Iterable[str] | Opaque:
     walk = applied.walk
-    own: Any = walk.server.value
+    own = walk.declared.value
     whole = node.whole
     if isinstance(own, Opaque):
         return own
@@ -57,7 +57,7 @@ def _names(applied: Applied, node: RosNode) -> Iterable[str] | Opaque:
         if made.kind == "parameters" and made.node is not None and made.node.name == whole.name and "?" in made.name:
             return Opaque("parameters are declared under names that are not known", made.location)
     head = f"{whole.name}:"
-    found = {name.removeprefix(head) for name, value in own.items() if name.startswith(head) and value != NONE}
+    found = {name.removeprefix(head) for name in own if name.startswith(head)}
     if whole.options.get("automatically_declare_parameters_from_overrides"):
         argument_value = walk.context.parameter(f"{head}{EVERY}")
         if isinstance(argument_value, Opaque):

@@ -186,8 +186,8 @@ def options_for(walk: Walk) -> Object:
     for rule in (process.component or ()) if process is not None else ():
         head = f"{rule.node}:{rule.source}" if rule.node else rule.source
         words += ["-r", f"{head}:={rule.target}"]
-    cells = tuple(Cell(walk.context.marks.known(word)) for word in words)
-    fields = {
+    cells: tuple[Cell, ...] = tuple(Cell(walk.context.marks.known(word)) for word in words)
+    fields: dict[str, Cell] = {
         "arguments": Cell(Sequence(Cell(cells))),
         "use_global_arguments": Cell(Known(process is None or process.component is None)),
         CONTAINED: Cell(Known(True)),
@@ -277,9 +277,8 @@ def of_value(walk: Walk, value: Any, depth: int = 0) -> RosNode | None:
         value = value.cell.value
     if not isinstance(value, Object) or depth > 3:
         return None
-    if value.node is not None:
-        found: RosNode = value.node
-        return found
+    if isinstance(value.node, RosNode):
+        return value.node
     for name in HOLDING:
         if name in value.fields:
             inner = of_value(walk, value.fields[name].value, depth + 1)
