@@ -167,9 +167,9 @@ def _vector(walk: Walk, frame: Frame, kind: Type, arguments: tuple[call_argument
     most = LIST_LIMIT // max(1, len(within) if isinstance(within, tuple) else 1)
     if walk.class_of(inner.name, frame.source) is not None:
         most = min(most, OBJECTS)
-    if isinstance(first, Known) and issubclass(first.kind, int) and 0 <= first.value <= most:
+    if isinstance(first, Known) and issubclass(first.kind, int) and 0 <= first.of(int) <= most:
         cells = []
-        for _ in range(first.value):
+        for _ in range(first.of(int)):
             value = copies.copied(walk, fill, inner) if fill is not None else None
             start = value if value is not None else begin(walk, frame, inner, (), Location(frame.source.path))
             cells.append(Cell(start, inner))
@@ -345,7 +345,6 @@ def python_construct(
         activation.invoke(walk, frame, method, arguments)
     else:
         data_classes.construct(walk, frame, this, arguments)
-    for base in methods.library_bases(walk, source, definition):
-        if method is None:
-            library_objects.construct_library(walk, frame, this, syntax.Type(base), arguments, location)
+    for base in methods.library_bases(walk, source, definition) if method is None else ():
+        library_objects.construct_library(walk, frame, this, syntax.Type(base), arguments, location)
     callbacks.framework_entries(walk, this)

@@ -12,7 +12,7 @@ from typing import Any
 from haros_ci import syntax
 from haros_ci.follow.context import Context, Exact
 from haros_ci.follow.frames import Frame, Loop
-from haros_ci.follow.made import MadeEntity, Root
+from haros_ci.follow.made import Key, MadeEntity, Root
 from haros_ci.follow.ros.own_name import Naming
 from haros_ci.follow.twins import Standing, Twin
 from haros_ci.graph.ros2_process import RosNode
@@ -77,16 +77,16 @@ class Walk:
     target: str = ""
     state: State = field(default_factory=State)
     conditions: list[Condition] = field(default_factory=list)
-    made: dict[Any, MadeEntity] = field(default_factory=dict)
+    made: dict[Key, MadeEntity] = field(default_factory=dict)
     #: Timers and rates by place, period and node, each with the object whose method makes it (``ros.paces``).
-    paces: dict[Any, tuple[MadeEntity, Object | None]] = field(default_factory=dict)
+    paces: dict[Key, tuple[MadeEntity, Object | None]] = field(default_factory=dict)
     roots: list[Root] = field(default_factory=list)
     #: The number of each root by what is called back; of a root that is gone it is that of none or another.
-    known_roots: dict[Any, int] = field(default_factory=dict)
+    known_roots: dict[Key, int] = field(default_factory=dict)
     #: The numbers of those that have been called back, not in rehearsal.
     called: set[int] = field(default_factory=set)
     #: The places where every plug-in of a base class has been loaded, or a behaviour tree created, with which objects.
-    offered: set[Any] = field(default_factory=set)
+    offered: set[Key] = field(default_factory=set)
     #: The base classes of which the program has asked for the look-up names of all plug-ins.
     listed: set[str] = field(default_factory=set)
     #: These names, by identity.
@@ -101,7 +101,11 @@ class Walk:
     statics: dict[tuple[str, str], Cell] = field(default_factory=dict)
     modules: dict[str, Frame] = field(default_factory=dict)
     #: Look-ups that hold something of this node.
-    own: dict[Any, Any] = field(default_factory=dict)
+    own: dict[tuple[str, str, str], Value] = field(default_factory=dict)
+    #: What the classes of nodes of behaviour trees declare, and whether that is all, by the identity of the class (``ros.behavior_tree_ports``).
+    ports: dict[int, tuple[dict[str, tuple[Frame, syntax.Expression] | None], bool, Class]] = field(
+        default_factory=dict
+    )
     active: list[Function] = field(default_factory=list)
     #: What the node itself sets on the parameter server, by full name; of ROS 2 what its nodes declare and set, by theirs and that of the parameter.
     server: Cell[dict[str, Value] | Opaque] = field(default_factory=lambda: Cell({}))
@@ -171,7 +175,7 @@ class Walk:
     #: By identity, what stands for template arguments in look-ups.
     numbers: dict[int, tuple[int, Mapping[str, syntax.Argument]]] = field(default_factory=dict)
     #: Look-ups that depend on the name, the scope and the file only: shared by all nodes with the same files.
-    found: dict[Any, Any] = field(init=False)
+    found: dict[object, Any] = field(init=False)
 
     def __post_init__(self) -> None:
         self.most = STEPS if self.context.of_base is None else WITH_PLUGINS

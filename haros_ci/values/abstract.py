@@ -11,7 +11,7 @@ from collections.abc import Callable as Function_
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from math import isfinite, prod
-from typing import Any, Union
+from typing import TypeVar, Union
 
 from haros_ci import syntax
 from haros_ci.model.location import Location
@@ -22,6 +22,7 @@ from haros_ci.values.cells import Closure, Named
 from haros_ci.values.cells import tick as tick
 from haros_ci.values.questions import QUESTIONS
 
+Plain = TypeVar("Plain")
 #: More possible values than this are joined to an unknown one.
 CHOICES = 8
 #: Attributes of Python objects that are set on some paths only: to read them on others is an error, but where a base class outside may set them.
@@ -44,12 +45,19 @@ class Character(int):
 class Known:
     """Data: None, bool, int, float, str, or JSON-like lists and dicts, as read from YAML. Lists are never changed."""
 
-    value: Any
+    value: object
 
     @property
     def kind(self) -> type:
         """The type of the data; of what is given from outside it may be asked without looking at the value (``values.given``)."""
         return type(self.value)
+
+    def of(self, kind: type[Plain]) -> Plain:
+        """The data as that of the *kind* that it is known to have."""
+        data = self.value
+        if not isinstance(data, kind):
+            raise TypeError(f"the data is no {kind.__name__}")
+        return data
 
     def ask(self, question: str, operand: object = None) -> int:
         """The answer to one of ``values.questions.QUESTIONS``; TypeError where the data is not of the kind that it is about."""

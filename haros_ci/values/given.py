@@ -148,7 +148,7 @@ def letter(value: Known, place: int) -> Known:
     """The character at a *place* that a text has."""
     if isinstance(value, Given) and value.mark is not None and str(value.held)[place].isascii():
         return Letter(value, place)
-    return Known(value.value[place])
+    return Known(value.of(str)[place])
 
 
 def beginning(value: Known, count: int) -> Known | None:

@@ -141,8 +141,10 @@ def _text_of(value: Value) -> Cell | None:
 
 def _character(value: Value) -> str | None:
     if isinstance(value, Known) and issubclass(value.kind, Character):
-        return chr(value.value)
-    return value.value if isinstance(value, Known) and issubclass(value.kind, str) and len(value.value) == 1 else None
+        return chr(value.of(int))
+    return (
+        value.of(str) if isinstance(value, Known) and issubclass(value.kind, str) and len(value.of(str)) == 1 else None
+    )
 
 
 def _boost(name: str, words: list[str]) -> Function_[[str], str] | None:
@@ -171,7 +173,7 @@ def _ascii(text: str, change: Function_[[str], str]) -> str:
 
 def _changed(value: Value, change: Function_[[str], str], is_by_letter: bool) -> Value | None:
     if isinstance(value, Known) and issubclass(value.kind, str):
-        after = change(value.value)
+        after = change(value.of(str))
         return Known(after) if len(after) <= TEXT_LIMIT else Opaque("it is a long text")
     if isinstance(value, Text) and is_by_letter:
         return Text(tuple(change(part) if isinstance(part, str) else part for part in value.parts))

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from itertools import product
 from math import prod
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow import comprehensions
-from haros_ci.values.abstract import LIST_LIMIT, NONE, Cell, Known, Sequence, Value, same
+from haros_ci.values.abstract import LIST_LIMIT, NONE, Cell, Elements, Known, Sequence, Value, same
 from haros_ci.values.state import certain
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ def _same(one: Value, other: Value) -> bool:
 
 
 def _once(items: list[Value]) -> list[Value]:
-    found: dict[Any, Value] = {}
+    found: dict[object, Value] = {}
     for item in items:
         key = (
             (item.kind is str, item.value)
@@ -93,14 +93,14 @@ def _is_list(value: Value) -> bool:
     return isinstance(value, Known) and issubclass(value.kind, list)
 
 
-def _data(items: list[Value]) -> list[Any] | None:
+def _data(items: list[Value]) -> list[object] | None:
     found = [item.value for item in items if isinstance(item, Known) and not issubclass(item.kind, (list, dict))]
     return found if len(found) == len(items) else None
 
 
 def method(walk: Walk, receiver: Sequence, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """A method of a set, or one that puts a list's elements elsewhere; None if its effect is not known."""
-    cells: Any = receiver.content.value
+    cells = receiver.content.value
     if name == "clear":
         walk.state.write(receiver.content, ())
         return NONE
@@ -160,9 +160,9 @@ def _at_place(
 
 def changed(walk: Walk, frame: Frame, held: Sequence, symbol: str, value: Value) -> Value:
     """``l += m``, ``s |= t``: the list or set itself has other elements."""
-    cells: Any = held.content.value
+    cells = held.content.value
     items = comprehensions.items(value) if isinstance(value, Sequence) or _is_list(value) else None
-    found: Any = None
+    found: Elements | None = None
     if symbol != "+":
         whole = combined(symbol, held, value)
         found = whole.content.value if whole is not None else None
@@ -214,11 +214,14 @@ def ordered(items: list[Value]) -> list[Value] | None:
     """The texts or numbers *items* in their order, or pairs in that of their first elements; None if they are not known."""
     keys = [_first(item) for item in items]
     data = [key.value for key in keys if isinstance(key, Known)]
-    if len(data) != len(items) or len({type(key) for key in data}) > 1 or not isinstance((data or [0])[0], (str, int)):
+    texts, numbers = [key for key in data if isinstance(key, str)], [key for key in data if isinstance(key, int)]
+    if len(items) not in (len(texts), len(numbers)) or len({type(key) for key in data}) > 1:
         return None
     if any(key is not item for key, item in zip(keys, items, strict=True)) and len(set(data)) < len(data):
         return None  # the second ones decide
-    return [items[place] for place in sorted(range(len(items)), key=data.__getitem__)]
+    places = range(len(items))
+    ranked = sorted(places, key=lambda place: texts[place]) if texts else sorted(places, key=lambda p: numbers[p])
+    return [items[place] for place in ranked]
 
 
 def _first(item: Value) -> Value:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
@@ -28,7 +28,7 @@ def method(walk: Walk, frame: Frame, text: str, name: str, args: tuple[PassedArg
     """What ``text.name(*args)`` gives (docs.python.org/3/library/stdtypes.html#string-methods); None if not known."""
     if name not in METHODS or any(argument.keyword for argument in args):
         return None
-    provided: list[Any] = []
+    provided: list[object] = []
     for argument in args:
         known, data = data_of(argument.value)
         if not known or not isinstance(data, (str, int, list, type(None))) or _is_large(data):
@@ -46,7 +46,7 @@ def method(walk: Walk, frame: Frame, text: str, name: str, args: tuple[PassedArg
     return walk.opaque("it is a long text", frame) if isinstance(made, str) and len(made) > TEXT_LIMIT else Known(made)
 
 
-def _is_large(data: Any) -> bool:
+def _is_large(data: object) -> bool:
     return isinstance(data, int) and abs(data) > TEXT_LIMIT
 
 

@@ -112,7 +112,7 @@ def directory(walk: Walk, value: Value) -> Value | None:
         return None
     if walk.index.trace is not None:
         walk.index.trace.paths.add(XML_FILES)
-    found = reader.directory(value.value)
+    found = reader.directory(value.of(str))
     if not found or len(found) > MOST:
         return None
     return Sequence(Cell(tuple(Cell(Known(path), syntax.Type("std::filesystem::path")) for path in found)))

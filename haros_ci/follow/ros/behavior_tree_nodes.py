@@ -4,12 +4,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import activation, call_arguments, calls, construct, inert, methods
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.made import MadeEntity, Root
+from haros_ci.follow.made import Key, MadeEntity, Root
 from haros_ci.follow.ros import behavior_tree_ports
 from haros_ci.follow.walk import Walk
 from haros_ci.index.behavior_tree_files import Tag
@@ -70,7 +69,7 @@ def _registered(walk: Walk, factory: Object) -> Iterator[tuple[Object, str]]:
                 yield registered, name
 
 
-def _makes_ends(walk: Walk, before: Mapping[Any, MadeEntity]) -> bool:
+def _makes_ends(walk: Walk, before: Mapping[Key, MadeEntity]) -> bool:
     """Whether an endpoint but parameters was made since, also one that was known before."""
     new = (made for key, made in walk.made.items() if before.get(key) is not made)
     return any(made.kind not in PARAMETERS for made in new)

@@ -9,7 +9,7 @@ What such a parameter says of an end without these options changes nothing.
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci.follow.made import MadeEntity, make
 from haros_ci.follow.ros.qos import DURATIONS, overridden, override_id, override_policies
@@ -87,7 +87,7 @@ def _current_value(applied: Applied, node: RosNode, name: str) -> Value | None:
     return None if isinstance(found, Perhaps) and name not in found.reason else found
 
 
-def _default(policy: str, value: Any) -> Value:
+def _default(policy: str, value: object) -> Value:
     """A policy as the parameter for it holds it: a word, a number of messages, nanoseconds."""
     if value == "?":
         return Opaque("the quality of service is not known")

@@ -63,7 +63,7 @@ def _names(applied: Applied, node: RosNode) -> Iterable[str] | Opaque:
         if isinstance(argument_value, Opaque):
             return argument_value
         outside = argument_value.value if isinstance(argument_value, Known) else ()
-        found |= {*whole.given, *outside}
+        found |= {*whole.given, *(str(name) for name in (outside if isinstance(outside, Iterable) else ()))}
     return found
 
 
@@ -73,7 +73,7 @@ def _texts(value: Value | None) -> list[str] | None:
         value = value.cell.value
     content = value.content.value if isinstance(value, Sequence) else None
     if isinstance(value, Known) and issubclass(value.kind, list):
-        content = tuple(Cell(Known(item)) for item in value.value)
+        content = tuple(Cell(Known(item)) for item in value.of(list))
     if not isinstance(content, tuple):
         return None
     texts = [cell.value.value if isinstance(cell.value, Known) else None for cell in content]
