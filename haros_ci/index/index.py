@@ -97,7 +97,7 @@ class Index:
     def _near(
         self, table: Mapping[str, list[tuple[Source, Entity]]], name: str, source: Source, files: frozenset[str]
     ) -> list[tuple[Source, Entity]]:
-        found: list[tuple[Source, Entity]] | None = dict.get(table, name)  # type: ignore[call-overload]
+        found: list[tuple[Source, Entity]] | None = dict.get(table, name)  # type: ignore[call-overload]  # past the trace
         if found and (name in self.library or name.rpartition("::")[0] in self.library):
             found = [item for item in found if self._may_be_here(item[0], source, files)]
         if not found:

@@ -237,7 +237,7 @@ def concatenate(values: tuple[Value, ...], show: Function_[[Value], str | Opaque
             return chosen if chosen is not None else Opaque("no value")
     for value in values:
         if isinstance(value, Known) and value.__class__ is not Known:
-            joined: Value = value.joined(values, show)  # type: ignore[attr-defined]
+            joined: Value = value.joined(values, show)  # type: ignore[attr-defined]  # of values.given, which opens this module
             return joined
     parts: list[str | Opaque] = []
     length = 0

@@ -17,8 +17,8 @@ OTHERS = 16
 Writes = dict[Slot, object]
 
 
-#: ``join`` of what cells hold: values, where it is no content of a sequence or map.
-_join: Callable[[object, object], object] = join  # type: ignore[assignment]
+#: ``join`` of what cells hold.
+_join: Callable[[object, object], object] = join  # type: ignore[assignment]  # where it is no content, it is a value
 
 
 @dataclass(frozen=True, slots=True)

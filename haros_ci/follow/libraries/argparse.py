@@ -23,7 +23,7 @@ DECLARED, OPTION = "[options]", "[option]"
 PLAIN = frozenset(("", "prog", "usage", "description", "epilog", "formatter_class", "add_help"))
 GROUPS = frozenset(("add_argument_group", "add_mutually_exclusive_group"))
 ACTIONS = frozenset(("store", "store_true", "store_false", "store_const", "append", "count"))
-TYPES: dict[str, type[int] | type[float] | type[str]] = {"int": int, "float": float, "str": str}
+TYPES: dict[str, type[int | float | str]] = {"int": int, "float": float, "str": str}
 #: Words on one command line, options of one parser, and positional ones of these that take a number of words that is not
 #: fixed: argparse matches with expressions that try each way to share the words among them.
 MOST, OPEN = 64, 3

@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import fields, replace
-from typing import Any, Union
+from typing import Any
 
 from haros_ci.follow.ros.qos_profiles import ALIASES, CLASSES, CONSTANTS, DEFAULT, NUMBERS, PROFILES, UNITS, WORDS
 from haros_ci.model.architecture import Qos
@@ -212,7 +212,7 @@ def _sane(qos: Qos) -> Qos:
 
 
 #: A word, a number of messages, or seconds; None for the default.
-Policy = Union[str, int, float, None]
+Policy = str | int | float | None
 
 
 def _policy(policy: str, value: Value) -> tuple[Policy, Why | None]:

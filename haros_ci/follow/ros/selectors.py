@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING, Union
+from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow import conversions, handles, members, methods
@@ -31,7 +31,7 @@ class TypeValue:
 
 
 #: What a template or selector finds: None if nothing is there.
-Found = Union[Value, TypeValue, None]
+Found = Value | TypeValue | None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
