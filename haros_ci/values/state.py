@@ -96,8 +96,8 @@ def _content(branches: list[Writes], cell: Slot) -> object:
     contents = [branch.get(cell, cell.value) for branch in branches]
     if all(content is contents[0] for content in contents):
         return contents[0]
-    lists = [content for content in contents if isinstance(content, tuple)]
-    if len(lists) == len(contents) and all(len(cells) == len(lists[0]) for cells in lists):
+    lists = _alike(contents)
+    if lists:
         return tuple(_element(branches, cells) for cells in zip(*lists, strict=True))
     value = contents[0]
     for content in contents[1:]:
@@ -107,6 +107,12 @@ def _content(branches: list[Writes], cell: Slot) -> object:
         end = _element(branches, ends)
         return Partial(value.reason, value.location, value.type, (*certain(value), end), possible(value), end)
     return value
+
+
+def _alike(contents: list[object]) -> list[tuple[Cell, ...]]:
+    """*contents* where all are of one number of cells that are known; empty if they are not."""
+    lists = [content for content in contents if isinstance(content, tuple)]
+    return lists if len(lists) == len(contents) and len({len(cells) for cells in lists}) == 1 else []
 
 
 def _element(branches: list[Writes], cells: Iterable[Cell]) -> Cell:

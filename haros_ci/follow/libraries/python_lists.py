@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from itertools import product
 from math import prod
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from haros_ci import syntax
 from haros_ci.follow import comprehensions
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from haros_ci.follow.frames import Frame
     from haros_ci.follow.walk import Walk
 
+Kind = TypeVar("Kind")
 SET = syntax.Type("set")
 #: What the methods of sets compute, as operators write it; those that change the set itself after ``=``.
 METHODS = {
@@ -214,14 +215,22 @@ def ordered(items: list[Value]) -> list[Value] | None:
     """The texts or numbers *items* in their order, or pairs in that of their first elements; None if they are not known."""
     keys = [_first(item) for item in items]
     data = [key.value for key in keys if isinstance(key, Known)]
-    texts, numbers = [key for key in data if isinstance(key, str)], [key for key in data if isinstance(key, int)]
+    texts, numbers = _of_kind(data, str), _of_kind(data, int)
     if len(items) not in (len(texts), len(numbers)) or len({type(key) for key in data}) > 1:
         return None
     if any(key is not item for key, item in zip(keys, items, strict=True)) and len(set(data)) < len(data):
         return None  # the second ones decide
-    places = range(len(items))
-    ranked = sorted(places, key=lambda place: texts[place]) if texts else sorted(places, key=lambda p: numbers[p])
-    return [items[place] for place in ranked]
+    places = _ranked(texts) if texts else _ranked(numbers)
+    return [items[place] for place in places]
+
+
+def _of_kind(data: list[object], kind: type[Kind]) -> list[Kind]:
+    return [item for item in data if isinstance(item, kind)]
+
+
+def _ranked(data: list[str] | list[int]) -> list[int]:
+    """The places of *data* in the order of what stands there; of equal ones the first comes first."""
+    return [place for _, place in sorted(zip(data, range(len(data)), strict=True))]
 
 
 def _first(item: Value) -> Value:

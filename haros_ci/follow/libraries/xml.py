@@ -72,15 +72,15 @@ def _document(walk: Walk, frame: Frame, document: Object, name: str, texts: list
         return document.fields[ROOT].value
     if name == "FirstChildElement" and ROOT in document.fields:
         root_value = document.fields[ROOT].value
-        first = _held(root_value, SELF) if isinstance(root_value, Object) else None
+        first = _held(root_value, SELF)
         is_named = isinstance(first, LaunchElement) and texts in ([], [first.tag])
         return root_value if is_named or isinstance(root_value, Opaque) else None
     return None
 
 
-def _held(element: Object, name: str) -> object:
+def _held(element: Value, name: str) -> object:
     """What a member of an element stands for; None where that is not known."""
-    value = element.fields[name].value
+    value = element.fields[name].value if isinstance(element, Object) else None
     return value.value if isinstance(value, Known) else None
 
 
