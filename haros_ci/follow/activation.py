@@ -103,7 +103,7 @@ def invoke(
         definition,
         function.this,
         templates=templates,
-        outer=function.frame,
+        outer=function.frame if isinstance(function.frame, Frame) else None,
         mark=walk.state.mark(),
     )
     returns = walk.type_in(definition.returns, inner)

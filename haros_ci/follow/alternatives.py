@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from haros_ci.follow import copies
 from haros_ci.index.types import MAPS, SEQUENCES, pointee
 from haros_ci.values.abstract import Cell, Mapped, Object, Sequence, Value
+from haros_ci.values.cells import Slot
 
 if TYPE_CHECKING:
     from collections.abc import Sequence as Sequence_
@@ -75,7 +76,7 @@ def own(walk: Walk, writes: Writes) -> Writes:
     return {cell: writes[cell] for object_ in objects for cell in _cells(object_, NESTED) if cell in writes}
 
 
-def _cells(value: Value, depth: int) -> Iterator[Cell]:
+def _cells(value: Value, depth: int) -> Iterator[Slot]:
     """The variables that are part of an object: its members, what is in them, no object that they point to."""
     for cell in value.fields.values() if isinstance(value, Object) else ():
         yield cell

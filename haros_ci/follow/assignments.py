@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import (
@@ -124,7 +123,7 @@ def _fill(walk: Walk, held: Object, value: Value) -> bool:
             walk.state.write(member, value.fields[name].value)
         else:
             walk.state.write(member, Opaque(uncertain.UNCERTAIN, None, member.type))
-    if not same or not isinstance(value, Object):
+    if not isinstance(value, Object) or value.definition is None:
         return False
     for name, member in value.fields.items():
         if name not in held.fields:
@@ -203,12 +202,12 @@ def _unset(walk: Walk, owner: Object) -> str:
 def _entry(walk: Walk, frame: Frame, target: syntax.Subscript) -> Cell | None:
     """The new entry of a dictionary that Python assigns to; None for all that is no dictionary, or is not known."""
     container, key, _ = _parts(walk, frame, target)
-    pairs: Any = container.content.value if isinstance(container, Mapped) else None
+    pairs = container.content.value if isinstance(container, Mapped) else None
     if not isinstance(pairs, dict) or not isinstance(key, Known) or issubclass(key.kind, (list, dict)):
         return None
     if len(pairs) >= LIST_LIMIT:
         return None
-    cell = Cell(walk.opaque("it is not set before", frame))
+    cell: Cell = Cell(walk.opaque("it is not set before", frame))
     assert isinstance(container, Mapped)
     walk.state.write(container.content, {**pairs, key.value: cell})
     return cell
@@ -230,7 +229,7 @@ def indexed(walk: Walk, frame: Frame, expression: syntax.Subscript) -> Value:
                 return texts.number(letter(container, key.value))
             return walk.opaque("a character that is not known", frame)
         try:
-            return Known(container.value[key.value])
+            return Known(container.value[key.value])  # type: ignore[index]  # LookupError or TypeError if it has none
         except (LookupError, TypeError):
             if isinstance(container.value, (dict, list)) and frame.source.separator != ".":
                 return NONE  # yaml-cpp: an undefined node
@@ -328,11 +327,11 @@ def element(walk: Walk, frame: Frame, container: Value, key: Value, kind: Type |
         container = container.cell.value
     if isinstance(container, Sequence) and isinstance(container.content.value, tuple):
         cells = container.content.value
-        if isinstance(key, Known) and issubclass(key.kind, int) and -len(cells) <= key.value < len(cells):
-            found: Cell = cells[key.value]
+        if isinstance(key, Known) and issubclass(key.kind, int) and -len(cells) <= key.of(int) < len(cells):
+            found: Cell = cells[key.of(int)]
             return found if not walk.look_ups else alternatives.looked_up(walk, frame, found)
         if isinstance(key, Known) and issubclass(key.kind, int) and braces.is_open(container):
-            return braces.grown(walk, frame, container, key.value)
+            return braces.grown(walk, frame, container, key.of(int))
         return None
     if isinstance(container, Mapped) and isinstance(container.content.value, dict) and isinstance(key, Known):
         try:

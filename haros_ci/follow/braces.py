@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from haros_ci import syntax
 from haros_ci.follow import call_arguments, construct, conversions, copies
 from haros_ci.follow.frames import Frame
@@ -66,13 +64,14 @@ def is_text(argument: call_arguments.PassedArgument) -> bool:
 
 def _pairs(walk: Walk, frame: Frame, kind: Type, values: list[Value]) -> Value:
     inner = kind.of(1)
-    made: dict[Any, Cell] = {}
+    made: dict[object, Cell] = {}
     for value in values:
-        pair: Any = value.content.value if isinstance(value, Sequence) else None
+        content = value.content.value if isinstance(value, Sequence) else None
+        pair = content if isinstance(content, tuple) and len(content) == 2 else None
         if isinstance(value, Mapped) and len(values) == 1:
             return copies.copied(walk, value, kind)
-        key = pair[0].value if isinstance(pair, tuple) and len(pair) == 2 else None
-        if not isinstance(key, Known) or not issubclass(key.kind, (str, int)):
+        key = pair[0].value if pair is not None else None
+        if pair is None or not isinstance(key, Known) or not issubclass(key.kind, (str, int)):
             return Mapped(Cell(walk.opaque("a map with computed keys", frame)))
         made.setdefault(key.value, Cell(fitted(walk, frame, inner, pair[1].value), inner))
     return Mapped(Cell(made))
@@ -121,16 +120,16 @@ def is_array_of_objects(walk: Walk, frame: Frame, kind: Type | None) -> bool:
 
 def grown(walk: Walk, frame: Frame, container: Sequence, index: int) -> Cell | None:
     """The element *index* of an array whose length is not known, constructed if need be."""
-    cells: Any = container.content.value
+    cells = container.content.value
     inner = container.type.of(0) if container.type is not None else None
     if inner is None or not 0 <= index < GROWN or not copies.is_by_value(inner):
         return None
     if walk.class_of(inner.name, frame.source) is None:
         return None
-    fresh = [Cell(made(walk, frame, inner), inner) for _ in range(index + 1 - len(cells))]
-    walk.state.write(container.content, (*cells, *fresh))
-    found: Cell = container.content.value[index]
-    return found
+    held = cells if isinstance(cells, tuple) else ()
+    whole = (*held, *(Cell(made(walk, frame, inner), inner) for _ in range(index + 1 - len(held))))
+    walk.state.write(container.content, whole)
+    return whole[index]
 
 
 def made(walk: Walk, frame: Frame, kind: Type) -> Value:

@@ -46,8 +46,11 @@ def arguments(walk: Walk, frame: Frame, written: tuple[Expression, ...]) -> tupl
         if isinstance(expression, syntax.DoubleStar):
             argument_value = expressions.evaluate(walk, frame, expression.value)
             cells = argument_value.content.value if isinstance(argument_value, Mapped) else None
-            if isinstance(cells, dict) and all(isinstance(key, str) for key in cells):
-                result += [PassedArgument(cell.value, cell, None, key) for key, cell in cells.items()]
+            named = (
+                {key: cell for key, cell in cells.items() if isinstance(key, str)} if isinstance(cells, dict) else {}
+            )
+            if isinstance(cells, dict) and len(named) == len(cells):
+                result += [PassedArgument(cell.value, cell, None, key) for key, cell in named.items()]
             else:
                 result.append(PassedArgument(walk.opaque(UNPACKED, frame), keyword="**"))
             continue

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow import activation, call_arguments, calls, conversions
@@ -24,14 +24,13 @@ MAYBE = Opaque("whether it is in the list")
 
 def items(value: Value) -> list[Value] | None:
     """What a loop over a Python value goes through; None if that is not known."""
-    content: Any = value.content.value if isinstance(value, (Sequence, Mapped)) else None
+    content = value.content.value if isinstance(value, (Sequence, Mapped)) else None
     if isinstance(value, Sequence) and isinstance(content, tuple):
         return [cell.value for cell in content]
     if isinstance(value, Mapped) and isinstance(content, dict):
         return [Known(key) for key in content]
-    if isinstance(value, Known) and issubclass(value.kind, (str, list, dict)) and len(value.value) <= LIST_LIMIT:
-        return [Known(item) for item in value.value]
-    return None
+    data = value.value if isinstance(value, Known) and issubclass(value.kind, (str, list, dict)) else None
+    return [Known(item) for item in data] if isinstance(data, (str, list, dict)) and len(data) <= LIST_LIMIT else None
 
 
 def comprehension(walk: Walk, frame: Frame, is_flat: bool, args: tuple[PassedArgument, ...]) -> Value:
@@ -75,7 +74,7 @@ def _guarded(
     if holds is not None:
         return _call(walk, frame, element, item) if holds else None
     text = args[3].value
-    shown = text.value if isinstance(text, Known) and issubclass(text.kind, str) else "if"
+    shown = text.of(str) if isinstance(text, Known) and issubclass(text.kind, str) else "if"
     mark = walk.state.mark()
     with walk.under("if", shown, frame, guard.function.line, guard.function.column):
         _call(walk, frame, element, item)
@@ -116,7 +115,7 @@ def applied(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...
 
 def dictionary(walk: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value:
     """``dict(mapping or pairs, name=value)``, a new one."""
-    made: dict[Any, Cell] = {}
+    made: dict[object, Cell] = {}
     unknown = Mapped(Cell(walk.opaque("a dictionary made from what is not known", frame)))
     for number, argument in enumerate(args):
         if argument.keyword in ("*", "**") or (number and not argument.keyword):
@@ -131,17 +130,17 @@ def dictionary(walk: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Va
     return Mapped(Cell(made))
 
 
-def _pairs(value: Value) -> dict[Any, Cell] | None:
+def _pairs(value: Value) -> dict[object, Cell] | None:
     """The entries of a dictionary, or of a list of pairs; None where a key is not known."""
     if isinstance(value, Mapped):
-        content: Any = value.content.value
+        content = value.content.value
         return (
             {key: Cell(cell.value, cell.type) for key, cell in content.items()} if isinstance(content, dict) else None
         )
     if isinstance(value, Known) and issubclass(value.kind, dict):
-        return {key: Cell(Known(item)) for key, item in value.value.items()}
+        return {key: Cell(Known(item)) for key, item in value.of(dict).items()}
     found = items(value)
-    made: dict[Any, Cell] = {}
+    made: dict[object, Cell] = {}
     for item in found or ():
         pair = items(item)
         if pair is None or len(pair) != 2:

@@ -159,17 +159,17 @@ def _vector(walk: Walk, frame: Frame, kind: Type, arguments: tuple[call_argument
         return Sequence(twin.content, kind) if isinstance(twin, Sequence) else twin
     inner = kind.of(0) or NO_TYPE
     if inner.name in STRINGS and all(braces.is_text(argument) for argument in arguments):
-        items = Cell(tuple(Cell(argument.value) for argument in arguments))
-        return braces.from_list(walk, frame, kind, Sequence(items))  # no other constructor takes texts
+        items = Sequence(Cell(tuple(Cell(argument.value) for argument in arguments)))
+        return braces.from_list(walk, frame, kind, items)  # no other constructor takes texts
     begin = create if tuples.is_unset(kind, inner) else of_template
     fill = arguments[1].value if len(arguments) > 1 else None
     within = fill.content.value if isinstance(fill, Sequence) else ()
     most = LIST_LIMIT // max(1, len(within) if isinstance(within, tuple) else 1)
     if walk.class_of(inner.name, frame.source) is not None:
         most = min(most, OBJECTS)
-    if isinstance(first, Known) and issubclass(first.kind, int) and 0 <= first.value <= most:
+    if isinstance(first, Known) and issubclass(first.kind, int) and 0 <= first.of(int) <= most:
         cells = []
-        for _ in range(first.value):
+        for _ in range(first.of(int)):
             value = copies.copied(walk, fill, inner) if fill is not None else None
             start = value if value is not None else begin(walk, frame, inner, (), Location(frame.source.path))
             cells.append(Cell(start, inner))
@@ -338,13 +338,13 @@ def python_construct(
     walk: Walk, frame: Frame, this: Object, arguments: tuple[call_arguments.PassedArgument, ...], location: Location
 ) -> None:
     """``__init__``, and the constructors of libraries' base classes."""
+    assert this.definition is not None
     source, definition = this.definition
     method = methods.method_of(walk, this, "__init__")
     if method is not None:
         activation.invoke(walk, frame, method, arguments)
     else:
         data_classes.construct(walk, frame, this, arguments)
-    for base in methods.library_bases(walk, source, definition):
-        if method is None:
-            library_objects.construct_library(walk, frame, this, syntax.Type(base), arguments, location)
+    for base in methods.library_bases(walk, source, definition) if method is None else ():
+        library_objects.construct_library(walk, frame, this, syntax.Type(base), arguments, location)
     callbacks.framework_entries(walk, this)

@@ -6,7 +6,6 @@ from __future__ import annotations
 from collections.abc import Callable as Function_
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
 from haros_ci.follow.made import MadeEntity
 from haros_ci.graph.ros2_process import Process
@@ -19,7 +18,9 @@ from haros_ci.values.given import Marks
 
 #: From a call's place, the last part of its function's name and the number of its arguments to the arguments' types and
 #: values and the template arguments' types, each None where it is not known.
-Exact = Function_[[str, int, int, str, int], tuple[tuple[tuple[str | None, Any], ...], tuple[str | None, ...]] | None]
+Exact = Function_[
+    [str, int, int, str, int], tuple[tuple[tuple[str | None, object], ...], tuple[str | None, ...]] | None
+]
 
 
 @dataclass(slots=True)

@@ -124,7 +124,7 @@ SHOWN: dict[type, Type] = {
 }
 
 
-def value_type(value: Value) -> Type | None:
+def value_type(value: object) -> Type | None:
     """The static type that a value shows by itself."""
     if isinstance(value, Known):
         return SHOWN.get(int if value.kind is Character else value.kind)

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import assignments, call_arguments, construct, expressions, methods
@@ -52,13 +51,13 @@ def _copy(walk: Walk, value: Value, kind: Type, depth: int, left: list[int]) -> 
     if depth < 0 or left[0] < 0:
         return Opaque("it is too large to be followed", None, kind)
     if isinstance(value, Sequence):
-        cells: Any = value.content.value
+        cells = value.content.value
         inner = kind.of(0) if kind.name in SEQUENCES else None
         if isinstance(cells, tuple):
             cells = tuple(_twin(walk, cell, cell.type or inner, depth, left) for cell in cells)
         return Sequence(Cell(cells), value.type or (kind if kind.name in SEQUENCES else None))
     if isinstance(value, Mapped):
-        pairs: Any = value.content.value
+        pairs = value.content.value
         inner = kind.of(1) if kind.name in MAPS else None
         if isinstance(pairs, dict):
             pairs = {key: _twin(walk, cell, cell.type or inner, depth, left) for key, cell in pairs.items()}
@@ -105,6 +104,7 @@ def derives(walk: Walk, one: tuple[Source, Class], base: Class, depth: int = 0) 
 
 def is_reference(walk: Walk, value: Object, name: str) -> bool:
     """Whether a member is a reference."""
+    assert value.definition is not None
     source, definition = value.definition
     key = ("reference", source.path, definition.name, name)
     if key not in walk.found:

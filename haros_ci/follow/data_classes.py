@@ -26,6 +26,7 @@ OTHER = "the constructor of its class is not known"
 
 def construct(walk: Walk, frame: Frame, this: Object, args: tuple[PassedArgument, ...]) -> None:
     """Set the fields of *this* to *args*, or as their ``field(…)`` says, and call ``__post_init__``."""
+    assert this.definition is not None
     source, definition = this.definition
     fields = _fields(walk, source, definition, 0)
     if not fields:

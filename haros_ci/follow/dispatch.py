@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from haros_ci.follow import callbacks, methods
 from haros_ci.follow.libraries import python_modules
 from haros_ci.follow.walk import Walk
@@ -20,7 +18,7 @@ def entry(table: Value, default: Value | None = None) -> Value | None:
 
     None for all that is not a table, whole and known. *default* is what ``get`` gives for other keys.
     """
-    cells: Any = table.content.value if isinstance(table, Mapped) else None
+    cells = table.content.value if isinstance(table, Mapped) else None
     if not isinstance(cells, dict) or not all(isinstance(cell.value, HELD) for cell in cells.values()):
         return None
     result: Value | None = default
@@ -31,7 +29,7 @@ def entry(table: Value, default: Value | None = None) -> Value | None:
 
 def kept(walk: Walk, table: Value, value: Value) -> None:
     """*value* is kept in *table* under a key that is not known, which hides what stands there: it may all be called."""
-    cells: Any = table.content.value if isinstance(table, Mapped) else None
+    cells = table.content.value if isinstance(table, Mapped) else None
     for callable_ in (*(cell.value for cell in cells.values()), value) if isinstance(cells, dict) else (value,):
         if isinstance(callable_, Callable):
             callbacks.register(walk, callable_)

@@ -95,9 +95,9 @@ def plugin(walk: Walk, called: str | None, reason: str, location: Location) -> N
 def module(walk: Walk, frame: Frame, name: str, args: tuple[call_arguments.PassedArgument, ...]) -> Value | None:
     """The Python module that one of ``IMPORTS`` gives: ``__import__`` alone gives the package that it is in."""
     expected = args[0].value if args else None
-    if isinstance(expected, Known) and issubclass(expected.kind, str) and not expected.value.startswith("."):
+    if isinstance(expected, Known) and issubclass(expected.kind, str) and not expected.of(str).startswith("."):
         is_top = name == "__import__" and len(args) == 1
-        return lookup.imported(walk, frame, expected.value.partition(".")[0] if is_top else expected.value)
+        return lookup.imported(walk, frame, expected.of(str).partition(".")[0] if is_top else expected.of(str))
     tail = expected.parts[-1] if isinstance(expected, Text) else None
     if isinstance(tail, str) and tail.endswith(tuple(f".{kind}" for kind in INTERFACES)):
         return None

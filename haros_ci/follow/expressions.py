@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable as Function_
 from dataclasses import replace
-from typing import Any, TypeVar, cast
+from typing import TypeVar, cast
 
 from haros_ci import syntax
 from haros_ci.follow import (
@@ -140,7 +140,7 @@ def _list(walk: Walk, frame: Frame, expression: syntax.ListLiteral) -> Value:
 
 
 def _dict(walk: Walk, frame: Frame, expression: syntax.DictLiteral) -> Value:
-    pairs: dict[Any, Cell] = {}
+    pairs: dict[object, Cell] = {}
     for key, item in expression.pairs:
         if key and isinstance(key, syntax.DoubleStar):
             more = evaluate(walk, frame, key.value)

@@ -7,7 +7,6 @@ from collections.abc import Callable as Function_
 from collections.abc import Iterable, Mapping
 from collections.abc import Sequence as Sequence_
 from dataclasses import dataclass, replace
-from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import activation, alternatives, call_arguments, construct, inert, lookup
@@ -32,6 +31,7 @@ from haros_ci.values.abstract import (
     Value,
     tick,
 )
+from haros_ci.values.cells import Slot
 from haros_ci.values.state import Writes, joined
 
 #: Reasons of values that what others write takes the place of.
@@ -153,14 +153,14 @@ def _counted(first: Writes, second: Writes) -> Writes:
     }
 
 
-def _has_other_number(held: Any, value: Any) -> bool:
+def _has_other_number(held: object, value: object) -> bool:
     if held is value:
         return False
     before, then = _numbers(held), _numbers(value)
     return bool(before and then - before)
 
 
-def _goes_on(held: Any, first: Any, second: Any) -> bool:
+def _goes_on(held: object, first: object, second: object) -> bool:
     """Whether a number that became *first* becomes yet another one."""
     if _is_counted(first):
         return True
@@ -168,12 +168,12 @@ def _goes_on(held: Any, first: Any, second: Any) -> bool:
     return bool(before and then) and (isinstance(second, Opaque) or bool(now - before - then))
 
 
-def _numbers(value: Any) -> frozenset[Any]:
+def _numbers(value: object) -> frozenset[object]:
     options = value.options if isinstance(value, Choice) else (value,)
     return frozenset(option.value for option in options if isinstance(option, Known) and option.kind in (int, float))
 
 
-def _is_counted(value: Any) -> bool:
+def _is_counted(value: object) -> bool:
     return isinstance(value, Opaque) and value.reason == COUNTS
 
 
@@ -255,7 +255,7 @@ def _disturb(walk: Walk, effects: Sequence_[Writes], own: int) -> None:
     _disturb_all(walk, effects, own, _disturbed(_all_together(walk) if effects is walk.effects else _together(effects)))
 
 
-def _disturb_all(walk: Walk, effects: Sequence_[Writes], own: int, together: Mapping[Cell, Any]) -> None:
+def _disturb_all(walk: Walk, effects: Sequence_[Writes], own: int, together: Mapping[Slot, object]) -> None:
     """The same where *together* is what holds after one or another of them, of the cells that this changes."""
     mine = effects[own] if 0 <= own < len(effects) else {}
     for cell, value in together.items():
@@ -264,31 +264,31 @@ def _disturb_all(walk: Walk, effects: Sequence_[Writes], own: int, together: Map
                 if number != own and cell in writes:
                     after = _joined(cell.value, writes[cell])
                     if after is not cell.value:
-                        walk.state.write(cell, after)
+                        walk.state.put(cell, after)
         else:
-            walk.state.write(cell, value)
+            walk.state.put(cell, value)
 
 
-def _disturbed(together: Mapping[Cell, Any]) -> dict[Cell, Any]:
+def _disturbed(together: Mapping[Slot, object]) -> Writes:
     """Of what callbacks may leave behind, joined with what holds: the cells that hold something else then."""
     after = {cell: _joined(cell.value, value) for cell, value in together.items()}
     return {cell: value for cell, value in after.items() if value is not cell.value}
 
 
-def _joined(held: Any, value: Any) -> Any:
+def _joined(held: object, value: object) -> object:
     if held is value or (held.__class__ is Opaque and held.reason not in UNSETS):
         return held
     return joined(held, value)
 
 
-def _all_together(walk: Walk) -> Mapping[Cell, Any]:
+def _all_together(walk: Walk) -> Mapping[Slot, object]:
     """What each cell holds after one or another of the callbacks rehearsed so far; each is joined once."""
     _together(walk.effects[walk.joined :], walk.together)
     walk.joined = len(walk.effects)
     return walk.together
 
 
-def _together(effects: Iterable[Writes], found: dict[Cell, Any] | None = None) -> dict[Cell, Any]:
+def _together(effects: Iterable[Writes], found: Writes | None = None) -> Writes:
     """What each cell holds after one or another of the callbacks, or after what is *found* already."""
     found = {} if found is None else found
     for writes in effects:
@@ -301,7 +301,7 @@ def _invoke(walk: Walk, frame: Frame, root: Root) -> None:
     before, dead = walk.conditions[:], walk.dead_root
     walk.conditions[:], walk.dead_root, walk.is_raised = root.conditions, root.dead, False
     for cell, value in root.writes.items():
-        walk.state.write(cell, value)
+        walk.state.put(cell, value)
     if root.is_tick:
         walk.idle.clear()  # what one node of a tree makes, others may have made
     with walk.doubted(root.doubt):

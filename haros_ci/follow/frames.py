@@ -5,13 +5,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
 from haros_ci import syntax
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
 from haros_ci.syntax import Function
 from haros_ci.values.abstract import Cell, Object, Opaque, Value
+from haros_ci.values.cells import Closure
+from haros_ci.values.state import Writes
 
 #: How a block ends: it falls through, or it leaves in one of these ways.
 NEXT, RETURN, BREAK, CONTINUE, THROW = "next", "return", "break", "continue", "throw"
@@ -22,14 +23,15 @@ RAISED = "raised"
 BOUND = "the bound of "
 
 
-def of_element(key: Any) -> str:
+def of_element(key: object) -> str:
     """Why the element at *key* is not known: a bound that the key is not known for, or nothing of its own."""
-    named = isinstance(key, Opaque) and key.reason.startswith(BOUND)
-    return key.reason if named else "an element that is not known"
+    if isinstance(key, Opaque) and key.reason.startswith(BOUND):
+        return key.reason
+    return "an element that is not known"
 
 
 @dataclass(slots=True)
-class Frame:
+class Frame(Closure):
     """An activation of a function: its names, what its template parameters mean, what it has returned so far."""
 
     source: Source
@@ -41,7 +43,7 @@ class Frame:
     outer: Frame | None = None
     mark: int = 0
     returned: list[Value] = field(default_factory=list)
-    exits: list[dict[Cell, Any]] = field(default_factory=list)
+    exits: list[Writes] = field(default_factory=list)
     #: Whether what is followed cannot be reached as things are: it is gone through for what it makes only.
     is_dead: bool = False
 
@@ -73,5 +75,5 @@ class Loop:
     bound: str = ""
     #: By place the names of parameters that its turns have read, and whether something sets them.
     asked: dict[Location, dict[str, bool]] = field(default_factory=dict)
-    breaks: list[dict[Cell, Any]] = field(default_factory=list)
-    continues: list[dict[Cell, Any]] = field(default_factory=list)
+    breaks: list[Writes] = field(default_factory=list)
+    continues: list[Writes] = field(default_factory=list)

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci.follow.ros import selectors
 from haros_ci.graph.names import pattern, resolve
@@ -26,7 +26,7 @@ def handle(applied: selectors.Applied, entry: Entry) -> Value:
     if "parent" in entry.values:
         found = selectors.value_of(applied, entry.values["parent"])
         parent = namespace_of(applied, found) if found is not None else parent
-    text = selectors.value_of(applied, entry.values["namespace"]) if "namespace" in entry.values else Known("")
+    text = selectors.value_at(applied, entry.values["namespace"]) if "namespace" in entry.values else Known("")
     if text is None or text == Known("") or text == NONE:
         return parent
     return below(applied, parent, text, context.process_name if made_here else context.name)
@@ -44,7 +44,7 @@ def below(applied: selectors.Applied, parent: Value, text: Value, node: str) -> 
     return Text((full.partition("?")[0], Opaque(why or space_why or "", where or space_where), full.partition("?")[2]))
 
 
-def namespace_of(applied: selectors.Applied, value: Any) -> Value:
+def namespace_of(applied: selectors.Applied, value: object) -> Value:
     """The absolute namespace that a handle or text stands for."""
     if isinstance(value, Pointer):
         value = value.cell.value

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import call_arguments, lookup, methods, partials
@@ -71,7 +70,7 @@ def _holds(walk: Walk, this: Object) -> bool:
     return any(value.__class__ in HELD and _makes(walk, value) for value in held)
 
 
-def _makes(walk: Walk, value: Any) -> bool:
+def _makes(walk: Walk, value: Value | None) -> bool:
     if isinstance(value, Callable):
         return may_make(walk, value, ())
     if isinstance(value, ClassValue):
@@ -106,7 +105,7 @@ def is_inert(
         return False
     if function.source.separator == "::" and _pointers(walk, changed):
         return False
-    if function.frame is not None and any(function.frame.find(name) is not None for name in changed):
+    if isinstance(function.frame, Frame) and any(function.frame.find(name) is not None for name in changed):
         return False
     if not returns.name and function.source.program.language == "python" and _returns_value(definition.body):
         return False
@@ -228,7 +227,7 @@ def skipped(
     for module in walk.modules.values():
         for name in changed & module.scopes[0].keys():
             _forget(walk, module.scopes[0][name], unknown)
-    if function.frame is not None:
+    if isinstance(function.frame, Frame):
         for name in changed:
             outer = function.frame.find(name)
             if outer is not None:
@@ -258,6 +257,6 @@ def _forget_members(walk: Walk, this: Object, changed: frozenset[str], unknown: 
 def _forget(walk: Walk, cell: Cell, unknown: Opaque) -> None:
     value = cell.value
     if isinstance(value, (Sequence, Mapped)):
-        walk.state.write(value.content, unknown)
+        walk.state.forget(value.content, unknown)
     elif isinstance(value, (Known, Choice, Text)):
         walk.state.write(cell, unknown)

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import builtins
-from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import construct, conversions, members, methods, object_macros, overloads
@@ -51,7 +50,8 @@ def named_cell(walk: Walk, frame: Frame, name: str) -> Cell | None:
 def _found_variable(walk: Walk, frame: Frame, name: str) -> tuple[Source, str, syntax.Init | None, Type] | None:
     if (key := ("variable", name, frame.scope, frame.source.path)) not in walk.found:
         walk.found[key] = _variable(walk, frame, name)
-    return walk.found[key]
+    found: tuple[Source, str, syntax.Init | None, Type] | None = walk.found[key]
+    return found
 
 
 def _variable(walk: Walk, frame: Frame, name: str) -> tuple[Source, str, syntax.Init | None, Type] | None:
@@ -105,7 +105,7 @@ def name(walk: Walk, frame: Frame, expression: syntax.Name) -> Value:
     key = ("name", name, frame.scope, frame.source.path, walk.numbered(frame.templates) if frame.templates else 0)
     if key not in walk.found:
         walk.found[key] = _global_name(walk, frame, name)
-    value: Any = walk.found[key]
+    value: Value | object_macros.ObjectMacro = walk.found[key]
     if isinstance(value, object_macros.ObjectMacro):
         return object_macros.expanded(walk, frame, value, name)
     if isinstance(value, Library) and walk.context.process is not None:

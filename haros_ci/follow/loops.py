@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import alternatives, expressions, statements, static_types, thrown
@@ -15,6 +14,7 @@ from haros_ci.follow.walk import TURNS, Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Type
 from haros_ci.values.abstract import Cell, Known, Mapped, Object, Opaque, Partial, Sequence, Value, opaque_of, tick
+from haros_ci.values.cells import Slot
 from haros_ci.values.state import certain, joined
 
 #: Turns that are tried to find what a loop changes.
@@ -243,7 +243,7 @@ def _widened(
     walk.state.merge([alternatives.own(walk, writes), writes] if ended == NEXT else [{}])
 
 
-def _forgotten(walk: Walk, frame: Frame, loop: Loop, line: int, begun: int, ways: list[tuple[Cell, Any]]) -> bool:
+def _forgotten(walk: Walk, frame: Frame, loop: Loop, line: int, begun: int, ways: list[tuple[Slot, object]]) -> bool:
     """Whether a turn has changed what was known before it; that is not known any more."""
     changed = False
     for cell, value in ways:
@@ -259,7 +259,7 @@ def _forgotten(walk: Walk, frame: Frame, loop: Loop, line: int, begun: int, ways
         changed = True
         reason = loop.bound if loop.bound and not loop.is_endless else "it changes in a loop"
         result = Opaque(reason, Location(frame.source.path, line), cell.type)
-        walk.state.write(cell, Partial(result.reason, result.location, result.type, some) if some else result)
+        walk.state.forget(cell, Partial(result.reason, result.location, result.type, some) if some else result)
     return changed
 
 

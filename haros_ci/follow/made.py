@@ -5,16 +5,21 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci.graph.ros2_process import RosNode
 from haros_ci.model.architecture import Condition, Qos
 from haros_ci.model.location import Location
-from haros_ci.values.abstract import Callable, Cell
+from haros_ci.values.abstract import Callable
+from haros_ci.values.cells import Slot
 
 if TYPE_CHECKING:
     from haros_ci.follow.walk import Walk
 
+#: What tells what is made, called back, or offered from all else of its kind.
+Key = tuple[object, ...]
+#: The least and greatest value of a parameter, and its step.
+Range = tuple[float | None, float | None, float | None]
 #: The reason where not all conditions are recorded.
 SEVERAL = "it is made on several ways, each under conditions of its own"
 
@@ -30,12 +35,12 @@ class MadeEntity:
     conditions: tuple[Condition, ...]
     queue_size: int | None = None
     latched: bool | None = None
-    value: Any = None
+    value: object = None
     implicit: bool = False
     qos: Qos | None = None
-    effective: Any = None
+    effective: object = None
     read_only: bool | None = None
-    range: Any = None
+    range: Range | None = None
     is_dynamic: bool = False
     is_strict: bool = False
     #: The ROS 2 node that has it; None if it is not known, and in ROS 1.
@@ -57,7 +62,7 @@ class Root:
 
     function: Callable
     conditions: tuple[Condition, ...]
-    writes: Mapping[Cell, Any] = field(default_factory=dict)
+    writes: Mapping[Slot, object] = field(default_factory=dict)
     #: Whether it is called when somebody sets parameters, or takes a node down: what it changes then is not seen elsewhere.
     is_update: bool = False
     #: Whether a managed node is brought up by it, before anything else is called back.
@@ -74,14 +79,14 @@ class Root:
 class Kept:
     """What a walk had recorded at some point."""
 
-    made: Mapping[Any, MadeEntity]
+    made: Mapping[Key, MadeEntity]
     gaps: Mapping[str, Location]
     #: Of nodes, names, alternatives, and of timers and rates.
     counts: tuple[int, int, int, int]
     #: The static variables and plug-ins that there were.
-    sets: tuple[frozenset[Any], frozenset[Any]]
+    sets: tuple[frozenset[tuple[str, str]], frozenset[Key]]
     #: The callbacks, and the number of each.
-    roots: tuple[tuple[Root, ...], Mapping[Any, int]]
+    roots: tuple[tuple[Root, ...], Mapping[Key, int]]
 
 
 def either(
@@ -210,7 +215,7 @@ def forget_unowned(walk: Walk) -> None:
 
     It is another way to that: the conditions are those of both.
     """
-    owned: dict[tuple[str, Location], list[Any]] = {}
+    owned: dict[tuple[str, Location], list[Key]] = {}
     for key, made in walk.made.items():
         if made.node is not None:
             owned.setdefault((made.kind, made.location), []).append(key)

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 import operator
+from collections.abc import Callable as Function_
 from dataclasses import replace
-from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import activation, call_arguments, conversions, expressions, methods
@@ -101,7 +101,7 @@ def binary(walk: Walk, frame: Frame, symbol: str, left: Value, right: Value) -> 
     if symbol == "/" and _is_text(left) and _is_text(right) and frame.source.separator == "::":  # std::filesystem::path
         return concatenate((left, Known("/"), right))
     if symbol == "%" and isinstance(left, Known) and issubclass(left.kind, str):
-        return formats.percent(walk, frame, left.value, right)
+        return formats.percent(walk, frame, left.of(str), right)
     if isinstance(left, Sequence) or isinstance(right, Sequence):
         whole = _of_lists(walk, frame, symbol, left, right)
         if whole is not None:
@@ -196,7 +196,7 @@ def _compared(symbol: str, left: Known, right: Known) -> Value | None:
         return None
 
 
-def _over(choice: Choice, function: Any) -> Value:
+def _over(choice: Choice, function: Function_[[Value], Value]) -> Value:
     result: Value | None = None
     for option in choice.options:
         found = function(option)
@@ -204,7 +204,7 @@ def _over(choice: Choice, function: Any) -> Value:
     return result if result is not None else NONE
 
 
-def _computed(walk: Walk, frame: Frame, symbol: str, left: Any, right: Any) -> Value:
+def _computed(walk: Walk, frame: Frame, symbol: str, left: object, right: object) -> Value:
     is_python = frame.source.program.language == "python"
     if not is_python and isinstance(left, int) and isinstance(right, int) and conversions.NPOS in (left, right):
         left, right = left % (conversions.NPOS + 1), right % (conversions.NPOS + 1)
@@ -212,23 +212,27 @@ def _computed(walk: Walk, frame: Frame, symbol: str, left: Any, right: Any) -> V
         if symbol == "+":
             if isinstance(left, list) and isinstance(right, list) and len(left) + len(right) > LIST_LIMIT:
                 return walk.opaque("it is a long list", frame)
-            return Known(left + right)
+            return Known(operator.add(left, right))
         if symbol in ("is", "is not"):
             return Known((left is right) == (symbol == "is"))
         if symbol == "/":
             if not is_python and isinstance(left, int) and isinstance(right, int):
                 quotient = abs(left) // abs(right)
                 return Known(quotient if (left < 0) == (right < 0) else -quotient)
-            return Known(left / right)
+            return Known(operator.truediv(left, right))
         if symbol == "//":
-            return Known(left // right)
+            return Known(operator.floordiv(left, right))
         if symbol == "%" and not is_python and isinstance(left, int) and isinstance(right, int):
             return Known(abs(left) % abs(right) * (-1 if left < 0 else 1))
         if symbol == "%":
-            return Known(left % right)
-        if symbol == "**" and abs(left) < 1e6 and abs(right) < 64:
-            return Known(left**right)
-        if symbol in ("in", "not in"):
+            return Known(operator.mod(left, right))
+        if symbol == "**" and isinstance(left, (int, float)) and isinstance(right, (int, float)):
+            return (
+                Known(left**right)
+                if abs(left) < 1e6 and abs(right) < 64
+                else walk.opaque("it cannot be computed", frame)
+            )
+        if symbol in ("in", "not in") and isinstance(right, (str, list, dict)):
             return Known((left in right) == (symbol == "in"))
         if symbol == "*" and (isinstance(left, (str, list)) or isinstance(right, (str, list))):
             return walk.opaque("it is a repeated text", frame)
@@ -274,7 +278,7 @@ def _negated(walk: Walk, frame: Frame, holds: bool | None) -> Value:
 
 def _unary(walk: Walk, frame: Frame, symbol: str, value: Value) -> Value:
     if isinstance(value, Known) and issubclass(value.kind, (int, float)):
-        if symbol == "-":
+        if symbol == "-" and isinstance(value.value, (int, float)):
             return Known(-value.value)
         if symbol == "~" and isinstance(value.value, int):
             return Known(~value.value)

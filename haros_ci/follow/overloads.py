@@ -7,14 +7,14 @@ C++ ranks overloads by how their parameters fit the arguments (en.cppreference.c
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeVar
 
 from haros_ci import syntax
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import EITHER, Source
 from haros_ci.index.types import INTEGERS, REALS, STRINGS, is_smart_pointer, pointee
-from haros_ci.syntax import Block, Function, Type
+from haros_ci.syntax import Block, Class, Function, Type
 from haros_ci.syntax.walk import everything
 from haros_ci.values.abstract import Known, Object, Value, join
 
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
 
 Found = tuple[Source, Function]
+Placed = TypeVar("Placed", Class, Function)
 #: How a parameter takes an argument: as it is, as a template's, converted, perhaps, not at all.
 EXACT, GENERIC, CONVERTED, PERHAPS, NOT = 4, 3, 2, 1, 0
 #: Decorators that leave what a function returns as it is, by the last part of their names.
@@ -186,7 +187,7 @@ def python_methods(found: list[Found]) -> list[Found]:
     return (own or found)[-1:]
 
 
-def last(found: list[tuple[Source, Any]]) -> list[tuple[Source, Any]]:
+def last(found: list[tuple[Source, Placed]]) -> list[tuple[Source, Placed]]:
     """Of definitions of one name in a module those that count: the last, and before it those that an ``if`` or ``try`` decides about."""
     sure = [number for number, (_, item) in enumerate(found) if item.column == 1]
     return found[sure[-1] :] if sure else found

@@ -16,6 +16,7 @@ from haros_ci.model.location import Location
 from haros_ci.syntax import Function
 from haros_ci.syntax.walk import everything
 from haros_ci.values.abstract import NONE, Callable, Choice, Known, Opaque
+from haros_ci.values.cells import Slot
 
 #: Parts of a body up to which a function is a setter.
 PARTS = 150
@@ -49,12 +50,14 @@ def followed(walk: Walk, function: Callable, mark: int) -> None:
     What else is not known after that, as it was given to a function of which nothing is known, stays as it is: so it does
     where a function is not followed.
     """
-    names = {cell: frozenset((name,)) for name, cell in (function.this.fields if function.this else {}).items()}
+    names: dict[Slot, frozenset[str]] = {
+        cell: frozenset((name,)) for name, cell in (function.this.fields if function.this else {}).items()
+    }
     changed = walk.relevance.changes(function.function, function.source)
     for cell, value in walk.state.undo(mark).items():
         if not _is_number(cell.value):
             continue
-        walk.state.write(cell, value)
+        walk.state.put(cell, value)
         if isinstance(value, (Known, Choice)):
             walk.settled[cell] = value, names.get(cell, changed)
 
@@ -75,4 +78,4 @@ def disturbed(walk: Walk, function: Callable) -> None:
         options = cell.value.options if isinstance(cell.value, Choice) else (cell.value,)
         if not names.isdisjoint(changes) and (cell.value == value or value in options):
             where = Location(function.source.path, function.function.line)
-            walk.state.write(cell, Opaque(reason, where, cell.type))
+            walk.state.forget(cell, Opaque(reason, where, cell.type))

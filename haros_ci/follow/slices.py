@@ -17,7 +17,12 @@ def part(walk: Walk, frame: Frame, container: Value, bounds: Object) -> Value:
     Nothing of a list that has something is not known: what is done with each element is looked at once all the same.
     """
     values = [cell.value for cell in bounds.fields.values()]
-    numbers = [value.value for value in values if isinstance(value, Known) and type(value.value) in (int, type(None))]
+    numbers = [
+        value.value
+        for value in values
+        if isinstance(value, Known)
+        and (value.value is None or (isinstance(value.value, int) and type(value.value) is int))
+    ]
     unknown = walk.opaque("a part of what is not known", frame)
     if len(numbers) != 3 or numbers[2] == 0:
         return unknown
@@ -29,7 +34,7 @@ def part(walk: Walk, frame: Frame, container: Value, bounds: Object) -> Value:
             result = found if result is None else join(result, found)
         return result if result is not None else unknown
     if isinstance(container, Known) and issubclass(container.kind, (str, list)):
-        return Known(container.value[which])
+        return Known(container.of(str)[which] if issubclass(container.kind, str) else container.of(list)[which])
     if isinstance(container, Sequence):
         cells = container.content.value
         if isinstance(cells, tuple) and (cells[which] or not cells):

@@ -232,7 +232,7 @@ def _try(walk: Walk, frame: Frame, statement: syntax.Try) -> str:
     for handler in handlers:
         start = walk.state.mark()
         for cell, value in after.items():
-            walk.state.write(cell, joined(cell.value, value))
+            walk.state.put(cell, joined(cell.value, value))
         begun = walk.state.mark()
         frame.scopes.append({})
         if handler.name:

@@ -73,9 +73,9 @@ def _all_elements(frame: Frame, value: Value) -> list[Value | Cell] | None:
             return [Object("std::pair", fields={"first": Cell(Known(key)), "second": cell}) for key, cell in pairs]
         return [Known(key) for key in value.content.value]
     if isinstance(value, Known) and issubclass(value.kind, (list, dict)):
-        return [Known(item) for item in value.value]
+        return [Known(item) for item in (value.value if isinstance(value.value, (list, dict)) else ())]
     if isinstance(value, Known) and issubclass(value.kind, str) and python:
-        return [Known(item) for item in value.value] if len(value.value) <= LIST_LIMIT else None
+        return [Known(item) for item in value.of(str)] if len(value.of(str)) <= LIST_LIMIT else None
     return None
 
 

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import re
-from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import conversions, copies, dispatch, expressions, members, unknown_calls
@@ -78,7 +77,7 @@ def lost(walk: Walk, frame: Frame, target: Expression, value: Value) -> None:
             if isinstance(container, (Sequence, Mapped)) and (isinstance(key, Known) or python):
                 if python:
                     dispatch.kept(walk, container, value)
-                walk.state.write(container.content, walk.opaque(UNCERTAIN, frame))
+                walk.state.forget(container.content, walk.opaque(UNCERTAIN, frame))
             elif isinstance(container, (Sequence, Mapped)):
                 _element(walk, frame, container, value)
             elif isinstance(container, Known):
@@ -109,7 +108,7 @@ def _passed_to_library(walk: Walk, frame: Frame, target: syntax.Member, value: C
 def _inside(walk: Walk, frame: Frame, target: syntax.Subscript, container: Known, key: Value, value: Value) -> None:
     """An element of known data or a character of a text is set: the variable holds other data."""
     cell = expressions.cell_of(walk, frame, target.object)
-    data: Any = container.value
+    data = container.value
     known, item = data_of(value)
     if cell is not None and cell.value is container and known and isinstance(key, Known):
         if isinstance(data, dict) and isinstance(key.value, (str, int)):
@@ -131,7 +130,7 @@ def _element(walk: Walk, frame: Frame, container: Value, value: Value) -> None:
         for cell in container.content.value:
             _maybe(walk, frame, cell, value)
     elif isinstance(container, (Sequence, Mapped)):
-        walk.state.write(container.content, walk.opaque(UNCERTAIN, frame))
+        walk.state.forget(container.content, walk.opaque(UNCERTAIN, frame))
 
 
 def _maybe(walk: Walk, frame: Frame, cell: Cell, value: Value) -> None:
@@ -173,7 +172,7 @@ def _options(value: Value) -> list[Value]:
 
 def _held(container: Value) -> list[Value]:
     """The elements of a container."""
-    held: Any = container.content.value if isinstance(container, (Sequence, Mapped)) else ()
+    held = container.content.value if isinstance(container, (Sequence, Mapped)) else ()
     cells = held.values() if isinstance(held, dict) else held if isinstance(held, tuple) else ()
     return [cell.value for cell in cells]
 
@@ -213,6 +212,6 @@ def deleted(walk: Walk, frame: Frame, text: str) -> None:
         if not found[2]:
             walk.state.write(cell, walk.opaque("it is deleted", frame))
         elif isinstance(cell.value, (Sequence, Mapped)):
-            walk.state.write(cell.value.content, walk.opaque("something is deleted from it", frame))
+            walk.state.forget(cell.value.content, walk.opaque("something is deleted from it", frame))
         else:
             _forget(walk, frame, cell)

@@ -70,7 +70,7 @@ def called(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]
         for cell, after in writes.items():
             if joined(cell.value, after) is not cell.value:
                 kind = cell.type or (conversions.value_type(after) if not isinstance(after, (tuple, dict)) else None)
-                walk.state.write(
+                walk.state.forget(
                     cell, walk.opaque(f"a function that is given to {name} may change it", frame, None, kind)
                 )
 
@@ -81,7 +81,7 @@ def method(
     """A method of a text or container of which nothing is known: it may change what it is called on and given."""
     reason = f"{name} may change it"
     if isinstance(receiver, (Sequence, Mapped)):
-        walk.state.write(receiver.content, walk.opaque(reason, frame))
+        walk.state.forget(receiver.content, walk.opaque(reason, frame))
     elif cell is not None and (frame.source.program.language != "python" or _is_data(receiver)):
         forget(walk, frame, cell, reason)
     called(walk, frame, name, args)
@@ -109,7 +109,7 @@ def _forget_inside(
     if left[0] < 0 or depth < 0:
         return
     if isinstance(value, (Sequence, Mapped)):
-        walk.state.write(value.content, walk.opaque(reason, frame))
+        walk.state.forget(value.content, walk.opaque(reason, frame))
         return
     if value.definition is None:
         for name in ("[text]", "[of]"):
@@ -132,6 +132,7 @@ def _forget_inside(
 
 def is_plain(walk: Walk, value: Object) -> bool:
     """Whether an object's class has no methods but constructors and operators: it is a struct."""
+    assert value.definition is not None
     source, definition = value.definition
     key = ("plain", definition.name, source.path)
     found = walk.found.get(key)

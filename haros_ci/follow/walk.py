@@ -12,7 +12,7 @@ from typing import Any
 from haros_ci import syntax
 from haros_ci.follow.context import Context, Exact
 from haros_ci.follow.frames import Frame, Loop
-from haros_ci.follow.made import MadeEntity, Root
+from haros_ci.follow.made import Key, MadeEntity, Root
 from haros_ci.follow.ros.own_name import Naming
 from haros_ci.follow.twins import Standing, Twin
 from haros_ci.graph.ros2_process import RosNode
@@ -26,7 +26,8 @@ from haros_ci.model.build import ConfigFile
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Function, Type
 from haros_ci.values.abstract import NONE, Cell, Known, Object, Opaque, Value, join
-from haros_ci.values.state import State
+from haros_ci.values.cells import Slot
+from haros_ci.values.state import Held, State, Writes
 
 #: Statements and calls that one node may take, and as many in rehearsals; what is beyond is named in a notification.
 STEPS = 60_000
@@ -76,16 +77,16 @@ class Walk:
     target: str = ""
     state: State = field(default_factory=State)
     conditions: list[Condition] = field(default_factory=list)
-    made: dict[Any, MadeEntity] = field(default_factory=dict)
+    made: dict[Key, MadeEntity] = field(default_factory=dict)
     #: Timers and rates by place, period and node, each with the object whose method makes it (``ros.paces``).
-    paces: dict[Any, tuple[MadeEntity, Object | None]] = field(default_factory=dict)
+    paces: dict[Key, tuple[MadeEntity, Object | None]] = field(default_factory=dict)
     roots: list[Root] = field(default_factory=list)
     #: The number of each root by what is called back; of a root that is gone it is that of none or another.
-    known_roots: dict[Any, int] = field(default_factory=dict)
+    known_roots: dict[Key, int] = field(default_factory=dict)
     #: The numbers of those that have been called back, not in rehearsal.
     called: set[int] = field(default_factory=set)
     #: The places where every plug-in of a base class has been loaded, or a behaviour tree created, with which objects.
-    offered: set[Any] = field(default_factory=set)
+    offered: set[Key] = field(default_factory=set)
     #: The base classes of which the program has asked for the look-up names of all plug-ins.
     listed: set[str] = field(default_factory=set)
     #: These names, by identity.
@@ -100,10 +101,15 @@ class Walk:
     statics: dict[tuple[str, str], Cell] = field(default_factory=dict)
     modules: dict[str, Frame] = field(default_factory=dict)
     #: Look-ups that hold something of this node.
-    own: dict[Any, Any] = field(default_factory=dict)
+    own: dict[tuple[str, str, str], Value] = field(default_factory=dict)
+    #: What the classes of nodes of behaviour trees declare, and whether that is all, by the identity of the class (``ros.behavior_tree_ports``).
+    ports: dict[int, tuple[dict[str, tuple[Frame, syntax.Expression] | None], bool, Class]] = field(
+        default_factory=dict
+    )
     active: list[Function] = field(default_factory=list)
-    #: What the node itself sets on the parameter server, by full name.
-    server: Cell = field(default_factory=lambda: Cell({}))
+    #: What the node itself sets on the parameter server, by full name; of ROS 2 what its nodes declare and set, by theirs and that of the parameter.
+    server: Cell[dict[str, Value] | Opaque] = field(default_factory=lambda: Cell({}))
+    declared: Cell[dict[str, Held] | Opaque] = field(default_factory=lambda: Cell({}))
     config_objects: dict[str, Object] = field(default_factory=dict)
     #: The calls that name a ROS 1 process.
     names: list[Naming] = field(default_factory=list)
@@ -130,9 +136,9 @@ class Walk:
     #: Steps that went into rehearsals of callbacks.
     rehearsed: int = 0
     #: What each callback writes by itself, as far as they have been rehearsed.
-    effects: list[dict[Cell, Any]] = field(default_factory=list)
+    effects: list[Writes] = field(default_factory=list)
     #: What the first *joined* of them leave behind, joined.
-    together: dict[Cell, Any] = field(default_factory=dict)
+    together: Writes = field(default_factory=dict)
     joined: int = 0
     #: Why what is made now may not be made at all, where no statement is the condition.
     doubts: list[str] = field(default_factory=list)
@@ -161,7 +167,7 @@ class Walk:
     #: Steps that callbacks have put into functions that could make something, since they last did, by function.
     idle: dict[int, int] = field(default_factory=dict)
     #: What functions that are followed as they set numbers have set, under which names (``follow.setters``).
-    settled: dict[Cell, tuple[Value, frozenset[str]]] = field(default_factory=dict)
+    settled: dict[Slot, tuple[Value, frozenset[str]]] = field(default_factory=dict)
     #: Such functions around what is followed: they register nothing, as they did not where they are not followed.
     setting: int = 0
     #: The names that callbacks and threads assign to, as far as there are any.
@@ -169,7 +175,7 @@ class Walk:
     #: By identity, what stands for template arguments in look-ups.
     numbers: dict[int, tuple[int, Mapping[str, syntax.Argument]]] = field(default_factory=dict)
     #: Look-ups that depend on the name, the scope and the file only: shared by all nodes with the same files.
-    found: dict[Any, Any] = field(init=False)
+    found: dict[object, Any] = field(init=False)
 
     def __post_init__(self) -> None:
         self.most = STEPS if self.context.of_base is None else WITH_PLUGINS
@@ -186,7 +192,7 @@ class Walk:
         """How much there is so far of what a function may make."""
         return len(self.made), len(self.roots), len(self.nodes), len(self.gaps), self.news
 
-    def is_older(self, cell: Cell, tick: int) -> bool:
+    def is_older(self, cell: Slot, tick: int) -> bool:
         """Whether a variable is there since before *tick*, as far as the program goes."""
         return cell.born < tick or cell in self.lasting
 
@@ -206,7 +212,7 @@ class Walk:
                 self.doubts.pop()
 
     def either_way(
-        self, ways: Iterable[Function_[[], Value]], reason: str, settle: Function_[[list[Any]], None] | None = None
+        self, ways: Iterable[Function_[[], Value]], reason: str, settle: Function_[[list[Writes]], None] | None = None
     ) -> Value:
         """The join of values of which one is computed, each with its effects: there is no telling which.
 
@@ -240,11 +246,11 @@ class Walk:
 
         None if there is none, which is so, too, where the node has deleted it (kept as ``NONE``).
         """
-        own: Any = self.server.value
+        own = self.server.value
         if isinstance(own, Opaque):
             return own
         if name in own:
-            found: Value = own[name]
+            found = own[name]
             return None if found == NONE else found
         above = name.rpartition("/")[0]
         while above and own:

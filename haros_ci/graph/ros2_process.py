@@ -19,6 +19,7 @@ from haros_ci.model.architecture import Condition
 from haros_ci.model.launch import ParameterRule
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import Known, Opaque, Value
+from haros_ci.values.cells import Named
 
 #: Sources of rules that name a node: ``__node:=name``, ``__name:=name``, ``__ns:=/namespace``.
 NAMES, SPACES = frozenset(("__node", "__name")), frozenset(("__ns",))
@@ -55,7 +56,7 @@ class RosArguments:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class RosNode:
+class RosNode(Named):
     """A node of the process under its final *name*; *space* is the namespace of relative names, *own* that of the node.
 
     *why* says what is not known where a name has ``?``. *main* is the node that a sub-node belongs to.

@@ -12,10 +12,14 @@ import posixpath
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from haros_ci.index.trace import Trace, Traced
-from haros_ci.syntax import Alias, Class, Field, Function, Program
+from haros_ci.syntax import Alias, Class, Field, Function
+from haros_ci.syntax.source import Source as Source
+
+if TYPE_CHECKING:
+    from haros_ci.index.compiled import CompiledAs
 
 Entity = TypeVar("Entity")
 #: Typedefs of typedefs that are looked through.
@@ -27,20 +31,6 @@ POINTERS = ("ConstUniquePtr", "ConstWeakPtr", "UniquePtr", "WeakPtr", "ConstPtr"
 #: What makes behaviour trees includes this; what is loaded for them is of this base.
 TREES, BEHAVIOR_TREE_NODE = "/bt_factory.h", "TreeNode"
 HEADERS = (".h", ".hh", ".hpp", ".hxx", ".H", ".inl", ".ipp", ".tpp")
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Source:
-    """A file as a program: *path* is relative to the root, *module* its dotted Python name."""
-
-    path: str
-    package: str | None
-    program: Program
-    module: str = ""
-
-    @property
-    def separator(self) -> str:
-        return "." if self.program.language == "python" else "::"
 
 
 @dataclass(slots=True)
@@ -67,9 +57,9 @@ class Index:
     #: Those that a target has in some builds only.
     conditional: frozenset[str] = frozenset()
     #: The source files as targets compile them (``compiled.CompiledAs``), by path.
-    compiled: Mapping[str, tuple[Any, ...]] = field(default_factory=dict)
+    compiled: Mapping[str, tuple[CompiledAs, ...]] = field(default_factory=dict)
     #: What look-ups have found, by the files of the node type that asked and whether every plug-in is followed.
-    caches: dict[Any, dict[Any, Any]] = field(default_factory=dict)
+    caches: dict[object, dict[object, Any]] = field(default_factory=dict)
     #: ``pkg::Type`` for every ``#include "pkg/Type.h"``, by file.
     included: dict[str, dict[str, str]] = field(default_factory=dict)
     #: Aliases inside functions, by file and by their own name; None where two functions have one of that name.
@@ -107,7 +97,7 @@ class Index:
     def _near(
         self, table: Mapping[str, list[tuple[Source, Entity]]], name: str, source: Source, files: frozenset[str]
     ) -> list[tuple[Source, Entity]]:
-        found = dict.get(table, name)  # type: ignore[call-overload]
+        found: list[tuple[Source, Entity]] | None = dict.get(table, name)  # type: ignore[call-overload]  # past the trace
         if found and (name in self.library or name.rpartition("::")[0] in self.library):
             found = [item for item in found if self._may_be_here(item[0], source, files)]
         if not found:
@@ -300,7 +290,7 @@ class Index:
             found = self.headers[source.path] = {**single, **self.included.get(source.path, {})}
         return found
 
-    def includes(self, source: Source, entities: Iterable[tuple[Source, Any]]) -> bool:
+    def includes(self, source: Source, entities: Iterable[tuple[Source, object]]) -> bool:
         """Whether one of *entities* stands in a file or in what it includes."""
         if source.separator == ".":
             return True

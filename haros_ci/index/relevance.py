@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from copy import copy
-from typing import Any
 
 from haros_ci.index.api_names import api_names, spellings
 from haros_ci.index.index import Index, Source
@@ -272,7 +271,7 @@ class Relevance:
             self._barren |= seen
         return False
 
-    def rules(self) -> tuple[Any, ...]:
+    def rules(self) -> tuple[tuple[str, ...], ...]:
         """What is relevant by itself, whatever is called: a change of it voids all that was followed."""
         sets = (self._api, self._registering, self.shared, self.holding, self._function_types, self._functors)
         return tuple(tuple(sorted(group)) for group in (*sets, self._functor_members))

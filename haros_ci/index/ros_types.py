@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from haros_ci.index.types import INTEGERS, MAPS, REALS, ROS2_POINTERS, SEQUENCES, STRINGS, pointee
 from haros_ci.syntax import Type
 
@@ -93,7 +91,7 @@ def parameter_type(kind: Type | None) -> str | None:
     return name if name in ("int", "double", "str", "yaml") else None
 
 
-def data_type(value: Any) -> str | None:
+def data_type(value: object) -> str | None:
     """The ROS 1 parameter type of plain data."""
     for kind, name in ((bool, "bool"), (int, "int"), (float, "double"), (str, "str"), (list, "yaml"), (dict, "yaml")):
         if isinstance(value, kind):
@@ -152,7 +150,7 @@ def ros2_parameter_type(kind: Type | None) -> str | None:
     return found if found is not None else kind.name if kind.name in ("bytes", *_ARRAYS.values()) else None
 
 
-def ros2_data_type(value: Any) -> str | None:
+def ros2_data_type(value: object) -> str | None:
     """The ROS 2 parameter type of plain data; None for an empty or mixed list."""
     if isinstance(value, (list, tuple)):
         kinds = {data_type(item) for item in value}

@@ -3,11 +3,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 from haros_ci.syntax import Function
+from haros_ci.syntax.source import Source
+
+if TYPE_CHECKING:
+    from _collections_abc import dict_values
+
+Entity = TypeVar("Entity")
+Default = TypeVar("Default")
 
 #: Stands for all YAML files of the workspace among paths.
 YAML_FILES = "*.yaml"
@@ -30,12 +37,12 @@ class Trace:
     is_whole: bool = True
     roots: set[str] = field(default_factory=set)
     bodies: set[tuple[str, str]] = field(default_factory=set)
-    effects: dict[int, tuple[Any, Any, frozenset[str]]] = field(default_factory=dict)
+    effects: dict[int, tuple[Source, Function, frozenset[str]]] = field(default_factory=dict)
     #: What ``Index.near`` has found, and the names that were looked up in each table.
-    near: dict[Any, list[Any]] = field(default_factory=dict, repr=False, compare=False)
+    near: dict[tuple[object, ...], list[Any]] = field(default_factory=dict, repr=False, compare=False)
     seen: dict[int, set[str]] = field(default_factory=dict, repr=False, compare=False)
 
-    def found(self, items: Iterable[tuple[Any, Any]]) -> None:
+    def found(self, items: Iterable[tuple[Source, object]]) -> None:
         """Note what a look-up has found: entities, each with its source."""
         for source, entity in items:
             self.paths.add(source.path)
@@ -43,12 +50,12 @@ class Trace:
                 self.bodies.add((source.path, entity.name))
 
 
-class Traced(dict[str, list[tuple[Any, Any]]]):
+class Traced(dict[str, list[tuple[Source, Entity]]], Generic[Entity]):
     """A table of the index that tells its ``trace`` what is looked up in it."""
 
     __slots__ = ("seen", "trace")
 
-    def __init__(self, table: Mapping[str, list[tuple[Any, Any]]]) -> None:
+    def __init__(self, table: Mapping[str, list[tuple[Source, Entity]]]) -> None:
         super().__init__(table)
         self.trace: Trace | None = None
         self.seen: set[str] = set()
@@ -58,12 +65,21 @@ class Traced(dict[str, list[tuple[Any, Any]]]):
         self.trace = trace
         self.seen = trace.seen.setdefault(id(self), set()) if trace is not None else set()
 
-    def get(self, name: str, default: Any = None) -> Any:
+    @overload
+    def get(self, name: str, default: None = None, /) -> list[tuple[Source, Entity]] | None: ...
+
+    @overload
+    def get(self, name: str, default: list[tuple[Source, Entity]], /) -> list[tuple[Source, Entity]]: ...
+
+    @overload
+    def get(self, name: str, default: Default, /) -> list[tuple[Source, Entity]] | Default: ...
+
+    def get(self, name: str, default: object = None, /) -> object:
         if self.trace is not None and name not in self.seen:
             self._tell(name)
         return super().get(name, default)
 
-    def __getitem__(self, name: str) -> list[tuple[Any, Any]]:
+    def __getitem__(self, name: str) -> list[tuple[Source, Entity]]:
         if self.trace is not None and name not in self.seen:
             self._tell(name)
         return super().__getitem__(name)
@@ -79,12 +95,12 @@ class Traced(dict[str, list[tuple[Any, Any]]]):
         self.trace.names.add(name)
         self.trace.found(super().get(name, ()))
 
-    def __iter__(self) -> Any:
+    def __iter__(self) -> Iterator[str]:
         if self.trace is not None:
             self.trace.has_scanned = True
         return super().__iter__()
 
-    def values(self) -> Any:
+    def values(self) -> dict_values[str, list[tuple[Source, Entity]]]:
         if self.trace is not None:
             self.trace.has_scanned = True
         return super().values()

@@ -24,6 +24,7 @@ from haros_ci.keeping.moves import Lines
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
 from haros_ci.values.abstract import Value
+from haros_ci.values.given import Unseen
 from haros_ci.values.questions import Answer
 
 
@@ -35,7 +36,7 @@ class Followed:
     problems: tuple[Problem, ...]
     names: tuple[tuple[Value, bool | None], ...]
     gaps: Mapping[str, Location]
-    asked: Mapping[str, Value | None]
+    asked: Mapping[str, Value | Unseen | None]
     nodes: tuple[RosNode, ...] = ()
     twins: tuple[Twin, ...] = ()
     consulted: Consulted | None = None

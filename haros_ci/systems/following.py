@@ -28,6 +28,7 @@ from haros_ci.model.workspace import Problem
 from haros_ci.systems.entries import Programs
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.values.abstract import Value
+from haros_ci.values.given import Unseen
 
 #: What is known of a node type outside the workspace, by package, executable or look-up name, and ROS version.
 KnownNodes = Callable[[str, str, int], KnownNode | None]
@@ -173,7 +174,7 @@ def relevance_of(
     return types.views[own], (*version, own)
 
 
-def same(one: Value | None, other: Value | None) -> bool:
+def same(one: Value | Unseen | None, other: Value | Unseen | None) -> bool:
     """Whether two values are the same, and not only equal as ``1`` and ``True`` are."""
     return one is other or (one == other and repr(one) == repr(other))
 
@@ -228,13 +229,13 @@ def _followed_in(
         trace.is_whole = False
     trace.names.update(relevance.asked())
     made, nodes = (*walk.made.values(), *(pace for pace, _ in walk.paces.values())), tuple(walk.nodes)
-    requested = context.marks.settled(requested)
+    settled = context.marks.settled(requested)
     followed = Followed(
         made,
         problems,
         counting(walk.names),
         walk.gaps,
-        requested,
+        settled,
         nodes,
         tuple(walk.twins.values()),
         small(trace, relevance, view),

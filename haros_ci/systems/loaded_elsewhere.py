@@ -199,8 +199,8 @@ def _begin(plugin: Plugin, ros: int, walk: Walk, frame: Frame) -> None:
         )
         construct.python_construct(walk, frame, this, (PassedArgument(context),), location)
         return
-    for name in MEMBERS if provided is not None else ():
-        this.fields[name] = Cell(provided)
+    if provided is not None:
+        this.fields.update((name, Cell(provided)) for name in MEMBERS)
     construct.initialise(walk, frame, this, (source, definition), {}, (), location)
     callbacks.framework_entries(walk, this)
     if provided is not None:

@@ -10,15 +10,19 @@ from __future__ import annotations
 from collections.abc import Callable as Function_
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from itertools import count
 from math import isfinite, prod
-from typing import Any, Union
+from typing import TypeVar, Union
 
 from haros_ci import syntax
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Function, Type
+from haros_ci.syntax.source import Source
+from haros_ci.values.cells import Cell as Cell
+from haros_ci.values.cells import Closure, Named
+from haros_ci.values.cells import tick as tick
 from haros_ci.values.questions import QUESTIONS
 
+Plain = TypeVar("Plain")
 #: More possible values than this are joined to an unknown one.
 CHOICES = 8
 #: Attributes of Python objects that are set on some paths only: to read them on others is an error, but where a base class outside may set them.
@@ -41,14 +45,21 @@ class Character(int):
 class Known:
     """Data: None, bool, int, float, str, or JSON-like lists and dicts, as read from YAML. Lists are never changed."""
 
-    value: Any
+    value: object
 
     @property
     def kind(self) -> type:
         """The type of the data; of what is given from outside it may be asked without looking at the value (``values.given``)."""
         return type(self.value)
 
-    def ask(self, question: str, operand: Any = None) -> Any:
+    def of(self, kind: type[Plain]) -> Plain:
+        """The data as that of the *kind* that it is known to have."""
+        data = self.value
+        if not isinstance(data, kind):
+            raise TypeError(f"the data is no {kind.__name__}")
+        return data
+
+    def ask(self, question: str, operand: object = None) -> int:
         """The answer to one of ``values.questions.QUESTIONS``; TypeError where the data is not of the kind that it is about."""
         return QUESTIONS[question](self.value, operand)
 
@@ -69,9 +80,9 @@ class Partial(Opaque):
     Of the *others* each is an element on some paths. *last* is the last element, where that is known.
     """
 
-    some: tuple[Any, ...] = ()
-    others: tuple[Any, ...] = ()
-    last: Any = None
+    some: tuple[Cell, ...] = ()
+    others: tuple[Cell, ...] = ()
+    last: Cell | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,49 +99,27 @@ class Choice:
     options: tuple[Value, ...]
 
 
-#: Counts the cells.
-tick = count().__next__
-
-
-class Cell:
-    """A variable, member or element: it holds a Value, and may have a declared type.
-
-    The content of a sequence or map is a cell, too: of a tuple of cells, of a dict. Written through ``State.write`` only.
-    *born* is less than that of every cell that is made later.
-    """
-
-    __slots__ = ("born", "type", "value")
-
-    def __init__(self, value: Any, type: Type | None = None) -> None:  # noqa: A002
-        self.value = value
-        self.type = type
-        self.born = tick()
-
-    def __repr__(self) -> str:
-        return f"Cell({self.value!r}, {self.type!r})"
-
-
 @dataclass(slots=True, eq=False)
 class Object:
     """An instance of class *name* (canonical, without template arguments); ``definition`` is None for a library's."""
 
     name: str
     arguments: tuple[syntax.Argument, ...] = ()
-    definition: Any = None
+    definition: tuple[Source, Class] | None = None
     fields: dict[str, Cell] = field(default_factory=dict)
     location: Location | None = None
     templates: Mapping[str, syntax.Argument] = field(default_factory=dict)
     #: The node handle's namespace, where the object is one: a value.
     namespace: Value | None = None
     #: The ROS 2 node that the object is (``ros2_process.RosNode``).
-    node: Any = None
+    node: Named | None = None
 
 
 @dataclass(slots=True, eq=False)
 class Sequence:
     """A list or vector: one cell that holds a tuple of cells, or an Opaque where the elements are not known."""
 
-    content: Cell
+    content: Cell[Elements]
     type: Type | None = None
     #: What its ``end()`` is, so that it is equal to itself.
     end: Object | None = None
@@ -140,7 +129,7 @@ class Sequence:
 class Mapped:
     """A dict or map: one cell that holds a mapping from keys to cells, or an Opaque."""
 
-    content: Cell
+    content: Cell[Entries]
     #: What its ``end()`` is, so that it is equal to itself.
     end: Object | None = None
 
@@ -156,12 +145,12 @@ class Pointer:
 class Callable:
     """A function with what is bound to it: *this*, leading arguments, the frame of a lambda."""
 
-    source: Any
+    source: Source
     function: Function
     this: Object | None = None
     #: Bound arguments in place; None is a placeholder.
     bound: tuple[Value | None, ...] = ()
-    frame: Any = None
+    frame: Closure | None = None
     templates: Mapping[str, syntax.Argument] = field(default_factory=dict)
 
 
@@ -170,14 +159,14 @@ class Library:
     """A name of a library: a function, class or module without source in the workspace; *this* is a method's receiver."""
 
     name: str
-    this: Any = None
+    this: Value | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ClassValue:
     """A class of the workspace as a value."""
 
-    source: Any
+    source: Source
     definition: Class
 
 
@@ -185,10 +174,14 @@ class ClassValue:
 class Module:
     """A Python module of the workspace as a value."""
 
-    source: Any
+    source: Source
 
 
+#: The content of a sequence; that of a map, by the data of its keys.
+Elements = tuple[Cell, ...] | Opaque
+Entries = dict[object, Cell] | Opaque
 Value = Union[Known, Opaque, Text, Choice, Object, Sequence, Mapped, Pointer, Callable, Library, ClassValue, Module]
+
 
 NONE = Known(None)
 TRUE = Known(True)
@@ -225,12 +218,12 @@ def _is_error(unset: Opaque, other: Value) -> bool:
     return unset.reason == UNSET or (unset.reason == UNSET_OR_INHERITED and not plain)
 
 
-def same(one: Any, other: Any) -> bool:
+def same(one: object, other: object) -> bool:
     """Equality that distinguishes True, 1 and 1.0."""
     return type(one) is type(other) and bool(one == other)
 
 
-def concatenate(values: tuple[Value, ...], show: Function_[[Any], str | Opaque] | None = None) -> Value:
+def concatenate(values: tuple[Value, ...], show: Function_[[Value], str | Opaque] | None = None) -> Value:
     """Text from parts, scalars as *show* writes them (as C++ streams do by default); Opaque where it is too long."""
     choices = [len(value.options) for value in values if isinstance(value, Choice)]
     if prod(choices) > CHOICES:
@@ -244,7 +237,7 @@ def concatenate(values: tuple[Value, ...], show: Function_[[Any], str | Opaque] 
             return chosen if chosen is not None else Opaque("no value")
     for value in values:
         if isinstance(value, Known) and value.__class__ is not Known:
-            joined: Value = value.joined(values, show)  # type: ignore[attr-defined]
+            joined: Value = value.joined(values, show)  # type: ignore[attr-defined]  # of values.given, which opens this module
             return joined
     parts: list[str | Opaque] = []
     length = 0
@@ -292,7 +285,7 @@ def printed(value: Value) -> str | Opaque:
     return value if isinstance(value, Opaque) else Opaque("it is not text")
 
 
-def written(value: Any) -> str:
+def written(value: object) -> str:
     """A scalar as C++ streams write it."""
     if isinstance(value, bool):
         return "1" if value else "0"
@@ -301,7 +294,7 @@ def written(value: Any) -> str:
     return f"{value:g}" if isinstance(value, float) else str(value)
 
 
-def opaque_of(value: Value) -> Opaque | None:
+def opaque_of(value: object) -> Opaque | None:
     """The first reason why *value* is not known as data; None if it is."""
     if isinstance(value, Known):
         return None
@@ -317,12 +310,12 @@ def opaque_of(value: Value) -> Opaque | None:
     return Opaque("it is not plain data")
 
 
-def data_of(value: Value) -> tuple[bool, Any]:
+def data_of(value: Value) -> tuple[bool, object]:
     """(True, data) for what is wholly known and not too large, sequences and maps included."""
     return _data(value, NESTED, [LIST_LIMIT])
 
 
-def _data(value: Value, depth: int, left: list[int]) -> tuple[bool, Any]:
+def _data(value: Value, depth: int, left: list[int]) -> tuple[bool, object]:
     left[0] -= 1
     if left[0] < 0 or depth < 0:
         return False, None

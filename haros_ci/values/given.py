@@ -11,7 +11,6 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from math import isfinite
-from typing import Any
 
 from haros_ci.values.abstract import Character, Known, Opaque, Value, concatenate
 from haros_ci.values.marks import BEGIN, END, filled, keys
@@ -40,25 +39,25 @@ class Given(Known):
 
     __slots__ = ("cells", "held", "looks", "mark")
     cells: tuple[str, ...]
-    held: Any
+    held: object
     looks: Looks
     mark: str | None
 
-    def __init__(self, held: Any, mark: str | None, cells: tuple[str, ...], looks: Looks) -> None:
+    def __init__(self, held: object, mark: str | None, cells: tuple[str, ...], looks: Looks) -> None:
         for name, value in (("held", held), ("mark", mark), ("cells", cells), ("looks", looks)):
             object.__setattr__(self, name, value)
 
     @property
-    def value(self) -> Any:
+    def value(self) -> object:
         self.looks.seen.update(self.cells)
         return self.held
 
-    def ask(self, question: str, operand: Any = None) -> Any:
+    def ask(self, question: str, operand: object = None) -> int:
         answer = QUESTIONS[question](self.held, operand)
         self._answered(question, operand, answer, self.cells)
         return answer
 
-    def _answered(self, question: str, operand: Any, answer: Any, cells: tuple[str, ...]) -> None:
+    def _answered(self, question: str, operand: object, answer: int, cells: tuple[str, ...]) -> None:
         looks = self.looks
         if looks.seen.issuperset(cells):
             return
@@ -67,14 +66,14 @@ class Given(Known):
             return
         looks.answers[self._answer(question, operand, answer)] = cells
 
-    def _answer(self, question: str, operand: Any, answer: Any) -> Answer:
+    def _answer(self, question: str, operand: object, answer: int) -> Answer:
         return Answer(self.mark or self.cells[0], self.mark is not None, question, operand, answer)
 
     @property
     def kind(self) -> type:
         return type(self.held)
 
-    def made(self) -> Any:
+    def made(self) -> object:
         """What stands for the value in what is made of it."""
         return self.mark if self.mark is not None else AsGiven(self.cells[0])
 
@@ -99,7 +98,7 @@ class Given(Known):
     def __repr__(self) -> str:
         return f"Known(value={self.value!r})"
 
-    def joined(self, values: tuple[Value, ...], show: Callable[[Any], str | Opaque] | None) -> Value:
+    def joined(self, values: tuple[Value, ...], show: Callable[[Value], str | Opaque] | None) -> Value:
         """The text of *values*, of which some are ``Given``: one itself, if all of it is known."""
         parameters = [value for value in values if isinstance(value, Given)]
         for value in parameters:
@@ -113,7 +112,7 @@ class Given(Known):
             mark = concatenate(tuple(Known(v.mark) if isinstance(v, Given) else v for v in map(_plain, values)), show)
             if isinstance(mark, Known):
                 cells = tuple(dict.fromkeys(cell for value in marked for cell in value.cells))
-                return Given(whole.value, mark.value, cells, self.looks)
+                return Given(whole.value, str(mark.value), cells, self.looks)
         for value in marked:
             value.looks.seen.update(value.cells)
         return whole
@@ -131,40 +130,41 @@ class Letter(Given):
     text: str
 
     def __init__(self, whole: Given, place: int) -> None:
-        super().__init__(Character(ord(whole.held[place])), None, whole.cells, whole.looks)
+        super().__init__(Character(ord(str(whole.held)[place])), None, whole.cells, whole.looks)
         object.__setattr__(self, "place", place)
         object.__setattr__(self, "text", whole.mark)
 
     __eq__ = Given.__eq__
     __hash__ = Given.__hash__
 
-    def made(self) -> Any:
+    def made(self) -> object:
         return self.value
 
-    def _answer(self, question: str, operand: Any, answer: Any) -> Answer:
+    def _answer(self, question: str, operand: object, answer: int) -> Answer:
         return Answer(self.text, True, question, operand, answer, self.place)
 
 
 def letter(value: Known, place: int) -> Known:
     """The character at a *place* that a text has."""
-    if isinstance(value, Given) and value.mark is not None and value.held[place].isascii():
+    if isinstance(value, Given) and value.mark is not None and str(value.held)[place].isascii():
         return Letter(value, place)
-    return Known(value.value[place])
+    return Known(value.of(str)[place])
 
 
 def beginning(value: Known, count: int) -> Known | None:
     """The first *count* characters of a given text where the rest of it is not given; None for others."""
-    if not isinstance(value, Given) or value.mark is None or not 0 < count <= len(value.held):
+    held = value.held if isinstance(value, Given) else None
+    if not isinstance(value, Given) or not isinstance(held, str) or value.mark is None or not 0 < count <= len(held):
         return None
-    rest = value.held[count:]
+    rest = held[count:]
     if not value.mark.endswith(rest):
         return None
     value.ask("size")
     mark = value.mark.removesuffix(rest)
-    return Given(value.held[:count], mark, value.cells, value.looks) if END in mark else Known(value.held[:count])
+    return Given(held[:count], mark, value.cells, value.looks) if END in mark else Known(held[:count])
 
 
-def plain(data: Any) -> Any:
+def plain(data: object) -> object:
     """*data*, a character as its number."""
     return int(data) if isinstance(data, Character) else data
 
@@ -240,9 +240,9 @@ class Marks:
             requested for requested, cells in self.looks.answers.items() if not self.looks.seen.issuperset(cells)
         )
 
-    def settled(self, requested: Mapping[str, Value | None]) -> dict[str, Any]:
+    def settled(self, requested: Mapping[str, Value | None]) -> dict[str, Value | Unseen | None]:
         """*requested* as it has to be again: as it is, or only its type; and the names that were looked at."""
-        found: dict[str, Any] = {}
+        found: dict[str, Value | Unseen | None] = {}
         for name, value in requested.items():
             kind = shape(value) if name in self.held and name not in self.looks.seen else None
             found[name] = value if kind is None else Unseen(kind)

@@ -3,10 +3,21 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from haros_ci.syntax import Type
-from haros_ci.values.abstract import FALSE, NONE, TRUE, Cell, Choice, Known, Mapped, Object, Partial, Sequence, Value
+from haros_ci.values.abstract import (
+    FALSE,
+    NONE,
+    TRUE,
+    Cell,
+    Choice,
+    Known,
+    Mapped,
+    Object,
+    Opaque,
+    Partial,
+    Sequence,
+    Value,
+)
 
 #: The classes of an iterator in front of an element, and of the one behind the last.
 ITERATOR, END = "[iterator]", "[end]"
@@ -21,14 +32,15 @@ def end_of(container: Sequence | Mapped) -> Object:
 
 def at(container: Sequence | Mapped, position: int) -> Object:
     """An iterator in front of the element at *position*, or the end."""
-    if position == len(container.content.value):
+    content = container.content.value
+    if not isinstance(content, Opaque) and position == len(content):
         return end_of(container)
     return Object(ITERATOR, fields={"[of]": Cell(container), "[at]": Cell(Known(position))})
 
 
 def found(container: Mapped, key: Value) -> Object | None:
     """``m.find(key)`` in a map that is known; None if that is not known."""
-    pairs: Any = container.content.value
+    pairs = container.content.value
     if not isinstance(pairs, dict) or not isinstance(key, Known) or not isinstance(key.value, (str, int)):
         return None
     keys = list(pairs)
@@ -40,8 +52,10 @@ def pointed(value: Object) -> Cell | None:
     place = value.fields.get("[at]")
     if place is None:
         return _one_of(value.fields["[of]"].value) if value.name == ITERATOR else None
-    container, number = value.fields["[of]"].value, place.value.value
-    content = container.content.value
+    container, number = value.fields["[of]"].value, place.value.value if isinstance(place.value, Known) else None
+    content = container.content.value if isinstance(container, (Sequence, Mapped)) else None
+    if not isinstance(number, int):
+        return None
     if isinstance(content, tuple):
         return content[number] if number < len(content) else None
     if isinstance(content, dict) and number < len(content):
@@ -86,7 +100,10 @@ def moved(value: Object, steps: int) -> Object | None:
         is_of_list = value.name == ITERATOR and isinstance(value.fields["[of]"].value, (Sequence, Mapped))
         return value if is_of_list else None  # which stands at any of them
     container = value.fields["[of]"].value
-    return at(container, place + steps) if 0 <= place + steps <= len(container.content.value) else None
+    content = container.content.value if isinstance(container, (Sequence, Mapped)) else None
+    if not isinstance(container, (Sequence, Mapped)) or not isinstance(content, (tuple, dict)):
+        return None
+    return at(container, place + steps) if 0 <= place + steps <= len(content) else None
 
 
 def position(value: Value) -> int | None:
@@ -99,8 +116,8 @@ def position(value: Value) -> int | None:
     place = value.fields.get("[at]")
     if place is None:
         return len(container.content.value) if value.name == END else None
-    number: int = place.value.value
-    return number
+    number = place.value.value if isinstance(place.value, Known) else None
+    return number if isinstance(number, int) else None
 
 
 def compared(symbol: str, left: Value, right: Value) -> Value | None:

@@ -6,14 +6,13 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 from haros_ci.values.marks import BEGIN, filled
 
 #: How many questions about what one program is given are kept; after that the values count.
 MOST = 400
 #: What a question asks of data and its operand. It raises TypeError for data of another kind.
-QUESTIONS: dict[str, Callable[[Any, Any], Any]] = {
+QUESTIONS: dict[str, Callable[..., int]] = {
     "==": operator.eq,
     "<": operator.lt,
     ">": operator.gt,
@@ -41,11 +40,11 @@ class Answer:
     of: str
     is_text: bool
     question: str
-    operand: Any
-    answer: Any
+    operand: object
+    answer: int
     place: int | None = None
 
-    def holds(self, texts: dict[str, str], provided: Callable[[str], Any]) -> bool:
+    def holds(self, texts: dict[str, str], provided: Callable[[str], object]) -> bool:
         """Whether the answer is the same where marks stand for *texts*, and parameters are those *provided*."""
         data = filled(self.of, texts) if self.is_text else provided(self.of)
         operand = self.operand
@@ -53,7 +52,7 @@ class Answer:
             operand = filled(operand, texts)
         try:
             if self.place is not None:
-                data = ord(data[self.place])
+                data = ord(data[self.place])  # type: ignore[index]  # of a text; TypeError for all else
             found = QUESTIONS[self.question](data, operand)
         except (TypeError, IndexError):
             return False

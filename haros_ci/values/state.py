@@ -3,18 +3,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import Any
 
 from haros_ci.values.abstract import NONE, Cell, Opaque, Partial, Value, join
+from haros_ci.values.cells import Content, Slot
 
 #: What ``join`` does not know: contents of sequences and maps.
 CONTENTS = frozenset((tuple, dict, Partial))
 #: Elements of a sequence on some paths that are kept; the latest count.
 OTHERS = 16
 #: What cells held (or hold), by cell.
-Writes = dict[Cell, Any]
+Writes = dict[Slot, object]
+
+
+#: ``join`` of what cells hold.
+_join: Callable[[object, object], object] = join  # type: ignore[assignment]  # where it is no content, it is a value
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,11 +33,21 @@ class State:
     """Writes to cells, each with what it replaced."""
 
     def __init__(self) -> None:
-        self._log: list[tuple[Cell, Any]] = []
+        self._log: list[tuple[Slot, object]] = []
 
-    def write(self, cell: Cell, value: Any) -> None:
+    def write(self, cell: Cell[Content], value: Content) -> None:
         self._log.append((cell, cell.value))
         cell.value = value
+
+    def put(self, cell: Slot, value: object) -> None:
+        """Let a cell hold what it has held before, or a join with that: what stands for it in ``Writes``."""
+        self._log.append((cell, cell.value))
+        cell.value = value
+
+    def forget(self, cell: Slot, reason: Opaque) -> None:
+        """What a cell holds is not known any more; this can be said of each kind of cell."""
+        self._log.append((cell, cell.value))
+        cell.value = reason
 
     def mark(self) -> int:
         """A point to come back to."""
@@ -60,7 +74,7 @@ class State:
         """Let each cell hold the join of what it holds after each branch; a branch that leaves it alone counts, too."""
         if len(branches) == 1:
             for cell, value in branches[0].items():
-                self.write(cell, value)
+                self.put(cell, value)
             return
         first, *rest = branches
         for cell in dict.fromkeys(cell for branch in branches for cell in branch):
@@ -77,13 +91,14 @@ class State:
             cell.value = value
 
 
-def _content(branches: list[Writes], cell: Cell) -> Any:
+def _content(branches: list[Writes], cell: Slot) -> object:
     """The content of a sequence after one branch or another; where all have added an element, that is one or the other."""
     contents = [branch.get(cell, cell.value) for branch in branches]
     if all(content is contents[0] for content in contents):
         return contents[0]
-    if all(isinstance(content, tuple) and len(content) == len(contents[0]) for content in contents):
-        return tuple(_element(branches, cells) for cells in zip(*contents, strict=True))
+    lists = _alike(contents)
+    if lists:
+        return tuple(_element(branches, cells) for cells in zip(*lists, strict=True))
     value = contents[0]
     for content in contents[1:]:
         value = joined(value, content)
@@ -94,6 +109,12 @@ def _content(branches: list[Writes], cell: Cell) -> Any:
     return value
 
 
+def _alike(contents: list[object]) -> list[tuple[Cell, ...]]:
+    """*contents* where all are of one number of cells that are known; empty if they are not."""
+    lists = [content for content in contents if isinstance(content, tuple)]
+    return lists if len(lists) == len(contents) and len({len(cells) for cells in lists}) == 1 else []
+
+
 def _element(branches: list[Writes], cells: Iterable[Cell]) -> Cell:
     """An element that is another cell after each branch: one that holds what any of these do."""
     every = tuple(cells)
@@ -102,15 +123,15 @@ def _element(branches: list[Writes], cells: Iterable[Cell]) -> Cell:
     value = branches[0].get(every[0], every[0].value)
     for branch, cell in zip(branches[1:], every[1:], strict=True):
         value = joined(value, branch.get(cell, cell.value))
-    return Cell(value, every[0].type)
+    return Cell(value, every[0].type)  # type: ignore[arg-type]  # joined of what elements hold, which are values
 
 
-def joined(one: Any, other: Any) -> Any:
+def joined(one: object, other: object) -> object:
     """``join``, also for the contents of sequences and maps (element by element, where they have the same shape)."""
     if one is other:
         return one
     if one.__class__ not in CONTENTS and other.__class__ not in CONTENTS:
-        return join(one, other)
+        return _join(one, other)
     if isinstance(one, tuple) and isinstance(other, tuple):
         if len(one) == len(other) and all(a is b for a, b in zip(one, other, strict=True)):
             return one
@@ -125,39 +146,40 @@ def joined(one: Any, other: Any) -> Any:
     if isinstance(one, (tuple, dict)) or isinstance(other, (tuple, dict)):
         return partial("its elements are not known on every path", one, other)
     if isinstance(one, Partial) or isinstance(other, Partial):
-        return partial(one.reason if isinstance(one, Opaque) else other.reason, one, other)
-    return join(one, other)
+        reasons = [content.reason for content in (one, other) if isinstance(content, Opaque)]
+        return partial(reasons[0], one, other)
+    return _join(one, other)
 
 
-def _entry(one: Any, other: Any) -> Any:
+def _entry(one: object, other: object) -> object:
     """What is held under one key: of what a ROS 2 node declares, the value stays known where only one way has it."""
     both = [value for value in (one, other) if isinstance(value, Held)]
     if not both:
-        return join(one, other)
+        return _join(one, other)
     result = [held for held in both if held.value != NONE]
     if len(result) < 2:
         return Held(result[0].value, False) if result else both[0]
     return Held(join(result[0].value, result[1].value), result[0].is_certain and result[1].is_certain)
 
 
-def certain(content: Any) -> tuple[Cell, ...]:
+def certain(content: object) -> tuple[Cell, ...]:
     """The elements that a sequence of that content has for sure."""
     return content if isinstance(content, tuple) else content.some if isinstance(content, Partial) else ()
 
 
-def possible(content: Any) -> tuple[Cell, ...]:
+def possible(content: object) -> tuple[Cell, ...]:
     """Elements that a sequence of that content has on some paths."""
     return content.others if isinstance(content, Partial) else ()
 
 
-def last(content: Any) -> Cell | None:
+def last(content: object) -> Cell | None:
     """The last element of a sequence of that content, as far as that is known."""
     if isinstance(content, tuple):
         return content[-1] if content else None
     return content.last if isinstance(content, Partial) else None
 
 
-def partial(reason: str, one: Any, other: Any) -> Opaque:
+def partial(reason: str, one: object, other: object) -> Opaque:
     """The content of a sequence that has one or the other: what both have is in it, what one has may be."""
     first, second = certain(one), certain(other)
     some = tuple(cell for cell in first if any(cell is other_cell for other_cell in second))

@@ -104,8 +104,9 @@ def for_each(walk: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Valu
 def _fits(walk: Walk, frame: Frame, expected: Value, cell: Cell) -> bool | None:
     """Whether the element in *cell* is the one *expected*, a value or a predicate; None if that is not known."""
     if not isinstance(expected, Callable):
-        known = isinstance(expected, Known) and isinstance(cell.value, Known)
-        return bool(expected.value == cell.value.value) if known and isinstance(expected, Known) else None
+        if isinstance(expected, Known) and isinstance(cell.value, Known):
+            return bool(expected.value == cell.value.value)
+        return None
     mark = walk.state.mark()
     argument = call_arguments.PassedArgument(cell.value, cell, cell.type)
     verdict = activation.invoke(walk, frame, expected, (argument,))
@@ -140,8 +141,10 @@ def _text_of(value: Value) -> Cell | None:
 
 def _character(value: Value) -> str | None:
     if isinstance(value, Known) and issubclass(value.kind, Character):
-        return chr(value.value)
-    return value.value if isinstance(value, Known) and issubclass(value.kind, str) and len(value.value) == 1 else None
+        return chr(value.of(int))
+    return (
+        value.of(str) if isinstance(value, Known) and issubclass(value.kind, str) and len(value.of(str)) == 1 else None
+    )
 
 
 def _boost(name: str, words: list[str]) -> Function_[[str], str] | None:
@@ -170,7 +173,7 @@ def _ascii(text: str, change: Function_[[str], str]) -> str:
 
 def _changed(value: Value, change: Function_[[str], str], is_by_letter: bool) -> Value | None:
     if isinstance(value, Known) and issubclass(value.kind, str):
-        after = change(value.value)
+        after = change(value.of(str))
         return Known(after) if len(after) <= TEXT_LIMIT else Opaque("it is a long text")
     if isinstance(value, Text) and is_by_letter:
         return Text(tuple(change(part) if isinstance(part, str) else part for part in value.parts))

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 from haros_ci.follow import comprehensions, slices
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
-from haros_ci.values.abstract import Cell, Known, Library, Object, Opaque, Sequence, Value, data_of
+from haros_ci.values.abstract import Cell, Elements, Known, Library, Object, Opaque, Sequence, Value, data_of
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
@@ -23,7 +23,7 @@ DECLARED, OPTION = "[options]", "[option]"
 PLAIN = frozenset(("", "prog", "usage", "description", "epilog", "formatter_class", "add_help"))
 GROUPS = frozenset(("add_argument_group", "add_mutually_exclusive_group"))
 ACTIONS = frozenset(("store", "store_true", "store_false", "store_const", "append", "count"))
-TYPES: dict[str, Any] = {"int": int, "float": float, "str": str}
+TYPES: dict[str, type[int | float | str]] = {"int": int, "float": float, "str": str}
 #: Words on one command line, options of one parser, and positional ones of these that take a number of words that is not
 #: fixed: argparse matches with expressions that try each way to share the words among them.
 MOST, OPEN = 64, 3
@@ -32,7 +32,7 @@ MOST, OPEN = 64, 3
 def parser(args: tuple[PassedArgument, ...]) -> Object:
     """What ``argparse.ArgumentParser(...)`` makes; its options are not known if words are read in another way."""
     is_plain = all(argument.keyword in PLAIN for argument in args)
-    options: Any = () if is_plain else Opaque("the parser has rules of its own")
+    options: Elements = () if is_plain else Opaque("the parser has rules of its own")
     return Object(PARSER, fields={DECLARED: Cell(Sequence(Cell(options)))})
 
 
@@ -40,13 +40,14 @@ def method(walk: Walk, frame: Frame, this: Object, name: str, args: tuple[Passed
     """A method of a parser: options are declared, the command line is read; anything else makes the options unknown."""
     declared = this.fields[DECLARED].value
     assert isinstance(declared, Sequence)
-    options: Any = declared.content.value
+    options = declared.content.value
     if name in GROUPS:
         return this
     if name == "add_argument" and isinstance(options, tuple) and len(options) < MOST:
         members = {str(n): Cell(a.value) for n, a in enumerate(a for a in args if not a.keyword)}
         members |= {a.keyword: Cell(a.value) for a in args if a.keyword}
-        walk.state.write(declared.content, (*options, Cell(Object(OPTION, fields=members))))
+        option: Cell = Cell(Object(OPTION, fields=members))
+        walk.state.write(declared.content, (*options, option))
         return Opaque("an option")
     if name in ("parse_args", "parse_known_args"):
         found = _parsed(options, args, name == "parse_known_args")
@@ -56,7 +57,7 @@ def method(walk: Walk, frame: Frame, this: Object, name: str, args: tuple[Passed
     return None
 
 
-def _parsed(options: Any, args: tuple[PassedArgument, ...], is_partly: bool) -> Value | None:
+def _parsed(options: Elements, args: tuple[PassedArgument, ...], is_partly: bool) -> Value | None:
     """The options as an object; None if the words, or what they mean, are not known.
 
     Without words they are ``sys.argv``, to which roslaunch adds some that no program declares.
@@ -65,7 +66,7 @@ def _parsed(options: Any, args: tuple[PassedArgument, ...], is_partly: bool) -> 
     items = _words(args[0].value) if is_given else None
     if items is None or len(items) > MOST or not isinstance(options, tuple):
         return None
-    words = [item.value for item in items if isinstance(item, Known) and issubclass(item.kind, str)]
+    words = [item.of(str) for item in items if isinstance(item, Known) and issubclass(item.kind, str)]
     if len(words) < len(items):
         return None
     try:
@@ -81,13 +82,13 @@ def _parsed(options: Any, args: tuple[PassedArgument, ...], is_partly: bool) -> 
 
 
 def _words(value: Value) -> list[Value] | None:
-    content: Any = value.content.value if isinstance(value, Sequence) else None
+    content = value.content.value if isinstance(value, Sequence) else None
     if isinstance(content, Opaque) and content.reason == slices.NOTHING:
         return []
     return comprehensions.items(value)
 
 
-def _read(options: tuple[Cell, ...], words: list[str]) -> tuple[dict[str, Any], list[str], dict[int, Value]]:
+def _read(options: tuple[Cell, ...], words: list[str]) -> tuple[dict[str, object], list[str], dict[int, Value]]:
     """What argparse makes of *words*: values by name, words left over, and defaults that are not data by their stand-in."""
     import argparse
 
@@ -99,9 +100,9 @@ def _read(options: tuple[Cell, ...], words: list[str]) -> tuple[dict[str, Any], 
     kept: dict[int, Value] = {}
     is_open = 0
     for cell in options:
-        members = cell.value.fields
+        members = cell.value.fields if isinstance(cell.value, Object) else {}
         provided = {key: member.value for key, member in members.items() if not key.isdigit()}
-        flags = [_data(members[key].value) for key in members if key.isdigit()]
+        flags = [_text(members[key].value) for key in members if key.isdigit()]
         action = _data(provided["action"]) if "action" in provided else "store"
         if action not in ACTIONS:
             if action in ("help", "version"):
@@ -134,14 +135,21 @@ def _read(options: tuple[Cell, ...], words: list[str]) -> tuple[dict[str, Any], 
     return vars(space), rest, kept
 
 
-def _data(value: Value) -> Any:
+def _data(value: Value) -> object:
     known, data = data_of(value)
     if not known:
         raise ValueError("not known")
     return data
 
 
-def _value(data: Any, kept: dict[int, Value]) -> Value:
+def _text(value: Value) -> str:
+    data = _data(value)
+    if not isinstance(data, str):
+        raise ValueError("not a text")
+    return data
+
+
+def _value(data: object, kept: dict[int, Value]) -> Value:
     if id(data) in kept:
         return kept[id(data)]
     if isinstance(data, list):

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci.values.abstract import Callable, Library, Object, Pointer, Value
 
@@ -27,7 +27,7 @@ def bind(args: tuple[PassedArgument, ...]) -> Value:
             rest = rest[1:]
         elif len(rest) > len(function.function.parameters):
             rest = rest[1:]
-    bound: list[Any] = [None if _is_placeholder(item.value) else item.value for item in rest]
+    bound: list[Value | None] = [None if _is_placeholder(item.value) else item.value for item in rest]
     while bound and bound[-1] is None:
         bound.pop()
     templates = this.templates if this is not None else function.templates

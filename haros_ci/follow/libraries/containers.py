@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow import alternatives, assignments, construct, conversions
@@ -18,6 +18,7 @@ from haros_ci.values.abstract import (
     NONE,
     Cell,
     Choice,
+    Elements,
     Known,
     Mapped,
     Object,
@@ -27,6 +28,7 @@ from haros_ci.values.abstract import (
     Text,
     Value,
 )
+from haros_ci.values.cells import Content
 from haros_ci.values.state import certain, last, possible
 
 if TYPE_CHECKING:
@@ -43,7 +45,7 @@ def _added(
     walk: Walk, receiver: Sequence, name: str, args: tuple[PassedArgument, ...], inner: Type | None
 ) -> tuple[Cell, ...] | Opaque | None:
     """A set's content with one more element, or a list's or set's with those of a range; None if that is not known."""
-    cells: Any = receiver.content.value
+    cells = receiver.content.value
     is_set = receiver.type is not None and receiver.type.name == "std::set"
     held = certain(cells)
     values = [argument.value for argument in args]
@@ -66,7 +68,7 @@ def _added(
 
 
 def _grown(
-    walk: Walk, frame: Frame, cells: Any, name: str, args: tuple[PassedArgument, ...], inner: Type | None
+    walk: Walk, frame: Frame, cells: Elements, name: str, args: tuple[PassedArgument, ...], inner: Type | None
 ) -> Opaque:
     """The content of a list that is not known with one more element: what is added behind the others is the last."""
     result = walk.opaque("the list is built in a way that is not followed", frame)
@@ -90,19 +92,20 @@ def _range(first: Value, end: Value) -> list[Value] | None:
 
 
 def sequence(walk: Walk, frame: Frame, receiver: Sequence, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
-    cells: Any = receiver.content.value
+    cells = receiver.content.value
     known = isinstance(cells, tuple)
+    held = cells if isinstance(cells, tuple) else ()
     inner = receiver.type.of(0) if receiver.type is not None else None
     if name in ADDING and (added := _added(walk, receiver, name, args, inner)) is not None:
         walk.state.write(receiver.content, added)
         return NONE
     if name in ("push_back", "emplace_back", "insert", "push_front", "emplace"):
-        if known and name in ("push_back", "emplace_back") and len(args) == 1 and len(cells) < LIST_LIMIT:
+        if known and name in ("push_back", "emplace_back") and len(args) == 1 and len(held) < LIST_LIMIT:
             value = conversions.converted(construct.copied(walk, args[0].value, inner), inner)
-            walk.state.write(receiver.content, (*cells, Cell(value, inner)))
-        elif known and name == "emplace_back" and inner is not None and len(cells) < LIST_LIMIT:
+            walk.state.write(receiver.content, (*held, Cell(value, inner)))
+        elif known and name == "emplace_back" and inner is not None and len(held) < LIST_LIMIT:
             value = construct.of_template(walk, frame, inner, args, Location(frame.source.path))
-            walk.state.write(receiver.content, (*cells, Cell(value, inner)))
+            walk.state.write(receiver.content, (*held, Cell(value, inner)))
         else:
             walk.state.write(receiver.content, _grown(walk, frame, cells, name, args, inner))
         return NONE
@@ -121,24 +124,24 @@ def sequence(walk: Walk, frame: Frame, receiver: Sequence, name: str, args: tupl
                         else construct.of_template(walk, frame, kind, (), place),
                         inner,
                     )
-                    for _ in range(expected - len(cells))
+                    for _ in range(expected - len(held))
                 ]
-                walk.state.write(receiver.content, (*cells[:expected], *made))
+                walk.state.write(receiver.content, (*held[:expected], *made))
                 return NONE
             if 0 <= expected <= 1000:  # so many, whatever they are
-                unknown = walk.opaque("an element that is not known", frame, None, inner)
+                unknown: Value = walk.opaque("an element that is not known", frame, None, inner)
                 walk.state.write(receiver.content, tuple(Cell(unknown, inner) for _ in range(expected)))
                 return NONE
         walk.state.write(receiver.content, walk.opaque("a list of unknown length", frame))
         return NONE
     if name in ("size", "empty", "length"):
         if known:
-            return Known(not cells) if name == "empty" else Known(len(cells))
+            return Known(not held) if name == "empty" else Known(len(held))
         return walk.opaque("the length of a list that is not known", frame, None, syntax.Type("int"))
     if name in ("front", "back", "at"):
-        if known and cells and name != "at":
-            held: Cell = cells[0 if name == "front" else -1]
-            return alternatives.looked_up(walk, frame, held).value if walk.look_ups else held.value
+        if held and name != "at":
+            outer = held[0 if name == "front" else -1]
+            return alternatives.looked_up(walk, frame, outer).value if walk.look_ups else outer.value
         if name == "back" and (end := last(cells)) is not None:
             return end.value
         if name == "at" and args:
@@ -147,13 +150,13 @@ def sequence(walk: Walk, frame: Frame, receiver: Sequence, name: str, args: tupl
                 return cell.value
         return walk.opaque(of_element(args[0].value if args else None), frame, None, inner)
     if name in ("begin", "end", "cbegin", "cend", "rbegin", "rend"):
-        if name.endswith("end") or (known and not cells):
+        if name.endswith("end") or (known and not held):
             return iterators.end_of(receiver)
         if known and name != "rbegin":
             return iterators.at(receiver, 0)
         return Object(iterators.ITERATOR, fields={"[of]": Cell(receiver)})
-    if name == "pop_back" and known and cells:
-        walk.state.write(receiver.content, cells[:-1])
+    if name == "pop_back" and held:
+        walk.state.write(receiver.content, held[:-1])
         return NONE
     if name == "swap" and args and isinstance(args[0].value, Sequence):
         other = args[0].value.content
@@ -171,7 +174,7 @@ def _parts(value: Value) -> list[Value]:
     return [cell.value for cell in cells] if isinstance(cells, tuple) else []
 
 
-def _entry(walk: Walk, args: tuple[PassedArgument, ...]) -> tuple[Any, Value] | None:
+def _entry(walk: Walk, args: tuple[PassedArgument, ...]) -> tuple[object, Value] | None:
     """The key and the value of an entry that a map is given; None if they are not known, nested braces, or one of several plug-ins."""
     values = _parts(args[0].value) if len(args) == 1 else [argument.value for argument in args]
     if len(values) != 2 or not isinstance(values[0], Known) or not issubclass(values[0].kind, (str, int)):
@@ -182,7 +185,7 @@ def _entry(walk: Walk, args: tuple[PassedArgument, ...]) -> tuple[Any, Value] | 
 
 
 def mapped(walk: Walk, frame: Frame, receiver: Mapped, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
-    pairs: Any = receiver.content.value
+    pairs = receiver.content.value
     if name in ("size", "empty", "count") and isinstance(pairs, dict):
         if name == "count":
             key = args[0].value if args else NONE
@@ -223,15 +226,16 @@ def swapped(walk: Walk, args: tuple[PassedArgument, ...]) -> Value | None:
     if one is None or other is None:
         return None
     if isinstance(one.value, plain) and isinstance(other.value, plain):
-        before = one.value
-        walk.state.write(one, other.value)
-        walk.state.write(other, before)
-        return NONE
-    for kind in (Sequence, Mapped):
-        if isinstance(one.value, kind) and isinstance(other.value, kind):
-            content, with_ = one.value.content, other.value.content
-            before = content.value
-            walk.state.write(content, with_.value)
-            walk.state.write(with_, before)
-            return NONE
+        return _swap(walk, one, other)
+    if isinstance(one.value, Sequence) and isinstance(other.value, Sequence):
+        return _swap(walk, one.value.content, other.value.content)
+    if isinstance(one.value, Mapped) and isinstance(other.value, Mapped):
+        return _swap(walk, one.value.content, other.value.content)
     return None
+
+
+def _swap(walk: Walk, one: Cell[Content], other: Cell[Content]) -> Value:
+    before = one.value
+    walk.state.write(one, other.value)
+    walk.state.write(other, before)
+    return NONE

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow import construct, conversions, methods
@@ -35,6 +35,7 @@ from haros_ci.values.abstract import (
     TRUE,
     Cell,
     Choice,
+    Entries,
     Known,
     Library,
     Mapped,
@@ -83,8 +84,8 @@ def instance(walk: Walk, frame: Frame, kind: Type, args: tuple[PassedArgument, .
             texts.start(walk, stream, args[0].value)
         return stream
     if name == DESCRIPTOR and not args and walk.context.process is not None:
-        flag = {"read_only": Cell(FALSE, syntax.Type("bool"))}
-        ranges = {item: Cell(Sequence(Cell(()))) for item in ("floating_point_range", "integer_range")}
+        flag: dict[str, Cell] = {"read_only": Cell(FALSE, syntax.Type("bool"))}
+        ranges: dict[str, Cell] = {item: Cell(Sequence(Cell(()))) for item in ("floating_point_range", "integer_range")}
         return Object(name, fields={**flag, **ranges})
     if name in FILES:
         return Object(name, fields={"[path]": Cell(args[0].value if args else NONE)})
@@ -93,8 +94,10 @@ def instance(walk: Walk, frame: Frame, kind: Type, args: tuple[PassedArgument, .
     if name in ("YAML::Node", XMLRPC):
         return conversions.converted(args[0].value, kind) if args else NONE
     if name == f"{XMLRPC}::ValueStruct":
-        held: Any = args[0].value.content.value if args and isinstance(args[0].value, Mapped) else {}
-        copied = {key: Cell(cell.value, cell.type) for key, cell in held.items()} if isinstance(held, dict) else held
+        held: Entries = args[0].value.content.value if args and isinstance(args[0].value, Mapped) else {}
+        copied: Entries = (
+            {key: Cell(cell.value, cell.type) for key, cell in held.items()} if isinstance(held, dict) else held
+        )
         return Mapped(Cell(copied))
     if name == f"{XMLRPC}::ValueArray":
         return construct.create(
@@ -204,7 +207,7 @@ def protected(walk: Walk, this: Object, name: str) -> Cell | None:
 def _number(value: Value) -> Value:
     if isinstance(value, Known) and issubclass(value.kind, str):
         try:
-            return Known(float(value.value) if "." in value.value else int(value.value))
+            return Known(float(value.of(str)) if "." in value.of(str) else int(value.of(str)))
         except ValueError:
             return Opaque("it is no number")
     return value
@@ -320,7 +323,7 @@ def _object(
     if receiver.name == LOADER and name == "getName" and args:
         named = args[0].value
         if isinstance(named, Known) and issubclass(named.kind, str):
-            return Known(named.value.replace("::", "/").rpartition("/")[2])
+            return Known(named.of(str).replace("::", "/").rpartition("/")[2])
         return walk.opaque("the plug-in's name is not known", frame, location.line)
     if receiver.name in STREAMS:
         text = receiver.fields["[text]"]

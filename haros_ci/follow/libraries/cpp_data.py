@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci.follow.conversions import NPOS
 from haros_ci.follow.frames import Frame
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
 
 
-def _of_list(walk: Walk, data: list[Any], cell: Cell, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+def _of_list(walk: Walk, data: list[object], cell: Cell, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """Methods of a vector that holds a parameter's list."""
     if name == "empty":
         return Known(not data)
@@ -100,17 +100,18 @@ def of_known(
             return Known(len(data))
         if name == "empty":
             return Known(not data)
-        values: list[Any] = [argument.value.value if isinstance(argument.value, Known) else None for argument in args]
+        values = [argument.value.value if isinstance(argument.value, Known) else None for argument in args]
+        numbers = [item for item in values if isinstance(item, int)]
         if not args and name in PARTS:
             return Known(library_xml.part(data, name))
         if name in ("starts_with", "ends_with") and len(values) == 1 and isinstance(values[0], str):
             return Known(data.startswith(values[0]) if name == "starts_with" else data.endswith(values[0]))
         if name == "substr" and not args:
             return receiver
-        if name == "substr" and values and all(isinstance(v, int) for v in values):
-            count = values[1] if len(values) > 1 else len(data)
+        if name == "substr" and values and len(numbers) == len(values):
+            count = numbers[1] if len(numbers) > 1 else len(data)
             count = len(data) if count < 0 else count  # npos
-            return Known(data[values[0] : values[0] + count]) if 0 <= values[0] <= len(data) else None
+            return Known(data[numbers[0] : numbers[0] + count]) if 0 <= numbers[0] <= len(data) else None
         if "find" in name and cell is not None or name in ("find", "rfind"):
             found = text_methods.found(data, name, args)
             if found is not None:
@@ -155,10 +156,11 @@ def of_known(
         if result is not None:
             return result
     if name in ("FindValue", "hasMember") and args and isinstance(args[0].value, Known):
-        inside = isinstance(data, dict) and args[0].value.value in data
+        pairs, key = data if isinstance(data, dict) else {}, args[0].value.value
+        inside = isinstance(data, dict) and key in pairs
         if name == "hasMember":
             return Known(inside)
-        return Known(data[args[0].value.value]) if inside else NONE
+        return Known(pairs[key]) if inside else NONE
     if name in ("IsDefined", "IsScalar", "IsSequence", "IsMap", "IsNull", "valid"):
         kinds: dict[str, bool] = {
             "IsDefined": data is not None,

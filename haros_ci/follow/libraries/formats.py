@@ -7,7 +7,7 @@ import posixpath
 import re
 import string
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow import members
@@ -78,13 +78,13 @@ def fmt(walk: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value:
     if not isinstance(form, Known) or not issubclass(form.kind, str):
         return walk.opaque("its format is not known", frame, None, syntax.Type("std::string"))
     return braces(
-        walk, frame, form.value, tuple(replace(argument, value=_of_cpp(argument.value)) for argument in args[1:])
+        walk, frame, form.of(str), tuple(replace(argument, value=_of_cpp(argument.value)) for argument in args[1:])
     )
 
 
 def _of_cpp(value: Value) -> Value:
     if isinstance(value, Known) and issubclass(value.kind, (bool, Character)):
-        return Known(str(value.value).lower() if value.kind is bool else chr(value.value))
+        return Known(str(value.value).lower() if value.kind is bool else chr(value.of(int)))
     return value
 
 
@@ -97,9 +97,9 @@ def printf(walk: Walk, frame: Frame, args: tuple[PassedArgument, ...], is_cut: b
     form, *values = [argument.value for argument in args[is_cut:]] or [NONE]
     if not isinstance(form, Known) or not issubclass(form.kind, str):
         return walk.opaque("it is formatted by sprintf", frame, None, syntax.Type("std::string"))
-    text = percent(walk, frame, _LENGTH.sub(r"\1", form.value), Sequence(Cell(tuple(map(Cell, values)))))
+    text = percent(walk, frame, _LENGTH.sub(r"\1", form.of(str)), Sequence(Cell(tuple(map(Cell, values)))))
     if isinstance(text, Known) and type(size) is int:
-        return Known(text.value[: max(size - 1, 0)])
+        return Known(text.of(str)[: max(size - 1, 0)])
     return text
 
 
@@ -124,7 +124,7 @@ def _shown(value: Value, flags: str, kind: str) -> Value:
         if kind == "s" and not flags:
             return value
         return Opaque("it is formatted from what is not known")
-    data: Any = value.value
+    data = value.value
     if kind == "s":
         text = printed(value)
         return Known(f"%{flags}s" % text) if isinstance(text, str) else text
@@ -183,8 +183,8 @@ def _step(walk: Walk, frame: Frame, value: Value, step: str) -> Value | None:
             return cell.value if cell is not None else None
         return None
     index = whole_number(step[1:-1])
-    key: Any = step[1:-1] if index is None else index
-    content: Any = value.content.value if isinstance(value, (Sequence, Mapped)) else None
+    key: str | int = step[1:-1] if index is None else index
+    content: object = value.content.value if isinstance(value, (Sequence, Mapped)) else None
     if isinstance(value, Known) and issubclass(value.kind, (list, dict)):
         content = value.value
     if isinstance(content, dict):
@@ -201,7 +201,7 @@ def _formatted(value: Value, specifier: str, conversion: str | None) -> Value:
         return value
     if not isinstance(value, Known) or not _SPECIFICATION.fullmatch(specifier):
         return Opaque("it is formatted from what is not known")
-    data: Any = str(value.value) if conversion else value.value
+    data = str(value.value) if conversion else value.value
     if isinstance(data, bool) or not isinstance(data, (int, float, str)):
         return Opaque("it is formatted in a way that is not followed")
     if isinstance(data, (int, float)) and abs(data) >= 2**63:

@@ -74,13 +74,13 @@ def _namespace(model: Value, sdf: Value) -> Value:
         return Text(("/", Opaque(f"<{SPACE}> of the plug-in: {UNREAD}")))
     name = model.fields.get(SELF) if isinstance(model, Object) and model.name == PARENT else None
     if name is not None and isinstance(name.value, Known):
-        return Known(resolve(name.value.value, "/", "/"))
+        return Known(resolve(name.value.of(str), "/", "/"))
     return Text(("/", Opaque("it is the name of the model, which is not known")))
 
 
 def _sdf_of(value: Value) -> Sdf | None:
     held = value.fields.get(SELF) if isinstance(value, Object) and value.name == ELEMENT else None
-    return held.value.value if held is not None and isinstance(held.value, Known) else None
+    return held.value.of(Sdf) if held is not None and isinstance(held.value, Known) else None
 
 
 def method(
@@ -177,7 +177,7 @@ def _as(value: Value, targs: tuple[syntax.Argument, ...]) -> Value:
     if not isinstance(value, Known) or not kind or kind in STRINGS:
         return value
     if kind == "bool":
-        truth = {"true": TRUE, "1": TRUE, "false": FALSE, "0": FALSE}.get(value.value.lower())
+        truth = {"true": TRUE, "1": TRUE, "false": FALSE, "0": FALSE}.get(value.of(str).lower())
         return truth or Opaque("it is neither true nor false")
     try:
         return Known(_NUMBERS[kind](value.value))

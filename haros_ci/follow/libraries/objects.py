@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from haros_ci import syntax
 from haros_ci.follow import call_arguments, callbacks, copies, methods
 from haros_ci.follow.frames import Frame
@@ -12,11 +10,12 @@ from haros_ci.follow.libraries import library
 from haros_ci.follow.ros import api_rows, ros2_nodes
 from haros_ci.follow.walk import Walk
 from haros_ci.model.location import Location
-from haros_ci.syntax import Type
+from haros_ci.syntax import Class, Type
+from haros_ci.syntax.source import Source
 from haros_ci.values.abstract import Callable, Object, Opaque, Value
 
 
-def summary_object(walk: Walk, owner: Any, kind: Type, receiver: Opaque) -> Object:
+def summary_object(walk: Walk, owner: tuple[Source, Class], kind: Type, receiver: Opaque) -> Object:
     """Some object of a class, of which only the class is known."""
     source, definition = owner
     templates = dict(zip(definition.templates, kind.arguments, strict=False))

@@ -28,7 +28,7 @@ def matched(args: tuple[PassedArgument, ...]) -> Value | None:
     if not issubclass(pattern.kind, str) or not issubclass(text.kind, str):
         return None
     is_plain = isinstance(flags, Known) and flags.value == 0
-    is_match = _is_match(pattern.value, text.value, is_plain)
+    is_match = _is_match(pattern.of(str), text.of(str), is_plain)
     return None if is_match is None else Known(0 if is_match else NO_MATCH)
 
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow import comprehensions, dispatch, dynamic, members, partials
@@ -94,13 +94,13 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
         items = comprehensions.items(first)
         begin = args[1].value if len(args) > 1 else Known(0)
         if items is not None and isinstance(begin, Known) and issubclass(begin.kind, int):
-            pairs = [Sequence(Cell((Cell(Known(n)), Cell(item)))) for n, item in enumerate(items, begin.value)]
+            pairs = [Sequence(Cell((Cell(Known(n)), Cell(item)))) for n, item in enumerate(items, begin.of(int))]
             return Sequence(Cell(tuple(Cell(pair) for pair in pairs)))
     if name == "zip":
         columns = [None if a.keyword else comprehensions.items(a.value) for a in args]
         if columns and all(column is not None for column in columns):
             rows = list(zip(*(c for c in columns if c is not None), strict=False))
-            made = tuple(Cell(Sequence(Cell(tuple(Cell(v) for v in row)))) for row in rows)
+            made: tuple[Cell, ...] = tuple(Cell(Sequence(Cell(tuple(Cell(v) for v in row)))) for row in rows)
             return Sequence(Cell(made))
     if name in DICTS:
         return comprehensions.dictionary(walk, frame, args)
@@ -116,7 +116,7 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
     if name in ("os.path.join", "posixpath.join") and args:
         return formats.path(walk, frame, args)
     if name in formats.PATHS and isinstance(first, Known) and issubclass(first.kind, str) and len(args) == 1:
-        return formats.of_path(name, first.value)
+        return formats.of_path(name, first.of(str))
     if name in ("open", "io.open", "file") and first is not None:
         return Object("file", fields={"[path]": Cell(first)})
     if name in YAML and first is not None:
@@ -159,7 +159,7 @@ def argv(walk: Walk, is_own: bool = False) -> Value:
         return Opaque("the command line")
     words: list[Value] = [Opaque("the program's name"), *(Known(word) for word in walk.context.arguments)]
     if is_own:
-        words = [word for word in words if not (isinstance(word, Known) and ":=" in word.value)]
+        words = [word for word in words if not (isinstance(word, Known) and ":=" in word.of(str))]
     else:
         words += [
             Opaque(f"it is {word}, which roslaunch gives", None, syntax.Type("str")) for word in ("__name:=", "__log:=")
@@ -175,7 +175,7 @@ def method(walk: Walk, frame: Frame, receiver: Value, name: str, args: tuple[Pas
     """A modelled method."""
     if isinstance(receiver, Known) and issubclass(receiver.kind, str):
         if name == "format":
-            return formats.braces(walk, frame, receiver.value, args)
+            return formats.braces(walk, frame, receiver.of(str), args)
         if name == "join" and args:
             items = comprehensions.items(args[0].value)
             if items is not None and all(_may_be_text(item) for item in items):
@@ -183,9 +183,9 @@ def method(walk: Walk, frame: Frame, receiver: Value, name: str, args: tuple[Pas
                 for item in items:
                     parts += [receiver, item] if parts else [item]
                 return concatenate(tuple(parts), printed)
-        return python_texts.method(walk, frame, receiver.value, name, args)
+        return python_texts.method(walk, frame, receiver.of(str), name, args)
     if isinstance(receiver, Sequence):
-        cells: Any = receiver.content.value
+        cells = receiver.content.value
         if (found := python_lists.method(walk, receiver, name, args)) is not None:
             return found
         if name == "append" and args and isinstance(cells, tuple) and len(cells) < LIST_LIMIT:
@@ -212,7 +212,7 @@ def method(walk: Walk, frame: Frame, receiver: Value, name: str, args: tuple[Pas
             walk.state.write(receiver.content, walk.opaque("a list that is changed", frame))
             return NONE
     if isinstance(receiver, Known) and issubclass(receiver.kind, dict):
-        pairs = {key: Cell(Known(item)) for key, item in receiver.value.items()}
+        pairs: dict[object, Cell] = {key: Cell(Known(item)) for key, item in receiver.of(dict).items()}
         return _dictionary(walk, frame, pairs, name, args)
     if isinstance(receiver, Mapped) and name in ("update", "pop", "setdefault", "clear", "copy"):
         return _changed(walk, frame, receiver, name, args)
@@ -233,7 +233,7 @@ def method(walk: Walk, frame: Frame, receiver: Value, name: str, args: tuple[Pas
 
 def _changed(walk: Walk, frame: Frame, receiver: Mapped, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """A method that changes a dictionary."""
-    pairs: Any = receiver.content.value
+    pairs = receiver.content.value
     if name == "clear":
         walk.state.write(receiver.content, {})
         return NONE
@@ -241,13 +241,13 @@ def _changed(walk: Walk, frame: Frame, receiver: Mapped, name: str, args: tuple[
     if isinstance(pairs, dict):
         if name == "copy":
             return Mapped(Cell({key: Cell(cell.value, cell.type) for key, cell in pairs.items()}))
-        named = {argument.keyword: Cell(argument.value) for argument in args if argument.keyword}
+        named: dict[object, Cell] = {argument.keyword: Cell(argument.value) for argument in args if argument.keyword}
         if name == "update" and "**" not in named and len(args) - len(named) < 2:
-            more: Any = first.content.value if isinstance(first, Mapped) else None
+            more = first.content.value if isinstance(first, Mapped) else None
             if args and args[0].keyword:
                 more = {}
             if isinstance(first, Known) and issubclass(first.kind, dict):
-                more = {key: Cell(Known(item)) for key, item in first.value.items()}
+                more = {key: Cell(Known(item)) for key, item in first.of(dict).items()}
             if isinstance(more, dict) and len(pairs) + len(more) <= LIST_LIMIT:
                 fresh = {key: Cell(cell.value, cell.type) for key, cell in {**more, **named}.items()}
                 walk.state.write(receiver.content, {**pairs, **fresh})
@@ -266,13 +266,15 @@ def _changed(walk: Walk, frame: Frame, receiver: Mapped, name: str, args: tuple[
     return walk.opaque("an entry that is not known", frame)
 
 
-def _dictionary(walk: Walk, frame: Frame, pairs: Any, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+def _dictionary(
+    walk: Walk, frame: Frame, pairs: dict[object, Cell], name: str, args: tuple[PassedArgument, ...]
+) -> Value | None:
     if name in ("keys", "iterkeys"):
         return Known(list(pairs))
     if name in ("values", "itervalues"):
         return Sequence(Cell(tuple(pairs.values())))
     if name in ("items", "iteritems"):
-        made = tuple(Cell(Sequence(Cell((Cell(Known(key)), cell)))) for key, cell in pairs.items())
+        made: tuple[Cell, ...] = tuple(Cell(Sequence(Cell((Cell(Known(key)), cell)))) for key, cell in pairs.items())
         return Sequence(Cell(made))
     if name == "get" and args and isinstance(args[0].value, Known):
         try:

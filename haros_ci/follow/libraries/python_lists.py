@@ -8,17 +8,19 @@ from __future__ import annotations
 
 from itertools import product
 from math import prod
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeVar
 
 from haros_ci import syntax
 from haros_ci.follow import comprehensions
-from haros_ci.values.abstract import LIST_LIMIT, NONE, Cell, Known, Sequence, Value, same
+from haros_ci.values.abstract import LIST_LIMIT, NONE, Cell, Elements, Known, Sequence, Value, same
+from haros_ci.values.state import certain
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
     from haros_ci.follow.frames import Frame
     from haros_ci.follow.walk import Walk
 
+Kind = TypeVar("Kind")
 SET = syntax.Type("set")
 #: What the methods of sets compute, as operators write it; those that change the set itself after ``=``.
 METHODS = {
@@ -46,7 +48,7 @@ def made(items: list[Value]) -> Sequence:
 
 def _with(cells: tuple[Cell, ...], more: Sequence | list[Value]) -> tuple[Cell, ...]:
     """The elements of a set, and those of *more* that are not in it."""
-    items = more if isinstance(more, list) else [cell.value for cell in more.content.value]
+    items = more if isinstance(more, list) else [cell.value for cell in certain(more.content.value)]
     fresh = [item for item in items if not any(item is cell.value or _same(item, cell.value) for cell in cells)]
     return (*cells, *map(Cell, fresh))
 
@@ -56,7 +58,7 @@ def _same(one: Value, other: Value) -> bool:
 
 
 def _once(items: list[Value]) -> list[Value]:
-    found: dict[Any, Value] = {}
+    found: dict[object, Value] = {}
     for item in items:
         key = (
             (item.kind is str, item.value)
@@ -92,14 +94,14 @@ def _is_list(value: Value) -> bool:
     return isinstance(value, Known) and issubclass(value.kind, list)
 
 
-def _data(items: list[Value]) -> list[Any] | None:
+def _data(items: list[Value]) -> list[object] | None:
     found = [item.value for item in items if isinstance(item, Known) and not issubclass(item.kind, (list, dict))]
     return found if len(found) == len(items) else None
 
 
 def method(walk: Walk, receiver: Sequence, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """A method of a set, or one that puts a list's elements elsewhere; None if its effect is not known."""
-    cells: Any = receiver.content.value
+    cells = receiver.content.value
     if name == "clear":
         walk.state.write(receiver.content, ())
         return NONE
@@ -125,7 +127,7 @@ def _combining(walk: Walk, receiver: Sequence, name: str, args: tuple[PassedArgu
     if not isinstance(found, Sequence) or not METHODS[name].endswith("="):
         return found
     content = found.content.value
-    walk.state.write(receiver.content, _with(receiver.content.value, found) if name == "update" else content)
+    walk.state.write(receiver.content, _with(certain(receiver.content.value), found) if name == "update" else content)
     return NONE
 
 
@@ -159,9 +161,9 @@ def _at_place(
 
 def changed(walk: Walk, frame: Frame, held: Sequence, symbol: str, value: Value) -> Value:
     """``l += m``, ``s |= t``: the list or set itself has other elements."""
-    cells: Any = held.content.value
+    cells = held.content.value
     items = comprehensions.items(value) if isinstance(value, Sequence) or _is_list(value) else None
-    found: Any = None
+    found: Elements | None = None
     if symbol != "+":
         whole = combined(symbol, held, value)
         found = whole.content.value if whole is not None else None
@@ -213,11 +215,22 @@ def ordered(items: list[Value]) -> list[Value] | None:
     """The texts or numbers *items* in their order, or pairs in that of their first elements; None if they are not known."""
     keys = [_first(item) for item in items]
     data = [key.value for key in keys if isinstance(key, Known)]
-    if len(data) != len(items) or len({type(key) for key in data}) > 1 or not isinstance((data or [0])[0], (str, int)):
+    texts, numbers = _of_kind(data, str), _of_kind(data, int)
+    if len(items) not in (len(texts), len(numbers)) or len({type(key) for key in data}) > 1:
         return None
     if any(key is not item for key, item in zip(keys, items, strict=True)) and len(set(data)) < len(data):
         return None  # the second ones decide
-    return [items[place] for place in sorted(range(len(items)), key=data.__getitem__)]
+    places = _ranked(texts) if texts else _ranked(numbers)
+    return [items[place] for place in places]
+
+
+def _of_kind(data: list[object], kind: type[Kind]) -> list[Kind]:
+    return [item for item in data if isinstance(item, kind)]
+
+
+def _ranked(data: list[str] | list[int]) -> list[int]:
+    """The places of *data* in the order of what stands there; of equal ones the first comes first."""
+    return [place for _, place in sorted(zip(data, range(len(data)), strict=True))]
 
 
 def _first(item: Value) -> Value:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
@@ -20,15 +20,15 @@ METHODS = frozenset(
     "partition rpartition splitlines removeprefix removesuffix expandtabs __contains__".split()
 )
 #: Functions of plain data, by what they may be given.
-NUMBERS: dict[str, Callable[..., Any]] = {"abs": abs, "max": max, "min": min, "sum": sum, "ord": ord}
-FLAGS: dict[str, Callable[..., Any]] = {"any": any, "all": all}
+NUMBERS: dict[str, Callable[..., object]] = {"abs": abs, "max": max, "min": min, "sum": sum, "ord": ord, "chr": chr}
+FLAGS: dict[str, Callable[..., object]] = {"any": any, "all": all}
 
 
 def method(walk: Walk, frame: Frame, text: str, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """What ``text.name(*args)`` gives (docs.python.org/3/library/stdtypes.html#string-methods); None if not known."""
     if name not in METHODS or any(argument.keyword for argument in args):
         return None
-    provided: list[Any] = []
+    provided: list[object] = []
     for argument in args:
         known, data = data_of(argument.value)
         if not known or not isinstance(data, (str, int, list, type(None))) or _is_large(data):
@@ -46,13 +46,13 @@ def method(walk: Walk, frame: Frame, text: str, name: str, args: tuple[PassedArg
     return walk.opaque("it is a long text", frame) if isinstance(made, str) and len(made) > TEXT_LIMIT else Known(made)
 
 
-def _is_large(data: Any) -> bool:
+def _is_large(data: object) -> bool:
     return isinstance(data, int) and abs(data) > TEXT_LIMIT
 
 
 def computed(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """What a built-in function of plain data gives; None if it is no such function, or its arguments are not known."""
-    if name not in NUMBERS and name not in FLAGS and name not in ("chr", "repr"):
+    if name not in NUMBERS and name not in FLAGS and name != "repr":
         return None
     provided = [data_of(argument.value) for argument in args]
     if not provided or not all(known for known, _ in provided) or any(argument.keyword for argument in args):
@@ -60,7 +60,7 @@ def computed(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
     data = [item for _, item in provided]
     try:
         if name == "chr":
-            return Known(chr(data[0])) if len(data) == 1 else None
+            return Known(NUMBERS[name](data[0])) if len(data) == 1 else None
         if name == "repr":  # of texts, numbers with digits after the point and all else Python 2 and 3 differ
             return Known(repr(data[0])) if len(data) == 1 and isinstance(data[0], (bool, int)) else None
         if name in FLAGS and not (len(data) == 1 and isinstance(data[0], list)):

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow import conversions
@@ -25,10 +25,10 @@ OF = {
 
 def changed(text: str, name: str, args: tuple[PassedArgument, ...]) -> str | None:
     """*text* after ``erase``, ``insert``, ``replace`` or ``resize`` with positions; None for all other forms."""
-    data: list[Any] = [argument.value.value if isinstance(argument.value, Known) else None for argument in args]
+    data = [argument.value.value if isinstance(argument.value, Known) else None for argument in args]
     if not all(_is_count(item) or isinstance(item, (str, Character)) for item in data):
         return None
-    counts = [item for item in data if _is_count(item)]
+    counts = [item for item in data if isinstance(item, int) and _is_count(item)]
     start = counts[0] if counts else 0
     if start > len(text) or (data and not _is_count(data[0])):
         return None
@@ -46,25 +46,27 @@ def changed(text: str, name: str, args: tuple[PassedArgument, ...]) -> str | Non
 
 def found(text: str, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """Where a text or character is, or one of several characters: from a position on, if one is given; None if not known."""
-    data: list[Any] = [argument.value.value if isinstance(argument.value, Known) else None for argument in args]
+    data = [argument.value.value if isinstance(argument.value, Known) else None for argument in args]
     if not 1 <= len(data) <= 2 or not isinstance(data[0], (str, Character)):
         return None
     expected = chr(data[0]) if isinstance(data[0], Character) else data[0]
-    if len(data) > 1 and not _is_count(data[1]):
+    place = data[1] if len(data) > 1 else None
+    if len(data) > 1 and not _is_count(place):
         return None
+    begin = place if isinstance(place, int) else None
     if name in OF:
         is_last, is_other = OF[name]
         places = [number for number, item in enumerate(text) if (item in expected) != is_other]
-        if len(data) > 1:
-            places = [number for number in places if (number <= data[1] if is_last else number >= data[1])]
+        if begin is not None:
+            places = [number for number in places if (number <= begin if is_last else number >= begin)]
         return Known((places[-1] if is_last else places[0]) if places else conversions.NPOS)
     if name not in ("find", "rfind"):
         return None
     if name == "find":
-        place = text.find(expected, data[1] if len(data) > 1 else 0)
+        at = text.find(expected, begin or 0)
     else:
-        place = text.rfind(expected, 0, data[1] + len(expected) if len(data) > 1 else len(text))
-    return Known(conversions.NPOS if place < 0 else place)
+        at = text.rfind(expected, 0, begin + len(expected) if begin is not None else len(text))
+    return Known(conversions.NPOS if at < 0 else at)
 
 
 def end_of(expression: Expression, iterator: Value) -> Value | None:
@@ -82,8 +84,8 @@ def end_of(expression: Expression, iterator: Value) -> Value | None:
         return None
     if name not in ("begin", "cbegin", "rbegin", "crbegin"):
         return None
-    return texts.number(Known(held.value[-1 if "r" in name else 0]))
+    return texts.number(Known(held.of(str)[-1 if "r" in name else 0]))
 
 
-def _is_count(item: Any) -> bool:
-    return type(item) is int and (0 <= item <= TEXT_LIMIT or item == conversions.NPOS)
+def _is_count(item: object) -> bool:
+    return isinstance(item, int) and type(item) is int and (0 <= item <= TEXT_LIMIT or item == conversions.NPOS)

@@ -94,8 +94,8 @@ def start(walk: Walk, stream: Object, value: Value) -> None:
 
 def number(value: Value) -> Value:
     """A text of one character that is an element of another text, as the number that it is."""
-    if isinstance(value, Known) and issubclass(value.kind, str) and len(value.value) == 1:
-        return Known(Character(ord(value.value))) if ord(value.value) < 128 else Opaque("its number is not known")
+    if isinstance(value, Known) and issubclass(value.kind, str) and len(value.of(str)) == 1:
+        return Known(Character(ord(value.of(str)))) if ord(value.of(str)) < 128 else Opaque("its number is not known")
     return value
 
 

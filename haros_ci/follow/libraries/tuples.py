@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow import call_arguments
@@ -20,9 +20,9 @@ TUPLE = syntax.Type("std::tuple")
 PARTS = ("first", "second")
 
 
-def part(value: Object, number: Any) -> Cell | None:
+def part(value: Object, number: object) -> Cell | None:
     """The part of a pair or of a struct of that *number*; None where there is none."""
-    if type(number) is not int:
+    if not isinstance(number, int) or type(number) is not int:
         return None
     names: tuple[str, ...] = ()
     if value.name == PAIR:

@@ -39,7 +39,9 @@ def method(
         return _document(walk, frame, receiver, name, texts)
     if SELF not in receiver.fields:
         return None
-    element: LaunchElement = receiver.fields[SELF].value.value
+    element = _held(receiver, SELF)
+    if not isinstance(element, LaunchElement):
+        return None
     if name in ("Name", "Value") and not args:
         return Known(element.tag)
     if name == "GetText" and not args:
@@ -49,8 +51,9 @@ def method(
     if name == "FirstChildElement" and all(isinstance(text, str) for text in texts):
         return _first(element.children, 0, texts[0] if texts else "")
     if name == "NextSiblingElement" and all(isinstance(text, str) for text in texts):
-        beside, place = receiver.fields[BESIDE].value.value, receiver.fields[PLACE].value.value
-        return _first(beside, place + 1, texts[0] if texts else "")
+        beside, place = _held(receiver, BESIDE), _held(receiver, PLACE)
+        if isinstance(beside, tuple) and isinstance(place, int):
+            return _first(beside, place + 1, texts[0] if texts else "")
     return None
 
 
@@ -66,13 +69,19 @@ def _document(walk: Walk, frame: Frame, document: Object, name: str, texts: list
         walk.state.write(cell, value)
         return SUCCESS if root is not None else walk.opaque("whether an XML file is read", frame)
     if name == "RootElement" and ROOT in document.fields:
-        found: Value = document.fields[ROOT].value
-        return found
+        return document.fields[ROOT].value
     if name == "FirstChildElement" and ROOT in document.fields:
         root_value = document.fields[ROOT].value
-        is_named = isinstance(root_value, Object) and texts in ([], [root_value.fields[SELF].value.value.tag])
+        first = _held(root_value, SELF)
+        is_named = isinstance(first, LaunchElement) and texts in ([], [first.tag])
         return root_value if is_named or isinstance(root_value, Opaque) else None
     return None
+
+
+def _held(element: Value, name: str) -> object:
+    """What a member of an element stands for; None where that is not known."""
+    value = element.fields[name].value if isinstance(element, Object) else None
+    return value.value if isinstance(value, Known) else None
 
 
 def _text(value: str | None) -> Value:
@@ -80,7 +89,11 @@ def _text(value: str | None) -> Value:
 
 
 def _element(beside: tuple[LaunchElement, ...], place: int) -> Object:
-    fields = {SELF: Cell(Known(beside[place])), BESIDE: Cell(Known(beside)), PLACE: Cell(Known(place))}
+    fields: dict[str, Cell] = {
+        SELF: Cell(Known(beside[place])),
+        BESIDE: Cell(Known(beside)),
+        PLACE: Cell(Known(place)),
+    }
     return Object(ELEMENT, fields=fields)
 
 
@@ -99,7 +112,7 @@ def directory(walk: Walk, value: Value) -> Value | None:
         return None
     if walk.index.trace is not None:
         walk.index.trace.paths.add(XML_FILES)
-    found = reader.directory(value.value)
+    found = reader.directory(value.of(str))
     if not found or len(found) > MOST:
         return None
     return Sequence(Cell(tuple(Cell(Known(path), syntax.Type("std::filesystem::path")) for path in found)))

@@ -76,9 +76,9 @@ def _named(walk: Walk, frame: Frame, loader: Object, name: Value, location: Loca
         message = why.reason if why is not None else "it is no text"
         dynamic.plugin(walk, None, f"its name is not known: {message}", location)
         return walk.opaque("the plug-in's name is not known", frame, location.line, base)
-    found = walk.context.plugins.get(name.value)
+    found = walk.context.plugins.get(name.of(str))
     if found is None:
-        dynamic.plugin(walk, name.value, "it is not in the workspace", location)
+        dynamic.plugin(walk, name.of(str), "it is not in the workspace", location)
         return walk.opaque(f"the plug-in {name.value} is not in the workspace", frame, location.line, base)
     return _instance(walk, frame, found, location)
 
@@ -112,9 +112,9 @@ def yaml_file(walk: Walk, path: Value) -> Value:
     if isinstance(path, Known) and issubclass(path.kind, str):
         if walk.index.trace is not None:
             walk.index.trace.paths.add(YAML_FILES)
-            is_traced = not path.value or path.value.endswith((".yaml", ".yml"))  # no file has no name
+            is_traced = not path.value or path.of(str).endswith((".yaml", ".yml"))  # no file has no name
             walk.index.trace.is_whole = walk.index.trace.is_whole and is_traced
-        found = walk.context.read_yaml(path.value)
+        found = walk.context.read_yaml(path.of(str))
         if found is not None:
             return found
         return Opaque(f"the YAML file {path.value or '(no name)'} is not in the workspace")

@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow import callbacks, conversions, handles
@@ -95,12 +95,12 @@ def call(
     applied = selectors.Applied(walk, frame, row, receiver, args, types, location, is_exact=is_exact)
     parameter = _apply(applied, made)
     if row.transparent is not None:
-        through: Value | None = selectors.value_of(applied, row.transparent)
+        through = selectors.value_at(applied, row.transparent)
         return through if through is not None else NONE
     if made is not None:
         return made
     if returns is not None:
-        found: Value | None = selectors.value_of(
+        found = selectors.value_at(
             selectors.Applied(walk, frame, row, receiver, args, types, location, None, parameter), returns
         )
         if found is not None:
@@ -276,7 +276,7 @@ def _made(applied: selectors.Applied, entry: Entry) -> tuple[Value | None, bool]
     return None, False
 
 
-def _items(applied: selectors.Applied, entry: Entry) -> list[Mapping[str, Any] | None]:
+def _items(applied: selectors.Applied, entry: Entry) -> list[Mapping[str, Value] | None]:
     if entry.each is None:
         return [None]
     inside = re.fullmatch(r"(config|keys|items)\((.+)\)", entry.each)

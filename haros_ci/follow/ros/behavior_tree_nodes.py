@@ -4,12 +4,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import activation, call_arguments, calls, construct, inert, methods
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.made import MadeEntity, Root
+from haros_ci.follow.made import Key, MadeEntity, Root
 from haros_ci.follow.ros import behavior_tree_ports
 from haros_ci.follow.walk import Walk
 from haros_ci.index.behavior_tree_files import Tag
@@ -36,7 +35,7 @@ def construct_all(
         by_type.setdefault(tag.type, []).append(tag)
     for registered, name in _registered(walk, factory):
         for ports, own in _with_common_parts(name, by_type.get(name, [])):
-            fields = {"blackboard": Cell(board), "name": Cell(own), **ports}
+            fields: dict[str, Cell] = {"blackboard": Cell(board), "name": Cell(own), **ports}
             _construct(walk, frame, registered, Object(behavior_tree_ports.CONFIG, fields=fields), location)
     walk.aside += walk.steps - steps
 
@@ -53,7 +52,7 @@ def construct_others(
     for registered, name in _registered(walk, factory):
         if name not in known:
             before = dict(walk.made)
-            fields = {"blackboard": Cell(board), "name": Cell(Known(name))}
+            fields: dict[str, Cell] = {"blackboard": Cell(board), "name": Cell(Known(name))}
             _construct(walk, frame, registered, Object(behavior_tree_ports.CONFIG, fields=fields), location)
             if not _makes_ends(walk, before):
                 fields = {**fields, behavior_tree_ports.UNTOLD: Cell(TRUE)}
@@ -70,7 +69,7 @@ def _registered(walk: Walk, factory: Object) -> Iterator[tuple[Object, str]]:
                 yield registered, name
 
 
-def _makes_ends(walk: Walk, before: Mapping[Any, MadeEntity]) -> bool:
+def _makes_ends(walk: Walk, before: Mapping[Key, MadeEntity]) -> bool:
     """Whether an endpoint but parameters was made since, also one that was known before."""
     new = (made for key, made in walk.made.items() if before.get(key) is not made)
     return any(made.kind not in PARAMETERS for made in new)
@@ -86,7 +85,7 @@ def _with_common_parts(name: str, tags: list[Tag]) -> list[tuple[dict[str, Cell]
         every = {port for ports in names for port, _ in ports}
         values = {port: {dict(ports).get(port) for ports in names} for port in sorted(every)}
         several = Opaque("nodes of a behaviour tree have different ports")
-        ports = {
+        ports: dict[str, Cell] = {
             f"{prefix}{port}": Cell(several if len(found) > 1 else Known(found.pop())) for port, found in values.items()
         }
         return [(ports, Opaque("it is one of several nodes of a behaviour tree"))]
@@ -142,7 +141,7 @@ def _built(walk: Walk, frame: Frame, builder: Callable, args: tuple[call_argumen
         definition,
         builder.this,
         templates=builder.templates,
-        outer=builder.frame,
+        outer=builder.frame if isinstance(builder.frame, Frame) else None,
         mark=walk.state.mark(),
     )
     activation.bind(walk, frame, inner, definition, args)

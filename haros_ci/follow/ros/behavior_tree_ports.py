@@ -8,7 +8,7 @@ blackboard, which other nodes may set at any time (TreeNode::getInput).
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow import conversions, expressions, methods
@@ -43,7 +43,7 @@ DEEPEST = 8
 
 def text_of(value: Value | None) -> str | None:
     """*value*, if it is a text that is known."""
-    return value.value if isinstance(value, Known) and issubclass(value.kind, str) else None
+    return value.of(str) if isinstance(value, Known) and issubclass(value.kind, str) else None
 
 
 def configured(this: Object, args: tuple[PassedArgument, ...]) -> None:
@@ -107,11 +107,11 @@ def _read_as(walk: Walk, frame: Frame, value: Value, kind: Type | None) -> Value
         return value
     try:
         if kind.name == "bool":
-            return Known(WORDS[value.value])
+            return Known(WORDS[value.of(str)])
         if kind.name in INTEGERS:
-            return conversions.converted(Known(int(value.value)), kind)
+            return conversions.converted(Known(int(value.of(str))), kind)
         if kind.name in REALS:
-            return Known(float(value.value))
+            return Known(float(value.of(str)))
     except (ValueError, KeyError):
         pass
     return walk.opaque("it is read from a port's text", frame, None, kind)
@@ -156,15 +156,15 @@ Ports = dict[str, tuple[Frame, Expression] | None]
 
 def _declared(walk: Walk, node: Object) -> tuple[Ports, bool]:
     """The ports that a class's ``providedPorts`` declares by name, with their defaults; and whether these are all."""
-    key = ("ports", id(node.definition[1]))
-    if key not in walk.own:
+    assert node.definition is not None
+    key = id(node.definition[1])
+    if key not in walk.ports:
         ports: Ports = {}
         source, definition = node.definition
         found = methods.class_method(walk, source, definition, "providedPorts")
         is_all = found is None or all([*_declare(walk, ports, *found, node, 0)])
-        walk.own[key] = (ports, is_all, node.definition[1])  # which keeps the identity from being used again
-    known: tuple[Ports, bool, Any] = walk.own[key]
-    return known[0], known[1]
+        walk.ports[key] = (ports, is_all, node.definition[1])  # which keeps the identity from being used again
+    return walk.ports[key][:2]
 
 
 def _declare(walk: Walk, ports: Ports, source: Source, function: Function, node: Object, depth: int) -> Iterator[bool]:
@@ -180,7 +180,7 @@ def _declare(walk: Walk, ports: Ports, source: Source, function: Function, node:
                 ports[text.value] = (frame, args[1]) if len(args) == 3 and last != "OutputPort" else None
         elif last.startswith("provided") and depth < DEEPEST:
             head = callee.rpartition("::")[0]
-            owner: Any = walk.class_of(walk.type_in(syntax.Type(head), frame).name, source) if head else node.definition
+            owner = walk.class_of(walk.type_in(syntax.Type(head), frame).name, source) if head else node.definition
             found = methods.class_method(walk, owner[0], owner[1], last) if owner is not None else None
             yield found is not None
             if found is not None and found[1] is not function:

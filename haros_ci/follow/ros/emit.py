@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from math import ceil, floor, fmod, isfinite
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow import thrown
@@ -39,11 +39,11 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
     if walk.context.process is not None:
         return ros2_emit.emit(applied, entry)
     if entry.kind == "node":
-        from haros_ci.follow.ros.selectors import value_of
+        from haros_ci.follow.ros.selectors import value_at
 
-        name = value_of(applied, entry.values["name"]) if "name" in entry.values else None
-        anonymous = value_of(applied, entry.values["anonymous"]) if "anonymous" in entry.values else Known(False)
-        if name is not None and own_name.named(walk, name, anonymous, applied.frame):
+        own = value_at(applied, entry.values["name"]) if "name" in entry.values else None
+        anonymous = value_at(applied, entry.values["anonymous"]) if "anonymous" in entry.values else Known(False)
+        if own is not None and own_name.named(walk, own, anonymous, applied.frame):
             raise Renamed
         return None
     if entry.kind not in KINDS:
@@ -129,14 +129,14 @@ def _fitting(found: Value, kind: str | None, default: Value | None) -> Value | N
 def _set(applied: Applied, name: str, value: Value) -> None:
     """The node finds afterwards what it has set, ``NONE`` for deleted; after a name that is not known, nothing for sure."""
     walk = applied.walk
-    own: Any = walk.server.value
+    own = walk.server.value
     if isinstance(own, Opaque):
         return
     if "?" in name:
         walk.state.write(walk.server, Opaque("a parameter is set under a name that is not known", applied.location))
         return
     known, data = data_of(value)
-    below = {other: NONE for other in own if other.startswith(f"{name}/")}
+    below: dict[str, Value] = {other: NONE for other in own if other.startswith(f"{name}/")}
     walk.state.write(walk.server, {**own, **below, name: Known(data) if known else value})
 
 
@@ -147,23 +147,24 @@ def _remember(applied: Applied, entry: Entry, value: Value | None) -> None:
     assert entry.each is not None and applied.item is not None
     name = config_name(select_value(applied, entry.each[7:-1]), applied.walk)
     config = applied.walk.config_objects.setdefault(name, Object(name))
-    member = applied.item["name"].value
-    config.fields[member] = Cell(value if value is not None else Opaque("a parameter that is not set"))
+    member = applied.item["name"]
+    name = member.of(str) if isinstance(member, Known) else ""
+    config.fields[name] = Cell(value if value is not None else Opaque("a parameter that is not set"))
 
 
 def _name(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[str, str]:
     """The name in full, and as the call gives it; both empty where there is none."""
     from haros_ci.follow.handles import namespace_of
-    from haros_ci.follow.ros.selectors import value_of
+    from haros_ci.follow.ros.selectors import value_at
 
     context = applied.walk.context
-    found = value_of(applied, entry.values["name"]) if "name" in entry.values else None
+    found = value_at(applied, entry.values["name"]) if "name" in entry.values else None
     if found is None:
         found = applied.walk.opaque("it is not given", applied.frame, applied.location.line)
     text, why, where = pattern(found)
     space: Value = Known(context.namespace)
     if "namespace" in entry.values:
-        chosen = value_of(applied, entry.values["namespace"])
+        chosen = value_at(applied, entry.values["namespace"])
         if chosen is not None:
             space = namespace_of(applied, chosen)
     elif isinstance(applied.receiver, Object) and applied.receiver.namespace is not None:
@@ -188,7 +189,7 @@ def _name(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[str, str]
 def _type(applied: Applied, entry: Entry, unknowns: Unknowns, default: Value | None) -> str | None:
     from haros_ci.follow.ros.selectors import TypeValue, value_of
 
-    found: Any = value_of(applied, entry.values["type"]) if "type" in entry.values else None
+    found = value_of(applied, entry.values["type"]) if "type" in entry.values else None
     result: str | None = None
     if isinstance(found, Library):
         found = TypeValue(syntax.Type(found.name))
@@ -210,7 +211,7 @@ def interface_type(applied: Applied, entry: Entry, unknowns: Unknowns) -> str | 
     """The message, service or action type of an endpoint: ``pkg/T``, in ROS 2 ``pkg/msg/T``; None if it is not known."""
     from haros_ci.follow.ros.selectors import TypeValue, value_of
 
-    found: Any = value_of(applied, entry.values["type"]) if "type" in entry.values else None
+    found = value_of(applied, entry.values["type"]) if "type" in entry.values else None
     result: str | None = None
     if isinstance(found, Library):
         found = TypeValue(syntax.Type(found.name))
@@ -231,7 +232,7 @@ def interface_type(applied: Applied, entry: Entry, unknowns: Unknowns) -> str | 
             unknowns.append(("type", f"{found.type.name} is no message type that is known", applied.location))
             return None
     elif isinstance(found, Known) and issubclass(found.kind, str):
-        result = found.value
+        result = found.of(str)
     if result is not None and not is_ros2 and entry.kind in ("action_servers", "action_clients"):
         result = result.removesuffix("Action")
     if result is None:
@@ -277,7 +278,7 @@ def _service(kind: Type, result: str) -> str:
     return result
 
 
-def _value(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[Any, Value | None]:
+def _value(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[object, Value | None]:
     from haros_ci.follow.ros.selectors import TypeValue, value_of
 
     if entry.kind not in PARAMETERS or "value" not in entry.values:
@@ -311,7 +312,7 @@ def _integer(applied: Applied, entry: Entry, key: str, unknowns: Unknowns) -> in
     if found is None:
         return None
     if isinstance(found, Known) and issubclass(found.kind, (int, float)) and not isinstance(found.value, bool):
-        if isfinite(found.value):
+        if isinstance(found.value, (int, float)) and isfinite(found.value):
             return int(found.value)
         found = Opaque("it is infinite")
     if isinstance(found, Known) and found.value is None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.made import MadeEntity, make
@@ -51,11 +51,11 @@ def _load(walk: Walk, name: Value, kind: Value, renames: Mapping[str, Value] | N
     text, why, where = pattern(name)
     full = resolve(text, context.namespace, context.name) if text[:1] != "?" else "/?"
     above = "/?" if why is not None else full.rpartition("/")[0] or "/"
-    context.loaded.append(kind.value)
+    context.loaded.append(kind.of(str))
     if len(context.loaded) > MOST:
         walk.gaps.setdefault(f"it loads more than the {MOST} nodelets that are followed", location)
         return
-    found = context.nodelet(kind.value, full, above, walk.parameter)
+    found = context.nodelet(kind.of(str), full, above, walk.parameter)
     if found is None:
         walk.gaps.setdefault(f"it loads the nodelet {kind.value}, which is not in the workspace", location)
         return
@@ -78,10 +78,11 @@ def _load(walk: Walk, name: Value, kind: Value, renames: Mapping[str, Value] | N
 
 def _remappings(value: Value) -> Mapping[str, Value] | None:
     """The entries of a map of remappings; None if they are not known."""
-    content: Any = value.content.value if isinstance(value, Mapped) else {} if value == NONE else None
-    if not isinstance(content, dict) or not all(isinstance(key, str) for key in content):
-        return None
-    return {key: cell.value for key, cell in content.items()}
+    content = value.content.value if isinstance(value, Mapped) else {} if value == NONE else None
+    found = (
+        {key: cell.value for key, cell in content.items() if isinstance(key, str)} if isinstance(content, dict) else {}
+    )
+    return found if isinstance(content, dict) and len(found) == len(content) else None
 
 
 def _absolute(renames: Mapping[str, Value], full: str) -> dict[str, Value]:
@@ -110,7 +111,7 @@ def _renamed(item: MadeEntity, renames: Mapping[str, Value] | None, location: Lo
 
 def _was_set(walk: Walk, name: str, location: Location) -> None:
     """The node finds what the nodelet has set, if not to what."""
-    own: Any = walk.server.value
+    own = walk.server.value
     if isinstance(own, dict):
         value = Opaque("a nodelet sets it", location)
         walk.state.write(walk.server, value if "?" in name else {**own, name: value})

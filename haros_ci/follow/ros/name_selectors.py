@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from functools import reduce
-from typing import Any
 
 from haros_ci.follow import handles
 from haros_ci.follow.ros import ros2_nodes, ros2_parameters, selectors
@@ -32,7 +31,7 @@ def resolved(applied: selectors.Applied, selector: str, flag: str) -> Value:
     return result if result is not None else applied.walk.opaque("a name that is not known", applied.frame)
 
 
-def _full(applied: selectors.Applied, value: Any, flag: str) -> Value:
+def _full(applied: selectors.Applied, value: Value | None, flag: str) -> Value:
     if value == Known(""):
         return applied.walk.opaque("the namespace that an empty name is resolved to", applied.frame)
     full, unknown = _absolute(applied, _name(value))
@@ -67,8 +66,8 @@ def canonical(applied: selectors.Applied, selector: str) -> Value | None:
     """A name without doubled and trailing slashes; one that is not known stays as it is."""
     value: Value | None = _first(applied, selector)
     if isinstance(value, Known) and issubclass(value.kind, str):
-        name = "/".join(part for part in value.value.split("/") if part)
-        return Known(f"/{name}" if value.value.startswith("/") else name)
+        name = "/".join(part for part in value.of(str).split("/") if part)
+        return Known(f"/{name}" if value.of(str).startswith("/") else name)
     return value
 
 
@@ -102,7 +101,7 @@ def _above(value: Value) -> Value:
 def expanded(applied: selectors.Applied, name: str, node: str, space: str) -> Value:
     """A name as rclcpp::expand_topic_or_service_name gives it for a node's name and namespace, without remapping."""
     found = [_first(applied, where) for where in (name, node, space)]
-    texts = [value.value if isinstance(value, Known) and issubclass(value.kind, str) else None for value in found]
+    texts = [value.of(str) if isinstance(value, Known) and issubclass(value.kind, str) else None for value in found]
     if isinstance(found[0], Text) and str(found[0].parts[0])[:1] == "/":
         return found[0]
     if texts[0] is None or "{" in texts[0] or (texts[0][:1] != "/" and (texts[1] is None or texts[2] is None)):
@@ -193,16 +192,16 @@ def _remap(applied: selectors.Applied, full: str) -> str:
     return ros2_nodes.remapped(applied.walk, node, full) if node is not None else applied.walk.context.remap(full)
 
 
-def _first(applied: selectors.Applied, alternatives: str) -> Any:
+def _first(applied: selectors.Applied, alternatives: str) -> Value | None:
     """What the first alternative that is there finds; None if none is."""
     for selector in alternatives.split("|"):
         found = selectors.select_value(applied, selector)
         if found is not None:
-            return found
+            return found if not isinstance(found, selectors.TypeValue) else Opaque("it is a type")
     return None
 
 
-def _name(value: Any) -> Name:
+def _name(value: Value | None) -> Name:
     if isinstance(value, (Known, Text, Opaque, Choice)):
         return pattern(marked(value))
     return "?", "it is not known", None

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 from math import isfinite
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci.follow.made import MadeEntity
 from haros_ci.follow.ros import ros2_nodes
@@ -82,7 +82,7 @@ def _duration_among(applied: Applied) -> Value | None:
     return found[0] if len(found) == 1 else None
 
 
-def _measured(applied: Applied, value: Value | None, unit: str) -> tuple[str, Any, str]:
+def _measured(applied: Applied, value: Value | None, unit: str) -> tuple[str, object, str]:
     """The unit and number of a period or frequency; the number is None for a reason."""
     if isinstance(value, Pointer):
         value = value.cell.value
@@ -116,18 +116,22 @@ def _ratio(duration: Object) -> str:
     return ratio.name if isinstance(ratio, Type) and not ratio.arguments and ratio.name != "std::ratio" else ""
 
 
-def _number(value: Value, unit: str) -> tuple[str, Any, str]:
+def _number(value: Value, unit: str) -> tuple[str, object, str]:
     if isinstance(value, Known) and issubclass(value.kind, (int, float)) and not issubclass(value.kind, bool):
         if isinstance(value, Given):
             return unit, value.made(), ""
-        return (unit, value.value, "") if isfinite(value.value) else (unit, None, "its period is no finite number")
+        number = value.value
+        is_finite = isinstance(number, (int, float)) and isfinite(number)
+        return (unit, number, "") if is_finite else (unit, None, "its period is no finite number")
     why = opaque_of(value)
     return unit, None, f"its period is not known: {why.reason}" if why is not None else NO_DURATION
 
 
-def _plain(value: Any) -> float | None:
-    is_number = isinstance(value, Known) and issubclass(value.kind, (int, float)) and not issubclass(value.kind, bool)
-    return float(value.value) if is_number else None
+def _plain(value: Value) -> float | None:
+    if not isinstance(value, Known) or not issubclass(value.kind, (int, float)) or issubclass(value.kind, bool):
+        return None
+    number = value.value
+    return float(number) if isinstance(number, (int, float)) else None
 
 
 def paces(made: Iterable[MadeEntity], node: str | None = None) -> tuple[Pace, ...]:

@@ -83,7 +83,7 @@ def preset(name: str) -> Object | None:
     return Object("rmw_qos_profile_t", fields=cells)
 
 
-def overridden(qos: Qos, rules: Mapping[str, Any]) -> Qos:
+def overridden(qos: Qos, rules: Mapping[str, object]) -> Qos:
     """*qos* after the parameters ``qos_overrides.<topic>.<publisher or subscription>.<policy>``, by policy.
 
     Values are ``Value`` or plain data: words for policies, times in nanoseconds (rclcpp/detail/qos_parameters.hpp).
@@ -108,7 +108,7 @@ def override_policies(options: Value | None) -> tuple[str, ...] | None:
     if options is None or options == Known(None):
         return ()
     if isinstance(options, Known) and issubclass(options.kind, str):
-        return tuple(word for word in options.value.split(",") if word in (*POLICIES, "liveliness_lease_duration"))
+        return tuple(word for word in options.of(str).split(",") if word in (*POLICIES, "liveliness_lease_duration"))
     if isinstance(options, Sequence):  # {policies}, or {{policies}, callback, id}
         inner = _braced(options, 0)
         return _kinds(inner if isinstance(inner, Sequence) else options)
@@ -125,9 +125,12 @@ def override_policies(options: Value | None) -> tuple[str, ...] | None:
 def _kinds(named: Value) -> tuple[str, ...] | None:
     """The policies of a list of QosPolicyKind."""
     content = named.content.value if isinstance(named, Sequence) else None
-    if not isinstance(content, tuple) or not all(isinstance(cell.value, Library) for cell in content):
+    libraries = (
+        [cell.value for cell in content if isinstance(cell.value, Library)] if isinstance(content, tuple) else []
+    )
+    if not isinstance(content, tuple) or len(libraries) < len(content):
         return None
-    words = (_snake(re.split(r"::|\.", cell.value.name)[-1]) for cell in content)
+    words = (_snake(re.split(r"::|\.", library.name)[-1]) for library in libraries)
     return tuple(word.removeprefix("rmw_qos_policy_") for word in words)
 
 
@@ -149,10 +152,10 @@ def override_id(options: Value | None) -> str | None:
     if inner is not None:
         return override_id(inner.value)
     held = options.fields["id"].value if "id" in options.fields else Known("")
-    return held.value if isinstance(held, Known) and issubclass(held.kind, str) else None
+    return held.of(str) if isinstance(held, Known) and issubclass(held.kind, str) else None
 
 
-def _of_data(data: Any) -> tuple[Qos, Why | None]:
+def _of_data(data: object) -> tuple[Qos, Why | None]:
     if isinstance(data, (int, float)) and not isinstance(data, bool):
         return replace(DEFAULT, depth=int(data)), None
     if isinstance(data, str):
@@ -208,7 +211,11 @@ def _sane(qos: Qos) -> Qos:
     return replace(qos, depth=None) if qos.history == "keep_all" else qos
 
 
-def _policy(policy: str, value: Value) -> tuple[Any, Why | None]:
+#: A word, a number of messages, or seconds; None for the default.
+Policy = str | int | float | None
+
+
+def _policy(policy: str, value: Value) -> tuple[Policy, Why | None]:
     """One policy: a word, a number of messages, or seconds; None for the default, ``?`` with its reason."""
     if isinstance(value, Pointer):
         value = value.cell.value
@@ -227,13 +234,13 @@ def _policy(policy: str, value: Value) -> tuple[Any, Why | None]:
     return found_value, None
 
 
-def _word(policy: str, value: Value) -> Any:
+def _word(policy: str, value: Value) -> Policy:
     if policy == "depth":
         return _depth(value)
     if isinstance(value, Known) and issubclass(value.kind, int) and not isinstance(value.value, bool):
-        return NUMBERS[policy].get(value.value, "?")
+        return NUMBERS[policy].get(value.of(int), "?")
     if isinstance(value, Known) and issubclass(value.kind, str):
-        return WORDS[policy].get(value.value.lower(), "?")
+        return WORDS[policy].get(value.of(str).lower(), "?")
     if isinstance(value, Library):
         name = value.name.removesuffix(".value")
         short = _snake(re.split(r"::|\.", name)[-1])
@@ -243,9 +250,9 @@ def _word(policy: str, value: Value) -> Any:
     return "?"
 
 
-def _depth(value: Value) -> Any:
+def _depth(value: Value) -> int | str | None:
     if isinstance(value, Known) and issubclass(value.kind, (int, float)) and not isinstance(value.value, bool):
-        return int(value.value)
+        return int(value.value) if isinstance(value.value, (int, float)) else "?"
     if isinstance(value, Known) and value.value in ("default", "system_default"):
         return None
     if isinstance(value, Library) and value.name.endswith("RMW_QOS_POLICY_DEPTH_SYSTEM_DEFAULT"):
@@ -263,7 +270,7 @@ def _enumerator(name: str) -> int | None:
     return next((number for number, item in NUMBERS[policy].items() if item == WORDS[policy][word]), None)
 
 
-def _duration(value: Value) -> Any:
+def _duration(value: Value) -> float | str | None:
     """Seconds; None for no limit. A number by itself is nanoseconds."""
     if isinstance(value, Library):
         return None if CONSTANTS.search(value.name) else "?"
@@ -286,11 +293,11 @@ def _duration(value: Value) -> Any:
         part = part.cell.value if isinstance(part, Pointer) else part
         if isinstance(part, Object):  # a duration made of another one
             inner = _duration(part)
-            if inner == "?" or inner is None:
+            if not isinstance(inner, float):
                 return inner
             total += inner
-        elif isinstance(part, Known) and issubclass(part.kind, (int, float)) and not isinstance(part.value, bool):
-            total += part.value * UNITS[name]
+        elif isinstance(part, Known) and issubclass(part.kind, (int, float)) and not issubclass(part.kind, bool):
+            total += part.of(float if part.kind is float else int) * UNITS[name]
         else:
             return "?"
     return _limited(total) if parts else "?"

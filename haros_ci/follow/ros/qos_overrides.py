@@ -9,7 +9,7 @@ What such a parameter says of an end without these options changes nothing.
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci.follow.made import MadeEntity, make
 from haros_ci.follow.ros.qos import DURATIONS, overridden, override_id, override_policies
@@ -73,9 +73,9 @@ def apply(
             why = value if isinstance(value, Opaque) else None
             reason = why.reason if why else f"a parameter overrides {policy} with what it cannot be"
             unknowns.append(("qos", reason, (why and why.location) or applied.location))
-    own: Any = applied.walk.server.value
+    own = applied.walk.declared.value
     if held and not isinstance(own, Opaque):
-        applied.walk.state.write(applied.walk.server, {**own, **held})
+        applied.walk.state.write(applied.walk.declared, {**own, **held})
     return changed, unknowns
 
 
@@ -87,7 +87,7 @@ def _current_value(applied: Applied, node: RosNode, name: str) -> Value | None:
     return None if isinstance(found, Perhaps) and name not in found.reason else found
 
 
-def _default(policy: str, value: Any) -> Value:
+def _default(policy: str, value: object) -> Value:
     """A policy as the parameter for it holds it: a word, a number of messages, nanoseconds."""
     if value == "?":
         return Opaque("the quality of service is not known")

@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow import conversions, thrown
-from haros_ci.follow.made import MadeEntity, make
+from haros_ci.follow.made import MadeEntity, Range, make
 from haros_ci.follow.ros import forwarding, paces, qos_overrides, ros2_nodes, ros2_parameters, ros2_selectors
 from haros_ci.graph.names import UNKNOWN, pattern
 from haros_ci.graph.ros2_process import GIVEN, NO_DEFAULT, NO_NAME, RosNode
@@ -21,6 +21,7 @@ from haros_ci.values.abstract import (
     Choice,
     Known,
     Library,
+    Mapped,
     Object,
     Opaque,
     Pointer,
@@ -46,7 +47,7 @@ PARAMETERS = frozenset(("getters", "setters", "parameters"))
 
 def emit(applied: Applied, entry: Entry) -> Value | None:
     """Make one endpoint; for what reads or declares a parameter, the value that it has is returned."""
-    from haros_ci.follow.ros.selectors import value_of
+    from haros_ci.follow.ros.selectors import value_at
 
     if entry.kind not in KINDS:
         paces.emit(applied, entry)
@@ -55,7 +56,7 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
     node, why_not = ros2_nodes.of_entry(applied, entry)
     if why_not == ros2_nodes.NO_NODE:
         return None
-    provided = value_of(applied, entry.values["name"]) if "name" in entry.values else None
+    provided = value_at(applied, entry.values["name"]) if "name" in entry.values else None
     if isinstance(provided, Choice) and entry.kind not in PARAMETERS:
         names = [option for option in provided.options if option != Known("")]
         if any(isinstance(option, Known) for option in names):
@@ -66,10 +67,10 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
     return _named(applied, entry, provided, node, why_not)
 
 
-def _named(applied: Applied, entry: Entry, provided: Any, node: RosNode | None, why_not: str) -> Value | None:
+def _named(applied: Applied, entry: Entry, provided: Value | None, node: RosNode | None, why_not: str) -> Value | None:
     """Make the endpoint that has the name *provided*."""
     from haros_ci.follow.ros.emit import interface_type
-    from haros_ci.follow.ros.selectors import value_of
+    from haros_ci.follow.ros.selectors import value_at
 
     walk = applied.walk
     unknowns: Unknowns = []
@@ -98,7 +99,7 @@ def _named(applied: Applied, entry: Entry, provided: Any, node: RosNode | None, 
             unknowns.append(("name", *node.why))
     qos: Qos | None = None
     if "qos" in entry.values:
-        profile = value_of(applied, entry.values["qos"])
+        profile = value_at(applied, entry.values["qos"])
         if profile is not None:
             from haros_ci.follow.ros.qos import qos_of
 
@@ -107,7 +108,7 @@ def _named(applied: Applied, entry: Entry, provided: Any, node: RosNode | None, 
                 unknowns.append(("qos", messages[0], messages[1] or applied.location))
     place = forwarding.place(walk, text, applied.location)
     if qos is not None and node is not None and "options" in entry.values and entry.kind in qos_overrides.ENDS:
-        options = value_of(applied, entry.values["options"])
+        options = value_at(applied, entry.values["options"])
         qos, said_of_it = qos_overrides.apply(applied, entry.kind, node, name, options, qos, place)
         unknowns += said_of_it
     endpoint_type = interface_type(applied, entry, unknowns)
@@ -248,14 +249,13 @@ def _unwrapped(value: Value | None) -> Value | None:
     if isinstance(value, Pointer):
         value = value.cell.value
     if isinstance(value, Object) and "value" in value.fields:
-        held: Value = value.fields["value"].value
-        return held
+        return value.fields["value"].value
     return value
 
 
 def _effective(
     applied: Applied, node: RosNode | None, name: str | None, default: Value | None, kind: str
-) -> tuple[Value | None, Any]:
+) -> tuple[Value | None, object]:
     """The value that the parameter has, and as data: what is set or given from outside, else the default.
 
     Where it is declared now, what other ways have declared does not count; one that is not declared cannot be read.
@@ -282,11 +282,11 @@ def _effective(
     return value, data if known else None
 
 
-def _descriptor(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[bool | None, Any]:
+def _descriptor(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[bool | None, Range | None]:
     """Whether a parameter is read-only, and its range, as a ParameterDescriptor says."""
-    from haros_ci.follow.ros.selectors import value_of
+    from haros_ci.follow.ros.selectors import value_at
 
-    found = value_of(applied, entry.values["descriptor"]) if "descriptor" in entry.values else None
+    found = value_at(applied, entry.values["descriptor"]) if "descriptor" in entry.values else None
     if isinstance(found, Pointer):
         found = found.cell.value
     if entry.kind != "parameters":
@@ -307,7 +307,7 @@ def _descriptor(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[boo
         cell = found.fields.get(name)
         first = _first(cell.value) if cell is not None else None
         if first is not None:
-            limits = tuple(_number(first, part) for part in ("from_value", "to_value", "step"))
+            limits = _number(first, "from_value"), _number(first, "to_value"), _number(first, "step")
             if None in limits[:2]:
                 unknowns.append(("range", "what the descriptor says is not known", applied.location))
             return read_only, limits
@@ -318,9 +318,9 @@ def _descriptor(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[boo
 
 def _is_dynamic(applied: Applied, entry: Entry) -> bool:
     """Whether a parameter's type is not fixed by its declaration, as a ParameterDescriptor says, or may say."""
-    from haros_ci.follow.ros.selectors import value_of
+    from haros_ci.follow.ros.selectors import value_at
 
-    found = value_of(applied, entry.values["descriptor"]) if "descriptor" in entry.values else None
+    found = value_at(applied, entry.values["descriptor"]) if "descriptor" in entry.values else None
     if isinstance(found, Pointer):
         found = found.cell.value
     if not isinstance(found, Object):
@@ -333,12 +333,10 @@ def _is_empty(value: Value) -> bool:
     return isinstance(value, Sequence) and value.content.value == ()
 
 
-def _first(value: Any) -> Object | None:
-    content = getattr(getattr(value, "content", None), "value", None)
-    if isinstance(content, tuple) and content and isinstance(content[0].value, Object):
-        found: Object = content[0].value
-        return found
-    return None
+def _first(value: Value) -> Object | None:
+    content = value.content.value if isinstance(value, (Sequence, Mapped)) else None
+    first = content[0].value if isinstance(content, tuple) and content else None
+    return first if isinstance(first, Object) else None
 
 
 def _number(value: Object, name: str) -> float | None:

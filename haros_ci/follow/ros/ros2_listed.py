@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow.ros import ros2_nodes
 from haros_ci.graph.ros2_process import EVERY
-from haros_ci.values.abstract import NONE, Cell, Known, Opaque, Pointer, Sequence, Value
+from haros_ci.values.abstract import Cell, Known, Opaque, Pointer, Sequence, Value
 
 if TYPE_CHECKING:
     from haros_ci.follow.ros.selectors import Applied
@@ -49,7 +49,7 @@ def _is_below(name: str, prefixes: list[str], depth: int) -> bool:
 
 def _names(applied: Applied, node: RosNode) -> Iterable[str] | Opaque:
     walk = applied.walk
-    own: Any = walk.server.value
+    own = walk.declared.value
     whole = node.whole
     if isinstance(own, Opaque):
         return own
@@ -57,13 +57,13 @@ def _names(applied: Applied, node: RosNode) -> Iterable[str] | Opaque:
         if made.kind == "parameters" and made.node is not None and made.node.name == whole.name and "?" in made.name:
             return Opaque("parameters are declared under names that are not known", made.location)
     head = f"{whole.name}:"
-    found = {name.removeprefix(head) for name, value in own.items() if name.startswith(head) and value != NONE}
+    found = {name.removeprefix(head) for name in own if name.startswith(head)}
     if whole.options.get("automatically_declare_parameters_from_overrides"):
         argument_value = walk.context.parameter(f"{head}{EVERY}")
         if isinstance(argument_value, Opaque):
             return argument_value
         outside = argument_value.value if isinstance(argument_value, Known) else ()
-        found |= {*whole.given, *outside}
+        found |= {*whole.given, *(str(name) for name in (outside if isinstance(outside, Iterable) else ()))}
     return found
 
 
@@ -73,7 +73,7 @@ def _texts(value: Value | None) -> list[str] | None:
         value = value.cell.value
     content = value.content.value if isinstance(value, Sequence) else None
     if isinstance(value, Known) and issubclass(value.kind, list):
-        content = tuple(Cell(Known(item)) for item in value.value)
+        content = tuple(Cell(Known(item)) for item in value.of(list))
     if not isinstance(content, tuple):
         return None
     texts = [cell.value.value if isinstance(cell.value, Known) else None for cell in content]

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci.follow import twins
 from haros_ci.graph import ros2_process
@@ -72,14 +72,14 @@ UNKNOWN_NODE = "which node it belongs to is not known"
 
 def construct(applied: Applied, entry: Entry, target: Object) -> None:
     """*target* becomes a node: under the name that it is given, unless its options or the process's arguments rename it."""
-    from haros_ci.follow.ros.selectors import value_of
+    from haros_ci.follow.ros.selectors import value_at
 
     walk = applied.walk
     process = walk.context.process
     assert process is not None
     if "parent" in entry.values:
-        found = of_value(walk, value_of(applied, entry.values["parent"]))
-        below = value_of(applied, entry.values["namespace"]) if "namespace" in entry.values else None
+        found = of_value(walk, value_at(applied, entry.values["parent"]))
+        below = value_at(applied, entry.values["namespace"]) if "namespace" in entry.values else None
         text, why, where = pattern(below if below is not None else NONE)
         if found is not None:
             inner = found.expand(text) if not text.startswith(("/", "~")) else found.space
@@ -97,14 +97,14 @@ def construct(applied: Applied, entry: Entry, target: Object) -> None:
                 options=found.options,
             )
         return
-    name = value_of(applied, entry.values["name"]) if "name" in entry.values else None
-    if "anonymous" in entry.values and value_of(applied, entry.values["anonymous"]) != Known(False):
+    name = value_at(applied, entry.values["name"]) if "name" in entry.values else None
+    if "anonymous" in entry.values and value_at(applied, entry.values["anonymous"]) != Known(False):
         name = Opaque(UNIQUE, applied.location)
-    space = value_of(applied, entry.values["namespace"]) if "namespace" in entry.values else None
-    options = value_of(applied, entry.values["options"]) if "options" in entry.values else None
+    space = value_at(applied, entry.values["namespace"]) if "namespace" in entry.values else None
+    options = value_at(applied, entry.values["options"]) if "options" in entry.values else None
     if isinstance(options, Object) or len(applied.args) == 1:
         target.fields[GIVEN] = Cell(options if isinstance(options, Object) else Object(NODE_OPTIONS))
-    is_managed = value_of(applied, entry.values["lifecycle"]) == Known(True) if "lifecycle" in entry.values else False
+    is_managed = value_at(applied, entry.values["lifecycle"]) == Known(True) if "lifecycle" in entry.values else False
     target.node = made(walk, target, name, space, options, applied.location, is_managed)
 
 
@@ -113,7 +113,7 @@ def made(
     target: Object,
     name: Value | None,
     space: Value | None,
-    options: Any,
+    options: Value | None,
     location: Location,
     is_managed: bool = False,
 ) -> RosNode:
@@ -151,7 +151,7 @@ def made(
     provided = {**_parameters(local, full, location), **_overrides(options)}
     sim_time = provided.get(SIM_TIME)
     if isinstance(sim_time, Known) and issubclass(sim_time.kind, bool):
-        switches[SIM_TIME] = sim_time.value
+        switches[SIM_TIME] = sim_time.of(bool)
     node = RosNode(
         name=full,
         own=own,
@@ -174,7 +174,7 @@ def made(
     return node
 
 
-def _may_be_given(space: Value | None, options: Any) -> bool:
+def _may_be_given(space: Value | None, options: Value | None) -> bool:
     """Whether options that are not known (or what may be a namespace instead) are most likely those that the component is given."""
     return isinstance(options, Opaque) or (options is None and isinstance(space, Opaque))
 
@@ -186,8 +186,8 @@ def options_for(walk: Walk) -> Object:
     for rule in (process.component or ()) if process is not None else ():
         head = f"{rule.node}:{rule.source}" if rule.node else rule.source
         words += ["-r", f"{head}:={rule.target}"]
-    cells = tuple(Cell(walk.context.marks.known(word)) for word in words)
-    fields = {
+    cells: tuple[Cell, ...] = tuple(Cell(walk.context.marks.known(word)) for word in words)
+    fields: dict[str, Cell] = {
         "arguments": Cell(Sequence(Cell(cells))),
         "use_global_arguments": Cell(Known(process is None or process.component is None)),
         CONTAINED: Cell(Known(True)),
@@ -212,26 +212,25 @@ def copied(held: Object) -> Object:
     return Object(held.name, held.arguments, fields=fields)
 
 
-def _field(value: Any, name: str) -> Value | None:
+def _field(value: Value | None, name: str) -> Value | None:
     if isinstance(value, Object) and name in value.fields:
-        held: Value = value.fields[name].value
-        return held
+        return value.fields[name].value
     return None
 
 
-def _flag(options: Any, name: str) -> bool | None:
+def _flag(options: Value | None, name: str) -> bool | None:
     held = _field(options, name)
-    return held.value if isinstance(held, Known) and issubclass(held.kind, bool) else None
+    return held.of(bool) if isinstance(held, Known) and issubclass(held.kind, bool) else None
 
 
-def _arguments(options: Any) -> tuple[RosArguments, bool]:
+def _arguments(options: Value | None) -> tuple[RosArguments, bool]:
     """The arguments in a node's options, and whether there may be others."""
     held = _field(options, "arguments")
     if held is None or held == NONE:
         return RosArguments(), False
     words: list[str] = []
     if isinstance(held, Known) and issubclass(held.kind, list):
-        words = [str(word) for word in held.value]
+        words = [str(word) for word in held.of(list)]
     elif isinstance(held, Sequence) and isinstance(held.content.value, tuple):
         words = [pattern(marked(cell.value))[0] for cell in held.content.value]
     else:
@@ -248,7 +247,7 @@ def _parameters(local: RosArguments, node: str, location: Location) -> dict[str,
     return found
 
 
-def _overrides(options: Any) -> dict[str, Value]:
+def _overrides(options: Value | None) -> dict[str, Value]:
     """The parameters in a node's options: ``parameter_overrides``, ``append_parameter_override``; ``?`` for others."""
     held = _field(options, "parameter_overrides")
     found: dict[str, Value] = {}
@@ -271,15 +270,14 @@ def _overrides(options: Any) -> dict[str, Value]:
     return found
 
 
-def of_value(walk: Walk, value: Any, depth: int = 0) -> RosNode | None:
+def of_value(walk: Walk, value: Value | None, depth: int = 0) -> RosNode | None:
     """The node that a value is, or has; None if that is not known."""
     if isinstance(value, Pointer):
         value = value.cell.value
     if not isinstance(value, Object) or depth > 3:
         return None
-    if value.node is not None:
-        found: RosNode = value.node
-        return found
+    if isinstance(value.node, RosNode):
+        return value.node
     for name in HOLDING:
         if name in value.fields:
             inner = of_value(walk, value.fields[name].value, depth + 1)
@@ -327,10 +325,10 @@ NO_NODE = "there is no node: it is null"
 
 def of_entry(applied: Applied, entry: Entry) -> tuple[RosNode | None, str]:
     """The node that an entry is made on: what ``namespace`` selects, else the receiver; and why it is not known."""
-    from haros_ci.follow.ros.selectors import value_of
+    from haros_ci.follow.ros.selectors import value_at
 
     walk = applied.walk
-    chosen = value_of(applied, entry.values["namespace"]) if "namespace" in entry.values else applied.receiver
+    chosen = value_at(applied, entry.values["namespace"]) if "namespace" in entry.values else applied.receiver
     if isinstance(chosen, Choice):
         every = [of_value(walk, option) for option in chosen.options]
         if every and every[0] is not None and all(node is every[0] for node in every):

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow.ros import ros2_nodes
@@ -56,10 +56,10 @@ def parameter(applied: Applied, node: RosNode, name: str, is_declared: bool = Fa
 
     Where it *is_declared* now, only what it has for certain counts: of the rest this is the first declaration.
     """
-    own: Any = applied.walk.server.value
+    own = applied.walk.declared.value
     if isinstance(own, Opaque):
         return own
-    held: Held | None = own.get(f"{node.whole.name}:{name}")
+    held = own.get(f"{node.whole.name}:{name}")
     if held is not None and (held.is_certain or not is_declared):
         return None if held.value == NONE else held.value
     if "?" in name and _has_like(own, node, name):
@@ -101,7 +101,7 @@ def _set_outside(applied: Applied, node: RosNode, name: str) -> Value | None:
 def is_declared(applied: Applied, node: RosNode | None, name: Value) -> Value:
     """Whether the node has declared the parameter of that name; one that is known in parts is another each time."""
     text, why, _ = pattern(name)
-    own: Any = applied.walk.server.value
+    own = applied.walk.declared.value
     is_told = why is None or is_telling(text)
     if node is None or not is_told or isinstance(own, Opaque):
         return applied.walk.opaque("whether the parameter is declared", applied.frame, applied.location.line)
@@ -127,13 +127,13 @@ def _has_declared(own: Mapping[str, Held], node: RosNode, name: str) -> bool | N
 
 def remember(applied: Applied, full: str, value: Value) -> None:
     walk = applied.walk
-    own: Any = walk.server.value
+    own = walk.declared.value
     if isinstance(own, Opaque):
         return
     name = full.partition(":")[2]
     if "?" in name and not is_telling(name):
         return  # one more under a name that is not known; the others stay as they are
-    walk.state.write(walk.server, {**own, full: Held(value)})
+    walk.state.write(walk.declared, {**own, full: Held(value)})
 
 
 def gotten(applied: Applied, found: list[tuple[Value, Value | None]]) -> Value:
@@ -141,9 +141,11 @@ def gotten(applied: Applied, found: list[tuple[Value, Value | None]]) -> Value:
     if not found:
         return applied.walk.opaque("which parameters are read is not known", applied.frame, applied.location.line)
     name = "rclpy.parameter.Parameter" if applied.frame.source.separator == "." else PARAMETER
-    cells = []
+    cells: list[Cell] = []
     for text, value in found:
-        fields = {"name": Cell(text), LISTED: Cell(TRUE)} | ({"value": Cell(value)} if value is not None else {})
+        fields: dict[str, Cell] = {"name": Cell(text), LISTED: Cell(TRUE)}
+        if value is not None:
+            fields["value"] = Cell(value)
         cells.append(Cell(Object(name, fields=fields, location=applied.location)))
     return Sequence(Cell(tuple(cells)), syntax.Type("std::vector", (syntax.Type(PARAMETER),)))
 

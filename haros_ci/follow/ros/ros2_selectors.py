@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
 
 from haros_ci.follow import conversions
 from haros_ci.follow.ros import ros2_nodes
@@ -78,7 +78,7 @@ def keywords(applied: Applied) -> Object:
     return Object("keywords", fields={_OPTIONS.get(name, name): cell for name, cell in provided.items()})
 
 
-def items(applied: Applied, value: Any) -> list[Mapping[str, Any] | None]:
+def items(applied: Applied, value: object) -> list[Mapping[str, Value] | None]:
     """The items of a list of parameters: texts, tuples of a name and more, objects with ``name`` and ``value``."""
     found = listed(value)
     if found is None:
@@ -88,12 +88,11 @@ def items(applied: Applied, value: Any) -> list[Mapping[str, Any] | None]:
     return [*found]
 
 
-def listed(value: Any) -> list[Mapping[str, Any]] | None:
+def listed(value: object) -> list[Mapping[str, Value]] | None:
     """The items of a list of parameters; None if it is not known."""
+    cells = value.content.value if isinstance(value, (Sequence, Mapped)) else None
     if isinstance(value, Known) and issubclass(value.kind, (list, tuple)):
-        cells: Any = tuple(Cell(Known(item)) for item in value.value)
-    else:
-        cells = value.content.value if isinstance(value, (Sequence, Mapped)) else None
+        cells = tuple(Cell(Known(item)) for item in _parts(value))
     if isinstance(cells, dict):
         return [{"name": Known(str(name)), "default": cell.value} for name, cell in cells.items()]
     if not isinstance(cells, tuple):
@@ -101,18 +100,22 @@ def listed(value: Any) -> list[Mapping[str, Any]] | None:
     return [_item(cell.value) for cell in cells]
 
 
-def _item(value: Any) -> Mapping[str, Any]:
+def _parts(value: Known) -> Iterable[object]:
+    return value.value if isinstance(value.value, (list, tuple)) else ()
+
+
+def _item(value: Value) -> Mapping[str, Value]:
     if isinstance(value, Pointer):
         value = value.cell.value
     if isinstance(value, Object) and "name" in value.fields:
         held = value.fields.get("value")
         found = {"name": value.fields["name"].value}
         return {**found, "default": held.value} if held is not None else found
-    parts: list[Any] = []
+    parts: list[Value] = []
     if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
         parts = [cell.value for cell in value.content.value]
     elif isinstance(value, Known) and issubclass(value.kind, (list, tuple)):
-        parts = [Known(part) for part in value.value]
+        parts = [Known(part) for part in _parts(value)]
     if not parts:
         return {"name": value}
     found = {"name": parts[0]}
@@ -123,7 +126,7 @@ def _item(value: Any) -> Mapping[str, Any]:
     return found
 
 
-def type_word(value: Any) -> str | None:
+def type_word(value: object) -> str | None:
     """The parameter type that a constant stands for: ``Parameter.Type.STRING``, ``rclcpp::PARAMETER_DOUBLE``."""
     if not isinstance(value, Library):
         return None
@@ -131,7 +134,7 @@ def type_word(value: Any) -> str | None:
     return TYPES.get(last)
 
 
-def type_constant(value: Any) -> Library | None:
+def type_constant(value: Value | None) -> Library | None:
     """``get_type()`` of a ParameterValue or Parameter, or of what it holds: the constant of that type; None if not known."""
     if isinstance(value, Object):
         held = value.fields.get("value")

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow import conversions, handles, members, methods
@@ -30,6 +30,10 @@ class TypeValue:
     type: Type
 
 
+#: What a template or selector finds: None if nothing is there.
+Found = Value | TypeValue | None
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Applied:
     """A row at one call: what its templates may select from."""
@@ -41,7 +45,7 @@ class Applied:
     args: tuple[PassedArgument, ...]
     types: tuple[syntax.Argument, ...]
     location: Location
-    item: Mapping[str, Any] | None = None
+    item: Mapping[str, Value] | None = None
     parameter: Value | None = None
     #: Whether the exact tier has filled a blank of the call.
     is_exact: bool = False
@@ -54,7 +58,7 @@ def given(args: tuple[PassedArgument, ...], where: str) -> PassedArgument | None
     return next((argument for argument in args if argument.keyword == where), None)
 
 
-def config_name(value: Any, walk: Walk) -> str:
+def config_name(value: Found, walk: Walk) -> str:
     """``pkg::NameConfig`` of a dynamic_reconfigure type, in C++ and in Python (``pkg.cfg.NameConfig``).
 
     A name without its package (its header is included by another) is the one of that name in the workspace.
@@ -76,7 +80,7 @@ def config_name(value: Any, walk: Walk) -> str:
     return name
 
 
-def value_of(applied: Applied, template: Template) -> Any:
+def value_of(applied: Applied, template: Template) -> Found:
     """What a template stands for: a Value, a TypeValue if it is one selector of a type, None if nothing is there."""
     parts = template.parts
     if len(parts) == 1 and not isinstance(parts[0], str):
@@ -105,6 +109,12 @@ def value_of(applied: Applied, template: Template) -> Any:
     return concatenate(tuple(values))
 
 
+def value_at(applied: Applied, template: Template) -> Value | None:
+    """What a template stands for where a value is expected: a type is none that is known."""
+    found = value_of(applied, template)
+    return Opaque("it is not plain data") if isinstance(found, TypeValue) else found
+
+
 @lru_cache(maxsize=None)
 def literal(text: str) -> Known:
     """A literal of a row: true, false, none, a number or text."""
@@ -119,7 +129,7 @@ def literal(text: str) -> Known:
             return Known(text)
 
 
-def select_value(applied: Applied, selector: str) -> Any:
+def select_value(applied: Applied, selector: str) -> Found:
     """What one alternative of a selector finds: a Value, a TypeValue, or None."""
     walk = applied.walk
     if selector[0].isdigit():
@@ -211,7 +221,7 @@ def _type_of(applied: Applied, selector: str) -> TypeValue | None:
     return None
 
 
-def _members(applied: Applied, value: Value, names: list[str]) -> Any:
+def _members(applied: Applied, value: Value, names: list[str]) -> Value | None:
     for name in names:
         if isinstance(value, Pointer):
             value = value.cell.value

@@ -26,7 +26,8 @@ def case(run: ScriptEvaluation, scope: ScriptScope, node: ast.Match, subject: Va
     if item.guard is not None and known is True:
         known = truth(run, run.evaluate(run, scope, item.guard))
     if known is True:
-        return run.block(run, scope, item.body)
+        flow: Flow | None = run.block(run, scope, item.body)
+        return flow
     if known is False:
         return case(run, scope, node, subject, index + 1)
     tests = condition(scope, node.subject, known, f"case {index + 1} of match")
