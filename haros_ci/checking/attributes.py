@@ -3,7 +3,7 @@
 no code outside of them.
 
 A class is looked at only where all that it inherits is known: classes of the workspace, and the nodes of rclpy with the public names
-that they have in any distribution. One that makes attributes by name (``setattr``, ``__getattr__``, ``__dict__``) is passed over.
+that they have in any distribution. One that makes attributes by name (``setattr``, ``__setattr__``, ``__getattr__``, ``__dict__``) is passed over.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from haros_ci.syntax.walk import below, everything
 
 #: Code that gives objects attributes by name, or asks for them so.
 _BY_NAME = re.compile(
-    r"\b(?:setattr|vars|exec|eval|locals)\s*\(|__(?:getattr|getattribute|dict|new|init_subclass|setstate)__"
+    r"\b(?:setattr|vars|exec|eval|locals)\s*\(|__(?:getattr|getattribute|setattr|dict|new|init_subclass|setstate)__"
     r"|\bMethodType\b|\bmetaclass\s*=|\bmock\b"
 )
 #: A call of something by a name of its own, whose first argument is not ``self``.

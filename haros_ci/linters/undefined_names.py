@@ -55,7 +55,7 @@ def weighed_names(
 ) -> tuple[Result, ...]:
     """*results* without names that something else defines, and with a warning for those that may well be defined.
 
-    Or that nothing evaluates: in annotations, where the file imports them from __future__ (PEP 563). A name of Python 2 is defined in a package
+    Or that nothing evaluates: in annotations of a function's variables, and in all where the file imports them from __future__ (PEP 563). A name of Python 2 is defined in a package
     of ROS 1, all of whose distributions but the last have Python 2 (REP 3); may be, where the first line asks for Python 3. So may be a name
     in a string, where annotations stand that are not evaluated; any name where the file makes names of strings, and one whose import
     is in a comment: what uses it may be switched off like it. *text* reads
@@ -82,7 +82,7 @@ def weighed_names(
             if old and not _PYTHON_3.match(whole) and not is_given(result):
                 continue
             unsure = old or _is_in_string(result, whole) or _is_in_annotation(result, whole)
-            unsure = unsure or _is_switched_off(name[1], whole)
+            unsure = unsure or _is_switched_off(name[1], whole) or _is_in_local_annotation(result, whole)
             if (unsure or _MAKES_NAMES.search(whole)) and not is_given(result):
                 result = replace(result, level=max(result.level, Level.WARNING, key=lambda level: level.rank))
         weighed.append(result)
@@ -119,6 +119,33 @@ def _is_in_annotation(result: Result, text: str) -> bool:
         return False
     before = lines[at.line - 1][: at.column - 1][-_LONGEST:]
     return _ANNOTATED.search(before) is not None and not _STATEMENT.match(before)
+
+
+def _is_in_local_annotation(result: Result, text: str) -> bool:
+    """Whether the place of *result* is in the annotation of a variable of a function, which is never evaluated (PEP 526)."""
+    line = result.location.line
+    tree = next(iter(nodes(text)), None) if line else None
+    waiting: list[tuple[ast.AST, bool]] = [(tree, False)] if tree is not None else []
+    while waiting:
+        node, is_local = waiting.pop()
+        if isinstance(node, ast.AnnAssign) and is_local and line:
+            place = node.annotation
+            if place.lineno <= line <= (place.end_lineno or 0) and _is_within(place, result):
+                return True
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            waiting += [(inner, True) for inner in node.body]
+        elif isinstance(node, ast.ClassDef):
+            waiting += [(inner, False) for inner in node.body]
+        else:
+            waiting += [(inner, is_local) for inner in ast.iter_child_nodes(node)]
+    return False
+
+
+def _is_within(node: ast.expr, result: Result) -> bool:
+    line, column = result.location.line, result.location.column
+    if line is None or not column or line != node.lineno:
+        return True
+    return node.col_offset < column and (line != node.end_lineno or column <= (node.end_col_offset or 0))
 
 
 def _is_in_string(result: Result, text: str) -> bool:

@@ -210,3 +210,34 @@ def test_behind_the_end_of_the_program(text: str) -> None:
 )
 def test_before_the_end_of_the_program(text: str) -> None:
     assert level("corners", text) is Level.ERROR
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "class A:\n    def f(self):\n        self.kind: Node['a', 'b'] = 'a'\n",
+        "def f():\n    if True:\n        kind: Node = 1\n    return kind\n",
+        "async def f():\n    kind: dict[\n        str, Node] = {}\n",
+        "def f():\n    class A:\n        def g(self):\n            a: Node = 1\n",
+    ],
+)
+def test_annotations_of_a_functions_variables_are_not_evaluated(text: str) -> None:
+    assert level("Node", text) is Level.WARNING
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "kind: Node = 1\n",
+        "class A:\n    kind: Node = 1\n",
+        "def f(\n    a: Node,\n):\n    pass\n",
+        "def f() -> Node:\n    pass\n",
+        "def f():\n    kind: int = Node\n",
+        "def f():\n    kind: int = 1; Node\n",
+        "def f():\n    class A:\n        a: Node = 1\n",
+        "def f():\n    def g(a: Node):\n        pass\n",
+        "def f():\n    x = {1: Node}\n",
+    ],
+)
+def test_other_annotations_are_evaluated(text: str) -> None:
+    assert level("Node", text) is Level.ERROR
