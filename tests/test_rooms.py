@@ -242,6 +242,7 @@ DOORS: dict[str, set[str]] = {
         "checking",
         "code",
         "config",
+        "dependence",
         "interfaces",
         "knowledge",
         "linters",

@@ -152,6 +152,9 @@ class _Search:
         if name in FRAMEWORK:
             self.made.is_transition = True
             return
+        if routine.function.kind == "destructor":  # at the end of the program, or of an object that a callback makes
+            self.constructed(item)
+            return
         if routine.outer is None:
             if reason == UNCALLED and is_dead(self.code, routine):
                 return
@@ -181,17 +184,26 @@ class _Search:
 
 def _making(code: Codebase, where: Routine, name: str) -> Step | None:
     """The step of a routine that makes an object of the class called *name*."""
-    for step in steps(code, where):
-        if step.name and step.type.name.rpartition("::")[2] == name and not set("&*") & set(step.type.marks):
-            return step
-        for node in all_nodes(step.values):
-            if isinstance(node, syntax.New) and node.type.name.rpartition("::")[2] == name:
-                return step
-            if isinstance(node, syntax.Call):
-                named = [one.name for one in node.templates if isinstance(one, syntax.Type)]
-                if name in {part.rpartition("::")[2] for part in (last_part(node.callee), *named)}:
-                    return step
-    return None
+    key = ("making", id(where))
+    if key not in code.kept:
+        made: dict[str, Step] = {}
+        for step in steps(code, where):
+            if step.name and not set("&*") & set(step.type.marks):
+                made.setdefault(step.type.name.rpartition("::")[2], step)
+            for node in all_nodes(step.values):
+                if isinstance(node, syntax.New):
+                    made.setdefault(node.type.name.rpartition("::")[2], step)
+                elif isinstance(node, syntax.Call):
+                    for one in (last_part(node.callee), *_types(node)):
+                        made.setdefault(one.rpartition("::")[2], step)
+        code.kept[key] = made
+        code.kept["keep", id(where)] = where
+    found: dict[str, Step] = code.kept[key]  # type: ignore[assignment]
+    return found.get(name)
+
+
+def _types(call: syntax.Call) -> list[str]:
+    return [one.name for one in call.templates if isinstance(one, syntax.Type)]
 
 
 def _around(code: Codebase, routine: Routine) -> tuple[Step | None, bool]:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from haros_ci import syntax
@@ -11,7 +11,7 @@ from haros_ci.code.body import Call
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.dependence.steps import Guard, Step, all_nodes, steps
 from haros_ci.dependence.targets import closure, targets
-from haros_ci.dependence.uses import Use, uses, uses_in
+from haros_ci.dependence.uses import calls_by_node, uses, uses_in
 from haros_ci.dependence.variables import Held
 from haros_ci.dependence.writes import change, is_log
 from haros_ci.syntax import Expression
@@ -72,29 +72,13 @@ class _Slicer:
     steps_seen: set[int] = field(default_factory=set)
 
     def expressions(self, step: Step, values: tuple[Expression, ...]) -> None:
-        self.mentioned(uses_in(self.code, self.routine, step, values))
-        self.calls(values)
-
-    def mentioned(self, found: Iterable[Use]) -> None:
-        for use in found:
-            if use.role != "through" and use.what not in self.seen:
-                self.seen.add(use.what)
-                self.waiting.append(use.what)
-
-    def calls(self, values: tuple[Expression, ...]) -> None:
-        """What the functions of the workspace that *values* call depend on."""
-        known = {id(call.whole): call for call in self.code.body(self.routine).calls}
-        for node in all_nodes(values):
-            if isinstance(node, syntax.Lambda):
-                inner = self.code.inner(self.routine, node.function)
-                for what, reason in reads_of(self.code, inner).items() if inner is not None else ():
-                    self.made.read(what, reason)
-            call = known.get(id(node))
-            if call is None or is_log(call.name):
-                continue
-            for target, reason in targets(self.code, self.routine, call):
-                for what, why in reads_of(self.code, target).items():
-                    self.made.read(what, reason or why)
+        mentioned, reads = _facts(self.code, self.routine, step, values)
+        for what in mentioned:
+            if what not in self.seen:
+                self.seen.add(what)
+                self.waiting.append(what)
+        for what, reason in reads.items():
+            self.made.read(what, reason)
 
     def follow(self) -> None:
         here = f"{self.routine.path}:{self.routine.function.line}:{self.routine.function.column}"
@@ -113,14 +97,12 @@ class _Slicer:
 
     def assigned_here(self, what: Held) -> None:
         """All steps of the routine that may change *what* count, with what stands around them."""
-        for use in uses(self.code, self.routine):
-            if use.what == what and change(self.code, self.routine, use) is not None:
-                step = use.step
-                if step.number not in self.steps_seen:
-                    self.steps_seen.add(step.number)
-                    self.expressions(step, step.values)
-                    for guard in step.around:
-                        self.expressions(step, guard.test)
+        for step in _changing(self.code, self.routine).get(what, ()):
+            if step.number not in self.steps_seen:
+                self.steps_seen.add(step.number)
+                self.expressions(step, step.values)
+                for guard in step.around:
+                    self.expressions(step, guard.test)
 
     def is_shared(self, what: Held) -> bool:
         """Whether a local keeps its value for the next call, or a function inside this one changes it."""
@@ -128,10 +110,54 @@ class _Slicer:
             return True
         for index, _ in self.code.body(self.routine).inner:
             inner = self.code.inner(self.routine, index)
-            for use in uses(self.code, inner) if inner is not None else ():
-                if use.what == what and inner is not None and change(self.code, inner, use) is not None:
-                    return True
+            if inner is not None and what in _changing(self.code, inner):
+                return True
         return False
+
+
+def _facts(
+    code: Codebase, routine: Routine, step: Step, values: tuple[Expression, ...]
+) -> tuple[tuple[Held, ...], dict[Held, str]]:
+    """What *values* mention, and what the functions of the workspace that they call depend on."""
+    key = ("facts", id(routine), tuple(map(id, values)))
+    if key not in code.kept:
+        mentioned = dict.fromkeys(use.what for use in uses_in(code, routine, step, values) if use.role != "through")
+        reads: dict[Held, str] = {}
+        for target, reason in _run_by(code, routine, values):
+            for what, why in reads_of(code, target).items():
+                if reads.get(what, "?") != "":
+                    reads[what] = reason or why
+        code.kept[key] = tuple(mentioned), reads
+        code.kept["keep", key] = routine, values
+    found: tuple[tuple[Held, ...], dict[Held, str]] = code.kept[key]  # type: ignore[assignment]
+    return found
+
+
+def _run_by(code: Codebase, routine: Routine, values: tuple[Expression, ...]) -> Iterator[tuple[Routine, str]]:
+    """The functions of the workspace that *values* call, or hand on as lambdas."""
+    known = calls_by_node(code, routine)
+    for node in all_nodes(values):
+        if isinstance(node, syntax.Lambda):
+            inner = code.inner(routine, node.function)
+            if inner is not None:
+                yield inner, ""
+        call = known.get(id(node))
+        if call is not None and not is_log(call.name):
+            yield from targets(code, routine, call)
+
+
+def _changing(code: Codebase, routine: Routine) -> dict[Held, list[Step]]:
+    """The steps of a routine that may change something, by what they change."""
+    key = ("changing", id(routine))
+    if key not in code.kept:
+        made: dict[Held, list[Step]] = {}
+        for use in uses(code, routine):
+            if change(code, routine, use) is not None:
+                made.setdefault(use.what, []).append(use.step)
+        code.kept[key] = made
+        code.kept["keep", id(routine)] = routine
+    found: dict[Held, list[Step]] = code.kept[key]  # type: ignore[assignment]
+    return found
 
 
 def reads_of(code: Codebase, routine: Routine) -> dict[Held, str]:

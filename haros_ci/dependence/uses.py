@@ -52,9 +52,19 @@ def uses(code: Codebase, routine: Routine) -> tuple[Use, ...]:
     return found
 
 
+def calls_by_node(code: Codebase, routine: Routine) -> dict[int, Call]:
+    """The calls of a routine by the identity of their expressions."""
+    key = ("calls by node", id(routine))
+    if key not in code.kept:
+        code.kept[key] = {id(call.whole): call for call in code.body(routine).calls}
+        code.kept["keep", id(routine)] = routine
+    found: dict[int, Call] = code.kept[key]  # type: ignore[assignment]
+    return found
+
+
 def uses_in(code: Codebase, routine: Routine, step: Step, values: tuple[Expression, ...]) -> tuple[Use, ...]:
     """The mentions in expressions that are a part of a *step*."""
-    calls = {id(call.whole): call for call in code.body(routine).calls}
+    calls = calls_by_node(code, routine)
     inner = _Expressions(code, routine, step, calls, [], {})
     for value in values:
         inner.visit(value, "read")
@@ -91,7 +101,7 @@ class _Visitor:
     aliases: dict[Held, set[Held]] = field(default_factory=dict)
 
     def step(self, step: Step) -> None:
-        calls = {id(call.whole): call for call in self.code.body(self.routine).calls}
+        calls = calls_by_node(self.code, self.routine)
         inner = _Expressions(self.code, self.routine, step, calls, self.found, self.aliases)
         if step.name:
             inner.declared()

@@ -14,7 +14,7 @@ from haros_ci.code.body import Call, last_part
 from haros_ci.code.callbacks import Callback, callbacks, given_function
 from haros_ci.code.calls import called, function_meant
 from haros_ci.code.codebase import Codebase, Routine
-from haros_ci.syntax import Expression
+from haros_ci.syntax import Expression, Record
 from haros_ci.syntax.walk import everything
 
 #: Bases that call nothing of a class but what it registers.
@@ -136,9 +136,8 @@ def _mentioned(code: Codebase, routine: Routine, name: str, own: tuple[Callback,
 
 def _in(code: Codebase, where: Routine, routine: Routine, name: str, own: tuple[Callback, ...]) -> Runs:
     """The calls of *routine* in another, those that begin a thread with it there, and why it may be run in other ways."""
-    parts = (*where.function.inits, *(where.function.body or ()))
-    mentions = [node for node in everything(parts) if _last(node) == name]
-    if not mentions:
+    mentions = _names(code, where).get(name)
+    if mentions is None:
         return Runs()
     accounted: set[int] = set()
     calls: list[tuple[Routine, Call]] = []
@@ -174,6 +173,20 @@ def _in(code: Codebase, where: Routine, routine: Routine, name: str, own: tuple[
         if id(node) not in accounted and _is_given(code, where, routine, node):
             return _unseen(f"{where.title} gives it to others")
     return Runs(calls=tuple(calls), threads=tuple(threads), perhaps=tuple(perhaps))
+
+
+def _names(code: Codebase, where: Routine) -> dict[str, list[Record]]:
+    """The names and members that a routine mentions, by the last part of their name."""
+    key = ("names", id(where.function))
+    if key not in code.kept:
+        made: dict[str, list[Record]] = {}
+        for node in everything((*where.function.inits, *(where.function.body or ()))):
+            if last := _last(node):
+                made.setdefault(last, []).append(node)
+        code.kept[key] = made
+        code.kept["keep", id(where)] = where
+    found: dict[str, list[Record]] = code.kept[key]  # type: ignore[assignment]
+    return found
 
 
 def _may_replace(code: Codebase, routine: Routine, targets: tuple[Routine, ...]) -> bool:
@@ -221,7 +234,7 @@ def may_run(code: Codebase, where: Routine, routine: Routine, callee: Expression
     return other[1].name == owner[1].name or owner[1].name in names or other[1].name in names
 
 
-def _is_given(code: Codebase, where: Routine, routine: Routine, node: Expression | object) -> bool:
+def _is_given(code: Codebase, where: Routine, routine: Routine, node: object) -> bool:
     if not isinstance(node, (syntax.Name, syntax.Member)):
         return False
     meant = function_meant(code, where, node)
