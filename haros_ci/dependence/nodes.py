@@ -12,6 +12,7 @@ from haros_ci.code.calls import called
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.code.ways import place
 from haros_ci.dependence.conditions import path_of, whens
+from haros_ci.dependence.filters import passed_on
 from haros_ci.dependence.search import Found, Way, search
 from haros_ci.dependence.steps import Step, all_nodes, step_of
 from haros_ci.model.architecture import Configuration, Endpoint, Node
@@ -42,6 +43,8 @@ class _Node:
     node: Node
     code: Codebase
     inputs: dict[Location, list[Input]] = field(default_factory=dict)
+    #: Those that filters pass on, by where the callback is registered.
+    behind: dict[Location, list[Input]] = field(default_factory=dict)
 
     def made(self) -> NodeDependence:
         for end in self.node.endpoints:
@@ -65,7 +68,10 @@ class _Node:
         if location is None or (end is not None and end.source not in ("source", "exact-tier")):
             reason = "no code of the workspace receives it"
         elif not any(callback.location == location for callback in _callbacks(self.code).get(location.path, ())):
-            reason = "it is not seen which function receives it"
+            passed = passed_on(self.code, location) if kind == "subscription" else ()
+            for callback in passed:
+                self.behind.setdefault(callback.location, []).append(Input(kind, name, location))
+            reason = "" if passed else "it is not seen which function receives it"
         made = Input(kind, name, location, reason)
         if made not in self.inputs.setdefault(at, []):
             self.inputs[at].append(made)
@@ -100,7 +106,8 @@ class _Node:
 
     def causes(self, found: Found, routine: Routine, call: Call) -> Iterator[Cause]:
         for way in found.ways.values():
-            names = [(one.kind, one.name) for one in self.inputs.get(way.callback.location, ())]
+            place = way.callback.location
+            names = [(one.kind, one.name) for one in (*self.inputs.get(place, ()), *self.behind.get(place, ()))]
             if not names and way.callback.kind in ("response", "parameters"):
                 names = [(way.callback.kind, "")]
             for kind, name in dict.fromkeys(names):
@@ -113,7 +120,8 @@ class _Node:
                         yield Cause(one.kind, one.name, one.location, how, (title,), reason=reason)
 
     def cause(self, way: Way, kind: str, name: str, routine: Routine, call: Call) -> Cause:
-        is_each = way.how == DIRECT and _is_each(self.code, way, call)
+        is_filtered = way.callback.call.name == "registerCallback"
+        is_each = way.how == DIRECT and not is_filtered and _is_each(self.code, way, call)
         conditions = whens(self.code, self.node, way)
         path = path_of(self.code, way, (routine, call))
         return Cause(kind, name, way.callback.location, way.how, way.state, conditions, path, way.reason, is_each)

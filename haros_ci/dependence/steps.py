@@ -31,7 +31,8 @@ class Guard:
 class Step:
     """What is evaluated together, by *number* in the order of the text.
 
-    *name* is the local variable that it declares, of the *type* as written. *leaves* says how it leaves: return, throw, break, continue.
+    *name* is the local variable that it declares, of the *type* as written; *line* and *column* are those of it, or of what a constructor
+    gives a member, 0 for anything else. *leaves* says how it leaves: return, throw, break, continue.
     """
 
     number: int
@@ -41,6 +42,8 @@ class Step:
     type: syntax.Type = syntax.NOTHING
     leaves: str = ""
     is_static: bool = False
+    line: int = 0
+    column: int = 0
 
     @property
     def loops(self) -> tuple[Guard, ...]:
@@ -55,7 +58,8 @@ def steps(code: Codebase, routine: Routine) -> tuple[Step, ...]:
         made = _Steps()
         for init in routine.function.inits:
             value = init.arguments[0] if len(init.arguments) == 1 else syntax.ListLiteral(init.arguments)
-            made.add((), (syntax.Assignment("=", syntax.Member(syntax.This(), init.name), value),))
+            values = (syntax.Assignment("=", syntax.Member(syntax.This(), init.name), value),)
+            made.found.append(Step(len(made.found), values, (), line=init.line, column=init.column))
         made.block(routine.function.body or (), ())
         code.kept[key] = tuple(made.found)
         code.kept["keep", id(routine)] = routine  # so that its identity stays its own
@@ -89,8 +93,8 @@ class _Steps:
 
     def variable(self, around: tuple[Guard, ...], statement: syntax.Variable, is_static: bool) -> None:
         values = syntax.started(statement.init)
-        made = Step(len(self.found), values, around, statement.name, statement.type, is_static=is_static)
-        self.found.append(made)
+        at = statement.line, statement.column
+        self.found.append(Step(len(self.found), values, around, statement.name, statement.type, "", is_static, *at))
 
     def block(self, block: Block, around: tuple[Guard, ...]) -> None:
         for statement in block:

@@ -142,3 +142,49 @@ a = A()
 rospy.spin()
 """
     assert said(python(body)["/out"]) == expected
+
+
+FILTERS = {
+    "a synchronizer": "self.both = message_filters.TimeSynchronizer([self.one, self.two], 10)\n    "
+    "self.both.registerCallback(self.got)",
+    "the subscriber itself": "self.one.registerCallback(self.got)\n    self.two.registerCallback(self.got)",
+    "behind a cache": "self.cache = message_filters.Cache(self.one)\n    "
+    "self.both = message_filters.TimeSynchronizer([self.cache, self.two], 10)\n    self.both.registerCallback(self.got)",
+}
+
+
+@pytest.mark.parametrize("case", FILTERS)
+def test_filters_pass_messages_on(case: str) -> None:
+    from dependence_kit import said
+
+    body = f"""import message_filters
+class A:
+  def __init__(self):
+    self.pub = rospy.Publisher("/out", String, queue_size=1)
+    self.one = message_filters.Subscriber("/one", String)
+    self.two = message_filters.Subscriber("/two", String)
+    {FILTERS[case]}
+  def got(self, *messages):
+    self.pub.publish(String())
+a = A()
+rospy.spin()
+"""
+    assert said(python(body)["/out"]) == {"/one": "direct", "/two": "direct"}
+
+
+def test_filters_of_cpp_pass_messages_on() -> None:
+    from dependence_kit import cpp, said
+
+    before = """#include <message_filters/subscriber.h>
+#include <message_filters/time_synchronizer.h>
+struct A {
+  message_filters::Subscriber<std_msgs::String> one_, two_;
+  message_filters::TimeSynchronizer<std_msgs::String, std_msgs::String> both_;
+  ros::Publisher pub_;
+  A(ros::NodeHandle& nh) : one_(nh, "/one", 1), two_(nh, "/two", 1), both_(one_, two_, 10) {
+    pub_ = ADV("/out", 1);
+    both_.registerCallback(boost::bind(&A::got, this, _1, _2));
+  }
+  void got(const std_msgs::StringConstPtr& m, const std_msgs::StringConstPtr& n) { pub_.publish(m); }
+};"""
+    assert said(cpp("A a(nh);", before)["/out"]) == {"/one": "direct", "/two": "direct"}
