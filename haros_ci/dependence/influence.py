@@ -17,8 +17,8 @@ from haros_ci.dependence.variables import Held, held
 from haros_ci.rates.runs import FRAMEWORK, HARMLESS, UNCALLED, runs
 from haros_ci.syntax import Expression
 
-#: Steps on ways to one effect that are looked at.
-MOST = 2_000
+#: Steps on ways to one effect that are looked at, and of these such as may not lead to it.
+MOST, UNSURE = 2_000, 60
 #: Functions that run what they are given before they return (en.cppreference.com/w/cpp/algorithm).
 INLINE = frozenset(
     "sort stable_sort for_each find_if find_if_not any_of all_of none_of transform remove_if count_if accumulate min_element "
@@ -80,16 +80,19 @@ class _Search:
     waiting: list[_Item] = field(default_factory=list)
     unsure: list[_Item] = field(default_factory=list)
     seen: set[tuple[int, int, frozenset[int]]] = field(default_factory=set)
+    guesses: int = 0
 
     def run(self, routine: Routine, step: Step) -> Influence:
         self.waiting.append(_Item(routine, step, step.values, ((routine, step),), ""))
         while self.waiting or self.unsure:
+            if not self.waiting:
+                self.guesses += 1
             item = (self.waiting or self.unsure).pop(0)
             key = id(item.routine), item.step.number, frozenset(map(id, item.values))
             if key in self.seen:
                 continue
             self.seen.add(key)
-            if len(self.seen) > MOST:
+            if len(self.seen) > MOST or self.guesses > UNSURE:
                 self.hidden("there are too many ways that lead to it")
                 break
             self.item(item)

@@ -20,8 +20,8 @@ TRANSFORMS = frozenset(
     "tf2_ros::Buffer tf2_ros::TransformListener tf::TransformListener tf2::BufferCore tf2_ros.Buffer tf2_ros.TransformListener "
     "tf.TransformListener tf2_ros.buffer.Buffer tf2_ros.transform_listener.TransformListener".split()
 )
-#: State that is looked at for one output.
-MOST = 3_000
+#: State that is looked at for one output, and changes of state that may not count.
+MOST, UNSURE = 3_000, 150
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -77,15 +77,19 @@ class _Search:
     unsure: list[_Item] = field(default_factory=list)
     #: What has been looked at, with "" where that was certain.
     seen: dict[Held, str] = field(default_factory=dict)
-    done: set[tuple[int, int]] = field(default_factory=set)
+    guesses: int = 0
 
     def run(self, routine: Routine, step: Step) -> Found:
         first = influence(self.code, routine, step)
         self.made.is_start = first.is_start or first.is_transition
         self.sure.append(_Item(first, (routine, step), (), (), ""))
         while self.sure or self.unsure:
-            item = self.sure.pop(0) if self.sure else self.unsure.pop(0)
-            self.item(item)
+            if not self.sure:
+                self.guesses += 1
+            if self.guesses > UNSURE:
+                self.made.reason = self.made.reason or "there is too much that may count to look at it all"
+                break
+            self.item(self.sure.pop(0) if self.sure else self.unsure.pop(0))
         return self.made
 
     def item(self, item: _Item) -> None:

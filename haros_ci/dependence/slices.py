@@ -11,10 +11,13 @@ from haros_ci.code.body import Call
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.dependence.steps import Guard, Step, all_nodes, steps
 from haros_ci.dependence.targets import closure, targets
-from haros_ci.dependence.uses import calls_by_node, uses, uses_in
+from haros_ci.dependence.uses import calls_by_node, is_log, uses, uses_in
 from haros_ci.dependence.variables import Held
-from haros_ci.dependence.writes import change, is_log
+from haros_ci.dependence.writes import change
 from haros_ci.syntax import Expression
+
+#: Roles in which what is held neither decides nor gives data.
+UNREAD = frozenset(("through", "logged", "whole"))
 
 
 @dataclass(slots=True)
@@ -121,7 +124,7 @@ def _facts(
     """What *values* mention, and what the functions of the workspace that they call depend on."""
     key = ("facts", id(routine), tuple(map(id, values)))
     if key not in code.kept:
-        mentioned = dict.fromkeys(use.what for use in uses_in(code, routine, step, values) if use.role != "through")
+        mentioned = dict.fromkeys(use.what for use in uses_in(code, routine, step, values) if use.role not in UNREAD)
         reads: dict[Held, str] = {}
         for target, reason in _run_by(code, routine, values):
             for what, why in reads_of(code, target).items():
@@ -142,7 +145,7 @@ def _run_by(code: Codebase, routine: Routine, values: tuple[Expression, ...]) ->
             if inner is not None:
                 yield inner, ""
         call = known.get(id(node))
-        if call is not None and not is_log(call.name):
+        if call is not None and not is_log(code, routine, call):
             yield from targets(code, routine, call)
 
 
@@ -167,7 +170,7 @@ def reads_of(code: Codebase, routine: Routine) -> dict[Held, str]:
         found: dict[Held, str] = {}
         for other, reason in closure(code, routine).values():
             for use in uses(code, other):
-                if use.what.kind != "local" and found.get(use.what, "?") != "":
+                if use.what.kind != "local" and use.role not in ("logged", "whole") and found.get(use.what, "?") != "":
                     found[use.what] = reason
         code.kept[key] = found
         code.kept["keep", id(routine)] = routine

@@ -19,6 +19,11 @@ from haros_ci.syntax import Expression
 
 #: Types of numbers.
 NUMBER = re.compile(r"(std::)?(u?int\d{0,2}(_t)?|size_t|unsigned|unsigned \w{1,8}|long|short|char|bool|float|double)")
+#: Functions that write to a log, or only look whether something holds.
+LOG = re.compile(
+    r"(RCLCPP|RCUTILS|ROS|NODELET)_(DEBUG|INFO|WARN|WARNING|ERROR|FATAL|ASSERT)\w{0,40}|log(debug|info|warn|err|fatal)\w{0,20}"
+    r"|debug|info|warn|warning|error|fatal|critical|print|f?printf|puts|assert|ASSERT\w{0,20}"
+)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -26,7 +31,7 @@ class Use:
     """A mention of *what* in a *step*.
 
     *role* is read, whole (it is assigned to), set (a part of it is), called (a method that is not of the workspace is called on it),
-    through (one of the workspace is), given (it is an argument of *call*), returned, or kept (another object keeps it).
+    through (one of the workspace is), given (it is an argument of *call*), returned, kept (another object keeps it), or logged.
     *is_direct* says that it is mentioned itself, not a part of it.
     """
 
@@ -50,6 +55,11 @@ def uses(code: Codebase, routine: Routine) -> tuple[Use, ...]:
         code.kept["keep", id(routine)] = routine
     found: tuple[Use, ...] = code.kept[key]  # type: ignore[assignment]
     return found
+
+
+def is_log(code: Codebase, routine: Routine, call: Call) -> bool:
+    """Whether a call writes to a log."""
+    return LOG.fullmatch(call.name) is not None and not is_of_workspace(code, routine, call)
 
 
 def calls_by_node(code: Codebase, routine: Routine) -> dict[int, Call]:
@@ -167,10 +177,7 @@ class _Expressions:
         elif isinstance(node, syntax.Call):
             self.called(node)
         elif isinstance(node, syntax.Operation) and node.operator in ("<<", ">>") and not self.routine.is_python:
-            first, *rest = node.operands
-            self.visit(first, "set" if node.operator == "<<" and not self.is_number(first) else "read")
-            for operand in rest:
-                self.visit(operand, "set" if node.operator == ">>" else "read")
+            self.shifted(node)
         elif isinstance(node, (syntax.Keyword, syntax.Cast, syntax.Star, syntax.DoubleStar)):
             self.visit(node.value, role, call, argument)
         elif isinstance(node, syntax.Conditional):
@@ -183,6 +190,14 @@ class _Expressions:
         else:
             for part in parts(node):
                 self.visit(part, "kept" if role == "kept" else "read")
+
+    def shifted(self, node: syntax.Operation) -> None:
+        """Numbers are shifted; of anything else what follows is put in, or taken out."""
+        first, *rest = node.operands
+        is_stream = not self.is_number(first)
+        self.visit(first, "set" if is_stream and node.operator == "<<" else "read")
+        for operand in rest:
+            self.visit(operand, "set" if is_stream and node.operator == ">>" else "read")
 
     def is_number(self, node: Expression) -> bool:
         """Whether an expression is a number: ``n << 2`` shifts it, where a stream or a matrix is given what follows."""
@@ -244,6 +259,18 @@ class _Expressions:
             self.visit(callee.object, "through" if is_ours else "called", call)
         elif not isinstance(callee, syntax.Member) or held(self.code, self.routine, callee) is not None:
             self.visit(callee, "read")
+        if is_log(self.code, self.routine, call):
+            for value in node.arguments:
+                self.logged(value)
+            return
         for number, value in enumerate(node.arguments):
             name = value.name if isinstance(value, syntax.Keyword) else ""
             self.visit(value, "given", call, name or number)
+
+    def logged(self, value: Expression) -> None:
+        """What is written to a log decides nothing; what is called for that may change something."""
+        before = len(self.found)
+        self.visit(value, "read")
+        self.found[before:] = [
+            replace(use, role="logged") if use.role == "read" else use for use in self.found[before:]
+        ]

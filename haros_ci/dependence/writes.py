@@ -10,7 +10,7 @@ from haros_ci.code import classes, kinds
 from haros_ci.code.body import last_part
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.dependence.targets import targets
-from haros_ci.dependence.uses import NUMBER, Use, uses, uses_of
+from haros_ci.dependence.uses import LOG, NUMBER, Use, uses, uses_of
 from haros_ci.dependence.variables import Held
 
 #: Methods of containers, pointers, messages, times and ROS objects that change nothing of what they are called on.
@@ -56,22 +56,6 @@ PURE = frozenset(
     "duration_cast milliseconds seconds nanoseconds stoi stod stof strcmp strlen quaternion_from_euler euler_from_quaternion "
     "getYaw get_yaw allclose mean linalg sign not_none static_pointer_cast dynamic_pointer_cast ok cout cerr endl "
     "isZero exp2 log10 lround all_of any_of none_of find_if count_if accumulate".split()
-)
-#: The beginnings of functions that write to a log.
-LOGS = (
-    "RCLCPP_",
-    "ROS_",
-    "RCUTILS_",
-    "log",
-    "LOG",
-    "debug",
-    "info",
-    "warn",
-    "error",
-    "fatal",
-    "print",
-    "assert",
-    "ASSERT",
 )
 #: What makes an object that may keep what it is given, and what keeps a function with its arguments.
 MAKERS = frozenset(("make_shared", "make_unique", "reset", "emplace", "bind", "partial", "thread", "Thread", "async"))
@@ -126,7 +110,7 @@ def _called(code: Codebase, routine: Routine, use: Use) -> str | None:
     name = kinds.type_name(code, routine, call.receiver)
     if name in SWITCHES:
         return "" if call.name in SWITCHING else None
-    if name in QUIET or call.name.startswith(LOGS) and use.what.kind != "local":
+    if name in QUIET or LOG.fullmatch(call.name):
         return None
     if call.name in CHANGING or use.what.kind == "local":
         return ""
@@ -135,7 +119,7 @@ def _called(code: Codebase, routine: Routine, use: Use) -> str | None:
 
 def _given(code: Codebase, routine: Routine, use: Use) -> str | None:
     call = use.call
-    if call is None or is_log(call.name) or call.name in PURE:
+    if call is None or call.name in PURE:
         return None
     sure = [target for target, reason in targets(code, routine, call) if target.function.kind != "lambda"]
     if sure:
@@ -144,11 +128,6 @@ def _given(code: Codebase, routine: Routine, use: Use) -> str | None:
     if _is_constant(code, routine, use) or last_part(call.callee)[:1].isupper():
         return None
     return f"{routine.title} gives {use.what.title} to {call.name or 'a function'}"
-
-
-def is_log(name: str) -> bool:
-    """Whether a function of that name writes to a log, or only looks whether something holds."""
-    return name.startswith(LOGS)
 
 
 def _is_constant(code: Codebase, routine: Routine, use: Use) -> bool:
@@ -220,7 +199,7 @@ def _hidden(code: Codebase, routine: Routine, use: Use) -> str:
     is_kept = use.role == "kept" or (
         use.role == "given" and call is not None and (call.name in MAKERS or call.name[:1].isupper())
     )
-    if not is_kept or call is not None and call.name.startswith(LOGS):
+    if not is_kept:
         return ""
     if routine.is_python:
         shared = not _is_constant(code, routine, use) and not _is_message(code, routine, call)

@@ -118,6 +118,8 @@ def _mentioned(code: Codebase, routine: Routine, name: str, own: tuple[Callback,
     count = 0
     for path in sorted(code.mentioning(name)):
         for where in code.routines(path):
+            if name not in _names(code, where):
+                continue
             if where.is_python is not routine.is_python or where.is_test and not routine.is_test:
                 continue
             count += 1
@@ -136,9 +138,7 @@ def _mentioned(code: Codebase, routine: Routine, name: str, own: tuple[Callback,
 
 def _in(code: Codebase, where: Routine, routine: Routine, name: str, own: tuple[Callback, ...]) -> Runs:
     """The calls of *routine* in another, those that begin a thread with it there, and why it may be run in other ways."""
-    mentions = _names(code, where).get(name)
-    if mentions is None:
-        return Runs()
+    mentions = _names(code, where)[name]
     accounted: set[int] = set()
     calls: list[tuple[Routine, Call]] = []
     threads: list[tuple[Routine, Call]] = []

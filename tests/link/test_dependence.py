@@ -32,6 +32,13 @@ CPP = {
     "a local of the same name": ("@one int count_ = 1; count_++; @tick std_msgs::String s; fill(s, this->count_); pub_.publish(s);",
                                  {"timer": DIRECT}),
     "a log": ('@one ROS_INFO("%d", count_); @tick send();', {"timer": DIRECT}),
+    "what a function logs": ('@one count_ = 1; @tick look(); send();', {"timer": DIRECT}),
+    "a function decides that logs": ("@one count_ = 1; @tick if (told()) send();", {"timer": DIRECT}),
+    "a function decides": ("@one count_ = 1; @tick if (asked()) send();", {"timer": DIRECT, "/one": COUNT}),
+    "a function sets it": ("@one count_ = 1; @tick begin(); send();", {"timer": DIRECT}),
+    "a function sets and decides": ("@one count_ = 1; @tick if (begin()) send();", {"timer": DIRECT}),
+    "a number is shifted": ("@one int n = 4; n = n >> count_; @tick if (count_) send();", {"timer": DIRECT}),
+    "taken out of a stream": ("@one std::stringstream s; s >> count_; @tick if (count_) send();", {"timer": DIRECT, "/one": COUNT}),
     "a loop around it": ("@one count_ = 2; @tick for (int i = 0; i < count_; ++i) send();", {"timer": DIRECT, "/one": COUNT}),
     "an unknown library changes it": ("@one mix(m_); @tick send();", {"timer": DIRECT, "/one": "? state m_"}),
     "a method of a container": ("@one m_.data.append(m.data); @tick send();", {"timer": DIRECT, "/one": MESSAGE}),
@@ -40,11 +47,16 @@ CPP = {
     "a copy": ("@one auto s = m_; s.data = m.data; @tick send();", {"timer": DIRECT}),
 }  # fmt: skip
 
+METHODS = """void look() { ROS_INFO("%d", count_); }
+bool told() { ROS_WARN_STREAM_COND(!count_, "so many"); return true; }
+bool begin() { count_ = 0; return true; }
+bool asked() { return count_ > 0; }"""
+
 
 @pytest.mark.parametrize("case", CPP)
 def test_callbacks_of_a_class_cause_what_they_send_or_decide_on(case: str) -> None:
     callbacks, expected = CPP[case]
-    assert of_class(callbacks) == expected
+    assert of_class(callbacks, METHODS) == expected
 
 
 HELPER = "struct H { int n = 0; int m = 0; void put(int v) { n = v; } int get() const { return n; } int other() { return m; } };"
