@@ -32,15 +32,15 @@ def with_dependence(
     ros = {package.name: package.ros for package in workspace.packages if package.ros is not None}
     code = codebase(sources, workspace.text, ros)
     made = [(one, dependence_of(one, code)) for one in found.configurations]
-    wanted = [*((name, True) for name in affects), *((name, False) for name in caused_by)]
+    asked = [*((name, True) for name in affects), *((name, False) for name in caused_by)]
     known = {name for _, dependence in made for name in names(dependence)}
-    for name, _ in wanted:
+    for name, _ in asked:
         if name not in known:
             near = get_close_matches(name, sorted(known), 3)
             advice = f"did you mean {' or '.join(near)}?" if near else "haros-ci model --dependence lists them"
             raise UserError(f"no node is on {name}", help=advice)
     every = (
-        replace(one, dependence=replace(dependence, slices=tuple(sliced(dependence, *which) for which in wanted)))
+        replace(one, dependence=replace(dependence, slices=tuple(sliced(dependence, *which) for which in asked)))
         for one, dependence in made
     )
     return replace(found, configurations=tuple(every))
