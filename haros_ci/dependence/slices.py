@@ -10,7 +10,7 @@ from haros_ci import syntax
 from haros_ci.code.body import Call
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.dependence.steps import Guard, Step, all_nodes, steps
-from haros_ci.dependence.targets import closure, targets
+from haros_ci.dependence.targets import closure, mentioned, targets
 from haros_ci.dependence.uses import calls_by_node, is_log, uses, uses_in
 from haros_ci.dependence.variables import Held
 from haros_ci.dependence.writes import change
@@ -75,8 +75,8 @@ class _Slicer:
     steps_seen: set[int] = field(default_factory=set)
 
     def expressions(self, step: Step, values: tuple[Expression, ...]) -> None:
-        mentioned, reads = _facts(self.code, self.routine, step, values)
-        for what in mentioned:
+        names, reads = _facts(self.code, self.routine, step, values)
+        for what in names:
             if what not in self.seen:
                 self.seen.add(what)
                 self.waiting.append(what)
@@ -124,13 +124,13 @@ def _facts(
     """What *values* mention, and what the functions of the workspace that they call depend on."""
     key = ("facts", id(routine), tuple(map(id, values)))
     if key not in code.kept:
-        mentioned = dict.fromkeys(use.what for use in uses_in(code, routine, step, values) if use.role not in UNREAD)
+        names = dict.fromkeys(use.what for use in uses_in(code, routine, step, values) if use.role not in UNREAD)
         reads: dict[Held, str] = {}
         for target, reason in _run_by(code, routine, values):
             for what, why in reads_of(code, target).items():
                 if reads.get(what, "?") != "":
                     reads[what] = reason or why
-        code.kept[key] = tuple(mentioned), reads
+        code.kept[key] = tuple(names), reads
         code.kept["keep", key] = routine, values
     found: tuple[tuple[Held, ...], dict[Held, str]] = code.kept[key]  # type: ignore[assignment]
     return found
@@ -147,6 +147,7 @@ def _run_by(code: Codebase, routine: Routine, values: tuple[Expression, ...]) ->
         call = known.get(id(node))
         if call is not None and not is_log(code, routine, call):
             yield from targets(code, routine, call)
+    yield from mentioned(code, routine, values)
 
 
 def _changing(code: Codebase, routine: Routine) -> dict[Held, list[Step]]:

@@ -5,10 +5,13 @@ from __future__ import annotations
 
 from haros_ci import syntax
 from haros_ci.code import classes, kinds
-from haros_ci.code.body import Call, last_part
+from haros_ci.code.body import Call, last_part, nodes
 from haros_ci.code.calls import called, function_meant
 from haros_ci.code.codebase import Codebase, Routine
+from haros_ci.dependence.steps import steps
+from haros_ci.dependence.variables import held
 from haros_ci.rates.runs import may_run
+from haros_ci.syntax import Expression
 
 #: Of functions of one name so many are looked at.
 MOST = 400
@@ -96,6 +99,27 @@ def by_name(code: Codebase, name: str, is_python: bool) -> tuple[Routine, ...]:
     return found
 
 
+def mentioned(code: Codebase, routine: Routine, values: tuple[Expression, ...]) -> tuple[Target, ...]:
+    """Functions that *values* name without calling them: properties of Python, and what is handed on to be called."""
+    found: dict[int, Target] = {}
+    callees: set[int] = set()
+    for node in (inner for value in values for inner in nodes(value)):
+        if isinstance(node, syntax.Call):
+            callees.add(id(node.callee))
+        if not isinstance(node, (syntax.Name, syntax.Member)) or id(node) in callees:
+            continue
+        name = node.name.rpartition("::")[2]
+        if not by_name(code, name, routine.is_python) or held(code, routine, node) is not None:
+            continue
+        for one in function_meant(code, routine, node):
+            found[id(one)] = one, ""
+        if not found and isinstance(node, syntax.Member) and routine.is_python:
+            for other in by_name(code, name, True)[:MOST]:
+                if other.function.decorators and other.owner:
+                    found[id(other)] = other, f"{routine.title} may ask for the property {name}"
+    return tuple(found.values())
+
+
 def closure(code: Codebase, routine: Routine) -> dict[int, Target]:
     """All that runs when *routine* runs, itself included, by identity: certain ways first."""
     key = ("closure", id(routine))
@@ -111,7 +135,19 @@ def closure(code: Codebase, routine: Routine) -> dict[int, Target]:
             for call in code.body(one).calls:
                 for target, why in targets(code, one, call):
                     (unsure if reason or why else sure).append((target, reason or why))
+            for target, why in _all_mentioned(code, one):
+                (unsure if reason or why else sure).append((target, reason or why))
         code.kept[key] = found
         code.kept["keep", id(routine)] = routine
     known: dict[int, Target] = code.kept[key]  # type: ignore[assignment]
     return known
+
+
+def _all_mentioned(code: Codebase, routine: Routine) -> tuple[Target, ...]:
+    key = ("functions mentioned", id(routine))
+    if key not in code.kept:
+        every = tuple(value for step in steps(code, routine) for value in step.values)
+        code.kept[key] = mentioned(code, routine, every)
+        code.kept["keep", id(routine)] = routine
+    found: tuple[Target, ...] = code.kept[key]  # type: ignore[assignment]
+    return found

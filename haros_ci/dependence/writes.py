@@ -83,7 +83,7 @@ def writes(code: Codebase, what: Held, is_python: bool) -> Writes:
     key = ("writes", what, is_python)
     if key not in code.kept:
         found: list[Write] = []
-        hidden = ""
+        hidden = _by_text(code, what) if is_python else ""
         for routine, use in uses_of(code, what, is_python):
             reason = change(code, routine, use)
             if reason is not None:
@@ -92,6 +92,13 @@ def writes(code: Codebase, what: Held, is_python: bool) -> Writes:
         code.kept[key] = Writes(tuple(found), hidden)
     known: Writes = code.kept[key]  # type: ignore[assignment]
     return known
+
+
+def _by_text(code: Codebase, what: Held) -> str:
+    """Why an attribute may be set by a name that is a text; "" if its file does not do that."""
+    path = what.owner.partition(":")[0]
+    text = code.text(path) if what.kind == "member" else ""
+    return f"{path} sets attributes by their names" if "setattr(" in text or "__dict__" in text else ""
 
 
 def change(code: Codebase, routine: Routine, use: Use) -> str | None:

@@ -129,6 +129,10 @@ PYTHON = {
     "a local that is it": ("x = self.last\n    x.data = m.data", "self.pub.publish(self.last)",
                            {"timer": "direct", "/one": "state last"}),
     "a log": ("rospy.loginfo(self.last)", "self.pub.publish(self.last)", {"timer": "direct"}),
+    "a property": ("self.last = m", "if self.known:\n      self.pub.publish(String())", {"timer": "direct", "/one": "state last"}),
+    "a function that is handed on": ("self.last = m", "self.pub.publish(max([1, 2], key=self.cost))",
+                                     {"timer": "direct", "/one": "state last"}),
+    "a property of something else": ("self.seen = m", "if self.known:\n      self.pub.publish(String())", {"timer": "direct"}),
     "a library": ("stir(self.last)", "self.pub.publish(self.last)", {"timer": "direct", "/one": "? state last"}),
 }  # fmt: skip
 
@@ -146,6 +150,11 @@ def test_python(case: str) -> None:
     self.pub = rospy.Publisher("/out", String, queue_size=1)
     self.sub = rospy.Subscriber("/one", String, self.got)
     self.timer = rospy.Timer(rospy.Duration(1), self.tick)
+  @property
+  def known(self):
+    return self.last is not None
+  def cost(self, n):
+    return self.last.data
   def got(self, m):
     {got}
   def tick(self, event):
