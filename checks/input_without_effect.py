@@ -7,10 +7,11 @@ from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Project, listed
 from haros_ci.api.code import callbacks
-from haros_ci.api.dependence import unread
 
 
 def check(project: Project) -> Iterator[Finding]:
+    from haros_ci.api.dependence import unread
+
     code = project.code
     for callback in callbacks(code):
         if callback.kind != "subscription" or callback.routine.is_test or callback.maker.is_test:

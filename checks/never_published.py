@@ -4,9 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from haros_ci.api import Check, Decidability, End, Finding, Level, Project, System, SystemNode, listed, unmet
-from haros_ci.api.dependence import Output
+
+if TYPE_CHECKING:  # it is loaded where there is something to ask
+    from haros_ci.api.dependence import Output
 
 
 def check(project: Project) -> Iterator[Finding]:

@@ -7,8 +7,7 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Project, syntax
-from haros_ci.api.code import Call, Codebase, Routine, call_place, dotted, is_node, type_name
-from haros_ci.api.dependence import late
+from haros_ci.api.code import Call, Codebase, Routine, call_place, dotted, is_node, late, type_name
 
 #: What gives subscribers time to connect, or asks whether they have.
 WAITS = re.compile(r"sleep|wait|spin|[gG]etNumSubscribers|get_num_connections|get_subscription_count|on_activate|latch")

@@ -66,6 +66,7 @@ from haros_ci.code.kinds import (
     type_of,
     variable,
 )
+from haros_ci.code.made_late import late
 from haros_ci.code.message_names import ros_type
 from haros_ci.code.paths import undone_ways
 from haros_ci.code.taint import carried, followed
@@ -79,13 +80,13 @@ from haros_ci.syntax import Program
 __all__ = [
     "ASKED",
     "DEFAULT",
+    "LOADS",
     "Body",
     "Call",
     "Callback",
+    "ClientOrigin",
     "Codebase",
     "FunctionParameter",
-    "LOADS",
-    "ClientOrigin",
     "Misfit",
     "Place",
     "Program",
@@ -106,6 +107,7 @@ __all__ = [
     "class_named",
     "class_of",
     "client_made",
+    "commented_blocks",
     "dotted",
     "excludes",
     "followed",
@@ -119,8 +121,8 @@ __all__ = [
     "is_lookup",
     "is_node",
     "last_part",
+    "late",
     "methods",
-    "commented_blocks",
     "misfits",
     "names_in",
     "node_name",
@@ -132,11 +134,11 @@ __all__ = [
     "reached",
     "resolved",
     "ros_type",
+    "switched_off",
+    "turns_never",
     "type_name",
     "type_of",
-    "switched_off",
     "undefined_names",
-    "turns_never",
     "undone_ways",
     "unset_attributes",
     "uses",

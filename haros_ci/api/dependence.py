@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
-from haros_ci.dependence.effects import late, unread
+from haros_ci.dependence.effects import unread
 from haros_ci.dependence.nodes import node_dependence
 from haros_ci.model.dependence import Cause, NodeDependence, Output
 
-__all__ = ["Cause", "NodeDependence", "Output", "late", "node_dependence", "unread"]
+__all__ = ["Cause", "NodeDependence", "Output", "node_dependence", "unread"]

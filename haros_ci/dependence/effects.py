@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 
 from haros_ci import syntax
 from haros_ci.code import classes, kinds
@@ -13,7 +12,7 @@ from haros_ci.code.callbacks import Callback
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.dependence.steps import Step, steps
 from haros_ci.dependence.targets import by_name, closure, targets
-from haros_ci.dependence.uses import Use, uses
+from haros_ci.dependence.uses import Use, uses, uses_of
 from haros_ci.dependence.variables import Held
 from haros_ci.dependence.writes import change
 
@@ -116,52 +115,5 @@ def _is_unread(code: Codebase, what: Held, routine: Routine) -> bool:
 
 def _assigned(code: Codebase, what: Held, is_python: bool) -> int:
     """How often a member is assigned to, its declaration counted."""
-    from haros_ci.dependence.uses import uses_of
-
     found = [use for _, use in uses_of(code, what, is_python) if use.role in ("whole", "set")]
     return len(found) + (0 if is_python else 1)
-
-
-def late(code: Codebase) -> Iterator[tuple[Routine, Call, Call]]:
-    """Publishers that a callback makes in a variable of its own, each with the call that makes it and the first that publishes."""
-    from haros_ci.code.ways import in_callbacks
-
-    seen: set[int] = set()
-    for reached in in_callbacks(code):
-        routine = reached.routine
-        if id(routine) in seen or routine.is_test:
-            continue
-        seen.add(id(routine))
-        yield from _late(code, routine)
-
-
-def _late(code: Codebase, routine: Routine) -> Iterator[tuple[Routine, Call, Call]]:
-    calls = code.body(routine).calls
-    for made in calls:
-        if made.name not in ("advertise", "create_publisher", "Publisher"):
-            continue
-        name = _variable(code, routine, made)
-        first = next((one for one in calls if one.name == "publish" and one.receiver == syntax.Name(name)), None)
-        if name and first is not None:
-            yield routine, made, first
-
-
-def _variable(code: Codebase, routine: Routine, made: Call) -> str:
-    """The local variable that a call's result is kept in; "" for anything else."""
-    body = code.body(routine)
-    for name, every in body.variables.items():
-        if any(one.value is made.whole and not one.is_static for one in every) and len(every) == 1:
-            return name
-    for target, operator, value, _ in body.sets:
-        if value is made.whole and operator == "=" and isinstance(target, syntax.Name) and routine.is_python:
-            return (
-                target.name if kinds.is_local(code, routine, target.name) or _is_assigned(code, routine, target) else ""
-            )
-    return ""
-
-
-def _is_assigned(code: Codebase, routine: Routine, target: syntax.Name) -> bool:
-    from haros_ci.dependence.variables import held
-
-    what = held(code, routine, target)
-    return what is not None and what.kind == "local"

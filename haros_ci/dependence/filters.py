@@ -41,12 +41,11 @@ def _passed_on(code: Codebase, location: Location) -> Iterator[Callback]:
 
 
 def _is_at(step: Step, location: Location) -> bool:
-    if step.name and (step.line, step.column) == (location.line, location.column):
+    at = location.line or 0, location.column or 0
+    if (step.line, step.column) == at:
         return True
-    places = (
-        (node.line, node.column) for node in all_nodes(step.values) if isinstance(node, (syntax.Call, syntax.New))
-    )
-    return (location.line, location.column) in places or (step.line, step.column) == (location.line, location.column)
+    made = (node for node in all_nodes(step.values) if isinstance(node, (syntax.Call, syntax.New)))
+    return any((node.line, node.column) == at for node in made)
 
 
 def _near(code: Codebase, routine: Routine, step: Step) -> set[Held]:
