@@ -209,3 +209,39 @@ struct A {
   void got(const std_msgs::StringConstPtr& m, const std_msgs::StringConstPtr& n) { pub_.publish(m); }
 };"""
     assert said(cpp("A a(nh);", before)["/out"]) == {"/one": "direct", "/two": "direct"}
+
+
+def test_a_method_that_overrides_one_may_run_where_that_is_called() -> None:
+    from dependence_kit import cpp, said
+
+    before = """struct B {
+  virtual void send() {}
+  void one(const std_msgs::String& m) { send(); }
+  ros::Subscriber sub_;
+};
+struct A : B {
+  A(ros::NodeHandle& nh) { pub_ = ADV("/out", 1); sub_ = SUB("/one", 1, &B::one, this); }
+  void send() override { pub_.publish(std_msgs::String()); }
+  ros::Publisher pub_;
+};"""
+    assert said(cpp("A a(nh);", before)["/out"]) == {"/one": "? direct"}
+
+
+def test_an_attribute_that_is_set_by_its_name_may_be_any() -> None:
+    from dependence_kit import said
+
+    body = """class A:
+  def __init__(self):
+    self.last = String()
+    self.pub = rospy.Publisher("/out", String, queue_size=1)
+    self.sub = rospy.Subscriber("/one", String, self.got)
+    self.timer = rospy.Timer(rospy.Duration(1), self.tick)
+  def got(self, m):
+    setattr(self, m.data, m)
+  def tick(self, event):
+    self.pub.publish(self.last)
+a = A()
+rospy.spin()
+"""
+    found = said(python(body)["/out"])
+    assert found["timer"] == "direct" and "by their names" in found["more"]
