@@ -10,7 +10,7 @@ from haros_ci import syntax
 from haros_ci.code.body import Call
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.dependence.steps import Guard, Step, all_nodes, steps
-from haros_ci.dependence.targets import closure, mentioned, targets
+from haros_ci.dependence.targets import closure, mentioned, registered, targets
 from haros_ci.dependence.uses import calls_by_node, is_log, uses, uses_in
 from haros_ci.dependence.variables import Held
 from haros_ci.dependence.writes import change
@@ -142,7 +142,7 @@ def _run_by(code: Codebase, routine: Routine, values: tuple[Expression, ...]) ->
     for node in all_nodes(values):
         if isinstance(node, syntax.Lambda):
             inner = code.inner(routine, node.function)
-            if inner is not None:
+            if inner is not None and id(inner) not in registered(code):
                 yield inner, ""
         call = known.get(id(node))
         if call is not None and not is_log(code, routine, call):

@@ -6,6 +6,7 @@ from __future__ import annotations
 from haros_ci import syntax
 from haros_ci.code import classes, kinds
 from haros_ci.code.body import Call, last_part, nodes
+from haros_ci.code.callbacks import callbacks
 from haros_ci.code.calls import called, function_meant
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.dependence.steps import steps
@@ -75,9 +76,17 @@ def _given(code: Codebase, routine: Routine, call: Call) -> tuple[Target, ...]:
         value = argument.value if isinstance(argument, syntax.Keyword) else argument
         if isinstance(value, syntax.Lambda):
             inner = code.inner(routine, value.function)
-            if inner is not None:
+            if inner is not None and id(inner) not in registered(code):
                 found.append((inner, ""))
     return tuple(found)
+
+
+def registered(code: Codebase) -> frozenset[int]:
+    """The functions that are callbacks, by identity: who names one registers it, and does not run it."""
+    if "registered" not in code.kept:
+        code.kept["registered"] = frozenset(id(callback.routine) for callback in callbacks(code))
+    found: frozenset[int] = code.kept["registered"]  # type: ignore[assignment]
+    return found
 
 
 def by_name(code: Codebase, name: str, is_python: bool) -> tuple[Routine, ...]:
@@ -112,7 +121,8 @@ def mentioned(code: Codebase, routine: Routine, values: tuple[Expression, ...]) 
         if not by_name(code, name, routine.is_python) or held(code, routine, node) is not None:
             continue
         for one in function_meant(code, routine, node):
-            found[id(one)] = one, ""
+            if id(one) not in registered(code):
+                found[id(one)] = one, ""
         if not found and isinstance(node, syntax.Member) and routine.is_python:
             for other in by_name(code, name, True)[:MOST]:
                 if other.function.decorators and other.owner:

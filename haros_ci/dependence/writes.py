@@ -126,7 +126,7 @@ def _called(code: Codebase, routine: Routine, use: Use) -> str | None:
 
 def _given(code: Codebase, routine: Routine, use: Use) -> str | None:
     call = use.call
-    if call is None or call.name in PURE:
+    if call is None or call.name in PURE or syntax.name_of(call.callee).startswith("std::chrono::"):
         return None
     sure = [target for target, reason in targets(code, routine, call) if target.function.kind != "lambda"]
     if sure:

@@ -59,6 +59,15 @@ def test_callbacks_of_a_class_cause_what_they_send_or_decide_on(case: str) -> No
     assert of_class(callbacks, METHODS) == expected
 
 
+def test_a_callback_is_not_run_where_it_is_registered() -> None:
+    more = "other_ = nh.createTimer(ros::Duration(made(period_)), &A::often, this);"
+    members = (
+        "void often(const ros::TimerEvent&) { if (count_ > period_) count_ = 0; } double period_; ros::Timer other_;"
+    )
+    found = of_class("@one count_ = 1; @tick if (period_ > 3) send();", members, more)
+    assert "/one" not in found and found["timer"] == DIRECT
+
+
 HELPER = "struct H { int n = 0; int m = 0; void put(int v) { n = v; } int get() const { return n; } int other() { return m; } };"
 OBJECTS = {
     "an object keeps it": ("@one h_.put(1); @tick if (h_.get()) send();", "state n"),
