@@ -42,9 +42,9 @@ from haros_ci.results.fix import Edit, Fix
 from haros_ci.results.rule import Level
 
 __all__ = [
+    "API_VERSION",
     "ACTION",
     "ALWAYS",
-    "API_VERSION",
     "NO_SYSTEMS",
     "SERVICE",
     "TOPIC",
@@ -79,9 +79,9 @@ __all__ = [
     "is_given_away",
     "is_idle",
     "is_mentioned",
+    "is_read_besides",
     "is_moved",
     "is_opaque",
-    "is_read_besides",
     "is_slip",
     "line_of",
     "listed",

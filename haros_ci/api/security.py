@@ -11,9 +11,9 @@ __all__ = [
     "NodeProfile",
     "Permission",
     "Policy",
-    "Rules",
     "enclave_of",
     "is_common",
+    "Rules",
     "read_policy",
     "verdict",
 ]
