@@ -12,7 +12,7 @@ from haros_ci.code.callbacks import Callback
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.code.dead import is_dead
 from haros_ci.dependence.slices import Slice, arguments_for, slice_of
-from haros_ci.dependence.steps import Guard, Step, all_nodes, step_of, steps
+from haros_ci.dependence.steps import Step, all_nodes, step_of, steps
 from haros_ci.dependence.variables import Held, held
 from haros_ci.rates.runs import FRAMEWORK, HARMLESS, UNCALLED, runs
 from haros_ci.syntax import Expression
@@ -237,14 +237,3 @@ def _is_inline(code: Codebase, outer: Routine, step: Step, node: syntax.Lambda) 
             mentions += isinstance(inner, syntax.Name) and inner.name == step.name
             calls += isinstance(inner, syntax.Call) and inner.callee == syntax.Name(step.name)
     return mentions == calls
-
-
-def conditions(chain: Chain, code: Codebase) -> tuple[tuple[Routine, Guard, bool], ...]:
-    """The conditions on the way: each with the routine that it stands in, and whether it is one that leaves before."""
-    from haros_ci.dependence.slices import exits
-
-    found: list[tuple[Routine, Guard, bool]] = []
-    for routine, step in chain:
-        found += [(routine, guard, False) for guard in step.around]
-        found += [(routine, guard, True) for guard in exits(code, routine, step)]
-    return tuple(found)

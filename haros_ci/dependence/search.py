@@ -13,7 +13,7 @@ from haros_ci.dependence.steps import Step
 from haros_ci.dependence.variables import Held
 from haros_ci.dependence.writes import Write, writes
 from haros_ci.model.dependence import DIRECT, PERHAPS, STATE
-from haros_ci.syntax import Name
+from haros_ci.syntax import Member, Name, This
 
 #: What the transforms of others arrive in (docs.ros.org: tf, tf2_ros).
 TRANSFORMS = frozenset(
@@ -128,16 +128,12 @@ class _Search:
             (self.unsure if why else self.sure).append(made)
 
     def holds_transforms(self, what: Held, every: tuple[Write, ...]) -> bool:
-        if what.kind == "variable" and not every:
+        """Whether transforms of others arrive in *what*."""
+        if not every:
             return False
-        for write in every[:1]:
-            name = kinds.type_name(self.code, write.routine, Name(what.name))
-            if self.is_python and what.kind == "member":
-                from haros_ci.syntax import Member, This
-
-                name = kinds.type_name(self.code, write.routine, Member(This(), what.name))
-            return name in TRANSFORMS
-        return False
+        is_own = self.is_python and what.kind == "member"
+        value = Member(This(), what.name) if is_own else Name(what.name)
+        return kinds.type_name(self.code, every[0].routine, value) in TRANSFORMS
 
 
 def _rank(way: Way) -> tuple[int, int]:

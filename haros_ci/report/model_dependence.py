@@ -114,7 +114,7 @@ def _of_node(node: NodeDependence) -> Iterator[str]:
         if output.is_start:
             yield f"by itself {name}"
         if output.reason:
-            yield f"? other inputs {name}: {shorten(terminal(output.reason), 160)}"
+            yield f"? other inputs may cause {terminal(output.name)}: {shorten(terminal(output.reason), 160)}"
         elif not output.causes and not output.is_start:
             yield f"nothing {name}"
     for one in node.inputs:
