@@ -250,7 +250,10 @@ def policy(**flags: Any) -> int:
 @hpl_options
 @workspace_options
 def hpl(**flags: Any) -> int:
-    """Check the properties in each FILE, written in HPL, against the language and the workspace (docs/hpl.md)."""
+    """Check the properties in each FILE, written in HPL, against the language and the workspace (docs/hpl.md).
+
+    haros-ci hpl suggest prints properties that the code suggests.
+    """
     from haros_ci.commands import hpl as hpl_command
 
     return hpl_command.hpl(flags)

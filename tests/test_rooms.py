@@ -38,6 +38,8 @@ DOORS: dict[str, set[str]] = {
     "code": {"index", "model", "syntax"},
     # how often code publishes, and what follows for topics
     "rates": {"code", "model", "syntax"},
+    # which inputs of a node can cause which outputs; what runs code, and what sends, it knows from the rates
+    "dependence": {"code", "index", "model", "rates", "syntax"},
     # call sites as text, and what the call graph says of them
     "coverage": {"code", "index", "model", "results", "syntax"},
     "knowledge": set(),
@@ -93,6 +95,7 @@ DOORS: dict[str, set[str]] = {
         "config",
         "coverage",
         "declared",
+        "dependence",
         "errors",
         "extract",
         "forks",
@@ -239,6 +242,7 @@ DOORS: dict[str, set[str]] = {
         "checking",
         "code",
         "config",
+        "dependence",
         "interfaces",
         "knowledge",
         "linters",

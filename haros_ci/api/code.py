@@ -66,6 +66,7 @@ from haros_ci.code.kinds import (
     type_of,
     variable,
 )
+from haros_ci.code.made_late import late
 from haros_ci.code.message_names import ros_type
 from haros_ci.code.paths import undone_ways
 from haros_ci.code.taint import carried, followed
@@ -119,6 +120,7 @@ __all__ = [
     "is_lookup",
     "is_node",
     "last_part",
+    "late",
     "methods",
     "commented_blocks",
     "misfits",

@@ -264,6 +264,9 @@ system_options = options(
     click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations."),
     click.option("--as-running", is_flag=True, help="What ROS 1 nodelets make stands under their manager's name."),
     click.option("--rates", is_flag=True, help="With how often each node publishes, in text and json (docs/rates.md)."),
+    click.option("--dependence", is_flag=True, help="With which inputs cause which outputs (docs/dependence.md)."),
+    click.option("--affects", metavar="NAME", multiple=True, help="All that this topic, service or action reaches."),
+    click.option("--caused-by", metavar="NAME", multiple=True, help="All that reaches this topic, service or action."),
     click.option("--no-known-nodes", is_flag=True, help="Leave out what is known of nodes outside the workspace."),
     click.option("--exact", is_flag=True, help="Let libclang fill what is unknown, where ROS headers are installed."),
 )

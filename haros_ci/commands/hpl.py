@@ -5,12 +5,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import click
 
 from haros_ci.commands.common import reported, settings_from, store_for
 from haros_ci.commands.output import parse_outputs
+from haros_ci.errors import UserError
 from haros_ci.pipeline import described, finished, found, own_run, selected, selection_of
 from haros_ci.results.coverage import coverage
 from haros_ci.results.result import Artifact, Report
@@ -18,6 +20,12 @@ from haros_ci.results.result import Artifact, Report
 
 def hpl(flags: Mapping[str, Any]) -> int:
     """Extract, read, check, write every output; exit code 1 for a finding at or above ``--fail-on``, 2 for wrong usage, else 0."""
+    if flags["files"][0] == "suggest" and not Path("suggest").exists():
+        if len(flags["files"]) > 1:
+            raise UserError("haros-ci hpl suggest takes no files", help="--configuration NAME chooses what it is about")
+        from haros_ci.commands.hpl_suggest import suggest
+
+        return suggest(flags)
     from haros_ci.analysis.inspection import Architectures
     from haros_ci.analysis.properties import checked
     from haros_ci.registry import registry

@@ -28,9 +28,23 @@ from haros_ci.writing import put as put_bytes
 #: The most problems that are printed one by one.
 SHOWN = 20
 #: Options that say what of the architecture is made, and how it is written.
-OPTIONS = ("launch", "arg", "env", "no_known_nodes", "as_running", "configuration", "format", "compact", "rates")
+OPTIONS = (
+    *(
+        "launch",
+        "arg",
+        "env",
+        "no_known_nodes",
+        "as_running",
+        "configuration",
+        "format",
+        "compact",
+        "rates",
+        "dependence",
+    ),
+    *("affects", "caused_by"),
+)
 #: Options that choose of what is printed, and change nothing of which calls the model has.
-UNCOVERED = ("configuration", "as_running", "expect", "check_readme", "rates")
+UNCOVERED = ("configuration", "as_running", "expect", "check_readme", "rates", "dependence", "affects", "caused_by")
 #: What --format json --compact is called here.
 COMPACT = "compact json"
 FORMATS = ("text", "json", "dot", "mermaid", "svg", "sqlite", "nodl", "readme")
@@ -74,6 +88,10 @@ def model(flags: Mapping[str, Any]) -> int:
             from haros_ci.analysis.rates import with_rates
 
             found = with_rates(found, made.sources, workspace)
+        if flags["dependence"] or flags["affects"] or flags["caused_by"]:
+            from haros_ci.analysis.dependence import with_dependence
+
+            found = with_dependence(found, made.sources, workspace, flags["affects"], flags["caused_by"])
         found = as_running(found) if flags["as_running"] else found
         problems = (*workspace.problems, *workspace.faults, *found.problems)
         found = replace(found, problems=tuple(dict.fromkeys(problems)))
@@ -198,6 +216,10 @@ def warnings(problems: tuple[Problem, ...]) -> Iterator[str]:
 @timed("render")
 def rendered(found: Architecture, format: str) -> str | bytes:
     """*found* in one of ``FORMATS``, or ``COMPACT``."""
+    if format in ("dot", "mermaid") and any(one.dependence is not None for one in found.configurations):
+        from haros_ci.report import model_dependence_graph as graph
+
+        return graph.dot(found) if format == "dot" else graph.mermaid(found)
     if format == COMPACT:
         from haros_ci.report.model_compact import render
     elif format == "json":

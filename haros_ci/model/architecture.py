@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
+from haros_ci.model.dependence import Dependence
 from haros_ci.model.launch_facts import LaunchFact
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
@@ -206,6 +207,8 @@ class Configuration:
     launch_facts: tuple[LaunchFact, ...] = ()
     #: How often its nodes publish, where that was asked for.
     rates: Rates | None = field(default=None, compare=False)
+    #: Which inputs of its nodes can cause which outputs, where that was asked for.
+    dependence: Dependence | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -22,6 +22,38 @@ QUIET = frozenset(
 )
 #: Those that publish once for each call.
 PUBLISH = frozenset(("publish", "sendTransform"))
+
+
+@dataclass(frozen=True, slots=True)
+class Sending:
+    """How objects of a kind send: by the methods called *names*, or by being *called* themselves; *quiet* ones send nothing."""
+
+    names: frozenset[str]
+    quiet: frozenset[str]
+    is_called: bool = False
+
+
+PUBLISHER_CALLS = Sending(PUBLISH, QUIET)
+#: ros/service_client.h, rclcpp/client.hpp, rospy/impl/tcpros_service.py, rclpy/client.py
+CLIENT_CALLS = Sending(
+    frozenset(("call", "async_send_request", "call_async")),
+    frozenset(
+        "exists waitForExistence isValid shutdown getService isPersistent wait_for_service service_is_ready get_service_name "
+        "reset get close remove_pending_request prune_pending_requests destroy".split()
+    ),
+    True,
+)
+#: actionlib/client/simple_action_client.h, rclcpp_action/client.hpp, actionlib/simple_action_client.py, rclpy/action/client.py
+ACTION_CALLS = Sending(
+    frozenset(
+        "sendGoal sendGoalAndWait async_send_goal send_goal send_goal_and_wait send_goal_async cancelGoal cancelAllGoals "
+        "cancel_goal cancel_all_goals async_cancel_goal async_cancel_all_goals cancelGoalsAtAndBeforeTime stopTrackingGoal".split()
+    ),
+    frozenset(
+        "waitForServer waitForResult getState getResult isServerConnected wait_for_server wait_for_result get_state get_result "
+        "wait_for_action_server action_server_is_ready server_is_ready async_get_result reset get stop_tracking_goal".split()
+    ),
+)
 #: Operators that only look whether a publisher is there.
 TESTS = frozenset(("!", "==", "!=", "&&", "||", "is", "is not", "and", "or", "not"))
 
@@ -44,16 +76,16 @@ class Holder:
     is_local: bool
 
 
-def publishing(code: Codebase, place: Location) -> Publishing:
-    """The publish calls of the publisher that the call at *place* makes."""
+def publishing(code: Codebase, place: Location, sending: Sending = PUBLISHER_CALLS) -> Publishing:
+    """The calls that send through the publisher, or client, that the call at *place* makes."""
     key = ("publishing", place)
     if key not in code.kept:
-        code.kept[key] = _publishing(code, place)
+        code.kept[key] = _publishing(code, place, sending)
     found: Publishing = code.kept[key]  # type: ignore[assignment]
     return found
 
 
-def _publishing(code: Codebase, place: Location) -> Publishing:
+def _publishing(code: Codebase, place: Location, sending: Sending) -> Publishing:
     holders = list(_holders(code, place))
     if len(holders) != 1:
         return Publishing((), "it is not seen what the publisher is kept in")
@@ -61,7 +93,7 @@ def _publishing(code: Codebase, place: Location) -> Publishing:
     calls: list[tuple[Routine, Call]] = []
     reason = ""
     for routine in _routines(code, holder):
-        found, why = _in_routine(code, routine, holder, place)
+        found, why = _in_routine(code, routine, holder, place, sending)
         calls += found
         reason = reason or why
     if not calls and not reason:
@@ -165,7 +197,7 @@ def related(code: Codebase, one: classes.Owner, other: classes.Owner) -> bool:
 
 
 def _in_routine(
-    code: Codebase, routine: Routine, holder: Holder, place: Location
+    code: Codebase, routine: Routine, holder: Holder, place: Location, sending: Sending
 ) -> tuple[list[tuple[Routine, Call]], str]:
     """The publish calls of a routine, and why there may be others in it or through it."""
     parts = (*routine.function.inits, *(routine.function.body or ()))
@@ -184,7 +216,7 @@ def _in_routine(
             node = node.value
         return bool(_mentions(code, routine, holder, node))
 
-    calls, seen, reason = _called_on(code, routine, means)
+    calls, seen, reason = _called_on(code, routine, means, sending)
     for target, _, value, _ in code.body(routine).sets:
         if means(target):
             if not (_is_at(value, place) or isinstance(value, syntax.Null) or _is_empty(value)):
@@ -197,16 +229,19 @@ def _in_routine(
 
 
 def _called_on(
-    code: Codebase, routine: Routine, means: Callable[[Expression], bool]
+    code: Codebase, routine: Routine, means: Callable[[Expression], bool], sending: Sending
 ) -> tuple[list[tuple[Routine, Call]], int, str]:
     """The publish calls, the number of all calls on the publisher, and which call may do something else with it."""
     calls, seen, reason = [], 0, ""
     for call in code.body(routine).calls:
         if call.receiver is not None and means(call.receiver):
-            if call.name in PUBLISH:
+            if call.name in sending.names:
                 calls.append((routine, call))
-            elif call.name not in QUIET:
+            elif call.name not in sending.quiet:
                 reason = f"{routine.title} calls {call.name} on it"
+            seen += 1
+        elif sending.is_called and means(call.callee):
+            calls.append((routine, call))
             seen += 1
     return calls, seen, reason
 

@@ -14,7 +14,7 @@ from haros_ci.code.body import Call, last_part
 from haros_ci.code.callbacks import Callback, callbacks, given_function
 from haros_ci.code.calls import called, function_meant
 from haros_ci.code.codebase import Codebase, Routine
-from haros_ci.syntax import Expression
+from haros_ci.syntax import Expression, Record
 from haros_ci.syntax.walk import everything
 
 #: Bases that call nothing of a class but what it registers.
@@ -28,6 +28,8 @@ THREADS = frozenset(("thread", "Thread", "create_thread", "jthread"))
 STARTS = frozenset(("onInit",))
 #: Methods that ROS libraries call by themselves, whatever else does.
 FRAMEWORK = frozenset("on_configure on_activate on_deactivate on_cleanup on_shutdown on_error".split())
+#: The reason where nothing is seen to run a function.
+UNCALLED = "it is not seen who calls it"
 #: Routines that mention a name and are looked at.
 MOST = 4_000
 
@@ -37,6 +39,7 @@ class Runs:
     """The *callbacks* that a routine is, the *calls* that run it, whether it is where a program or thread *begins*.
 
     *is_made* says that it runs whenever an object is made; *reason* why there may be more, "" if these are all.
+    *perhaps* are the calls that may run it, *hidden* why more may run it that is no such call.
     """
 
     callbacks: tuple[Callback, ...] = ()
@@ -46,6 +49,8 @@ class Runs:
     #: The calls that begin a thread with it.
     threads: tuple[tuple[Routine, Call], ...] = ()
     reason: str = ""
+    perhaps: tuple[tuple[Routine, Call], ...] = ()
+    hidden: str = ""
 
 
 def runs(code: Codebase, routine: Routine) -> Runs:
@@ -66,15 +71,16 @@ def _runs(code: Codebase, routine: Routine) -> Runs:
     if function.kind == "module" or (name == "main" and not function.owner and not routine.is_python):
         return Runs(begins=True)
     if function.kind == "lambda" or routine.outer is not None and not name:
-        return Runs(reason="it is not seen who calls the lambda")
+        return _unseen("it is not seen who calls the lambda")
     if function.kind == "constructor" or (routine.is_python and name == "__init__"):
         return Runs(begins=True, is_made=True)
     if function.kind == "destructor":
-        return Runs(reason="it runs when an object is gone")
-    outside = _overrides(code, routine, name)
-    if outside:
-        return Runs(reason=outside)
-    return _mentioned(code, routine, name, own)
+        return _unseen("it runs when an object is gone")
+    return _mentioned(code, routine, name, own, _overrides(code, routine, name))
+
+
+def _unseen(reason: str) -> Runs:
+    return Runs(reason=reason, hidden=reason)
 
 
 def _callbacks(code: Codebase) -> dict[int, tuple[Callback, ...]]:
@@ -103,47 +109,48 @@ def _overrides(code: Codebase, routine: Routine, name: str) -> str:
     return f"{outside[0]}, which is not in the workspace, may call it" if is_virtual else ""
 
 
-def _mentioned(code: Codebase, routine: Routine, name: str, own: tuple[Callback, ...]) -> Runs:
+def _mentioned(code: Codebase, routine: Routine, name: str, own: tuple[Callback, ...], hidden: str) -> Runs:
     """What runs a named function, from all mentions of its name in programs of its language."""
     calls: list[tuple[Routine, Call]] = []
     threads: list[tuple[Routine, Call]] = []
+    perhaps: list[tuple[Routine, Call]] = []
     begins = name in STARTS or (routine.is_python and name == "main" and not routine.function.owner)
     count = 0
     for path in sorted(code.mentioning(name)):
         for where in code.routines(path):
+            if name not in _names(code, where):
+                continue
             if where.is_python is not routine.is_python or where.is_test and not routine.is_test:
                 continue
             count += 1
             if count > MOST:
-                return Runs(reason="its name is too common to look at every mention")
-            found, started, why = _in(code, where, routine, name, own)
-            if why:
-                return Runs(reason=why)
-            calls += found
-            threads += started
-    reason = "" if calls or own or begins or threads else "it is not seen who calls it"
-    return Runs(own, tuple(calls), begins, threads=tuple(threads), reason=reason)
+                return _unseen("its name is too common to look at every mention")
+            mentions = _in(code, where, routine, name, own)
+            calls += mentions.calls
+            threads += mentions.threads
+            perhaps += mentions.perhaps
+            hidden = hidden or mentions.hidden
+    reason = hidden or (f"{perhaps[0][0].title} may call it" if perhaps else "")
+    if not (reason or calls or own or begins or threads):
+        reason = hidden = UNCALLED
+    return Runs(own, tuple(calls), begins, False, tuple(threads), reason, tuple(perhaps), hidden)
 
 
-def _in(
-    code: Codebase, where: Routine, routine: Routine, name: str, own: tuple[Callback, ...]
-) -> tuple[list[tuple[Routine, Call]], list[tuple[Routine, Call]], str]:
+def _in(code: Codebase, where: Routine, routine: Routine, name: str, own: tuple[Callback, ...]) -> Runs:
     """The calls of *routine* in another, those that begin a thread with it there, and why it may be run in other ways."""
-    parts = (*where.function.inits, *(where.function.body or ()))
-    mentions = [node for node in everything(parts) if _last(node) == name]
-    if not mentions:
-        return [], [], ""
+    mentions = _names(code, where)[name]
     accounted: set[int] = set()
     calls: list[tuple[Routine, Call]] = []
     threads: list[tuple[Routine, Call]] = []
+    perhaps: list[tuple[Routine, Call]] = []
     registered = {(one.call.line, one.call.column, one.role) for one in own if one.maker is where}
     for call in code.body(where).calls:
         if _last(call.callee) == name:
             targets = called(code, where, call.whole)
             if routine in targets:
                 calls.append((where, call))
-            elif not targets and _may_be(code, where, routine, call.callee):
-                return [], [], f"{where.title} may call it"
+            elif _may_replace(code, routine, targets) or not targets and may_run(code, where, routine, call.callee):
+                perhaps.append((where, call))
             accounted.add(id(call.callee))
         for position, argument in enumerate(call.args):
             role, value = str(position), argument
@@ -159,13 +166,33 @@ def _in(
         if variable.type.name.rpartition("::")[2] in THREADS and any(
             routine in function_meant(code, where, part) for part in variable.parts
         ):
-            return [], [], f"{where.title} begins a thread with it"
+            return _unseen(f"{where.title} begins a thread with it")
     for target, _, _, _ in code.body(where).sets:
         accounted.add(id(target))
     for node in mentions:
         if id(node) not in accounted and _is_given(code, where, routine, node):
-            return [], [], f"{where.title} gives it to others"
-    return calls, threads, ""
+            return _unseen(f"{where.title} gives it to others")
+    return Runs(calls=tuple(calls), threads=tuple(threads), perhaps=tuple(perhaps))
+
+
+def _names(code: Codebase, where: Routine) -> dict[str, list[Record]]:
+    """The names and members that a routine mentions, by the last part of their name."""
+    key = ("names", id(where.function))
+    if key not in code.kept:
+        made: dict[str, list[Record]] = {}
+        for node in everything((*where.function.inits, *(where.function.body or ()))):
+            if last := _last(node):
+                made.setdefault(last, []).append(node)
+        code.kept[key] = made
+        code.kept["keep", id(where)] = where
+    found: dict[str, list[Record]] = code.kept[key]  # type: ignore[assignment]
+    return found
+
+
+def _may_replace(code: Codebase, routine: Routine, targets: tuple[Routine, ...]) -> bool:
+    """Whether a method of a derived class may run where one of *targets* is called."""
+    owner = classes.owner_of(code, routine) if targets else None
+    return owner is not None and any(target.owner in classes.base_names(code, owner) for target in targets)
 
 
 def _starts(code: Codebase, where: Routine, call: Call) -> bool:
@@ -183,7 +210,7 @@ def _last(node: object) -> str:
     return ""
 
 
-def _may_be(code: Codebase, where: Routine, routine: Routine, callee: Expression) -> bool:
+def may_run(code: Codebase, where: Routine, routine: Routine, callee: Expression) -> bool:
     """Whether a call of that name that is not known to run anything may run *routine*."""
     if isinstance(callee, syntax.Name):
         if "::" in callee.name:
@@ -207,7 +234,7 @@ def _may_be(code: Codebase, where: Routine, routine: Routine, callee: Expression
     return other[1].name == owner[1].name or owner[1].name in names or other[1].name in names
 
 
-def _is_given(code: Codebase, where: Routine, routine: Routine, node: Expression | object) -> bool:
+def _is_given(code: Codebase, where: Routine, routine: Routine, node: object) -> bool:
     if not isinstance(node, (syntax.Name, syntax.Member)):
         return False
     meant = function_meant(code, where, node)
@@ -215,4 +242,4 @@ def _is_given(code: Codebase, where: Routine, routine: Routine, node: Expression
         return routine in meant
     if isinstance(node, syntax.Name):
         return not kinds.is_local(code, where, node.name) and not routine.owner
-    return _may_be(code, where, routine, node) and not kinds.type_name(code, where, node)
+    return may_run(code, where, routine, node) and not kinds.type_name(code, where, node)

@@ -38,6 +38,7 @@ from haros_ci.report.channels import (
     place_key,
 )
 from haros_ci.report.escape import terminal
+from haros_ci.report.model_dependence import dependence_of
 from haros_ci.report.model_rates import rates_of
 
 SCHEMA_VERSION = 1
@@ -151,6 +152,7 @@ def _configuration(configuration: Configuration, place: Places) -> dict[str, Any
         **{what: [_channel(item, place) for item in found if item.what == what] for what in CHANNELS},
         "user_data": plain(configuration.user_data),
         **({} if configuration.rates is None else {"rates": rates_of(configuration.rates, place.location)}),
+        **({} if configuration.dependence is None else dependence_of(configuration.dependence, place.location)),
     }
 
 

@@ -12,6 +12,7 @@ from haros_ci.model.location import Location
 from haros_ci.report.channels import CHANNELS, channels, endpoints_of, is_known, nodes_of
 from haros_ci.report.escape import terminal
 from haros_ci.report.message import shorten
+from haros_ci.report.model_dependence import lines as dependence_lines
 from haros_ci.report.model_rates import lines
 from haros_ci.report.summary import plural
 
@@ -126,6 +127,8 @@ def _block(configuration: Configuration) -> Iterator[str]:
     yield from _unknown(gaps(configuration))
     if configuration.rates is not None:
         yield from lines(configuration.rates)
+    if configuration.dependence is not None:
+        yield from dependence_lines(configuration.dependence)
 
 
 def _node(node: Node) -> str:
