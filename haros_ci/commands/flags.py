@@ -27,7 +27,7 @@ def completion_of(what: str) -> Callable[[click.Context, click.Parameter, str], 
     return complete
 
 
-class CommaList(click.ParamType):  # type: ignore[type-arg, unused-ignore]
+class CommaList(click.ParamType):  # type: ignore[type-arg, unused-ignore]  # generic in later versions of click
     """A comma-separated list, given once or several times."""
 
     name = "sel,..."

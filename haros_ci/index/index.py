@@ -107,7 +107,7 @@ class Index:
     def _near(
         self, table: Mapping[str, list[tuple[Source, Entity]]], name: str, source: Source, files: frozenset[str]
     ) -> list[tuple[Source, Entity]]:
-        found = dict.get(table, name)  # type: ignore[call-overload]
+        found = dict.get(table, name)  # type: ignore[call-overload]  # every table is a dict, whose own get is passed by
         if found and (name in self.library or name.rpartition("::")[0] in self.library):
             found = [item for item in found if self._may_be_here(item[0], source, files)]
         if not found:

@@ -49,7 +49,7 @@ def publishing(code: Codebase, place: Location) -> Publishing:
     key = ("publishing", place)
     if key not in code.kept:
         code.kept[key] = _publishing(code, place)
-    found: Publishing = code.kept[key]  # type: ignore[assignment]
+    found: Publishing = code.kept[key]
     return found
 
 

@@ -101,7 +101,7 @@ class Cell:
 
     __slots__ = ("born", "type", "value")
 
-    def __init__(self, value: Any, type: Type | None = None) -> None:  # noqa: A002
+    def __init__(self, value: Any, type: Type | None = None) -> None:  # noqa: A002 - the field is called so
         self.value = value
         self.type = type
         self.born = tick()
@@ -244,7 +244,7 @@ def concatenate(values: tuple[Value, ...], show: Function_[[Any], str | Opaque] 
             return chosen if chosen is not None else Opaque("no value")
     for value in values:
         if isinstance(value, Known) and value.__class__ is not Known:
-            joined: Value = value.joined(values, show)  # type: ignore[attr-defined]
+            joined: Value = value.joined(values, show)  # type: ignore[attr-defined]  # a value of that kind has the method
             return joined
     parts: list[str | Opaque] = []
     length = 0

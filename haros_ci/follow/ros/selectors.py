@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
@@ -105,7 +105,7 @@ def value_of(applied: Applied, template: Template) -> Any:
     return concatenate(tuple(values))
 
 
-@lru_cache(maxsize=None)
+@cache
 def literal(text: str) -> Known:
     """A literal of a row: true, false, none, a number or text."""
     if text in ("true", "false"):
