@@ -55,9 +55,12 @@ def text_style(*, to_file: bool) -> tuple[bool, int]:
 
 
 def _text(report: Report, view: Extras) -> str:
-    from haros_ci.report.text import render
+    from haros_ci.report.text import findings, render
 
     color, width = text_style(to_file=view.to_file)
+    if view.flags.get("quiet"):
+        why = view.flags["why"]
+        return findings(view.joined(report).shown(), color=color, width=width, why=why, source=view.source)
     return render(view.joined(report), color=color, width=width, why=view.flags["why"], source=view.source)
 
 
