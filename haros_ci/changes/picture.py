@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from haros_ci.changes.change import Difference
 from haros_ci.changes.names import is_known
-from haros_ci.model.architecture import Architecture, Configuration
+from haros_ci.model.architecture import Architecture, Configuration, Node
 from haros_ci.model.changes import ADDED, REMOVED, RENAMED, Edge
 
 _ENDS = {
@@ -18,6 +18,8 @@ _ENDS = {
     "action server": ("action", True, "action_servers", "action_clients"),
     "action client": ("action", False, "action_servers", "action_clients"),
 }
+#: Kind and whether it gives, by the names of endpoints in the model.
+_SIDES = {ends[2 + number]: (ends[0], number == 0) for ends in _ENDS.values() for number in (0, 1)}
 
 
 def edges(found: Iterable[Difference], head: Architecture, base: Architecture) -> Iterator[Edge]:
@@ -25,6 +27,10 @@ def edges(found: Iterable[Difference], head: Architecture, base: Architecture) -
     states: dict[tuple[str, str, str, bool], str] = {}
     touched: dict[tuple[str, str], None] = {}
     for difference in sorted(found, key=lambda item: (item.configuration, item.name)):
+        if difference.what == "node" and difference.action in (ADDED, REMOVED):
+            for key in _ends(difference, head if difference.action == ADDED else base):
+                states.setdefault(key, difference.action)
+                touched[key[2], key[1]] = None
         kind, is_giver, _, _ = _ENDS.get(difference.what, ("", False, "", ""))
         if not kind or not is_known(difference.name + difference.old_name + difference.node) or not difference.node:
             continue
@@ -44,10 +50,24 @@ def edges(found: Iterable[Difference], head: Architecture, base: Architecture) -
         yield Edge(node=node, channel=channel, kind=kind, is_giver=is_giver, state=state)
 
 
+def _ends(difference: Difference, side: Architecture) -> Iterator[tuple[str, str, str, bool]]:
+    """All ends of a node that comes or goes, on the *side* that has it."""
+    for configuration in side.configurations:
+        if configuration.name == difference.configuration:
+            for node in configuration.nodes:
+                if node.name == difference.name and is_known(node.name):
+                    yield from (key for key in _of(node, implicit=False) if is_known(key[1]))
+
+
 def _around(configuration: Configuration, touched: dict[tuple[str, str], None]) -> Iterator[tuple[str, str, str, bool]]:
-    kinds = {ends[2 + number]: (ends[0], number == 0) for ends in _ENDS.values() for number in (0, 1)}
     for node in configuration.nodes:
-        for end in node.endpoints:
-            kind, is_giver = kinds.get(end.kind, ("", False))
-            if kind and (kind, end.name) in touched and is_known(node.name) and not end.is_ruled_out:
-                yield node.name, end.name, kind, is_giver
+        if is_known(node.name):
+            yield from (key for key in _of(node) if (key[2], key[1]) in touched)
+
+
+def _of(node: Node, *, implicit: bool = True) -> Iterator[tuple[str, str, str, bool]]:
+    """Node, channel, kind and whether it gives, of each end that is not ruled out; those that every node has only if *implicit*."""
+    for end in node.endpoints:
+        kind, is_giver = _SIDES.get(end.kind, ("", False))
+        if kind and not end.is_ruled_out and (implicit or not end.implicit):
+            yield node.name, end.name, kind, is_giver

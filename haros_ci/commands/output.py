@@ -71,12 +71,13 @@ def _sarif(report: Report, view: Extras) -> str:
 
 
 def _github(report: Report, view: Extras) -> str:
-    from haros_ci.report.github import annotations, summary
+    from haros_ci.report.github import annotations, blob_address, summary
 
     page = os.environ.get("GITHUB_STEP_SUMMARY")
+    blob = blob_address(*(os.environ.get(f"GITHUB_{name}", "") for name in ("SERVER_URL", "REPOSITORY", "SHA")))
     if page:
         try:
-            append(Path(page), summary(view.joined(report)))
+            append(Path(page), summary(view.joined(report), blob=blob))
         except (RunFailure, UserError) as err:
             from haros_ci.report.escape import terminal
 
