@@ -28,26 +28,33 @@ def edges(found: Iterable[Difference], head: Architecture, base: Architecture) -
     touched: dict[tuple[str, str], None] = {}
     for difference in sorted(found, key=lambda item: (item.configuration, item.name)):
         if difference.what == "node" and difference.action in (ADDED, REMOVED):
-            for key in _ends(difference, head if difference.action == ADDED else base):
-                states.setdefault(key, difference.action)
-                touched[key[2], key[1]] = None
-        kind, is_giver, _, _ = _ENDS.get(difference.what, ("", False, "", ""))
-        if not kind or not is_known(difference.name + difference.old_name + difference.node) or not difference.node:
-            continue
-        if difference.action in (REMOVED, RENAMED):
-            name = difference.old_name or difference.name
-            states.setdefault((difference.node, name, kind, is_giver), REMOVED)
-            touched[kind, name] = None
-        if difference.action in (ADDED, RENAMED):
-            states.setdefault((difference.node, difference.name, kind, is_giver), ADDED)
-            touched[kind, difference.name] = None
-        if difference.aspect == "type":
-            touched[kind, difference.name] = None
+            changed = [
+                (key, difference.action) for key in _ends(difference, head if difference.action == ADDED else base)
+            ]
+        else:
+            changed = list(_changed(difference))
+        for key, state in changed:
+            if state:
+                states.setdefault(key, state)
+            touched[key[2], key[1]] = None
     for configuration in head.configurations:
         for key in _around(configuration, touched):
             states.setdefault(key, "")
     for (node, channel, kind, is_giver), state in sorted(states.items()):
         yield Edge(node=node, channel=channel, kind=kind, is_giver=is_giver, state=state)
+
+
+def _changed(difference: Difference) -> Iterator[tuple[tuple[str, str, str, bool], str]]:
+    """The end of a difference, under its old and new name, with what becomes of it; "" if it stays, of another type."""
+    kind, is_giver, _, _ = _ENDS.get(difference.what, ("", False, "", ""))
+    if not kind or not is_known(difference.name + difference.old_name + difference.node) or not difference.node:
+        return
+    if difference.action in (REMOVED, RENAMED):
+        yield (difference.node, difference.old_name or difference.name, kind, is_giver), REMOVED
+    if difference.action in (ADDED, RENAMED):
+        yield (difference.node, difference.name, kind, is_giver), ADDED
+    if difference.aspect == "type":
+        yield (difference.node, difference.name, kind, is_giver), ""
 
 
 def _ends(difference: Difference, side: Architecture) -> Iterator[tuple[str, str, str, bool]]:

@@ -35,15 +35,7 @@ def rules(flags: Flags) -> int:
     if unknown:
         raise UserError(f"unknown tool '{unknown[0]}'", help=f"one of {', '.join(tools)}")
     rows = [
-        {
-            "id": f"{tool}:{rule.id}",
-            "level": rule.level.value,
-            "enabled": profile == "all" or profile in rule.profiles,
-            "summary": rule.summary,
-            "aliases": list(rule.aliases),
-            "catalogue": rule.catalogue or None,
-            "tags": list(rule.tags),
-        }
+        row_of(tool, rule, profile)
         for tool, rule in known
         if (not flags["tool"] or tool in flags["tool"]) and fits(flags["filter"], tool, rule)
     ]
@@ -51,6 +43,19 @@ def rules(flags: Flags) -> int:
         rows = [row for row in rows if row["enabled"]]
     click.echo(json.dumps(rows, indent=1, ensure_ascii=False) if flags["as_json"] else table(rows, profile))
     return 0
+
+
+def row_of(tool: str, rule: Rule, profile: str) -> dict[str, object]:
+    """What ``--json`` has of a rule; ``enabled`` is whether *profile* turns it on."""
+    return {
+        "id": f"{tool}:{rule.id}",
+        "level": rule.level.value,
+        "enabled": profile == "all" or profile in rule.profiles,
+        "summary": rule.summary,
+        "aliases": list(rule.aliases),
+        "catalogue": rule.catalogue or None,
+        "tags": list(rule.tags),
+    }
 
 
 def fits(pattern: str | None, tool: str, rule: Rule) -> bool:
