@@ -24,6 +24,13 @@ case "$INPUT_LINTERS" in
   *) fail "The input 'linters' is neither true nor false." ;;
 esac
 
+constraint=()
+case "$INPUT_TOOL_VERSIONS" in
+  pinned) constraint=(--constraint "$GITHUB_ACTION_PATH/action/constraints.txt") ;;
+  newest) ;;
+  *) fail "The input 'tool-versions' is neither pinned nor newest." ;;
+esac
+
 "$INPUT_PYTHON" -I -c 'import sys; sys.exit(sys.version_info < (3, 10))' ||
   fail "The input 'python' does not name a Python 3.10 or later. Put actions/setup-python before this step."
 
@@ -37,13 +44,13 @@ done < <(printf '%s\n' "$INPUT_PLUGIN_PACKAGES" | tr -d '\r' | sed -e 's/^[[:bla
 
 environment="$RUNNER_TEMP/haros-ci-environment"
 made_from="$environment/made-from" # written last: a second use of the action in a job finds it and goes on
-wanted="$GITHUB_ACTION_PATH$extra ${packages[*]-}"
+wanted="$GITHUB_ACTION_PATH$extra $INPUT_TOOL_VERSIONS ${packages[*]-}"
 if [[ -f "$made_from" && "$(cat "$made_from")" == "$wanted" ]]; then
   exit 0
 fi
 "$INPUT_PYTHON" -I -m venv --clear "$environment" ||
   fail "No virtual environment could be made. On Debian and Ubuntu images install python3-venv."
-"$environment/bin/python" -I -m pip install --quiet --disable-pip-version-check --no-input "$GITHUB_ACTION_PATH$extra" ||
+"$environment/bin/python" -I -m pip install --quiet --disable-pip-version-check --no-input ${constraint[@]+"${constraint[@]}"} "$GITHUB_ACTION_PATH$extra" ||
   fail "haros-ci could not be installed; see the log above."
 if [[ ${#packages[@]} -gt 0 ]]; then
   (CDPATH='' cd -- "$RUNNER_TEMP" && "$environment/bin/python" -I -m pip install --quiet --disable-pip-version-check --no-input -- "${packages[@]}") ||

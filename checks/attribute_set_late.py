@@ -152,7 +152,7 @@ def _classes(code: Codebase) -> dict[str, list[tuple[str, syntax.Class]]]:
             for class_ in source.program.classes if source.program.language == "python" else ():
                 made.setdefault(class_.name, []).append((source.path, class_))
         code.kept[key] = made
-    found: dict[str, list[tuple[str, syntax.Class]]] = code.kept[key]  # type: ignore[assignment]  # what is put there above
+    found: dict[str, list[tuple[str, syntax.Class]]] = code.kept[key]
     return found
 
 

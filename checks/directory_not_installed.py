@@ -66,7 +66,7 @@ def check(project: Project) -> Iterator[Finding]:
     leftovers, devel = Leftovers(project), DevelSpaces(project)
     for package in project.packages:
         if _is_readable(package):
-            for folder, place in _launch_folders(package, leftovers):
+            for folder, _place in _launch_folders(package, leftovers):
                 needs.setdefault((package.name, folder), _Need())
             yield from _headers(package, devel)
     idle = needs.keys() - _needed(project, needs)

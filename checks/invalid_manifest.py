@@ -57,7 +57,7 @@ def known_tags(format: int) -> dict[str, tuple[str, ...]]:
     tags |= OF_3
     with_condition = {tag: (*names, "condition") for tag, names in tags.items() if "depend" in tag}
     others: dict[str, tuple[str, ...]] = {"member_of_group": ("condition",), "license": ("file",)}
-    others |= {tag: (*VERSIONS, "condition") for tag in ("conflict", "replace")}
+    others |= dict.fromkeys(("conflict", "replace"), (*VERSIONS, "condition"))
     return {**tags, **with_condition, **others}
 
 

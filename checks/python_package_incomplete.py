@@ -175,7 +175,7 @@ def _directories(package: ProjectPackage, launched: set[tuple[str, str]]) -> Ite
             if section == "develop" and directories.get("install", (value, 0))[0] == value:
                 continue  # reported once, for install
             fixes = []
-            for item, (other, number) in directories.items():
+            for other, number in directories.values():
                 if other == value:
                     text = package.project.text(path).splitlines()[number - 1]
                     at = text.rindex(value)

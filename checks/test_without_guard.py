@@ -46,7 +46,7 @@ def check(project: Project) -> Iterator[Finding]:
             continue
         switch = "CATKIN_ENABLE_TESTING" if package.ros == 1 else "BUILD_TESTING"
         otherwise = re.compile(_OTHERWISE.format(switch), re.IGNORECASE)
-        found = [command for command in (_catkin(package) if package.ros == 1 else _ament(package))]
+        found = list(_catkin(package) if package.ros == 1 else _ament(package))
         if found and not any(
             otherwise.search(project.text(path)) for path in {c.location.path for c in package.build.commands}
         ):

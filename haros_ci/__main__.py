@@ -13,7 +13,7 @@ try:
 except OSError:  # the current directory is gone, and nothing is loaded from it
     pass
 
-from haros_ci.cli import main  # noqa: E402
+from haros_ci.cli import main
 
 if __name__ == "__main__":
     raise SystemExit(main())

@@ -10,10 +10,8 @@ from typing import Any
 
 import click
 
-from haros_ci import __version__
 from haros_ci.commands.flags import (
     analysis_options,
-    completion_of,
     costs_option,
     diff_options,
     file_option,
@@ -22,15 +20,16 @@ from haros_ci.commands.flags import (
     metrics_options,
     monitor_options,
     page_options,
-    plugin_option,
     policy_options,
     query_options,
     report_options,
     system_options,
+    timings_options,
     what_options,
     workspace_options,
 )
 from haros_ci.commands.manual import EXIT_CODES, Group
+from haros_ci.commands.rule_flags import explain_options, rules_options, version_option
 from haros_ci.errors import EXIT_INTERRUPTED, EXIT_TOOL_TROUBLE, EXIT_USAGE, RunFailure, UserError
 from haros_ci.interruption import Interrupted, listening
 from haros_ci.streams import flushed, prepare_streams, write_to_stderr
@@ -89,7 +88,7 @@ def _invoked(argv: list[str]) -> int:
 @click.group(
     cls=Group, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110}, epilog=EXIT_CODES
 )
-@click.version_option(__version__, prog_name="haros-ci")
+@version_option
 def haros_ci() -> None:
     """Linters, metrics and ROS architecture checks for ROS 1 and ROS 2 workspaces, as SARIF, with baselines.
 
@@ -196,7 +195,7 @@ def show(**flags: Any) -> int:
 @click.option("--check-readme", is_flag=True, help="Compare with the interface tables of the packages' READMEs.")
 @click.option("--coverage", is_flag=True, help="Tell which calls of ROS APIs the model has, and which it lacks.")
 @workspace_options
-@click.option("--timings", is_flag=True, help="Say on stderr where the time went.")
+@timings_options
 def model(**flags: Any) -> int:
     """Reconstruct the running system from source: nodes, topics, services, actions, parameters."""
     from haros_ci.commands import model as model_command
@@ -218,7 +217,7 @@ def query(**flags: Any) -> int:
 @metrics_options
 @workspace_options
 @click.option("--jobs", "-j", type=click.IntRange(min=1), help="Processes at once; default: all cores.")
-@click.option("--timings", is_flag=True, help="Say on stderr where the time went.")
+@timings_options
 def metrics(**flags: Any) -> int:
     """Measure functions, classes, files and packages, with HAROS's limits beside the values."""
     from haros_ci.commands import metrics as metrics_command
@@ -272,7 +271,7 @@ def monitor(**flags: Any) -> int:
 @haros_ci.command()
 @diff_options
 @workspace_options
-@click.option("--timings", is_flag=True, help="Say on stderr where the time went.")
+@timings_options
 def diff(**flags: Any) -> int:
     """Say what the change from BASE to HEAD (default: the work tree) does to interfaces, graph, parameters and QoS."""
     from haros_ci.commands import diff as diff_command
@@ -281,15 +280,9 @@ def diff(**flags: Any) -> int:
 
 
 @haros_ci.command()
-@click.option("--json", "as_json", is_flag=True, help="As JSON.")
-@click.option(
-    "--checks", "as_checks", is_flag=True, help="Only our own checks, as the Markdown table of docs/checks.md."
-)
-@click.option("--standards", is_flag=True, help="CERT, CWE and others with the rules for them, as docs/standards.md.")
-@click.option("--profile", metavar="NAME", default="ros", show_default=True, help="Mark what this profile enables.")
-@plugin_option
+@rules_options
 def rules(**flags: Any) -> int:
-    """List every documented rule: id, level, and whether the profile enables it."""
+    """List the documented rules that FILTER fits (a glob, a part of an id or summary, a tag), or all of them."""
     from haros_ci.commands import rules as rules_command
 
     if flags["standards"]:
@@ -298,13 +291,12 @@ def rules(**flags: Any) -> int:
 
 
 @haros_ci.command()
-@click.argument("rule", shell_complete=completion_of("rules"))
-@plugin_option
+@explain_options
 def explain(rule: str, **flags: Any) -> int:
     """Say what a RULE means, why it matters and how to silence it."""
-    from haros_ci.commands import rules as rules_command
+    from haros_ci.commands import explain as explain_command
 
-    return rules_command.explain(rule, flags)
+    return explain_command.explain(rule, flags)
 
 
 @haros_ci.command()

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-#: Exit codes beside 0 and 1, as README lists them.
+#: Exit codes beside 0 and 1, as docs/first-steps.md lists them.
 EXIT_USAGE, EXIT_TOOL_TROUBLE, EXIT_INTERRUPTED = 2, 3, 130
 
 

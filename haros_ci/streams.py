@@ -27,7 +27,7 @@ def prepare_streams() -> None:
                     os.close(descriptor)
                 else:
                     mode = "w" if number else "r"
-                    made = open(number, mode, encoding="utf-8", errors="backslashreplace", closefd=False)  # noqa: SIM115
+                    made = open(number, mode, encoding="utf-8", errors="backslashreplace", closefd=False)  # noqa: SIM115 - the caller closes it
                     setattr(sys, name, made)
         elif number and stream is getattr(sys, f"__{name}__") and isinstance(stream, io.TextIOWrapper):
             if (stream.encoding.lower(), stream.errors) != ("utf-8", "backslashreplace"):

@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What all tests stand on: Hypothesis looks at the same examples in every run, and a shell's ignored signals are not inherited."""
+"""What all tests stand on: Hypothesis looks at the same examples in every run, a shell's ignored signals are not inherited, and what takes
+long is marked ``slow``.
+"""
 
 from __future__ import annotations
 
 import signal
 
+import pytest
 from hypothesis import settings
+from tiers import is_slow
 
 settings.register_profile("steady", derandomize=True, database=None, deadline=None)
 settings.load_profile("steady")
@@ -13,3 +17,9 @@ settings.load_profile("steady")
 # A shell starts what runs in the background with SIGINT ignored, and so would every command that a test interrupts.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    for item in items:
+        if is_slow(item.path):
+            item.add_marker(pytest.mark.slow)

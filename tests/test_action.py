@@ -30,6 +30,7 @@ ACTION_ONLY = {
     "paths",
     "merge",
     "linters",
+    "tool-versions",
     "plugins",
     "plugin-packages",
     "sarif-file",
@@ -42,7 +43,7 @@ ACTION_ONLY = {
 #: Options that no input gives: they belong to a project file, to a person at a terminal, or would weaken the action.
 TERMINAL_ONLY = {
     "exclude", "import", "isolated", "no-baseline", "no-cache", "output", "show-settings", "statistics", "timings",
-    "trust-config", "why", "fix", "diff", "watch", "plugin", "plugin-whitelist", "plugin-blacklist", "plugin-export",
+    "trust-config", "why", "quiet", "verbose", "fix", "diff", "watch", "plugin", "plugin-whitelist", "plugin-blacklist", "plugin-export",
 }  # fmt: skip
 
 MANIFEST = """<package format="3">
@@ -543,6 +544,7 @@ def test_a_planted_repository_is_not_asked(tmp_path: Path) -> None:
         {"require-baseline": "1"},
         {"install": ""},
         {"install": "true", "linters": "yes"},
+        {"install": "true", "tool-versions": "latest"},
         {"profile": "rso"},
         {"fail-on": "always"},
         {"project": "missing.yaml"},
@@ -609,8 +611,9 @@ case "$*" in *" -m venv "*) for last; do :; done; mkdir -p "$last/bin"; cp "$0" 
 """
 
 
+@pytest.mark.parametrize("versions", ["pinned", "newest"])
 @pytest.mark.parametrize(("linters", "what"), [("true", "/action[linters]"), ("false", "/action")])
-def test_linters_that_run_if_asked_for_are_an_extra(tmp_path: Path, linters: str, what: str) -> None:
+def test_linters_that_run_if_asked_for_are_an_extra(tmp_path: Path, linters: str, what: str, versions: str) -> None:
     python = tmp_path / "python"
     python.write_text(RECORDER)
     python.chmod(0o755)
@@ -622,11 +625,13 @@ def test_linters_that_run_if_asked_for_are_an_extra(tmp_path: Path, linters: str
         "INPUT_PYTHON": str(python),
         "INPUT_INSTALL": "true",
         "INPUT_LINTERS": linters,
+        "INPUT_TOOL_VERSIONS": versions,
         "INPUT_PLUGIN_PACKAGES": "",
     }
     subprocess.run(["bash", str(ROOT / "action" / "install.sh")], env=environment, check=True)
     [installed] = [line for line in (tmp_path / "record").read_text().splitlines() if " pip install " in line]
     assert installed.split()[-1] == what
+    assert ("--constraint /action/action/constraints.txt" in installed) == (versions == "pinned")
 
 
 def test_an_old_log_is_not_passed_on(tmp_path: Path) -> None:

@@ -297,14 +297,14 @@ class TestPullRequest:
 
 class TestSmallCommands:
     def test_explain(self, tmp_path: Path) -> None:
-        done = haros("explain", "metrics:max-cyclomatic-complexity-15", cwd=tmp_path)
+        done = haros("explain", "metrics:max-cyclomatic-complexity-15", "--full", cwd=tmp_path)
         assert done.returncode == 0
         assert "max_cyclomatic_complexity_15" in done.stdout
-        assert haros("explain", "max_cyclomatic_complexity_15", cwd=tmp_path).stdout == done.stdout
+        assert haros("explain", "max_cyclomatic_complexity_15", "--full", cwd=tmp_path).stdout == done.stdout
 
     @pytest.mark.parametrize("name", ["G06", "g06", "topic-type-mismatch", "haros-ci:topic-type-mismatch"])
     def test_explain_prints_the_page_of_a_check(self, tmp_path: Path, name: str) -> None:
-        said = haros("explain", name, cwd=tmp_path).stdout
+        said = haros("explain", name, "--full", cwd=tmp_path).stdout
         assert said.startswith("haros-ci:topic-type-mismatch (error)\n\n")
         assert said.count("topic-type-mismatch (") == 1 and "\n# topic-type-mismatch" not in said
         order = [

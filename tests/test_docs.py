@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The README says what is so: its copies of files, its commands and its output are held against the real ones."""
+"""README and the first pages say what is so: their copies of files, their commands and their output are held against the real ones."""
 
 from __future__ import annotations
 
@@ -15,20 +15,32 @@ ROOT = Path(__file__).resolve().parent.parent
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
-def fences(marker: str) -> list[tuple[str, str]]:
-    """(argument, text of the fence below it) for each ``<!-- marker: argument -->``."""
-    return re.findall(rf"<!-- {marker}: (.+?) -->\n```\w*\n(.*?)```", README, re.S)
+def fences(page: str, marker: str) -> list[tuple[str, str]]:
+    """(argument, text of the fence below it) for each ``<!-- marker: argument -->`` of the page."""
+    text = (ROOT / page).read_text(encoding="utf-8")
+    return re.findall(rf"<!-- {marker}: (.+?) -->\n```\w*\n(.*?)```", text, re.S)
 
 
-def test_copied_files_are_copies() -> None:
-    copies = fences("file")
-    assert [name for name, _ in copies] == ["docs/workflows/haros-ci.yml", "docs/workflows/pre-commit-config.yaml"]
+def test_the_readme_is_short() -> None:
+    assert len(README.splitlines()) <= 100
+
+
+@pytest.mark.parametrize(
+    ("page", "names"),
+    [
+        ("README.md", ["docs/workflows/pre-commit-config.yaml"]),
+        ("docs/ci.md", ["docs/workflows/haros-ci.yml"]),
+    ],
+)
+def test_copied_files_are_copies(page: str, names: list[str]) -> None:
+    copies = fences(page, "file")
+    assert [name for name, _ in copies] == names
     for name, text in copies:
         assert text == (ROOT / name).read_text(encoding="utf-8"), name
 
 
 def test_the_picture_is_real_output(tmp_path: Path) -> None:
-    ((_, text),) = fences("output")
+    ((_, text),) = fences("docs/first-steps.md", "output")
     shutil.copytree(ROOT / "examples" / "warehouse_ws", tmp_path / "ws")
     command = [sys.executable, "-m", "haros_ci", "check", "src/map_keeper", "--no-cache"]
     done = subprocess.run(command, cwd=tmp_path / "ws", capture_output=True, text=True, timeout=120)

@@ -28,6 +28,6 @@ def test_a_cell_is_one_cell() -> None:
 
 def test_every_page_is_in_the_index() -> None:
     index = (DOCS / "README.md").read_text(encoding="utf-8")
-    named = {target for target in re.findall(r"\]\(([^)#:]+)", index)}
+    named = set(re.findall(r"\]\(([^)#:]+)", index))
     assert {path.name for path in DOCS.glob("*.md")} - {"README.md"} <= named
     assert all((DOCS / target).exists() for target in named)

@@ -139,7 +139,7 @@ def test_remembered_costs_change_the_division_and_nothing_else(example: Place) -
     remembered = json.loads(costs.read_text())["costs"]
     assert {"", "cppcheck", "pylint", "lizard"} <= remembered.keys()
     before = [Path(file).read_text().count('"answer"') for file in example.shards(3)]
-    heavy = {tool: {path: 10**9 if tool == "lizard" else 1 for path in by} for tool, by in remembered.items()}
+    heavy = {tool: dict.fromkeys(by, 10**9 if tool == "lizard" else 1) for tool, by in remembered.items()}
     costs.write_text(json.dumps({"haros-ci-costs": 1, "costs": heavy}))
     files = example.shards(3, f"--shard-costs={costs}")
     assert example.merged(files) == first

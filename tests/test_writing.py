@@ -121,7 +121,7 @@ def test_no_draft_is_left_by_what_ends_a_run(
         raise err
 
     monkeypatch.setattr(os, "replace", ended)
-    with pytest.raises(BaseException) as raised:  # noqa: PT011, B017
+    with pytest.raises(BaseException) as raised:
         write("new", tmp_path / "log")
     assert raised.type is (err if isinstance(err, type) else type(err))
     assert list(tmp_path.iterdir()) == []

@@ -116,7 +116,7 @@ def _picked(candidates: Sequence[Stated], asked: Sequence[str], owner: Owner) ->
             continue
         for stated in in_file(text, COMMAND_LINE, owner):
             if stated.fault is not None or (stated.parsed is not None and mistakes(stated.parsed)):
-                what = stated.fault.whole if stated.fault is not None else mistakes(stated.parsed)[0].message  # type: ignore[arg-type]
+                what = stated.fault.whole if stated.fault is not None else mistakes(stated.parsed)[0].message  # type: ignore[arg-type]  # parsed where there is no fault
                 raise UserError(
                     f"--property {text}: is no id of a property, and no HPL: {what}",
                     help="docs/hpl.md has the language",

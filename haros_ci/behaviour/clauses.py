@@ -276,10 +276,10 @@ def _holds(left: Scalar, sign: str, right: Scalar) -> bool:
         case "!=":
             return left != right
         case "<":
-            return left < right  # type: ignore[operator]
+            return left < right  # type: ignore[operator]  # two numbers or two texts
         case "<=":
-            return left <= right  # type: ignore[operator]
+            return left <= right  # type: ignore[operator]  # the same
         case ">":
-            return left > right  # type: ignore[operator]
+            return left > right  # type: ignore[operator]  # the same
         case _:
-            return left >= right  # type: ignore[operator]
+            return left >= right  # type: ignore[operator]  # the same

@@ -163,4 +163,4 @@ class _Reader:
 
 
 def _map(value: Value | None) -> Mapping[object, Value]:
-    return value.data if value is not None and isinstance(value.data, dict) else {}  # type: ignore[return-value]
+    return value.data if value is not None and isinstance(value.data, dict) else {}  # type: ignore[return-value]  # keys of a project file are texts

@@ -57,7 +57,7 @@ class NodePair:
             node=node.name,
             program=program(node),
             configuration=self.configuration,
-            **more,  # type: ignore[arg-type]
+            **more,  # type: ignore[arg-type]  # fields of Change by name
         )
 
 

@@ -130,7 +130,7 @@ def compare_values(
         action = CHANGED if old and new_one else ADDED if new_one else REMOVED
         places = _place(old), _place(new_one)
         difference = Difference(
-            what="value", action=action, name=(new_one or old).name, aspect="given" if action == CHANGED else "",  # type: ignore[union-attr]
+            what="value", action=action, name=(new_one or old).name, aspect="given" if action == CHANGED else "",  # type: ignore[union-attr]  # one of the two is there
             before=before, after=after, node=node, configuration=head.name, base=places[0], head=places[1],
         )  # fmt: skip
         files = tuple(moved(p.path) if p is places[0] and p else p.path if p else "" for p in places)

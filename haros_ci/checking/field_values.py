@@ -175,7 +175,7 @@ def _shared(code: Codebase, routine: Routine) -> frozenset[str]:
         found = _SHARED.findall(code.lines(routine, routine.function.line))
         code.kept[key] = frozenset(word for part in found for word in re.findall(r"\w+", part))
         code.kept["keep", id(routine.function)] = routine.function  # so that its identity stays its own
-    names: frozenset[str] = code.kept[key]  # type: ignore[assignment]
+    names: frozenset[str] = code.kept[key]
     return names
 
 

@@ -186,7 +186,7 @@ def _attributes(code: Codebase, routine: Routine, structs: Structs) -> dict[str,
             if struct is not None and not _is_shared(code, routine.path, f"{owner[1].name}.{name}"):
                 made[f"self.{name}"] = struct
         code.kept[key] = made
-    found: dict[str, Struct] = code.kept[key]  # type: ignore[assignment]
+    found: dict[str, Struct] = code.kept[key]
     return found
 
 

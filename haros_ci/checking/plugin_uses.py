@@ -102,6 +102,8 @@ class Unlisted:
 
 def unlisted_plugins(text: str) -> Mapping[int, Unlisted]:
     """By the lines of their plug-ins the sections that no list of names beside them has, where there is one: nothing loads them."""
+    import yaml
+
     found: dict[int, Unlisted] = {}
     try:
         waiting = list(nodes(text, _LIMITS)) if "plugin" in text else []
@@ -113,14 +115,15 @@ def unlisted_plugins(text: str) -> Mapping[int, Unlisted]:
         if id(node) in seen or isinstance(node.value, str):
             continue
         seen.add(id(node))
-        if node.id == "sequence":
+        if isinstance(node, yaml.SequenceNode):
             waiting += node.value
             continue
         pairs = [(key.value, key, value) for key, value in node.value if isinstance(key.value, str)]
         waiting += [value for _, _, value in pairs]
         names, lists = _named(pairs)
         for section, _, value in pairs if lists else ():
-            plugins = [item for key, item in value.value if key.value == "plugin"] if value.id == "mapping" else []
+            held = value.value if isinstance(value, yaml.MappingNode) else []
+            plugins = [item for key, item in held if key.value == "plugin"]
             if plugins and section not in names:
                 found[plugins[0].start_mark.line + 1] = Unlisted(section, lists[0][0], lists[0][1])
     return found
@@ -128,14 +131,16 @@ def unlisted_plugins(text: str) -> Mapping[int, Unlisted]:
 
 def _named(pairs: list[tuple[str, yaml.Node, yaml.Node]]) -> tuple[set[str], list[tuple[str, int]]]:
     """The names that the lists among *pairs* have, and these lists with their lines; none if one has what is no name."""
+    import yaml
+
     names: set[str] = set()
     lists: list[tuple[str, int]] = []
     for text, key, value in pairs:
-        if _IDS.fullmatch(text) and value.id != "mapping":
-            items = value.value if value.id == "sequence" else [value]
+        if _IDS.fullmatch(text) and not isinstance(value, yaml.MappingNode):
+            items = value.value if isinstance(value, yaml.SequenceNode) else [value]
             if not all(isinstance(item.value, str) and _ID.fullmatch(item.value) for item in items):
                 return set(), []
             names |= {item.value for item in items}
-            if value.id == "sequence" and items:
+            if isinstance(value, yaml.SequenceNode) and items:
                 lists.append((text, key.start_mark.line + 1))
     return names, lists

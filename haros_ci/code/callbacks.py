@@ -91,7 +91,7 @@ def callbacks(code: Codebase) -> tuple[Callback, ...]:
     """All callbacks of the workspace whose functions are known, by file."""
     if "callbacks" not in code.kept:
         code.kept["callbacks"] = tuple(_all(code))
-    found: tuple[Callback, ...] = code.kept["callbacks"]  # type: ignore[assignment]
+    found: tuple[Callback, ...] = code.kept["callbacks"]
     return found
 
 
@@ -231,7 +231,7 @@ def groups_made(code: Codebase) -> dict[str, str]:
                         if kind:
                             found.setdefault(f"{routine.path}:{routine.function.line}:{name}", set()).add(kind)
         code.kept["groups"] = {name: kinds_.pop() for name, kinds_ in found.items() if len(kinds_) == 1}
-    made: dict[str, str] = code.kept["groups"]  # type: ignore[assignment]
+    made: dict[str, str] = code.kept["groups"]
     return made
 
 

@@ -20,7 +20,7 @@ def called(code: Codebase, routine: Routine, call: syntax.Call, steps: int = kin
     """The routine that a call expression in *routine* runs: one, or none where it is not known."""
     key = ("called", id(call))
     if key in code.kept:
-        found: tuple[Routine, ...] = code.kept[key]  # type: ignore[assignment]
+        found: tuple[Routine, ...] = code.kept[key]
         return found
     if steps <= 0:
         return ()
@@ -158,7 +158,7 @@ def callees(code: Codebase, routine: Routine) -> tuple[tuple[Call, Routine], ...
         code.kept[key] = tuple(
             (call, target) for call in code.body(routine).calls for target in called(code, routine, call.whole)
         )
-    found: tuple[tuple[Call, Routine], ...] = code.kept[key]  # type: ignore[assignment]
+    found: tuple[tuple[Call, Routine], ...] = code.kept[key]
     return found
 
 
@@ -201,5 +201,5 @@ def calls_of(code: Codebase, *names: str) -> tuple[tuple[Routine, Call], ...]:
             for call in code.body(routine).calls
             if call.name in names_
         )
-    found: tuple[tuple[Routine, Call], ...] = code.kept[key]  # type: ignore[assignment]
+    found: tuple[tuple[Routine, Call], ...] = code.kept[key]
     return found

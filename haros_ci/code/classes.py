@@ -23,7 +23,7 @@ def resolved(code: Codebase, kind: Type, scope: str, source: Source) -> Type:
     key = ("type", source.path, scope, plain(kind))
     if key not in code.kept:
         code.kept[key] = resolve_type(code.cpp, kind, scope, source, frozenset(), {})
-    found: Type = code.kept[key]  # type: ignore[assignment]
+    found: Type = code.kept[key]
     return found
 
 
@@ -34,7 +34,7 @@ def class_named(code: Codebase, name: str, source: Source) -> Owner | None:
         code.kept[key] = (
             _python_class(code, name, source) if source.separator == "." else _cpp_class(code, name, source)
         )
-    found: Owner | None = code.kept[key]  # type: ignore[assignment]
+    found: Owner | None = code.kept[key]
     return found
 
 
@@ -99,7 +99,7 @@ def base_names(code: Codebase, owner: Owner) -> frozenset[str]:
     key = ("bases", id(owner[1]))
     if key not in code.kept:
         code.kept[key] = frozenset(name for _, name in bases(code, owner))
-    found: frozenset[str] = code.kept[key]  # type: ignore[assignment]
+    found: frozenset[str] = code.kept[key]
     return found
 
 
@@ -139,7 +139,7 @@ def methods(code: Codebase, owner: Owner, name: str) -> tuple[Routine, ...]:
     if key not in code.kept:
         every = [owner, *(above for above, _ in bases(code, owner) if above is not None)]
         code.kept[key] = next((found for definition in every if (found := _own_methods(code, definition, name))), ())
-    known: tuple[Routine, ...] = code.kept[key]  # type: ignore[assignment]
+    known: tuple[Routine, ...] = code.kept[key]
     return known
 
 

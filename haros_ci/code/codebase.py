@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
+from typing import Any
 
 from haros_ci.code.body import Body, body_of
 from haros_ci.index.build import build_index
@@ -87,7 +88,7 @@ class Codebase:
     unbuilt: frozenset[str] = frozenset()
     _firmware: frozenset[str] | None = None
     #: What other modules of this room remember about this code, by their own keys.
-    kept: dict[object, object] = field(default_factory=dict)
+    kept: dict[object, Any] = field(default_factory=dict)
 
     def index(self, source: Source) -> Index:
         return self.python if source.program.language == "python" else self.cpp

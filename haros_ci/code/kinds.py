@@ -273,7 +273,7 @@ def attribute_values(code: Codebase, owner: classes.Owner, name: str) -> tuple[t
                     if member and operator == "=" and not isinstance(value, syntax.Null):
                         found.setdefault(member, []).append((routine, value))
         code.kept[key] = {item: tuple(values) for item, values in found.items()}
-    known: dict[str, tuple[tuple[Routine, Expression], ...]] = code.kept[key]  # type: ignore[assignment]
+    known: dict[str, tuple[tuple[Routine, Expression], ...]] = code.kept[key]
     return known.get(name, ())
 
 
@@ -296,7 +296,7 @@ def _methods_of(code: Codebase, source: Source, name: str) -> list[Routine]:
                     if function.owner:
                         by_owner.setdefault(function.owner, set()).add(other_source.path)
         code.kept[key] = by_owner
-    paths: dict[str, set[str]] = code.kept[key]  # type: ignore[assignment]
+    paths: dict[str, set[str]] = code.kept[key]
     found = []
     for path in sorted(paths.get(name, ())):
         if path == source.path or (source.separator == "::" and source.path in code.cpp.reach(path)):

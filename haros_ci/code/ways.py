@@ -53,5 +53,5 @@ def in_callbacks(code: Codebase, depth: int = 6) -> tuple[Reached, ...]:
             for routine, path in reached(code, callback.routine, depth)
         ]
         code.kept[key] = tuple(sorted(found, key=lambda other_reached: len(other_reached.path)))
-    known: tuple[Reached, ...] = code.kept[key]  # type: ignore[assignment]
+    known: tuple[Reached, ...] = code.kept[key]
     return known

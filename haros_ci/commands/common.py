@@ -100,7 +100,7 @@ def reported(
 
         shown = view_of(workspace, flags, to_file=False).joined(report)
         click.echo(render(shown), err=any(format != "text" for format in on_stdout), nl=False)
-    if not on_stdout or SILENT.intersection(on_stdout):
+    if not flags.get("quiet") and (not on_stdout or SILENT.intersection(on_stdout)):
         from haros_ci.report.text import summary_line
 
         shown = view_of(workspace, flags, to_file=False).joined(report)
@@ -233,7 +233,7 @@ def under_cache(work: Callable[[DiskCache | MemoryCache, Progress], Made], setti
     from haros_ci.plugins.stdout import kept_clean
 
     store = store_for(settings)
-    watched = sys.stderr.isatty() and not os.environ.get("CI")
+    watched = sys.stderr.isatty() and not os.environ.get("CI") and not flags.get("quiet")
 
     def progress(what: str) -> None:
         if watched:

@@ -27,7 +27,7 @@ def completion_of(what: str) -> Callable[[click.Context, click.Parameter, str], 
     return complete
 
 
-class CommaList(click.ParamType):  # type: ignore[type-arg, unused-ignore]
+class CommaList(click.ParamType):  # type: ignore[type-arg, unused-ignore]  # generic in later versions of click
     """A comma-separated list, given once or several times."""
 
     name = "sel,..."
@@ -49,6 +49,11 @@ LEVELS = click.Choice(["error", "warning", "note", "never"])
 
 plugin_option = click.option(
     "--plugin", type=CommaList(), metavar="MODULE", multiple=True, help="Take in this plug-in (docs/plugins.md)."
+)
+
+timings_options = options(
+    click.option("--timings", is_flag=True, help="Say on stderr where the time went."),
+    click.option("--verbose", "-v", is_flag=True, help="Say more: --timings and, of findings, --why and --statistics."),
 )
 
 path_arguments = click.argument("paths", nargs=-1, type=click.Path())
@@ -85,7 +90,7 @@ analysis_options = options(
     click.option("--jobs", "-j", type=click.IntRange(min=1), help="Processes at once; default: all cores."),
     click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies."),
     click.option("--no-cache", is_flag=True, help="Neither read nor write the cache."),
-    click.option("--timings", is_flag=True, help="Say on stderr where the time went."),
+    timings_options,
 )
 
 
@@ -133,6 +138,7 @@ report_options = options(
     ),
     click.option("--why", is_flag=True, help="Say for each result why it is new or which old one it matched."),
     click.option("--statistics", is_flag=True, help="Counts per rule and tool at the end."),
+    click.option("--quiet", "-q", is_flag=True, help="With text: findings alone, without summary and progress."),
 )
 
 
@@ -307,4 +313,13 @@ metrics_options = options(
         shell_complete=completion_of("metrics"),
         help="Only these metrics (docs/metrics.md).",
     ),
+    click.option(
+        "--worst",
+        type=click.IntRange(min=0),
+        metavar="N",
+        default=10,
+        show_default=True,
+        help="With text: first a table of the N that are furthest over a limit; 0 for none.",
+    ),
+    click.option("--quiet", "-q", is_flag=True, help="With text: that table alone."),
 )

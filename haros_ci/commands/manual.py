@@ -38,14 +38,14 @@ Every command has a --help of its own. The pages: https://github.com/haros-ci/ha
 #: The section that an option stands in, by its first name; what is named nowhere stands under Options.
 SECTIONS: Mapping[str, tuple[str, ...]] = {
     "What is looked at": ("--project", "--isolated", "--exclude", "--compile-database", "--configuration", "--launch", "--arg", "--env", "--path", "--no-known-nodes", "--as-running", "--exact"),
-    "What is reported": ("--profile", "--select", "--ignore", "--import", "--metric", "--level", "--scope", "--expect", "--check-readme", "--coverage", "--rates", "--dependence", "--affects", "--caused-by"),
+    "What is reported": ("--profile", "--tool", "--select", "--ignore", "--import", "--metric", "--level", "--scope", "--expect", "--check-readme", "--coverage", "--rates", "--dependence", "--affects", "--caused-by"),
     "What is known already": ("--baseline", "--baseline-rev", "--base", "--no-baseline", "--require-baseline", "--file", "--accept-new", "--force"),
     "What comes out": (
         "--output", "--format", "--sarif-for", "--why", "--statistics", "--show-settings", "--fail-on", "--allow-tool-failure",
-        "--exit-code", "--fail-on-match", "--fix", "--diff", "--watch", "--json", "--checks", "--standards",
+        "--exit-code", "--fail-on-match", "--fix", "--diff", "--watch", "--json", "--checks", "--standards", "--quiet", "--worst", "--full", "--enabled",
     ),
     "How it runs": (
-        "--jobs", "--plugin", "--plugin-whitelist", "--plugin-blacklist", "--plugin-export", "--trust-config", "--cache-dir", "--no-cache", "--timings",
+        "--jobs", "--verbose", "--plugin", "--plugin-whitelist", "--plugin-blacklist", "--plugin-export", "--trust-config", "--cache-dir", "--no-cache", "--timings",
         "--shard", "--shard-costs", "--write-costs",
     ),
 }  # fmt: skip
@@ -104,6 +104,7 @@ EXAMPLES: Mapping[str, tuple[tuple[str, str], ...]] = {
         ("between two tags, for a changelog", "haros-ci diff 1.0.0 1.1.0 --format markdown"),
     ),
     "metrics": (
+        ("the twenty worst, and nothing else", "haros-ci metrics --worst 20 --quiet"),
         ("packages and files at a glance", "haros-ci metrics --level package --level file"),
         ("every value for a spreadsheet", "haros-ci metrics --format csv --output metrics.csv"),
         ("how many paths each function has", "haros-ci metrics --metric static-path-count --level function"),
@@ -127,8 +128,14 @@ EXAMPLES: Mapping[str, tuple[tuple[str, str], ...]] = {
         ),
         ("findings for code scanning", "haros-ci monitor --bag run --output sarif=monitor.sarif"),
     ),
-    "rules": (("what is on in a profile", "haros-ci rules --profile strict"),),
-    "explain": (("a rule by its id, its catalogue id or HAROS's", "haros-ci explain G06"),),
+    "rules": (
+        ("what is on in a profile", "haros-ci rules --profile strict --enabled"),
+        ("rules of one tool, by a part of the name", "haros-ci rules undeclared --tool haros-ci"),
+    ),
+    "explain": (
+        ("a rule by its id, its catalogue id or HAROS's", "haros-ci explain G06"),
+        ("the whole page, with all examples", "haros-ci explain topic-type-mismatch --full"),
+    ),
     "init": (("see first what would be written", "haros-ci init --dry-run"),),
     "merge": (
         (
@@ -200,7 +207,7 @@ SHORT: Mapping[str, str] = {
     "new-check": "Begin a new check in a clone of haros-ci.",
     "policy": "Write a security policy (SROS2) of what the nodes do.",
     "query": "Ask a query of the running systems, as HAROS does.",
-    "rules": "List every documented rule, by profile.",
+    "rules": "List the rules, all or those of a FILTER.",
 }
 
 

@@ -20,6 +20,7 @@ from haros_ci.model.measurement import Measurement
 from haros_ci.model.workspace import Store
 from haros_ci.report import measurements
 from haros_ci.report.escape import terminal
+from haros_ci.report.worst_measurements import table
 from haros_ci.results.result import Notification
 from haros_ci.results.rule import Level
 from haros_ci.workspace.discover import discover
@@ -52,7 +53,11 @@ def metrics(flags: Mapping[str, Any]) -> int:
     )
     tell(made.notifications)
     path = Path(flags["output"]) if flags["output"] else None
-    write(rendered(chosen, flags["format"], made.notifications), path)
+    head = table(chosen, LIMITS, flags["worst"]) if flags["format"] == "text" and flags["worst"] else ""
+    if flags["quiet"] and flags["format"] == "text":
+        write(head, path)
+    else:
+        write(head + rendered(chosen, flags["format"], made.notifications), path)
     return EXIT_TOOL_TROUBLE if made.failed else 0
 
 

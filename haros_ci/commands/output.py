@@ -55,9 +55,12 @@ def text_style(*, to_file: bool) -> tuple[bool, int]:
 
 
 def _text(report: Report, view: Extras) -> str:
-    from haros_ci.report.text import render
+    from haros_ci.report.text import findings, render
 
     color, width = text_style(to_file=view.to_file)
+    if view.flags.get("quiet"):
+        why = view.flags["why"]
+        return findings(view.joined(report).shown(), color=color, width=width, why=why, source=view.source)
     return render(view.joined(report), color=color, width=width, why=view.flags["why"], source=view.source)
 
 
@@ -68,12 +71,13 @@ def _sarif(report: Report, view: Extras) -> str:
 
 
 def _github(report: Report, view: Extras) -> str:
-    from haros_ci.report.github import annotations, summary
+    from haros_ci.report.github import annotations, blob_address, summary
 
     page = os.environ.get("GITHUB_STEP_SUMMARY")
+    blob = blob_address(*(os.environ.get(f"GITHUB_{name}", "") for name in ("SERVER_URL", "REPOSITORY", "SHA")))
     if page:
         try:
-            append(Path(page), summary(view.joined(report)))
+            append(Path(page), summary(view.joined(report), blob=blob))
         except (RunFailure, UserError) as err:
             from haros_ci.report.escape import terminal
 

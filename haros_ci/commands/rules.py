@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""``haros-ci rules`` and ``haros-ci explain``: what is documented of every rule, as lists, as tables and as text."""
+"""``haros-ci rules``: what is documented of every rule, as lists and as tables."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import click
@@ -25,28 +25,65 @@ def documented_rules(flags: Flags) -> Iterator[tuple[str, Rule]]:
 
 
 def rules(flags: Flags) -> int:
-    """``haros-ci rules``: every documented rule, marked when the profile turns it on."""
+    """``haros-ci rules [FILTER]``: every documented rule that fits, marked when the profile turns it on."""
     profile = flags["profile"]
     if profile not in PROFILES:
         raise UserError(f"unknown profile '{profile}'", help=f"one of {', '.join(PROFILES)}")
+    known = list(documented_rules(flags))
+    tools = sorted({tool for tool, _ in known})
+    unknown = [name for name in flags["tool"] if name not in tools]
+    if unknown:
+        raise UserError(f"unknown tool '{unknown[0]}'", help=f"one of {', '.join(tools)}")
     rows = [
-        {
-            "id": f"{tool}:{rule.id}",
-            "level": rule.level.value,
-            "enabled": profile == "all" or profile in rule.profiles,
-            "summary": rule.summary,
-            "aliases": list(rule.aliases),
-            "catalogue": rule.catalogue or None,
-            "tags": list(rule.tags),
-        }
-        for tool, rule in documented_rules(flags)
+        row_of(tool, rule, profile)
+        for tool, rule in known
+        if (not flags["tool"] or tool in flags["tool"]) and fits(flags["filter"], tool, rule)
     ]
-    if flags["as_json"]:
-        click.echo(json.dumps(rows, indent=1, ensure_ascii=False))
-        return 0
-    for row in rows:
-        click.echo(f"{'+' if row['enabled'] else ' '} {row['level']:<8} {row['id']:<48} {row['summary']}")
+    if flags["only_enabled"]:
+        rows = [row for row in rows if row["enabled"]]
+    click.echo(json.dumps(rows, indent=1, ensure_ascii=False) if flags["as_json"] else table(rows, profile))
     return 0
+
+
+def row_of(tool: str, rule: Rule, profile: str) -> dict[str, object]:
+    """What ``--json`` has of a rule; ``enabled`` is whether *profile* turns it on."""
+    return {
+        "id": f"{tool}:{rule.id}",
+        "level": rule.level.value,
+        "enabled": profile == "all" or profile in rule.profiles,
+        "summary": rule.summary,
+        "aliases": list(rule.aliases),
+        "catalogue": rule.catalogue or None,
+        "tags": list(rule.tags),
+    }
+
+
+def fits(pattern: str | None, tool: str, rule: Rule) -> bool:
+    """Whether a rule is one that the FILTER means: a glob or a part of ``tool:id`` or of a name, a tag, or a part of the summary; case does not count."""
+    if not pattern:
+        return True
+    expected = pattern.casefold()
+    names = [name.casefold() for name in (f"{tool}:{rule.id}", rule.id, *rule.aliases)]
+    if any(sign in expected for sign in "*?["):
+        from fnmatch import fnmatchcase
+
+        return any(fnmatchcase(name, expected) for name in names)
+    return (
+        any(expected in name for name in names)
+        or expected in map(str.casefold, rule.tags)
+        or expected in rule.summary.casefold()
+    )
+
+
+def table(rows: Sequence[Mapping[str, object]], profile: str) -> str:
+    """Columns under a head, and how many there are."""
+    width = min(56, max([len(str(row["id"])) for row in rows], default=0) or 4)
+    lines = [f"{'on':<3}{'level':<9}{'rule':<{width}}  what it finds"] if rows else []
+    lines += [
+        f"{'+' if row['enabled'] else '':<3}{row['level']:<9}{row['id']:<{width}}  {row['summary']}" for row in rows
+    ]
+    enabled = sum(bool(row["enabled"]) for row in rows)
+    return "\n".join([*lines, "", f"{len(rows)} rules, {enabled} of them on in the profile {profile}"]).lstrip("\n")
 
 
 def standards_table() -> int:
@@ -64,41 +101,4 @@ def check_table() -> int:
     from haros_ci.report.check_table import render
 
     click.echo(render(rule for _, rule in built_in().documented_rules() if "architecture" in rule.tags), nl=False)
-    return 0
-
-
-def explain(name: str, flags: Flags) -> int:
-    """``haros-ci explain RULE``: what the rule says, why it matters, how to turn it off."""
-    known = list(documented_rules(flags))
-    names = [((r.id, f"{tool}:{r.id}", *r.aliases, *r.deprecated_ids), tool, r) for tool, r in known]
-    found = [(tool, rule) for own, tool, rule in names if name in own]
-    if not found:  # G06 and g06 are one
-        expected = name.casefold()
-        found = [(tool, rule) for own, tool, rule in names if expected in map(str.casefold, own)]
-    if not found:
-        from difflib import get_close_matches
-
-        from haros_ci.commands.limits import LIMITS
-
-        if limits := [limit.rule for limit in LIMITS if limit.metric == expected.replace("_", "-")]:
-            raise UserError(f"'{name}' is a metric, no rule", help=f"the rules on it: {', '.join(limits)}")
-        near = get_close_matches(name, [word for own, _, _ in names for word in own], 3)
-        raise UserError(
-            f"unknown rule '{name}'", help=f"did you mean {' or '.join(near)}?" if near else "see haros-ci rules"
-        )
-    for tool, rule in found:
-        on = ", ".join((*rule.profiles, "all"))
-        lines = [
-            f"{tool}:{rule.id} ({rule.level.value})",
-            "",
-            rule.summary,
-            "",
-            rule.help.removeprefix(f"# {rule.id}\n").removeprefix(f"**{rule.id}**: {rule.summary}").strip() or None,
-            "" if rule.help else None,
-        ]
-        lines.append(f"Profiles: {on}")
-        lines.append(f"Aliases: {', '.join(rule.aliases)}" if rule.aliases else None)
-        lines.append(f"Tags: {', '.join(rule.tags)}" if rule.tags else None)
-        lines.append(f"See: {rule.help_uri}" if rule.help_uri else None)
-        click.echo("\n".join(line for line in lines if line is not None) + "\n")
     return 0

@@ -27,10 +27,12 @@ def timings(flags: Flags) -> Iterator[None]:
 
 
 def with_timings(command: Callable[[Flags], int]) -> Callable[[Flags], int]:
-    """The *command*, saying where its time went if ``--timings`` is among its flags."""
+    """The *command*, saying where its time went if ``--timings`` is among its flags; ``--verbose`` stands for several of them."""
 
     @wraps(command)
     def call(flags: Flags) -> int:
+        if flags.get("verbose"):
+            flags = {**flags, "timings": True, "why": True, "statistics": True}
         with timings(flags):
             return command(flags)
 

@@ -65,7 +65,7 @@ def _scopes(code: Codebase, source: Source) -> list[str]:
         code.kept[key] = sorted({function.name.rpartition("::")[0] for function in source.program.functions})[
             :_MOST_SCOPES
         ]
-    found: list[str] = code.kept[key]  # type: ignore[assignment]
+    found: list[str] = code.kept[key]
     return found
 
 

@@ -25,7 +25,7 @@ def passed_on(code: Codebase, location: Location) -> tuple[Callback, ...]:
     key = ("passed on", location)
     if key not in code.kept:
         code.kept[key] = tuple(_passed_on(code, location))
-    found: tuple[Callback, ...] = code.kept[key]  # type: ignore[assignment]
+    found: tuple[Callback, ...] = code.kept[key]
     return found
 
 

@@ -69,7 +69,7 @@ def influence(code: Codebase, routine: Routine, step: Step) -> Influence:
     if key not in code.kept:
         code.kept[key] = _Search(code).run(routine, step)
         code.kept["keep", id(routine)] = routine
-    found: Influence = code.kept[key]  # type: ignore[assignment]
+    found: Influence = code.kept[key]
     return found
 
 
@@ -201,7 +201,7 @@ def _making(code: Codebase, where: Routine, name: str) -> Step | None:
                         made.setdefault(one.rpartition("::")[2], step)
         code.kept[key] = made
         code.kept["keep", id(where)] = where
-    found: dict[str, Step] = code.kept[key]  # type: ignore[assignment]
+    found: dict[str, Step] = code.kept[key]
     return found.get(name)
 
 

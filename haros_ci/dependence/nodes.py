@@ -158,7 +158,7 @@ def _callbacks(code: Codebase) -> dict[str, list[Callback]]:
         for callback in callbacks(code):
             made.setdefault(callback.maker.path, []).append(callback)
         code.kept["callbacks by file"] = made
-    found: dict[str, list[Callback]] = code.kept["callbacks by file"]  # type: ignore[assignment]
+    found: dict[str, list[Callback]] = code.kept["callbacks by file"]
     return found
 
 

@@ -64,7 +64,7 @@ def search(code: Codebase, routine: Routine, step: Step) -> Found:
     if key not in code.kept:
         code.kept[key] = _Search(code, routine.is_python).run(routine, step)
         code.kept["keep", id(routine)] = routine
-    found: Found = code.kept[key]  # type: ignore[assignment]
+    found: Found = code.kept[key]
     return found
 
 

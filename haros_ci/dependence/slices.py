@@ -132,7 +132,7 @@ def _facts(
                     reads[what] = reason or why
         code.kept[key] = tuple(names), reads
         code.kept["keep", key] = routine, values
-    found: tuple[tuple[Held, ...], dict[Held, str]] = code.kept[key]  # type: ignore[assignment]
+    found: tuple[tuple[Held, ...], dict[Held, str]] = code.kept[key]
     return found
 
 
@@ -160,7 +160,7 @@ def _changing(code: Codebase, routine: Routine) -> dict[Held, list[Step]]:
                 made.setdefault(use.what, []).append(use.step)
         code.kept[key] = made
         code.kept["keep", id(routine)] = routine
-    found: dict[Held, list[Step]] = code.kept[key]  # type: ignore[assignment]
+    found: dict[Held, list[Step]] = code.kept[key]
     return found
 
 
@@ -175,7 +175,7 @@ def reads_of(code: Codebase, routine: Routine) -> dict[Held, str]:
                     found[use.what] = reason
         code.kept[key] = found
         code.kept["keep", id(routine)] = routine
-    known: dict[Held, str] = code.kept[key]  # type: ignore[assignment]
+    known: dict[Held, str] = code.kept[key]
     return known
 
 

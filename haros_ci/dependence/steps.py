@@ -63,7 +63,7 @@ def steps(code: Codebase, routine: Routine) -> tuple[Step, ...]:
         made.block(routine.function.body or (), ())
         code.kept[key] = tuple(made.found)
         code.kept["keep", id(routine)] = routine  # so that its identity stays its own
-    found: tuple[Step, ...] = code.kept[key]  # type: ignore[assignment]
+    found: tuple[Step, ...] = code.kept[key]
     return found
 
 
@@ -74,7 +74,7 @@ def step_of(code: Codebase, routine: Routine, call: syntax.Call) -> Step | None:
         every = steps(code, routine)
         code.kept[key] = next((step for step in every if any(node is call for node in all_nodes(step.values))), None)
         code.kept["keep", id(call)] = call
-    found: Step | None = code.kept[key]  # type: ignore[assignment]
+    found: Step | None = code.kept[key]
     return found
 
 

@@ -26,7 +26,7 @@ def targets(code: Codebase, routine: Routine, call: Call) -> tuple[Target, ...]:
     if key not in code.kept:
         code.kept[key] = (*_of_callee(code, routine, call), *_given(code, routine, call))
         code.kept["keep", id(call.whole)] = call.whole
-    found: tuple[Target, ...] = code.kept[key]  # type: ignore[assignment]
+    found: tuple[Target, ...] = code.kept[key]
     return found
 
 
@@ -85,7 +85,7 @@ def registered(code: Codebase) -> frozenset[int]:
     """The functions that are callbacks, by identity: who names one registers it, and does not run it."""
     if "registered" not in code.kept:
         code.kept["registered"] = frozenset(id(callback.routine) for callback in callbacks(code))
-    found: frozenset[int] = code.kept["registered"]  # type: ignore[assignment]
+    found: frozenset[int] = code.kept["registered"]
     return found
 
 
@@ -100,11 +100,11 @@ def by_name(code: Codebase, name: str, is_python: bool) -> tuple[Routine, ...]:
                     if function.body is not None and function.kind != "lambda":
                         made.setdefault(function.name.rpartition(source.separator)[2], []).append((source, function))
         code.kept[key] = made
-    table: dict[str, list[tuple[object, object]]] = code.kept[key]  # type: ignore[assignment]
+    table: dict[str, list[tuple[object, object]]] = code.kept[key]
     if ("by name", is_python, name) not in code.kept:
         every = (code.routine(source, function) for source, function in table.get(name, ()))  # type: ignore[arg-type]
         code.kept["by name", is_python, name] = tuple(one for one in every if one is not None and not one.is_test)
-    found: tuple[Routine, ...] = code.kept["by name", is_python, name]  # type: ignore[assignment]
+    found: tuple[Routine, ...] = code.kept["by name", is_python, name]
     return found
 
 
@@ -149,7 +149,7 @@ def closure(code: Codebase, routine: Routine) -> dict[int, Target]:
                 (unsure if reason or why else sure).append((target, reason or why))
         code.kept[key] = found
         code.kept["keep", id(routine)] = routine
-    known: dict[int, Target] = code.kept[key]  # type: ignore[assignment]
+    known: dict[int, Target] = code.kept[key]
     return known
 
 
@@ -159,5 +159,5 @@ def _all_mentioned(code: Codebase, routine: Routine) -> tuple[Target, ...]:
         every = tuple(value for step in steps(code, routine) for value in step.values)
         code.kept[key] = mentioned(code, routine, every)
         code.kept["keep", id(routine)] = routine
-    found: tuple[Target, ...] = code.kept[key]  # type: ignore[assignment]
+    found: tuple[Target, ...] = code.kept[key]
     return found

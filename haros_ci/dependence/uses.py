@@ -53,7 +53,7 @@ def uses(code: Codebase, routine: Routine) -> tuple[Use, ...]:
             visitor.step(step)
         code.kept[key] = (*visitor.found, *visitor.through_aliases())
         code.kept["keep", id(routine)] = routine
-    found: tuple[Use, ...] = code.kept[key]  # type: ignore[assignment]
+    found: tuple[Use, ...] = code.kept[key]
     return found
 
 
@@ -68,7 +68,7 @@ def calls_by_node(code: Codebase, routine: Routine) -> dict[int, Call]:
     if key not in code.kept:
         code.kept[key] = {id(call.whole): call for call in code.body(routine).calls}
         code.kept["keep", id(routine)] = routine
-    found: dict[int, Call] = code.kept[key]  # type: ignore[assignment]
+    found: dict[int, Call] = code.kept[key]
     return found
 
 
@@ -98,7 +98,7 @@ def _in_file(code: Codebase, path: str) -> dict[Held, list[tuple[Routine, Use]]]
                 for use in uses(code, routine):
                     found.setdefault(use.what, []).append((routine, use))
         code.kept[key] = found
-    known: dict[Held, list[tuple[Routine, Use]]] = code.kept[key]  # type: ignore[assignment]
+    known: dict[Held, list[tuple[Routine, Use]]] = code.kept[key]
     return known
 
 

@@ -34,7 +34,7 @@ def held(code: Codebase, routine: Routine, node: Expression) -> Held | None:
         if key not in code.kept:
             code.kept[key] = _named(code, routine, node.name)
             code.kept["keep", id(routine)] = routine
-        found: Held | None = code.kept[key]  # type: ignore[assignment]
+        found: Held | None = code.kept[key]
         return found
     if isinstance(node, syntax.Member):
         is_own = isinstance(node.object, syntax.This)
@@ -48,7 +48,7 @@ def member(code: Codebase, owner: classes.Owner, name: str) -> Held | None:
     key = ("held member", id(owner[1]), name)
     if key not in code.kept:
         code.kept[key] = _member(code, owner, name)
-    found: Held | None = code.kept[key]  # type: ignore[assignment]
+    found: Held | None = code.kept[key]
     return found
 
 
@@ -81,7 +81,7 @@ def _sets(code: Codebase, owner: classes.Owner, name: str) -> bool:
                     if isinstance(target, syntax.Member) and isinstance(target.object, syntax.This):
                         names.add(target.name)
         code.kept[key] = frozenset(names)
-    known: frozenset[str] = code.kept[key]  # type: ignore[assignment]
+    known: frozenset[str] = code.kept[key]
     return name in known
 
 
@@ -132,7 +132,7 @@ def _assigned(code: Codebase, routine: Routine) -> frozenset[str]:
         names = {node.name for target in targets for node in _targets(target)}
         code.kept[key] = frozenset(names) | code.body(routine).variables.keys()
         code.kept["keep", id(routine)] = routine
-    found: frozenset[str] = code.kept[key]  # type: ignore[assignment]
+    found: frozenset[str] = code.kept[key]
     return found
 
 
@@ -153,7 +153,7 @@ def _outer_names(code: Codebase, routine: Routine) -> frozenset[str]:
             name for node in parts if isinstance(node, (syntax.Global, syntax.Nonlocal)) for name in node.names
         )
         code.kept["keep", id(routine)] = routine
-    found: frozenset[str] = code.kept[key]  # type: ignore[assignment]
+    found: frozenset[str] = code.kept[key]
     return found
 
 

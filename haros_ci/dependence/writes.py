@@ -90,7 +90,7 @@ def writes(code: Codebase, what: Held, is_python: bool) -> Writes:
                 found.append(Write(routine, use, reason))
             hidden = hidden or _hidden(code, routine, use)
         code.kept[key] = Writes(tuple(found), hidden)
-    known: Writes = code.kept[key]  # type: ignore[assignment]
+    known: Writes = code.kept[key]
     return known
 
 
@@ -175,7 +175,7 @@ def _parameter_changes(code: Codebase, target: Routine, use: Use) -> str | None:
             code.kept[key] = None  # while it is looked at: functions that call each other
             code.kept[key] = _changes(code, target, parameter.name)
             code.kept["keep", id(target)] = target
-        found: str | None = code.kept[key]  # type: ignore[assignment]
+        found: str | None = code.kept[key]
         if found is not None:
             return found
     return None

@@ -137,7 +137,7 @@ class PluginInterface:
             raise AnalysisScopeError("must provide a Configuration scope")
         about = list(resources or ())
         kinds = (CLASSES["Resource"], CLASSES["RosPrimitive"])
-        if any(not isinstance(item, kinds) or item.configuration is not self._scope for item in about):  # type: ignore[attr-defined]
+        if any(not isinstance(item, kinds) or item.configuration is not self._scope for item in about):  # type: ignore[attr-defined]  # the kinds that are looked at first have it
             raise AnalysisScopeError("must point to resources within the Configuration scope")
         rule = self._known(rule_id, self._rules)
         if rule is not None:

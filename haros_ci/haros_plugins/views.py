@@ -51,7 +51,7 @@ class EntityView:
             value = model.shown(entity.ATTRIBUTES[name](entity))
         elif name in entity.METHODS:
             method = entity.METHODS[name][2]
-            value = lambda *arguments: model.shown(method(entity, *map(model.meant, arguments)))  # noqa: E731
+            value = lambda *arguments: model.shown(method(entity, *map(model.meant, arguments)))  # noqa: E731 - one of two bodies of the same name
         else:
             raise AttributeError(f"'{type(self).__name__}' object has no attribute '{name}'")
         self.__dict__[name] = value

@@ -177,7 +177,7 @@ def _is_provoked(line: int, text: str) -> bool:
     lines = text.split("\n")
     before = "\n".join(lines[max(line - 12, 0) : line])
     last = None
-    for last in _PROVOKED.finditer(before):
+    for last in _PROVOKED.finditer(before):  # noqa: B007 - the last one is used below
         pass
     if last is None:
         return False

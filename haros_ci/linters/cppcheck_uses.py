@@ -148,7 +148,7 @@ def _is_test_of_declarations(line: int, lines: list[str]) -> bool:
     here = sum(len(part) + 1 for part in near.split("\n")[: line - 1 - first])
     shut = near.find("\n", here) if "\n" in near[here:] else len(near)
     test = None
-    for test in _TEST.finditer(near, 0, shut):
+    for test in _TEST.finditer(near, 0, shut):  # noqa: B007 - the last one is used below
         pass
     end = _closed(near, test.end()) if test is not None else None
     if test is None or end is None or end < here:

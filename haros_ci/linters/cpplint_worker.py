@@ -51,7 +51,7 @@ def give_settings(root: str, name: str, settings: Mapping[str, str]) -> None:
         return io.StringIO(texts[path]) if path in texts else opened(path, *arguments, **options)
 
     os.path.isfile = is_visible_file
-    codecs.open = open_given  # type: ignore[assignment]
+    codecs.open = open_given  # type: ignore[assignment]  # for cpplint alone, in this process
 
 
 def _guarded(pattern: Any, item: Any, header: str) -> tuple[Any, Any, str]:

@@ -118,7 +118,7 @@ class Vocabulary:
         yield from (argument for argument in own if os.path.isfile(argument))
         module = self._name.replace("-", "_")
         names = (module, f"{module}.py", *_COMPANIONS.get(self._name, ()))
-        yield from _sources((Path(entry, name) for entry in own if os.path.isdir(entry) for name in names))
+        yield from _sources(Path(entry, name) for entry in own if os.path.isdir(entry) for name in names)
         yield from _sources((Path(__file__).parent,))  # our adapters' words
 
 

@@ -50,7 +50,7 @@ class TrustedFinder:
 def trust_only_the_present_path() -> None:
     """From here on, imports come from today's sys.path alone."""
     TrustedFinder.trusted = tuple(sys.path)
-    finders: list[object] = sys.meta_path  # type: ignore[assignment]
+    finders: list[object] = sys.meta_path  # type: ignore[assignment]  # a protocol in typeshed
     finders[:] = [TrustedFinder if finder is PathFinder else finder for finder in finders]
 
 

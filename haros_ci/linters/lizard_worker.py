@@ -14,7 +14,7 @@ from typing import Any
 if not __package__:  # run as a script: haros_ci itself, also where it is not installed
     sys.path.append(str(Path(__file__).resolve().parents[2]))
 
-from haros_ci.linters.metrics_worker import Tokens, Unmeasurable, begin, file_metrics, serve  # noqa: E402
+from haros_ci.linters.metrics_worker import Tokens, Unmeasurable, begin, file_metrics, serve
 
 #: Names that lizard takes for functions where macros or templates confuse it.
 NOT_FUNCTIONS = frozenset(
@@ -39,7 +39,7 @@ DIRECTIVE = re.compile(r"#\s*(\w+)")
 def measure(source: bytes) -> dict[str, Any]:
     """The metrics of one file. Of the branches of ``#if`` the first is read (of ``#if 0`` the next), as lizard would
     otherwise see the braces of both."""
-    import lizard  # type: ignore[import-not-found,import-untyped,unused-ignore]
+    import lizard
 
     if b"\0" in source:
         raise Unmeasurable("not text")

@@ -22,7 +22,7 @@ from pathlib import Path
 if not __package__:  # run as a script: haros_ci itself, also where it is not installed
     sys.path.append(str(Path(__file__).resolve().parents[2]))
 
-from haros_ci.linters.isolation import is_below, refuse_ways_out  # noqa: E402
+from haros_ci.linters.isolation import is_below, refuse_ways_out
 
 #: Times that mypy is started again, because of a file that Python can read and mypy cannot.
 ATTEMPTS = 20

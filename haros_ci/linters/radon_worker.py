@@ -15,7 +15,7 @@ from typing import Any
 if not __package__:  # run as a script: haros_ci itself, also where it is not installed
     sys.path.append(str(Path(__file__).resolve().parents[2]))
 
-from haros_ci.linters.metrics_worker import Tokens, Unmeasurable, begin, file_metrics, serve  # noqa: E402
+from haros_ci.linters.metrics_worker import Tokens, Unmeasurable, begin, file_metrics, serve
 
 LAYOUT = frozenset((tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENDMARKER))
 PUNCTUATION = frozenset("()[]{},:;")
@@ -24,7 +24,7 @@ Function = ast.FunctionDef | ast.AsyncFunctionDef
 
 def measure(source: bytes) -> dict[str, Any]:
     """The metrics of one file. A docstring counts as a comment, an ``assert`` is not a branch."""
-    from radon.visitors import HalsteadVisitor  # type: ignore[import-not-found,import-untyped,unused-ignore]
+    from radon.visitors import HalsteadVisitor
 
     warnings.simplefilter("ignore")
     text = _decode(source)
@@ -108,7 +108,7 @@ def _functions(tree: ast.Module) -> Iterator[tuple[Function, str, ast.AST]]:
 
 
 def _function(node: Function, name: str, owner: ast.AST, rows: list[str], lines: _RadonLines) -> dict[str, Any]:
-    from radon.visitors import ComplexityVisitor  # type: ignore[import-not-found,import-untyped,unused-ignore]
+    from radon.visitors import ComplexityVisitor
 
     span = range(node.lineno, (node.end_lineno or node.lineno) + 1)
     visitor = ComplexityVisitor(off=False, no_assert=True)

@@ -51,7 +51,7 @@ def decode(value: object, unit: str, is_selected: IsSelected, known: Collection[
     Results outside the *known* files are dropped, as they are when a tool reports them.
     """
     try:
-        rules, gave_up = value["rules"], value["gave_up"]  # type: ignore[index]
+        rules, gave_up = value["rules"], value["gave_up"]  # type: ignore[index]  # a TypeError is answered below
         if sum(len(rows) for _, _, rows in rules) > MOST:
             return None
         results = [result for tool, rule, rows in rules for result in _results(tool, rule, rows, is_selected, known)]
@@ -121,9 +121,9 @@ def _number(value: object) -> int | None:
 
 
 def _real(value: object) -> float | None:
-    if value is not None and (type(value) not in (int, float) or not abs(value) <= float_info.max):  # type: ignore[arg-type]
+    if value is not None and (type(value) not in (int, float) or not abs(value) <= float_info.max):  # type: ignore[arg-type]  # the type is looked at first
         raise ValueError("not a number")
-    return value  # type: ignore[return-value]
+    return value  # type: ignore[return-value]  # a number or None by then
 
 
 __all__ = ["Answer", "IsSelected", "decode", "encode"]

@@ -128,7 +128,7 @@ def tables(text: str) -> dict[str, Any]:
     try:
         import tomllib
     except ModuleNotFoundError:  # Python 3.10, where the tools themselves bring tomli
-        import tomli as tomllib  # type: ignore[no-redef,import-not-found,unused-ignore]
+        import tomli as tomllib  # type: ignore[no-redef,unused-ignore]  # the other one
     if _LONG_KEY.search(text):
         raise ValueError("a key of too many parts")
     document: dict[str, Any] = tomllib.loads(text)  # TOMLDecodeError is a ValueError

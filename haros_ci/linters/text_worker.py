@@ -19,7 +19,7 @@ from typing import Any
 if not __package__:  # run as a script: haros_ci itself, also where it is not installed
     sys.path.append(str(Path(__file__).resolve().parents[2]))
 
-from haros_ci.linters.metrics_worker import CPU_LIMIT, begin, cpu_limit  # noqa: E402
+from haros_ci.linters.metrics_worker import CPU_LIMIT, begin, cpu_limit
 
 #: Rule, line and column (from 1, None or 0 for the whole file), message.
 Said = tuple[str, int | None, int | None, str]
@@ -28,8 +28,8 @@ Check = Callable[[str, str], Iterable[Said]]
 
 def yamllint(settings: Any) -> Check:
     """*settings* is a configuration without ``extends`` of a file, as yamllint reads it from YAML."""
-    from yamllint import linter  # type: ignore[import-not-found,import-untyped,unused-ignore]
-    from yamllint.config import YamlLintConfig  # type: ignore[import-not-found,import-untyped,unused-ignore]
+    from yamllint import linter
+    from yamllint.config import YamlLintConfig
 
     config = YamlLintConfig(content=json.dumps(settings))
 
@@ -43,7 +43,7 @@ def yamllint(settings: Any) -> Check:
 
 def cmakelint(settings: Any) -> Check:
     """*settings*: ``lines`` of a .cmakelintrc, and ``length``, how long a line may be if they do not tell."""
-    from cmakelint import main as tool  # type: ignore[import-not-found,import-untyped,unused-ignore]
+    from cmakelint import main as tool
 
     state, messages = tool._lint_state, []
     state.SetLineLength(settings["length"])
@@ -69,9 +69,9 @@ def cmakelint(settings: Any) -> Check:
 
 def cmake_lint(settings: Any) -> Check:
     """*settings*: ``config``, a configuration as a map, or ``file``, the name of one that may be Python."""
-    from cmakelang import configuration  # type: ignore[import-not-found,import-untyped,unused-ignore]
-    from cmakelang.format.__main__ import get_config  # type: ignore[import-not-found,import-untyped,unused-ignore]
-    from cmakelang.lint import __main__ as tool  # type: ignore[import-not-found,import-untyped,unused-ignore]
+    from cmakelang import configuration
+    from cmakelang.format.__main__ import get_config
+    from cmakelang.lint import __main__ as tool
     from cmakelang.lint import lint_util
 
     values = get_config(None, [settings["file"]]) if "file" in settings else settings["config"]

@@ -133,7 +133,7 @@ class GuardedLinter:
         found = _a(answer, adapters.Finding, GaveUp)
         if isinstance(found, adapters.Finding) and _a(found.result, Result).tool != self.NAME:
             raise ValueError(f"a result of the tool {found.result.tool!r}, not of {self.NAME!r}")
-        return found  # type: ignore[no-any-return]
+        return found  # type: ignore[no-any-return]  # what the plug-in returns, looked at above
 
 
 def _a(value: Any, *kinds: type) -> Any:

@@ -140,7 +140,7 @@ def _linter(name: str, value: Any) -> Linter:
     lacks += [method for method in _METHODS if not callable(getattr(value, method, None))]
     if lacks:
         _refuse(name, f"linter {tool}: it has no {', '.join(lacks)}", "see haros_ci.api.linters.Linter")
-    return value  # type: ignore[no-any-return]
+    return value  # type: ignore[no-any-return]  # what the plug-in has, looked at above
 
 
 def _rules(name: str, linter: Linter) -> dict[str, Rule]:

@@ -40,7 +40,7 @@ def length(value: Value) -> int:
     found = items_of(value)
     if found is None:
         raise QueryError(f"a {kind_of(value)} has no length")
-    return len(found)  # type: ignore[arg-type]
+    return len(found)  # type: ignore[arg-type]  # a query may ask it of anything: a TypeError is the answer
 
 
 def number(value: Value) -> int | float:

@@ -127,7 +127,7 @@ class Resource(QueryEntity):
     def of(self, kind: str) -> QueryList:
         if kind not in self.cache:
             self.cache[kind] = QueryList.of(self.links.get(kind, ()))
-        return self.cache[kind]  # type: ignore[no-any-return]
+        return self.cache[kind]  # type: ignore[no-any-return]  # the cache holds what the method returns
 
     def places(self) -> tuple[Place, ...]:
         """Where its ends stand, the main one first."""

@@ -81,7 +81,7 @@ def publishing(code: Codebase, place: Location, sending: Sending = PUBLISHER_CAL
     key = ("publishing", place)
     if key not in code.kept:
         code.kept[key] = _publishing(code, place, sending)
-    found: Publishing = code.kept[key]  # type: ignore[assignment]
+    found: Publishing = code.kept[key]
     return found
 
 

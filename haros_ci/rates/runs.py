@@ -58,7 +58,7 @@ def runs(code: Codebase, routine: Routine) -> Runs:
     key = ("runs", id(routine))
     if key not in code.kept:
         code.kept[key] = _runs(code, routine)
-    found: Runs = code.kept[key]  # type: ignore[assignment]
+    found: Runs = code.kept[key]
     return found
 
 
@@ -89,7 +89,7 @@ def _callbacks(code: Codebase) -> dict[int, tuple[Callback, ...]]:
         for callback in callbacks(code):
             found[id(callback.routine)] = (*found.get(id(callback.routine), ()), callback)
         code.kept["callbacks by routine"] = found
-    known: dict[int, tuple[Callback, ...]] = code.kept["callbacks by routine"]  # type: ignore[assignment]
+    known: dict[int, tuple[Callback, ...]] = code.kept["callbacks by routine"]
     return known
 
 
@@ -185,7 +185,7 @@ def _names(code: Codebase, where: Routine) -> dict[str, list[Record]]:
                 made.setdefault(last, []).append(node)
         code.kept[key] = made
         code.kept["keep", id(where)] = where
-    found: dict[str, list[Record]] = code.kept[key]  # type: ignore[assignment]
+    found: dict[str, list[Record]] = code.kept[key]
     return found
 
 

@@ -39,7 +39,7 @@ def decompressor(form: str) -> Any:
 
         return bz2.BZ2Decompressor()
     if form == "lz4":
-        import lz4.frame  # type: ignore[import-not-found, import-untyped, unused-ignore]
+        import lz4.frame
 
         return lz4.frame.LZ4FrameDecompressor()
     if form == "zstd":
@@ -51,7 +51,7 @@ def _zstd() -> Any:
     if sys.version_info >= (3, 14):
         from compression import zstd
     else:
-        from backports import zstd  # type: ignore[import-not-found, import-untyped, unused-ignore]
+        from backports import zstd
     return zstd
 
 

@@ -54,7 +54,7 @@ def decoder_of(channel: Channel) -> Decoder:
 
 def _store(channel: Channel) -> tuple[Any, str, int]:
     """rosbags' types for a channel, the name of its type there, and the bytes that a message has at least."""
-    from rosbags.typesys import Stores, get_types_from_msg, get_typestore  # type: ignore[import-not-found, import-untyped, unused-ignore]
+    from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
     if channel.encoding not in ("ros1", "cdr"):
         raise ValueError(f"messages in {channel.encoding[:40]!r} are not read")

@@ -92,6 +92,8 @@ def _line(change: Change) -> str:
         text = change.after if change.after is not None else change.before
         message = f"{names}: {value(text)}" if text is not None else names
     where = several(change.programs)
+    if where and where in message.replace(": ", ", ").split(", "):  # it is what comes or goes
+        where = ""
     parts = [
         f"{title(change)}: {message}",
         where,

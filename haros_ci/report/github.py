@@ -3,6 +3,7 @@
 
 # No "from __future__ import annotations" here: it would take the name of the function below.
 
+import re
 from itertools import groupby
 
 from haros_ci.report import summary as counts_of
@@ -49,9 +50,18 @@ def annotations(report: Report) -> str:
     return "".join(f"{command}\n" for command in written)
 
 
-def summary(report: Report, *, limit: int = MAX_SUMMARY) -> str:
-    """GitHub-flavoured Markdown of at most *limit* bytes for ``GITHUB_STEP_SUMMARY``."""
-    return as_markdown(report, limit=limit)
+def summary(report: Report, *, limit: int = MAX_SUMMARY, blob: str = "") -> str:
+    """GitHub-flavoured Markdown of at most *limit* bytes for ``GITHUB_STEP_SUMMARY``; *blob* as ``blob_address`` gives it."""
+    return as_markdown(report, limit=limit, blob=blob)
+
+
+def blob_address(server: str, repository: str, commit: str) -> str:
+    """Where the files of a commit can be read; "" unless all three look as GitHub writes them."""
+    if not re.fullmatch(r"https://[\w.-]{1,100}(?::[0-9]{1,5})?", server, re.A):
+        return ""
+    if not re.fullmatch(r"[\w.-]{1,100}/[\w.-]{1,100}", repository, re.A):
+        return ""
+    return f"{server}/{repository}/blob/{commit}" if re.fullmatch(r"[0-9a-f]{40}|[0-9a-f]{64}", commit) else ""
 
 
 def _worst_rank(group: tuple[Result, ...]) -> int:

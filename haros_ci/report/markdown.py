@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from haros_ci.report import summary
+from haros_ci.report.diff_markdown import linked
 from haros_ci.report.escape import markdown, markdown_code
 from haros_ci.report.message import plain, shorten
 from haros_ci.results.result import Notification, Report, Result
@@ -20,11 +21,11 @@ MAX_ALSO = 5
 TABLE = "\n| Level | Place | Finding | Rule |\n|---|---|---|---|\n"
 
 
-def render(report: Report, *, limit: int = MAX_COMMENT) -> str:
+def render(report: Report, *, limit: int = MAX_COMMENT, blob: str = "") -> str:
     """Verdict, trouble, a table of the open findings, coverage: at most *limit* bytes (2,000 or more) of UTF-8.
 
     A quarter is the most that trouble takes, and another that coverage and messages take; the worst findings have the
-    rest, and what does not fit is counted.
+    rest, and what does not fit is counted. *blob* is the address below which files can be read, for links to lines; "" for none.
     """
     counts = summary.count(report)
     head = [f"## haros-ci: {summary.headline(report, counts)}", "", summary.verdict(report, counts)]
@@ -38,11 +39,11 @@ def render(report: Report, *, limit: int = MAX_COMMENT) -> str:
     tail = "\n".join(["", *_coverage(report, limit // 8), *_messages(report, limit // 8), ""])
     shown = sorted(report.shown(), key=lambda result: (result.level.rank, result.sort_key))
     room = limit - _size(top) - _size(tail) - _size(TABLE) - 200
-    rows = list(_taken((_row(result) for result in shown[:MAX_ROWS]), room))
+    rows = list(_taken((_row(result, blob) for result in shown[:MAX_ROWS]), room))
     left = len(shown) - len(rows)
     more = f"\n{summary.plural(left, 'more finding')} not in this table; the SARIF log has them all.\n" if left else ""
     text = f"{top}{TABLE if rows else ''}{''.join(rows)}{more}{tail}"
-    return text + _changes(report, limit - _size(text))
+    return text + _changes(report, limit - _size(text), blob)
 
 
 def alarms_of(report: Report) -> tuple[str, ...]:
@@ -51,20 +52,21 @@ def alarms_of(report: Report) -> tuple[str, ...]:
     return (*((missing,) if missing else ()), *summary.failures(report))
 
 
-def _changes(report: Report, room: int) -> str:
+def _changes(report: Report, room: int, blob: str) -> str:
     """What the change does to the system, where a base revision is known and *room* bytes are enough."""
     if report.changes is None:
         return ""
     from haros_ci.report.diff_markdown import render
 
-    text = f"\n### What changes in the system\n\n{render(report.changes)}"
+    text = f"\n### What changes in the system\n\n{render(report.changes, blob=blob)}"
     return text if _size(text) <= room else ""
 
 
-def _row(result: Result) -> str:
+def _row(result: Result, blob: str) -> str:
     ids = (result.full_id, *result.also[:MAX_ALSO])
     rules = ", ".join(markdown_code(shorten(rule, MAX_TEXT)) for rule in ids)
-    place = markdown_code(shorten(str(result.location), MAX_TEXT))
+    text = shorten(str(result.location), MAX_TEXT)
+    place = linked(text, result.location.path, result.location.line, blob) if blob else markdown_code(text)
     return f"| {result.level.value} | {place} | {_text(plain(result))} | {rules} |\n"
 
 

@@ -13,7 +13,7 @@ import json
 from typing import Any
 
 import attr
-import sarif_om as om  # type: ignore[import-untyped,unused-ignore]
+import sarif_om as om
 
 __all__ = ["dumps", "om", "properties", "write"]
 
@@ -54,7 +54,7 @@ def _learn(kind: type) -> tuple[dict[str, str], dict[str, object]]:
     for field in attr.fields(kind):
         keys[field.name] = key = field.metadata["schema_property_name"]
         default: Any = field.default
-        if isinstance(default, attr.Factory):  # type: ignore[arg-type]
+        if isinstance(default, attr.Factory):  # type: ignore[arg-type]  # attrs has it as a function for type checkers
             default = default.factory()
         if default is not None and default is not attr.NOTHING and field.name not in _ALWAYS:
             defaults[key] = default

@@ -150,7 +150,7 @@ def _function(items: Sequence[Item], last: str, inside: str) -> tuple[Declaratio
         return DeclarationKind.BODY, ""
     start, name, group = found[0]
     if start == 0 and "::" not in name and name != inside:
-        for later_start, later_name, later_group in found[1:]:
+        for later_start, later_name, _later_group in found[1:]:
             before = items[later_start - 1]
             typed = isinstance(before, str) and before not in _QUALIFIERS and (before in "*&" or _WORD.match(before))
             if typed or "::" in later_name or later_name == inside:

@@ -34,7 +34,7 @@ class LinearPattern:
 @lru_cache(maxsize=500)
 def compiled(pattern: str) -> LinearPattern:
     """*pattern* ready to search with. Raises PatternError, which says what is wrong with it."""
-    import re2  # type: ignore[import-not-found,import-untyped,unused-ignore]
+    import re2
 
     if len(pattern) > MAX_PATTERN:
         raise PatternError(f"more than {MAX_PATTERN} characters")

@@ -112,7 +112,7 @@ def _unmapped(pair: SilencedPair, marks: list[_Mark], before: list[_Mark]) -> tu
 
 def _taken(counts: Counter[tuple[str, str]] | Counter[tuple[str, int | None]], key: tuple[str, object]) -> bool:
     """Whether one of *key* is left, which is taken."""
-    if counts[key] > 0:  # type: ignore[index]
-        counts[key] -= 1  # type: ignore[index]
+    if counts[key] > 0:  # type: ignore[index]  # the key is of the kind that the counts have
+        counts[key] -= 1  # type: ignore[index]  # the same
         return True
     return False

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import MISSING, fields, is_dataclass
 from enum import Enum
-from functools import lru_cache, partial
+from functools import cache, partial
 from math import isfinite
 from types import NoneType, UnionType
 from typing import Any, Union, get_args, get_origin, get_type_hints
@@ -42,7 +42,7 @@ def read(type_: Any, value: object) -> Any:
     return _reader(type_)(value)
 
 
-@lru_cache(maxsize=None)
+@cache
 def _reader(type_: Any) -> Callable[[object], Any]:
     origin, arguments = get_origin(type_), get_args(type_)
     if is_dataclass(type_):
@@ -60,7 +60,7 @@ def _reader(type_: Any) -> Callable[[object], Any]:
     return {str: _text, int: _whole, float: _real, bool: _truth, NoneType: _nothing}[type_]
 
 
-@lru_cache(maxsize=None)
+@cache
 def _members(type_: Any) -> dict[str, tuple[Callable[[object], Any], bool]]:
     hints = get_type_hints(type_)
     needed = {f.name: f.default is MISSING and f.default_factory is MISSING for f in fields(type_)}

@@ -31,7 +31,7 @@ MAX_SIMILAR = 50
 
 
 #: Names that may be meant, or what finds them.
-Similar = Union[tuple[str, ...], Callable[[], tuple[str, ...]]]  # noqa: UP007
+Similar = Union[tuple[str, ...], Callable[[], tuple[str, ...]]]
 
 
 class Evaluating:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from haros_ci.results.result import Run
@@ -31,7 +31,7 @@ class AnswerValues(Mapping[tuple[str, str], object]):
             raise KeyError(key)
         return value
 
-    def __iter__(self) -> object:  # type: ignore[override]
+    def __iter__(self) -> Iterator[tuple[str, str]]:
         return iter(self._said)
 
     def __len__(self) -> int:

@@ -49,7 +49,7 @@ def launched(types: Types, node: LaunchedNode, containers: Mapping[str, Launched
         found = controller.entry, controller.files
     basic = _basic(node, controller)
     if found is None:
-        outside_it = lambda: (_not_followed(types, node, basic, started), ())
+        outside_it = lambda: (_not_followed(types, node, basic, started), ())  # noqa: E731 - one of two bodies of the same name
         return Job(basic, None, outside_it, parameters=started.parameters, files=node.files)
     entry, files = found
     return Job(

@@ -203,7 +203,7 @@ class Marks:
     *names* are those of nodes and namespaces; parameters come as they are asked for.
     """
 
-    def __init__(self, names: Mapping[str, str] = {}) -> None:  # noqa: B006
+    def __init__(self, names: Mapping[str, str] = {}) -> None:
         self.texts = dict(names)
         self.cells = {key: key for key in names}
         self.looks = Looks()

@@ -70,7 +70,7 @@ def revisions(
     if new is None:
         present = discover(root, paths, exclude=exclude, max_file_size=max_file_size)
         limits = {"paths": paths, "exclude": exclude, "max_file_size": max_file_size}
-        with base_workspace(present, old, use_merge_base=False, **limits) as found:  # type: ignore[arg-type]
+        with base_workspace(present, old, use_merge_base=False, **limits) as found:  # type: ignore[arg-type]  # limits by name
             yield Revisions(found.workspace, present, old, None, found.renames)
         return
     try:

@@ -73,7 +73,8 @@ def main() -> int:
     parser.add_argument("--shards", type=int, default=4)
     parser.add_argument("--option", action="append", default=[], help="For check and merge, as --option=--profile=all.")
     given = parser.parse_args()
-    return 0 if all([bench(path.resolve(), given.shards, given.option) for path in given.workspaces]) else 1
+    alike = [bench(path.resolve(), given.shards, given.option) for path in given.workspaces]
+    return 0 if all(alike) else 1
 
 
 if __name__ == "__main__":

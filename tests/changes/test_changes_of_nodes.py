@@ -266,3 +266,26 @@ def test_who_listens_is_named_and_drawn(tmp_path: Path) -> None:
         ("/talker", "/chat", "added"),
         ("/talker", "/chatter", "removed"),
     ]
+
+
+LISTENER = {"listener.py": python_node("listener", 'sub = node.create_subscription(String, "chatter", print, 10)')}
+ALONE = {"launch/a.launch.xml": launch(TALKER)}
+BOTH = {"launch/a.launch.xml": launch(TALKER, 'pkg="demo" exec="listener.py" name="listener"')}
+
+
+@pytest.mark.parametrize(("base", "head", "state"), [(BOTH, ALONE, "removed"), (ALONE, BOTH, "added")])
+def test_a_node_that_comes_or_goes_is_drawn_with_who_is_left(
+    tmp_path: Path, base: Files, head: Files, state: str
+) -> None:
+    found = changes(tmp_path, {**talker(PUB), **LISTENER, **base}, {**talker(PUB), **LISTENER, **head})
+    assert [(edge.node, edge.channel, edge.state) for edge in found.edges] == [
+        ("/listener", "/chatter", state),
+        ("/talker", "/chatter", ""),
+    ]
+
+
+def test_nothing_is_drawn_where_nothing_comes_or_goes(tmp_path: Path) -> None:
+    files = {**talker(PUB, RATE), **LISTENER, **BOTH}
+    other = {**talker(PUB, RATE.replace("10.0", "20.0")), **LISTENER, **BOTH}
+    assert changes(tmp_path / "same", files, files).edges == ()
+    assert changes(tmp_path / "parameter", files, other).edges == ()

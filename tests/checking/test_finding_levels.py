@@ -20,7 +20,10 @@ from haros_ci.workspace.discover import discover
 OURS = "duplicate-node-name"  # a warning, in ROS 1 an error
 
 
-def level_of(workspace: Workspace, tool: str, rule: str, level: Level, policy: Policy = Policy()) -> Level | None:
+PLAIN = Policy()
+
+
+def level_of(workspace: Workspace, tool: str, rule: str, level: Level, policy: Policy = PLAIN) -> Level | None:
     settings = Settings(root=workspace.root, policy=policy)
     other = Rule("theirs", "A linter's.", level=Level.WARNING, profiles=("ros",))
     selection = Selection(settings, lambda name: check_rules() if name == "haros-ci" else {"theirs": other})

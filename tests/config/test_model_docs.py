@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""docs/model.md and the README: what they show of ``haros-ci model`` is what it prints for examples/legacy_ws."""
+"""docs/model.md and docs/features.md: what they show of ``haros-ci model`` is what it prints for examples/legacy_ws."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from haros_ci.config.load import load
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = (ROOT / "docs" / "model.md").read_text(encoding="utf-8")
-README = (ROOT / "README.md").read_text(encoding="utf-8")
+FEATURES = (ROOT / "docs" / "features.md").read_text(encoding="utf-8")
 
 
 def fences(marker: str, page: str = PAGE) -> list[tuple[str, str]]:
@@ -44,7 +44,7 @@ def run(command: str, workspace: Path) -> subprocess.CompletedProcess[str]:
 
 SHOWN = [
     *((command, text, 0) for command, text in fences("run")),
-    *((command.partition(" (")[0], text, 0) for command, text in fences("model", README)),
+    *((command.partition(" (")[0], text, 0) for command, text in fences("model", FEATURES)),
     *((command, text, 1) for command, text in fences("run 1")),
 ]
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import os
 import shutil
 from collections.abc import Callable
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -52,7 +52,7 @@ class Ground:
 
 @pytest.fixture(scope="module")
 def ground(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str, str], Ground]:
-    @lru_cache(maxsize=None)
+    @cache
     def made(family: str, sandbox: str) -> Ground:
         place = tmp_path_factory.mktemp("leaks")
         return Ground(Trap(place, place / "cache"), family, sandbox)

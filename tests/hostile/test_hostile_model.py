@@ -95,7 +95,7 @@ def test_a_hostile_package(name: str, tmp_path: Path) -> None:
                 for node in configuration["nodes"]
                 for end in node["publishers"]
             }
-    assert not [path for path in root.rglob("ran")]
+    assert not list(root.rglob("ran"))
 
 
 #: Where a function's body stands among its values in the cache.

@@ -236,4 +236,4 @@ def test_the_model_has_rates_only_where_they_are_asked_for() -> None:
 
 def test_publishers_of_a_topic_add_up() -> None:
     launch = '<launch><node pkg="p" type="n" name="x"/><node pkg="p" type="n" name="y"/></launch>'
-    assert dict((name, str(rate)) for name, rate in rates(cpp_files(main(TWO), launch)).topics)["/a"] == "20 Hz"
+    assert {name: str(rate) for name, rate in rates(cpp_files(main(TWO), launch)).topics}["/a"] == "20 Hz"

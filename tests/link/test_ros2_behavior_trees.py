@@ -229,7 +229,7 @@ def test_a_subtree_that_is_elsewhere() -> None:
     made = found(SAY % PORT + MAIN % (REGISTER + FROM_TEXT % outer))
     assert told(made) == {"p/n": [("/a", [])], "p/n (behaviour trees)": [("/a", [])]}
     assert [unknown.field for unknown in made.configurations[0].nodes[0].unknowns] == ["endpoints"]
-    before = 'factory.registerBehaviorTreeFromText(R"(%s)");' % tree('<Say topic="b"/>', "Inner")  # noqa: UP031
+    before = 'factory.registerBehaviorTreeFromText(R"(%s)");' % tree('<Say topic="b"/>', "Inner")
     assert told(found(SAY % PORT + MAIN % (REGISTER + before + FROM_TEXT % outer))) == {"p/n": [("/a", []), ("/b", [])]}
 
 

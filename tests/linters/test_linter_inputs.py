@@ -194,7 +194,7 @@ def test_includes(tmp_path: Path) -> None:
     store = MemoryStore()
     written = includes.written(space, space.files, store)
     assert includes.written(space, space.files, store) == written and store.hits == 1
-    direct = includes.resolve(written, {path: ("p/include",) for path in files})
+    direct = includes.resolve(written, dict.fromkeys(files, ("p/include",)))
     assert includes.closure("p/src/a.cpp", direct) == {"p/include/p/a.hpp", "p/include/p/b.hpp", "p/src/local.h"}
     assert includes.closure("p/include/p/b.hpp", direct) == {"p/include/p/a.hpp"}
 

@@ -27,7 +27,7 @@ def work(tool: str, sizes: dict[str, int], *, cost: float = 10.0, groups: dict[s
 
 
 def paths(work: Work) -> set[str]:
-    return {key for key in work.keys.values()}
+    return set(work.keys.values())
 
 
 def test_each_unit_is_in_one_portion() -> None:

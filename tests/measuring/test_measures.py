@@ -271,6 +271,10 @@ def test_text(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run(write(tmp_path, FILES), capfd, "--level", "function", "--metric", "nested_control")
     assert code == 0
     assert out == (
+        "The worst 1, by how often the value holds the limit:\n"
+        "  value  limit  metric          of        what  where\n"
+        "  6      4      nested-control  function  A f   one/a.cpp:2\n"
+        "\n"
         "one/a.cpp:2: function A f: nested-control 6 (over 5)\n"
         "one/a.cpp:6: function h: nested-control 0\n"
         "one/a.h:5: function A g: nested-control 0\n"

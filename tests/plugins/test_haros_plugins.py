@@ -103,7 +103,7 @@ def test_processing_sees_the_data_of_all(demo: tuple[str, dict[str, object], dic
 
 
 def test_its_rules_are_rules(tmp_path: Path) -> None:
-    done = run("explain", f"{DEMO}:tab", "--plugin", DEMO, cwd=tmp_path, path=DATA)
+    done = run("explain", f"{DEMO}:tab", "--full", "--plugin", DEMO, cwd=tmp_path, path=DATA)
     assert "No tabs." in done.stdout and "Tags: haros, code-standards, formatting" in done.stdout
     done = run("rules", "--json", "--plugin", DEMO, cwd=tmp_path, path=DATA)
     ids = {row["id"] for row in json.loads(done.stdout) if row["id"].startswith(DEMO)}

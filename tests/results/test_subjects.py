@@ -48,7 +48,7 @@ def check(files: Files) -> Run:
     results, graphs = [], []
     for path in sorted(files):
         if path.endswith(".launch"):
-            ends = [end for end in _ends(path, files)]
+            ends = list(_ends(path, files))
             names = sorted({(name, kind) for end in ends for name, kind in ((end.node, "node"), (end.topic, "topic"))})
             graphs.append(Graph(path, tuple(Vertex(f"{kind}:{name}", name, kind) for name, kind in names)))
             for sub in (end for end in ends if end.role == "subscribe"):

@@ -349,7 +349,7 @@ def test_names_that_lead_out_of_the_base(git: Git, tmp_path: Path, name: bytes) 
     commit = craft(git, entry + b"100644 good.cpp\0" + blob)
     with base_workspace(discover(git.top, (".",)), commit, use_merge_base=False) as base:
         assert paths(base.workspace) == ["good.cpp"]
-        written = [path for path in base.workspace.root.parent.rglob("*.cpp")]
+        written = list(base.workspace.root.parent.rglob("*.cpp"))
         assert written == [base.workspace.root / "good.cpp"]
 
 

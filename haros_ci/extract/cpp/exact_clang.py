@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
-from clang.cindex import (  # type: ignore[import-untyped]
+from clang.cindex import (
     Cursor,
     CursorKind,
     File,

@@ -8,7 +8,7 @@ import math
 import re
 from typing import Any
 
-from clang.cindex import Cursor, CursorKind, SourceLocation, conf  # type: ignore[import-untyped]
+from clang.cindex import Cursor, CursorKind, SourceLocation, conf
 from clang.cindex import Type as ClangType
 from clang.cindex import TypeKind as K
 

@@ -199,7 +199,7 @@ def specifiers(unit: Unit, children: list[Node], depth: int) -> Specifiers:
     marks = ""
     is_static = is_virtual = False
     index = 0
-    for index, child in enumerate(children):  # noqa: B007
+    for index, child in enumerate(children):  # noqa: B007 - the last one is used below
         kind = child.kind_id
         if kind in _QUALIFIER:
             if unit.cut(child) in ("const", "constexpr", "constinit"):

@@ -92,4 +92,4 @@ def too_deep(scope: PythonScope, node: ast.AST) -> None:
     """Note once per file that it is nested deeper than is read."""
     message = f"nested deeper than {DEEPEST} levels: what lies deeper is unknown; split the statement or function"
     if all(text != message for _, text in scope.file.problems):
-        scope.file.problems.append((node.lineno, message))  # type: ignore[attr-defined]
+        scope.file.problems.append((node.lineno, message))  # type: ignore[attr-defined]  # statements and expressions have a line

@@ -38,8 +38,8 @@ def source_of(text: str, parsed: str, edits: Mapping[int, list[Edit]]) -> Source
 
 def place(source: Source, node: ast.AST) -> tuple[int, int]:
     """Line and column of a node's first character, 1-based, in code points."""
-    line: int = node.lineno  # type: ignore[attr-defined]
-    return line, column(source, line, node.col_offset) + 1  # type: ignore[attr-defined]
+    line: int = node.lineno  # type: ignore[attr-defined]  # statements and expressions have a line
+    return line, column(source, line, node.col_offset) + 1  # type: ignore[attr-defined]  # the same
 
 
 def column(source: Source, line: int, offset: int) -> int:
@@ -54,8 +54,8 @@ def column(source: Source, line: int, offset: int) -> int:
 def between(source: Source, first: ast.AST, last: ast.AST, limit: int | None = None) -> str:
     """The file's text from one node's start to another's end, at most *limit* characters."""
     line, start = place(source, first)
-    end_line: int = min(last.end_lineno, len(source.lines))  # type: ignore[attr-defined]
-    end = column(source, end_line, last.end_col_offset)  # type: ignore[attr-defined]
+    end_line: int = min(last.end_lineno, len(source.lines))  # type: ignore[attr-defined]  # statements have an end
+    end = column(source, end_line, last.end_col_offset)  # type: ignore[attr-defined]  # statements have an end
     if line >= end_line:
         return source.lines[end_line - 1][start - 1 : end if limit is None else min(end, start - 1 + limit)]
     pieces = [source.lines[line - 1][start - 1 :][:limit]]

@@ -35,8 +35,8 @@ EXPECTED = "BT::Expected"
 #: Functions that declare ports; those with three arguments give a default.
 DECLARING = frozenset(("InputPort", "BidirectionalPort", "OutputPort"))
 #: How booleans are written.
-WORDS = {word: True for word in ("true", "TRUE", "True", "1")}
-WORDS |= {word: False for word in ("false", "FALSE", "False", "0")}
+WORDS = dict.fromkeys(("true", "TRUE", "True", "1"), True)
+WORDS |= dict.fromkeys(("false", "FALSE", "False", "0"), False)
 #: Functions inside functions that declare ports.
 DEEPEST = 8
 

@@ -180,7 +180,7 @@ def _of_several(found: tuple[tuple[Qos, Why | None], ...]) -> tuple[Qos, Why | N
     for other, reason in found[1:]:
         differing = [policy for policy in POLICIES if getattr(other, policy) != getattr(whole, policy)]
         why = why or reason or ((SEVERAL, None) if differing else None)
-        whole = replace(whole, **{policy: "?" for policy in differing})
+        whole = replace(whole, **dict.fromkeys(differing, "?"))
     return whole, why
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
@@ -115,7 +115,7 @@ def value_at(applied: Applied, template: Template) -> Value | None:
     return Opaque("it is not plain data") if isinstance(found, TypeValue) else found
 
 
-@lru_cache(maxsize=None)
+@cache
 def literal(text: str) -> Known:
     """A literal of a row: true, false, none, a number or text."""
     if text in ("true", "false"):

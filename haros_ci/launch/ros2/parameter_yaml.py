@@ -55,7 +55,7 @@ class Items:
     line: int
 
 
-Tree = Union[Scalar, Map, Items]  # noqa: UP007
+Tree = Union[Scalar, Map, Items]
 
 
 def read_trees(text: Text) -> tuple[Tree, ...]:
@@ -172,9 +172,8 @@ def dumped(value: Any, line: int) -> Scalar:
     text = str(value)
     import yaml
 
-    tag = yaml.resolver.Resolver().resolve(  # type: ignore[no-untyped-call]
-        yaml.ScalarNode, text, (True, False)
-    )
+    resolver: Any = yaml.resolver.Resolver()  # its methods have no types
+    tag = resolver.resolve(yaml.ScalarNode, text, (True, False))
     plain = tag == TAG + "str" and re.fullmatch(r"[A-Za-z0-9_.+-]+", text) is not None and not text.startswith("-.")
     return Scalar(text, line, is_plain=plain)
 

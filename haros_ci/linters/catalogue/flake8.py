@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from haros_ci.linters.catalogue.flake8_layout import SUMMARIES
 from haros_ci.linters.catalogue.group import Group, Rule, help_text, level_of, profiles, tags_of
 from haros_ci.results.rule import Level
 
@@ -110,20 +111,6 @@ GROUPS: tuple[Group, ...] = (
     ),
 )
 
-#: Layout: (the first digits of codes, codes, what they are about); in no profile but ``all``.
-LAYOUT: tuple[tuple[str, str], ...] = (
-    ("E101 E111 E112 E113 E114 E115 E116 E121 E122 E123 E124 E125 E126 E127 E128 E129 E131 E133", "indentation"),
-    ("E201 E202 E203 E204 E211 E221 E222 E223 E224 E225 E226 E227 E228 E231 E241 E242 E251 E252", "spaces in a line"),
-    ("E261 E262 E265 E266 E271 E272 E273 E274 E275", "spaces around comments and keywords"),
-    ("E301 E302 E303 E304 E305 E306 W391", "blank lines"),
-    ("E401 E402", "the place of imports"),
-    ("E501 E502 W505", "the length of lines"),
-    ("E701 E702 E703 E704", "one statement on a line"),
-    ("W191", "tabs"),
-    ("W291 W292 W293", "spaces and newlines at the end"),
-    ("W503 W504", "where an expression is broken"),
-)
-
 #: (letters of a plug-in's codes, what they are about); the first that fits holds.
 PREFIXES: tuple[tuple[str, str], ...] = (
     ("CNL", "line breaks after commas"),
@@ -148,9 +135,7 @@ PREFIXES: tuple[tuple[str, str], ...] = (
 def rules() -> dict[str, Rule]:
     """The codes of the tables, by code."""
     found = {code: _rule(code, letters, summary, group) for group in GROUPS for code, letters, summary in group.rows}
-    for codes, subject in LAYOUT:
-        found.update((code, _rule(code, "-", _generic(code, subject), _LAYOUT)) for code in codes.split())
-    return found
+    return {**found, **{code: _rule(code, "-", summary, _LAYOUT) for code, summary in SUMMARIES.items()}}
 
 
 def invented(code: str) -> Rule:

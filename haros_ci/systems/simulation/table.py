@@ -128,7 +128,7 @@ def _row(library: str, row: object, where: str, ros: int) -> KnownPlugin | list[
         space=Space(**row.get("namespace", {})),
         elements=MappingProxyType(dict(row.get("elements", {}))),
         requires=tuple(row.get("requires", [])),
-        beside=tuple(beside.split("/", 1)) if isinstance(beside, str) else None,  # type: ignore[arg-type]
+        beside=tuple(beside.split("/", 1)) if isinstance(beside, str) else None,  # type: ignore[arg-type]  # the text has one slash, as the table is tested
         called=row.get("called", ""),
     )
 

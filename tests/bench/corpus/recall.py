@@ -24,7 +24,7 @@ import yaml
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 
-import history  # noqa: E402
+import history
 
 #: Characters of a difference that are kept.
 LONGEST = 12_000

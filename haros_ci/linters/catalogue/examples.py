@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A bad and a good example for the rules that are met most: what haros-ci explain shows of tools that have none of their own."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """Two pieces of code in one *language*: with the defect, and without it."""
+
+    bad: str
+    good: str
+    language: str = "python"
+
+
+_CPP = "cpp"
+
+#: By rule id; rules of several tools that find the same defect share a pair.
+PAIRS: dict[tuple[str, ...], Pair] = {
+    ("unused-import", "F401"): Pair("import os  # nothing uses it\nimport rospy\n\nrospy.init_node('lamp')", "import rospy\n\nrospy.init_node('lamp')"),
+    ("unused-variable", "F841"): Pair("def reading(message):\n    scaled = message.data * 2\n    return message.data", "def reading(message):\n    scaled = message.data * 2\n    return scaled"),
+    ("undefined-variable", "F821"): Pair("def stop(publisher):\n    publisher.publish(mesage)", "def stop(publisher, message):\n    publisher.publish(message)"),
+    ("dangerous-default-value", "B006"): Pair("def add(item, queue=[]):  # one list for all calls\n    queue.append(item)", "def add(item, queue=None):\n    queue = [] if queue is None else queue\n    queue.append(item)"),
+    ("bare-except", "E722"): Pair("try:\n    port.open()\nexcept:  # Ctrl-C ends up here, too\n    pass", "try:\n    port.open()\nexcept SerialException as err:\n    node.get_logger().error(str(err))"),
+    ("broad-exception-caught", "BLE001"): Pair("try:\n    buffer.lookup_transform(a, b, now)\nexcept Exception:\n    return", "try:\n    buffer.lookup_transform(a, b, now)\nexcept TransformException:\n    return"),
+    ("unspecified-encoding",): Pair("with open(path) as stream:", "with open(path, encoding='utf-8') as stream:"),
+    ("redefined-outer-name",): Pair("rate = 10\n\ndef spin(rate):\n    return rate", "RATE = 10\n\ndef spin(rate):\n    return rate"),
+    ("attribute-defined-outside-init",): Pair("class Lamp:\n    def on(self):\n        self.state = True", "class Lamp:\n    def __init__(self):\n        self.state = False\n\n    def on(self):\n        self.state = True"),
+    ("singleton-comparison", "E711"): Pair("if goal == None:", "if goal is None:"),
+    ("E712",): Pair("if enabled == True:", "if enabled:"),
+    ("E713",): Pair("if not name in joints:", "if name not in joints:"),
+    ("F541", "f-string-without-interpolation"): Pair("log.info(f'ready')", "log.info('ready')"),
+    ("line-too-long", "E501"): Pair("self.pub = self.create_publisher(OccupancyGrid, 'map', QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL))", "latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)\nself.pub = self.create_publisher(OccupancyGrid, 'map', latched)"),
+    ("unused-argument",): Pair("def on_timer(self, event):\n    self.publish()", "def on_timer(self, _event):\n    self.publish()"),
+    ("no-else-return",): Pair("if ready:\n    return 1\nelse:\n    return 0", "if ready:\n    return 1\nreturn 0"),
+    ("consider-using-f-string",): Pair("'%s/odom' % name", "f'{name}/odom'"),
+    ("wildcard-import", "F403"): Pair("from std_msgs.msg import *", "from std_msgs.msg import Bool, String"),
+    ("used-before-assignment", "possibly-used-before-assignment"): Pair("if sim:\n    clock = SimClock()\nclock.start()", "clock = SimClock() if sim else Clock()\nclock.start()"),
+    ("no-self-argument",): Pair("class Lamp:\n    def on():\n        ...", "class Lamp:\n    def on(self):\n        ..."),
+    ("subprocess-run-check", "PLW1510"): Pair("subprocess.run(['rosbag', 'record', '-a'])", "subprocess.run(['rosbag', 'record', '-a'], check=True)"),
+    ("runtime/explicit", "noExplicitConstructor", "google-explicit-constructor"): Pair("class Lamp {\n public:\n  Lamp(int pin);  // f(3) makes a Lamp of 3\n};", "class Lamp {\n public:\n  explicit Lamp(int pin);\n};", _CPP),
+    ("build/namespaces",): Pair("using namespace std;  // in a header: for all that include it", "std::string name;", _CPP),
+    ("build/include_what_you_use",): Pair("std::vector<double> ranges;  // <vector> comes by chance", "#include <vector>\n\nstd::vector<double> ranges;", _CPP),
+    ("build/header_guard",): Pair("// lamp.hpp, without a guard\nclass Lamp;", "#ifndef ROBOT__LAMP_HPP_\n#define ROBOT__LAMP_HPP_\nclass Lamp;\n#endif  // ROBOT__LAMP_HPP_", _CPP),
+    ("runtime/int",): Pair("long counter;  // 32 bits here, 64 there", "std::int64_t counter;", _CPP),
+    ("runtime/printf",): Pair("char text[8];\nsprintf(text, \"%s\", name);", "char text[8];\nsnprintf(text, sizeof(text), \"%s\", name);", _CPP),
+    ("runtime/references",): Pair("void read(Scan & scan);", "void read(Scan * scan);", _CPP),
+    ("readability/casting", "cstyleCast"): Pair("auto ratio = (double)ticks / 1024;", "auto ratio = static_cast<double>(ticks) / 1024;", _CPP),
+    ("resourceLeak",): Pair("FILE * file = fopen(path, \"r\");\nif (!is_valid(file)) {\n  return false;  // never closed\n}\nfclose(file);", "std::ifstream file(path);\nif (!is_valid(file)) {\n  return false;  // closed by the destructor\n}", _CPP),
+    ("memleak", "clang-analyzer-cplusplus.NewDeleteLeaks"): Pair("auto * buffer = new char[size];\nif (size < 4) {\n  return;\n}\ndelete[] buffer;", "std::vector<char> buffer(size);\nif (size < 4) {\n  return;\n}", _CPP),
+    ("uninitvar", "legacyUninitvar", "clang-analyzer-core.uninitialized.Assign"): Pair("int speed;\nif (enabled) {\n  speed = 3;\n}\ndrive(speed);", "int speed = 0;\nif (enabled) {\n  speed = 3;\n}\ndrive(speed);", _CPP),
+    ("uninitMemberVar",): Pair("class Lamp {\n public:\n  Lamp() {}\n  bool on_;\n};", "class Lamp {\n public:\n  Lamp() {}\n  bool on_ = false;\n};", _CPP),
+    ("nullPointer", "clang-analyzer-core.NullDereference"): Pair("Goal * goal = find(id);\nif (!goal) {\n  log(goal->text);\n}", "Goal * goal = find(id);\nif (!goal) {\n  log(\"no goal\");\n  return;\n}", _CPP),
+    ("arrayIndexOutOfBounds",): Pair("double joints[6];\njoints[6] = 0.0;", "std::array<double, 6> joints{};\njoints.at(5) = 0.0;", _CPP),
+    ("variableScope",): Pair("double share;\nif (cells > 0) {\n  share = 1.0 / cells;\n  use(share);\n}", "if (cells > 0) {\n  const double share = 1.0 / cells;\n  use(share);\n}", _CPP),
+    ("passedByValue", "performance-unnecessary-value-param"): Pair("void show(std::string text);", "void show(const std::string & text);", _CPP),
+    ("incorrectLogicOperator",): Pair("if (cell < 0 && cell > 100) {  // never", "if (cell < 0 || cell > 100) {", _CPP),
+    ("bugprone-use-after-move", "accessMoved"): Pair("publisher->publish(std::move(message));\nlog(message->data);", "log(message->data);\npublisher->publish(std::move(message));", _CPP),
+    ("performance-for-range-copy", "iterateByValue"): Pair("for (const Pose pose : path.poses) {", "for (const Pose & pose : path.poses) {", _CPP),
+    ("modernize-use-override", "missingOverride"): Pair("class Arm : public Part {\n  virtual void stop();\n};", "class Arm : public Part {\n  void stop() override;\n};", _CPP),
+    ("unusedVariable", "unreadVariable"): Pair("int count = size();  // nothing reads it\nreset();", "reset();", _CPP),
+    ("SC2086",): Pair("rm -r $WORKSPACE/build", "rm -r \"$WORKSPACE/build\"", "sh"),
+    ("SC2164",): Pair("cd build\nrm -rf *", "cd build || exit 1\nrm -rf *", "sh"),
+}  # fmt: skip
+
+BY_RULE: dict[str, Pair] = {rule: pair for rules, pair in PAIRS.items() for rule in rules}
