@@ -38,7 +38,7 @@ History = tuple[tuple[str | float, ...], ...]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Input:
-    """All that the page is made of; *broadcasts* are the transforms by configuration, *date* is the commit's time, "" without git."""
+    """All that the page is made of; *broadcasts* are the transforms by configuration, *date* is the commit's time, "" without git; *processes* lay out pictures."""
 
     report: Report
     workspace: Workspace
@@ -52,6 +52,7 @@ class Input:
     date: str = ""
     more_than_shown: int = 0
     history: History = ()
+    processes: int = 1
 
 
 def data_of(given: Input) -> dict[str, Any]:
@@ -75,7 +76,7 @@ def data_of(given: Input) -> dict[str, Any]:
         "summary": _summary(pool, report, given),
         "findings": rows,
         "rules": rules(pool, report, shown),
-        "configurations": configurations(pool, given.configurations, given.broadcasts),
+        "configurations": configurations(pool, given.configurations, given.broadcasts, given.processes),
         "packages": packages(pool, workspace),
         "package_picture": picture(workspace),
         "properties": properties(pool, given.properties),

@@ -111,6 +111,7 @@ def _made(
             name=title,
             date=date,
             history=past,
+            processes=architectures.settings.jobs,
             more_than_shown=len(every) - len(shown),
         )
     )
