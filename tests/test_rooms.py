@@ -156,6 +156,7 @@ DOORS: dict[str, set[str]] = {
         "checking",
         "config",
         "errors",
+        "forks",
         "measuring",
         "model",
         "report",

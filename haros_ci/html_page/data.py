@@ -18,6 +18,7 @@ from haros_ci.html_page.packages import LANGUAGES, interfaces, packages, picture
 from haros_ci.html_page.pool import NONE, Pool
 from haros_ci.html_page.properties import Held, properties
 from haros_ci.html_page.systems import configurations
+from haros_ci.html_page.verdicts import Recorded, verdicts
 from haros_ci.model.architecture import KINDS, PROVENANCES, Configuration
 from haros_ci.model.build import Build
 from haros_ci.model.measurement import Measurement
@@ -45,6 +46,7 @@ class Input:
     configurations: Sequence[Configuration] = ()
     broadcasts: Mapping[str, Sequence[Broadcast]] = field(default_factory=dict)
     properties: Sequence[Held] = ()
+    verdicts: Sequence[Recorded] = ()
     builds: Mapping[str, Build] = field(default_factory=dict)
     measurements: Sequence[Measurement] = ()
     limits: Iterable[Limit] = ()
@@ -80,6 +82,7 @@ def data_of(given: Input) -> dict[str, Any]:
         "packages": packages(pool, workspace),
         "package_picture": picture(workspace),
         "properties": properties(pool, given.properties),
+        "verdicts": verdicts(pool, given.verdicts),
         "interfaces": interfaces(pool, given.builds),
         "metrics": metrics(pool, given.measurements, given.limits),
         "changes": changed(pool, report.changes) if report.changes is not None else None,

@@ -33,6 +33,7 @@ SCRIPTS = (
     "launch.js",
     "transforms.js",
     "lists.js",
+    "sequence.js",
     "properties.js",
     "metrics.js",
     "changes.js",

@@ -21,6 +21,7 @@ VIEWS = (
     "launch",
     "parameters",
     "transforms",
+    "properties",
     "packages",
     "interfaces",
     "metrics",
@@ -76,8 +77,9 @@ def test_no_text_of_a_workspace_is_more_than_text(driver: Any, tmp_path: Path, w
         "system?element=%2Fbox%2Ffound&way=behind",
     ):
         page.go(view)
-    page.go("findings")
-    page.click(".rows .row", "")
+    for view in ("properties", "findings"):
+        page.go(view)
+        page.click(".rows .row", "")
     assert page.complaints() == []
     assert page.run("return window.hacked") is None
     assert page.run("return document.querySelectorAll('script').length") == 2
@@ -389,7 +391,7 @@ def test_a_page_without_transforms_has_no_such_view(driver: Any, tmp_path: Path)
 
 def test_properties_with_what_is_wrong_with_them(page: Page) -> None:
     page.go("properties")
-    assert "3 of 3 properties" in page.text("[role=status]")
+    assert "4 of 4 properties" in page.text("[role=status]")
     assert "not readable" in page.text(".rows") and "assumption" in page.text(".rows")
     page.click(".head button", "findings")
     page.click(".rows .row", "stops")
@@ -403,11 +405,35 @@ def test_properties_with_what_is_wrong_with_them(page: Page) -> None:
     page.go(place[1:])
     assert "within 100 ms" in page.text(".detail")
     page.type("input.search", "data")
-    assert "1 of 3 properties" in page.text("[role=status]")
+    assert "1 of 4 properties" in page.text("[role=status]")
     page.go("properties")
     page.click(".rows .row", "stops")
     page.click(".detail a", "/arm/stop")
     assert page.run("return location.hash").startswith("#system?")
+
+
+def test_a_violation_is_a_sequence_of_messages(page: Page) -> None:
+    page.go("properties")
+    assert "drive.mcap" in page.text(".recordings") and "1,234 messages" in page.text(".recordings")
+    assert "✗ violated" in page.text(".rows") and "not asked" in page.text(".rows")
+    page.click(".rows .row", "within 100 ms")
+    lives = page.text(".sequence .life-name title").split("\n")
+    assert lives == ["/camera", "/box/filter", "(publisher not known)", "/arm/driver"]
+    said = page.text(".sequence .said")
+    assert "+0.500 s  /image" in said and "+1.250 s  /box/found" in said and "✗ violated +2.000 s" in said
+    steps = page.text(".detail ol.steps")
+    assert "trigger: message 105 on /image" in steps and "published by /camera at base/src/base.cpp:7" in steps
+    page.click(".rows .row", "no /other")
+    assert "asked of a recording alone" in page.text(".detail") and not page.all(".detail .sequence")
+
+
+def test_a_page_without_recordings(driver: Any, tmp_path: Path) -> None:
+    path = tmp_path / "page.html"
+    path.write_text(written(replace(given(), verdicts=())), encoding="utf-8")
+    page = Page(driver, path, "properties")
+    page.settled()
+    assert "3 of 3 properties" in page.text("[role=status]") and "not asked" not in page.text()
+    assert page.complaints() == []
 
 
 def test_findings_by_tag_and_by_configuration(page: Page) -> None:
