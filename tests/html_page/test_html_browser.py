@@ -221,6 +221,38 @@ def test_traces(page: Page, element: str, way: str, inside: set[str], outside: s
     assert not outside & shown(page)
 
 
+@pytest.mark.parametrize(
+    ("start", "goal", "inside", "said"),
+    [
+        ("/camera", "/arm/state", {"/camera", "/image", "/box/filter", "/box/found", "/arm/driver", "/arm/state"}, "6 elements on the ways to /arm/state"),
+        ("/image", "/box/filter", {"/image", "/box/filter"}, "2 elements on the ways"),
+        ("/arm/state", "/camera", {"/arm/state", "/camera"}, "There is no way from /arm/state to /camera."),
+    ],
+)  # fmt: skip
+def test_the_way_from_one_element_to_another(page: Page, start: str, goal: str, inside: set[str], said: str) -> None:
+    page.go(f"system?element={start}")
+    page.run(
+        "const one = document.querySelector('.detail input[list]'); one.value = arguments[0];"
+        " one.dispatchEvent(new Event('change'))",
+        goal,
+    )
+    page.settled()
+    assert said in page.text("[role=status]")
+    titles = page.text(".picture .element title")
+    assert all(f"{name}" in titles for name in inside) and len(shown(page)) == len(inside)
+    place = page.run("return location.hash")
+    page.go("overview")
+    page.go(place[1:])
+    assert len(shown(page)) == len(inside) and said in page.text("[role=status]")
+
+
+def test_a_way_to_nothing_is_the_whole_system(page: Page) -> None:
+    page.go("system?element=/camera")
+    before = shown(page)
+    page.go("system?element=/camera&way=to&to=/nowhere")
+    assert shown(page) == before
+
+
 def test_details_of_a_node_and_of_a_topic(page: Page) -> None:
     page.go("system?element=%2Fbox%2Ffilter")
     text = page.text(".detail")
