@@ -30,6 +30,7 @@ SCRIPTS = (
     "findings.js",
     "details.js",
     "system.js",
+    "programs.js",
     "launch.js",
     "transforms.js",
     "lists.js",

@@ -18,6 +18,7 @@ VIEWS = (
     "overview",
     "findings",
     "system",
+    "programs",
     "launch",
     "parameters",
     "transforms",
@@ -301,6 +302,19 @@ def test_another_configuration_and_one_that_is_not_there(page: Page) -> None:
     assert "There is no configuration away." in page.text("[role=status]")
 
 
+def test_programs_and_where_they_run(page: Page) -> None:
+    page.go("overview")
+    page.click("a.figure", "programs that are nodes")
+    assert page.run("return location.hash") == "#programs"
+    assert page.text("[role=status]") == "6 of 6 programs"
+    page.type("input.search", "filter")
+    assert page.text("[role=status]") == "1 of 6 programs"
+    page.click(".rows .row", "filter")
+    assert "/box/filter in base/launch/base.launch.py" in page.text(".detail")
+    page.click(".detail a", "/box/filter")
+    assert page.run("return location.hash").startswith("#system?")
+
+
 def test_launch_files_as_a_tree(page: Page) -> None:
     page.go("launch")
     assert "base/launch/inner.launch.py" in page.text(".tree")
@@ -450,7 +464,7 @@ def test_a_violation_is_a_sequence_of_messages(page: Page) -> None:
     assert "✗ violated" in page.text(".rows") and "not asked" in page.text(".rows")
     page.click(".rows .row", "within 100 ms")
     lives = page.text(".sequence .life-name title").split("\n")
-    assert lives == ["/camera", "/box/filter", "(publisher not known)", "/arm/driver"]
+    assert lives == ["/camera", "/box/filter", "(not known)", "/arm/driver"]
     said = page.text(".sequence .said")
     assert "+0.500 s  /image" in said and "+1.250 s  /box/found" in said and "✗ violated +2.000 s" in said
     steps = page.text(".detail ol.steps")

@@ -6,7 +6,7 @@ const VERDICT_SIGNS = { violated: "✗", undecided: "?", "never exercised": "–
 const RECORDINGS = D.verdicts.map((one) => ({
   name: text(one.name), configuration: text(one.configuration), clock: text(one.clock), messages: one.messages, begin: one.begin, end: one.end, more: one.more,
   properties: one.properties.map(([verdict, id, words, node, granted, at, reason, time, counts, messages]) => ({
-    verdict: VERDICTS[verdict], rank: verdict, id: text(id), text: text(words), node: text(node), granted: granted === 1, place: place(at), reason: text(reason), time, counts,
+    verdict: VERDICTS[verdict], rank: verdict, id: text(id) === text(words) ? "" : text(id), text: text(words), node: text(node), granted: granted === 1, place: place(at), reason: text(reason), time, counts,
     messages: messages.map(([role, topic, number, moment, values, publishers]) => ({ role: ROLES[role], topic: text(topic), number, time: moment, values: values.map(([name, value]) => `${text(name)} = ${text(value)}`), publishers: publishers.map(([name, where]) => ({ node: text(name), place: place(where) })) })),
   })),
 }));
@@ -61,21 +61,23 @@ function receivers(topic, configuration) {
 const COLUMN = 148;
 const STEP = 54;
 const MOST_LIVES = 9;
+const NOBODY = "(the recording)";
 
 // Nodes as lines from top to bottom, messages as arrows in the order of time, and where the property is violated in red.
 function sequence(one) {
-  const rows = one.messages.map((each) => ({ ...each, from: each.publishers.length ? each.publishers[0].node : "(publisher not known)", to: receivers(each.topic, one.recording.configuration) }));
-  const lives = [...new Set(rows.flatMap((each) => [each.from, ...(each.to.length ? each.to.slice(0, 3) : ["(the recording)"])]))];
+  const rows = one.messages.map((each) => ({ ...each, from: each.publishers.length ? each.publishers[0].node : "(not known)", to: receivers(each.topic, one.recording.configuration) }));
+  const lives = [...new Set(rows.flatMap((each) => [each.from, ...each.to.slice(0, 3)]))];
+  if (rows.some((each) => !each.to.length)) lives.push(NOBODY);
   const shown = lives.slice(0, MOST_LIVES);
   const isLast = one.time !== null && !rows.some((each) => each.time === one.time);
-  const [width, height] = [Math.max(2, shown.length) * COLUMN, 70 + (rows.length + (isLast ? 1 : 0)) * STEP];
+  const [width, height] = [Math.max(2, shown.length) * COLUMN + 30, 70 + (rows.length + (isLast ? 1 : 0)) * STEP];
   const x = (name) => COLUMN * (shown.includes(name) ? shown.indexOf(name) : shown.length - 1) + COLUMN / 2;
   const drawn = [];
-  shown.forEach((name) => drawn.push(s("line", { class: "life", x1: x(name), y1: 32, x2: x(name), y2: height - 8 }), s("rect", { class: "head", x: x(name) - 68, y: 6, width: 136, height: 26, rx: 4 }), s("text", { class: "life-name", x: x(name), y: 23 }, s("title", null, name), cut(name.length > 20 ? last(name) : name, 20))));
+  shown.forEach((name) => drawn.push(s("line", { class: "life", x1: x(name), y1: 32, x2: x(name), y2: height - 8 }), s("rect", { class: "head", x: x(name) - 68, y: 6, width: 136, height: 26, rx: 4 }), s("text", { class: "life-name", x: x(name), y: 23 }, s("title", null, name), cut(name.length > 18 ? last(name) : name, 18))));
   rows.forEach((each, index) => {
     const y = 78 + index * STEP;
     const isRed = each.time === one.time;
-    const [from, targets] = [x(each.from), (each.to.length ? each.to.slice(0, 3) : ["(the recording)"]).map(x)];
+    const [from, targets] = [x(each.from), (each.to.length ? each.to.slice(0, 3) : [NOBODY]).map(x)];
     for (const to of targets) {
       const way = to === from ? `M${from} ${y}h34v14h-28` : `M${from} ${y}H${to + (to > from ? -7 : 7)}`;
       const tip = to === from ? `M${from} ${y + 14}l8 -4v8z` : `M${to} ${y}l${to > from ? -8 : 8} -4v8z`;

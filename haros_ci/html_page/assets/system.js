@@ -114,7 +114,7 @@ function systemView(parameters) {
     };
     const found = added.map((one) => { const lines = ownLines(one, 7); return nodeElement(one, put(Math.min(280, Math.max(100, Math.max(last(one.name).length, one.type.length + one.package.length, ...lines.map((each) => each.text.length)) * 6.6 + 26)), HEAD + lines.length * LINE + (lines.length ? 4 : 0)), -1, lines); });
     if (found.length) [x, y, tall] = [14, y + tall + 16, 0];
-    for (const channel of more) found.push(channelElement(channel, put(Math.min(280, Math.max(100, channel.name.length * 6.6 + 26)), 24), -1));
+    for (const channel of more) found.push(channelElement(channel, put(Math.min(280, Math.max(100, channel.name.length * 6.6 + 34)), 24), -1));
     return [found.length ? y + tall + 14 : height, found];
   }
 
@@ -138,7 +138,7 @@ function systemView(parameters) {
       const item = byId(one);
       const inside = own.get(one) || [];
       const words = one.startsWith("n") ? Math.max(last(item.name).length, item.type.length, ...inside.map((each) => each.text.length)) : item.name.length;
-      return [Math.min(280, Math.max(100, words * 6.6 + 26)), one.startsWith("n") ? HEAD + inside.length * LINE + (inside.length ? 4 : 0) : 24];
+      return [Math.min(280, Math.max(100, words * 6.6 + 34)), one.startsWith("n") ? HEAD + inside.length * LINE + (inside.length ? 4 : 0) : 24];
     };
     const { places, size: whole } = columns(found, size, neighbours(made, every));
     const elements = [...places].map(([one, rectangle]) => (one.startsWith("n") ? nodeElement(byId(one), rectangle, -1, own.get(one)) : channelElement(byId(one), rectangle, -1)));
