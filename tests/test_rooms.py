@@ -159,6 +159,7 @@ DOORS: dict[str, set[str]] = {
         "checking",
         "config",
         "errors",
+        "forks",
         "measuring",
         "model",
         "report",

@@ -254,6 +254,13 @@ page_options = options(
         help="Show the commits that --output haros-json=DIR has kept.",
     ),
     click.option(
+        "--verdicts",
+        type=click.Path(dir_okay=False),
+        metavar="FILE",
+        multiple=True,
+        help="Show what haros-ci monitor --output json=FILE says of a recording.",
+    ),
+    click.option(
         "--allow-tool-failure",
         metavar="TOOL",
         multiple=True,

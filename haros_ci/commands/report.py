@@ -28,6 +28,7 @@ from haros_ci.config.settings import Settings
 from haros_ci.errors import EXIT_TOOL_TROUBLE, RunFailure, UserError
 from haros_ci.html_page.data import History
 from haros_ci.html_page.gather import gathered
+from haros_ci.html_page.verdicts import Recorded, recorded
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.report.escape import terminal
 from haros_ci.report.text import summary_line
@@ -44,12 +45,13 @@ def report(flags: Flags) -> int:
     """Analyse, write the page; exit code 3 if a tool failed, else 0: findings are there to be looked at."""
     settings = settings_from({**flags, "baseline_rev": flags["base"]})
     demand_base(settings)
+    recordings = tuple(verdicts_in(Path(name)) for name in flags["verdicts"])
     found, workspace, known = run_with_systems(settings, flags)
     demand_baseline(found, settings)
     warn_of_missing_base(settings)
     path = Path(flags["output"])
     past = history_in(Path(flags["history"]), settings) if flags["history"] else ()
-    text, failed = made(found, workspace, settings, flags, known, tuple(flags["configuration"]), past)
+    text, failed = made(found, workspace, settings, flags, known, tuple(flags["configuration"]), past, recordings)
     write(text, path)
     click.echo(summary_line(view_of(workspace, flags, to_file=True).joined(found)), err=True)
     click.echo(f"{terminal(str(path))}: {len(text.encode()) / 1e6:.1f} MB; open it in a browser", err=True)
@@ -100,6 +102,14 @@ def history_in(folder: Path, settings: Settings) -> History:
     return history_of(settings.project, partial(text_in, folder))
 
 
+def verdicts_in(path: Path) -> Recorded:
+    """What ``haros-ci monitor`` has written of a recording; UserError for what is no such file."""
+    text = text_in(path.parent, path.name)
+    if text is None:
+        raise UserError(f"{path}: there is no such file", help="haros-ci monitor --output json=FILE writes one")
+    return recorded(text, str(path))
+
+
 def made(
     found: Report,
     workspace: Workspace,
@@ -108,13 +118,15 @@ def made(
     known: Architectures | None = None,
     names: tuple[str, ...] = (),
     past: History = (),
+    recordings: tuple[Recorded, ...] = (),
 ) -> tuple[str, tuple[str, ...]]:
     """The page, with these configurations only where *names* are given; and the tools that failed to measure, which is said."""
     shown = view_of(workspace, flags, to_file=True).joined(found)
 
     def work(store: Store, progress: Progress) -> tuple[str, tuple[str, ...]]:
         progress("report")
-        return gathered(shown, workspace, (known or Architectures(settings, store)).under(store), LIMITS, names, past)
+        architectures = (known or Architectures(settings, store)).under(store)
+        return gathered(shown, workspace, architectures, LIMITS, names, past, recordings)
 
     text, failed = under_cache(work, settings, flags)
     for tool in sorted(set(failed) - set(found.failed_tools())):

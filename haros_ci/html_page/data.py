@@ -18,6 +18,7 @@ from haros_ci.html_page.packages import LANGUAGES, interfaces, packages, picture
 from haros_ci.html_page.pool import NONE, Pool
 from haros_ci.html_page.properties import Held, properties
 from haros_ci.html_page.systems import configurations
+from haros_ci.html_page.verdicts import Recorded, verdicts
 from haros_ci.model.architecture import KINDS, PROVENANCES, Configuration
 from haros_ci.model.build import Build
 from haros_ci.model.measurement import Measurement
@@ -38,13 +39,14 @@ History = tuple[tuple[str | float, ...], ...]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Input:
-    """All that the page is made of; *broadcasts* are the transforms by configuration, *date* is the commit's time, "" without git."""
+    """All that the page is made of; *broadcasts* are the transforms by configuration, *date* is the commit's time, "" without git; *processes* lay out pictures."""
 
     report: Report
     workspace: Workspace
     configurations: Sequence[Configuration] = ()
     broadcasts: Mapping[str, Sequence[Broadcast]] = field(default_factory=dict)
     properties: Sequence[Held] = ()
+    verdicts: Sequence[Recorded] = ()
     builds: Mapping[str, Build] = field(default_factory=dict)
     measurements: Sequence[Measurement] = ()
     limits: Iterable[Limit] = ()
@@ -52,6 +54,7 @@ class Input:
     date: str = ""
     more_than_shown: int = 0
     history: History = ()
+    processes: int = 1
 
 
 def data_of(given: Input) -> dict[str, Any]:
@@ -75,10 +78,11 @@ def data_of(given: Input) -> dict[str, Any]:
         "summary": _summary(pool, report, given),
         "findings": rows,
         "rules": rules(pool, report, shown),
-        "configurations": configurations(pool, given.configurations, given.broadcasts),
+        "configurations": configurations(pool, given.configurations, given.broadcasts, given.processes),
         "packages": packages(pool, workspace),
         "package_picture": picture(workspace),
         "properties": properties(pool, given.properties),
+        "verdicts": verdicts(pool, given.verdicts),
         "interfaces": interfaces(pool, given.builds),
         "metrics": metrics(pool, given.measurements, given.limits),
         "changes": changed(pool, report.changes) if report.changes is not None else None,

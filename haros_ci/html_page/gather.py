@@ -16,6 +16,7 @@ from haros_ci.errors import UserError
 from haros_ci.html_page.data import History, Input, data_of
 from haros_ci.html_page.document import page
 from haros_ci.html_page.properties import held
+from haros_ci.html_page.verdicts import Recorded
 from haros_ci.measuring.measures import measure, measuring_tools
 from haros_ci.model.workspace import Workspace
 from haros_ci.report.measurements import Limit
@@ -32,6 +33,7 @@ def gathered(
     limits: Iterable[Limit],
     names: tuple[str, ...] = (),
     past: History = (),
+    recordings: tuple[Recorded, ...] = (),
 ) -> tuple[str, tuple[str, ...]]:
     """The page; and the tools that failed to measure, so that values are missing.
 
@@ -43,12 +45,14 @@ def gathered(
     date = _date(commit_time(workspace.root))
 
     def make() -> Output:
-        data, failed = _made(report, workspace, architectures, limits, names, title, date, past)
+        data, failed = _made(report, workspace, architectures, limits, names, title, date, past, recordings)
         return Output(json.dumps(data, allow_nan=False).encode("ascii"), failed)
 
     with stage("page"):
         found = (
-            make() if settings.plugins else _kept(make, report, workspace, architectures, (names, title, date, past))
+            make()
+            if settings.plugins
+            else _kept(make, report, workspace, architectures, (names, title, date, past, plain(recordings)))
         )
         return page(f"{title} – haros-ci", json.loads(found.content)), found.messages
 
@@ -84,6 +88,7 @@ def _made(
     title: str,
     date: str,
     past: History,
+    recordings: tuple[Recorded, ...],
 ) -> tuple[Mapping[str, Any], tuple[str, ...]]:
     made = architectures.of(workspace)
     every = made.architecture.configurations
@@ -105,12 +110,14 @@ def _made(
                 if not names or system.name in names
             },
             properties=held(project.properties),
+            verdicts=recordings,
             builds=made.builds,
             measurements=measures.values,
             limits=limits,
             name=title,
             date=date,
             history=past,
+            processes=architectures.settings.jobs,
             more_than_shown=len(every) - len(shown),
         )
     )

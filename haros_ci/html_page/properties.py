@@ -65,7 +65,7 @@ def _row(pool: Pool, one: Held) -> dict[str, Any]:
         "owner": pool.text(stated.owner.name),
         "granted": int(stated.is_axiom),
         **{key: pool.text(metadata.value if metadata is not None else None) for key, metadata in metadata.items()},
-        "text": pool.text(canonical(parsed) if parsed is not None else stated.source.text),
+        "text": pool.text(canonical(parsed) if parsed is not None else " ".join(stated.source.text.split())),
         "place": pool.place(place),
         "until": _last_line(stated),
         "fault": NONE if fault is None else pool.text(fault.message),

@@ -5,9 +5,11 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 from haros_ci.checking.transforms import Broadcast
+from haros_ci.forks import shared
 from haros_ci.html_page.elements import Elements, elements
 from haros_ci.html_page.launches import launch_tree
 from haros_ci.html_page.layout import Layout, laid_out
@@ -25,18 +27,22 @@ LONGEST_VALUE = 300
 
 
 def configurations(
-    pool: Pool, found: Iterable[Configuration], broadcasts: Mapping[str, Sequence[Broadcast]]
+    pool: Pool, found: Iterable[Configuration], broadcasts: Mapping[str, Sequence[Broadcast]], processes: int = 1
 ) -> list[dict[str, Any]]:
-    """Every configuration by name; those that only single programs make come after those of launch files."""
+    """Every configuration by name; those that only single programs make come after those of launch files.
+
+    Their pictures are laid out by so many *processes*.
+    """
     ordered = sorted(found, key=lambda one: (not one.launch, one.name))
+    every = [elements(one) for one in ordered]
+    layouts = shared([partial(laid_out, made) for made in every], range(len(every)), processes)
     return [
-        {**_configuration(pool, one), "transforms": transforms(pool, broadcasts.get(one.name, ()))} for one in ordered
+        {**_configuration(pool, one, made, layout), "transforms": transforms(pool, broadcasts.get(one.name, ()))}
+        for one, made, layout in zip(ordered, every, layouts, strict=True)
     ]
 
 
-def _configuration(pool: Pool, one: Configuration) -> dict[str, Any]:
-    made = elements(one)
-    layout = laid_out(made)
+def _configuration(pool: Pool, one: Configuration, made: Elements, layout: Layout | None) -> dict[str, Any]:
     ends = [end for node in one.nodes for end in node.endpoints if not end.implicit]
     return {
         "name": pool.text(one.name),

@@ -34,6 +34,9 @@ PUNCTUATION = frozenset("{}()[];,")
 CLOSING = frozenset(")]}")
 OFF = re.compile(r"#\s*if\s+(0|false)\b")
 DIRECTIVE = re.compile(r"#\s*(\w+)")
+#: What lizard looks for in comments; and a comment that it takes for the name of a file.
+MARKS = ("#lizard", "GENERATED CODE")
+BEHIND_INCLUDE = re.compile(r"#\s*include\s*/[/*]")
 
 
 def measure(source: bytes) -> dict[str, Any]:
@@ -45,8 +48,10 @@ def measure(source: bytes) -> dict[str, Any]:
         raise Unmeasurable("not text")
     code = _decode(source)
     lines = _LizardLines()
-    counters = (lizard.preprocessing, lizard.comment_counter, lizard.line_counter, lizard.condition_counter)
-    analyze = lizard.FileAnalyzer([lines.watch, *counters])
+    counters = [lizard.line_counter, lizard.condition_counter]
+    if _is_for_lizard(code) or BEHIND_INCLUDE.search(code):  # else no comment comes so far
+        counters.insert(0, lizard.comment_counter)
+    analyze = lizard.FileAnalyzer([lines.watch, lizard.preprocessing, *counters])
     parsed = analyze.analyze_source_code("x.cpp", code)
     text = code.split("\n")
     effective = sorted(lines.effective)
@@ -61,6 +66,10 @@ def measure(source: bytes) -> dict[str, Any]:
         tokens=lines.halstead(),
     )
     return {"functions": functions, "file": metrics}
+
+
+def _is_for_lizard(text: str) -> bool:
+    return any(mark in text for mark in MARKS)
 
 
 def _decode(source: bytes) -> str:
@@ -83,12 +92,15 @@ class _LizardLines:
     def watch(self, tokens: Iterable[str], reader: object) -> Iterator[str]:
         """Passes on what lizard needs: of plain comments and of branches that are not read only the newlines."""
         branches = _Branches()
+        code, effective, words = self.code, self.effective, self.words
         line = 1
         for token in tokens:
             first = token[0]
             if first == "\n":
                 line += 1
                 yield token
+            elif first.isspace():  # blanks, without a newline
+                continue
             elif first == "#" or branches.skipping:
                 skipped = branches.skipping
                 if first == "#":
@@ -97,30 +109,32 @@ class _LizardLines:
                 if skipped and branches.skipping:
                     yield from "\n" * (last - line)
                 else:
-                    self.code.update(range(line, last + 1))
+                    code.update(range(line, last + 1))
                     yield token
                 line = last
             elif first == "/" and token[:2] in ("//", "/*"):
                 last = line + token.count("\n")
                 self.comments.update(range(line, last + 1))
-                if "#lizard" in token or "GENERATED CODE" in token:
+                if _is_for_lizard(token):
                     yield token
                 else:
                     yield from "\n" * (last - line)
                 line = last
             elif token in PUNCTUATION:
-                self.code.add(line)
-                self.words.append(token)
-                yield token
-            elif not token.isspace():
-                self.words.append(token)
-                last = line + token.count("\n")
-                self.code.update(range(line, last + 1))
-                self.effective.update(range(line, last + 1))
-                line = last
+                code.add(line)
+                words.append(token)
                 yield token
             else:
-                line += token.count("\n")
+                words.append(token)
+                if "\n" in token:
+                    last = line + token.count("\n")
+                    code.update(range(line, last + 1))
+                    effective.update(range(line, last + 1))
+                    line = last
+                else:
+                    code.add(line)
+                    effective.add(line)
+                yield token
 
     def halstead(self) -> Tokens:
         """Names and literals are operands; a pair of brackets is one operator, preprocessor lines are left out."""

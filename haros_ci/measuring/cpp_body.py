@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from tree_sitter import Node
 
 from haros_ci.extract.cpp import types
-from haros_ci.extract.cpp.grammar import field, kinds, table
+from haros_ci.extract.cpp.grammar import field, kinds, onwards, table
 from haros_ci.extract.cpp.unit import Unit
 from haros_ci.measuring.facts import DEEPEST, MOST_PATHS, FunctionCounts, times
 
@@ -168,28 +168,31 @@ class CppBody:
     def _expression(self, root: Node, nesting: int, depth: int) -> int:
         """The paths that the operators under *root* add; calls are counted, lambdas and blocks measured on the way."""
         paths = 0
-        waiting = [root]
-        while waiting:
-            node = waiting.pop()
-            kind = node.kind_id
-            children = node.children
-            if kind in _BINARY:
-                if len(children) == 3 and children[1].kind_id in _SHORT:
+        cursor = root.walk()
+        while True:
+            node = cursor.node
+            assert node is not None
+            is_inside = node.is_named or node == root
+            if is_inside:
+                kind = node.kind_id
+                if kind in _BINARY:
+                    operator = node.child(1) if node.child_count == 3 else None
+                    if operator is not None and operator.kind_id in _SHORT:
+                        self.counts.complexity += 1
+                        paths += 1
+                elif kind in _TERNARY:
                     self.counts.complexity += 1
-                    paths += 1
-            elif kind in _TERNARY:
-                self.counts.complexity += 1
-                paths += 2
-            elif kind in _CALL:
-                self._call(node)
-            elif kind in _COMPOUND:
-                self.counts.apart += self._statement(node, nesting, depth + 1) - 1
-                continue
-            elif kind in _CLASS and node.child_by_field_id(_BODY) is not None:
-                self.local.append(node)
-                continue
-            waiting.extend(child for child in reversed(children) if child.is_named)
-        return min(paths, MOST_PATHS)
+                    paths += 2
+                elif kind in _CALL:
+                    self._call(node)
+                elif kind in _COMPOUND:
+                    self.counts.apart += self._statement(node, nesting, depth + 1) - 1
+                    is_inside = False
+                elif kind in _CLASS and node.child_by_field_id(_BODY) is not None:
+                    self.local.append(node)
+                    is_inside = False
+            if not onwards(cursor, is_inside):
+                return min(paths, MOST_PATHS)
 
     def _call(self, node: Node) -> None:
         function = node.child_by_field_id(_FUNCTION)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures of pages of ``haros-ci report`` in a browser without a window: size, paint, search, fold, trace, overlapping nodes.
+"""Figures of pages of ``haros-ci report`` in a browser without a window: size, paint, search, fold, trace, overlaps, crossings.
 
     python tests/bench/page_figures.py PAGE.html...
 
@@ -31,6 +31,22 @@ const places = [...document.querySelectorAll('.stage .element > .shape')].map((o
 let found = 0;
 places.forEach((a, n) => places.slice(0, n).forEach((b) => { if (a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height) found += 1; }));
 return [places.length, found];
+"""
+#: Pairs of names of different elements that overlap, and pairs of lines that cross where they have no end in common.
+TANGLES = """
+document.querySelector('.stage .picture > g').removeAttribute('transform'); // shrunk texts are measured too large
+const boxes = [...document.querySelectorAll('.stage .element')].map((one) => [...one.querySelectorAll('text')].map((each) => each.getBBox()));
+let names = 0;
+boxes.forEach((some, n) => boxes.slice(0, n).forEach((others) => { if (some.some((a) => others.some((b) => a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height))) names += 1; }));
+const paths = [...document.querySelectorAll('.stage .edge .line')].map((one) => { const long = one.getTotalLength(); const found = []; const steps = Math.min(60, Math.max(2, Math.ceil(long / 40))); for (let at = 0; at <= steps; at++) found.push(one.getPointAtLength((long * at) / steps)); return found; });
+const side = (a, b, c) => Math.sign((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+const near = (a, b) => Math.hypot(a.x - b.x, a.y - b.y) < 3;
+let crossings = 0;
+paths.forEach((one, n) => paths.slice(0, n).forEach((other) => {
+  if (near(one[0], other[0]) || near(one.at(-1), other.at(-1))) return;
+  for (let i = 1; i < one.length; i++) for (let j = 1; j < other.length; j++) if (side(one[i - 1], one[i], other[j - 1]) * side(one[i - 1], one[i], other[j]) < 0 && side(other[j - 1], other[j], one[i - 1]) * side(other[j - 1], other[j], one[i]) < 0) { crossings += 1; return; }
+}));
+return [names, crossings];
 """
 SEARCH = "const field = document.querySelector('.search-box input'); field.value = 'cmd'; field.dispatchEvent(new Event('input'))"
 FOLD = "[...document.querySelectorAll('button')].find((one) => one.textContent === 'Fold all').click()"
@@ -64,6 +80,7 @@ def figures(driver: Any, path: Path) -> str:
     page.settled(200)
     elements, overlaps = page.run(OVERLAPS)
     edges = page.run("return document.querySelectorAll('.stage .edge').length")
+    names, crossings = page.run(TANGLES)
     search = middle(page, SEARCH)
     fold = middle(page, FOLD, UNFOLD) if page.run("return document.querySelectorAll('.handle').length") else None
     name = page.run(BUSIEST)
@@ -78,7 +95,8 @@ def figures(driver: Any, path: Path) -> str:
         f"{path.stat().st_size / 1e6:.1f} MB",
         f"{paint:.0f}",
         f"{elements}, {edges}",
-        f"{overlaps}",
+        f"{overlaps}, {names}",
+        f"{crossings}",
         *(f"{each:.0f}" if each is not None else "–" for each in (search, table, fold, trace)),
         str(len(page.complaints())),
     ]
@@ -87,9 +105,9 @@ def figures(driver: Any, path: Path) -> str:
 
 def main() -> None:
     print(
-        "| page | size | first paint, ms | elements, edges | overlaps | search, ms | search in findings, ms | fold all, ms | trace, ms | complaints |"
+        "| page | size | first paint, ms | elements, edges | overlapping elements, names | crossings | search, ms | search in findings, ms | fold all, ms | trace, ms | complaints |"
     )
-    print("|---|---|---|---|---|---|---|---|---|---|")
+    print("|---|---|---|---|---|---|---|---|---|---|---|")
     driver = next(made := browser())
     for name in sys.argv[1:]:
         print(figures(driver, Path(name).resolve()), flush=True)

@@ -20,6 +20,7 @@ from haros_ci.checking.transforms import Broadcast
 from haros_ci.html_page.data import Input, data_of
 from haros_ci.html_page.document import page
 from haros_ci.html_page.properties import Held
+from haros_ci.html_page.verdicts import Recorded, recorded
 from haros_ci.model.architecture import Architecture, Condition, Configuration, Endpoint, Node, Parameter, Qos, Unknown
 from haros_ci.model.build import Build, Interface, InterfaceField
 from haros_ci.model.changes import ADDED, REMOVED, Change, Changes, Edge
@@ -181,6 +182,29 @@ def properties(word: str = "") -> tuple[Held, ...]:
     return tuple(found)
 
 
+def verdicts(word: str = "") -> Recorded:
+    """A recording that violates the first of ``properties``, with messages that two nodes publish, and one that it was asked of alone."""
+
+    def message(role: str, topic: str, time: float, node: str) -> dict[str, Any]:
+        publishers = [{"node": f"{node}{word}", "path": CODE, "line": 7}] if node else []
+        return {"role": role, "topic": f"{topic}{word}", "number": int(time * 10), "time": time, "values": {f"data{word}": f"1{word}"}, "publishers": publishers}  # fmt: skip
+
+    def judged(verdict: str, text: str, **more: Any) -> dict[str, Any]:
+        return {"id": f"stops{word}", "text": text, "owner": "node base/driver", "node": f"/arm/driver{word}", "axiom": False, "path": None, "line": None, "column": None, "verdict": verdict, "reason": f"why{word}", "time": None, "witnesses": [], "scopes": 1, "triggers": 2, "behaviours": 0, **more}  # fmt: skip
+
+    witnesses = [message("trigger", "/image", 10.5, "/camera"), message("behaviour", "/box/found", 11.25, "")]
+    document = {
+        "recording": {"name": f"drive.mcap{word}", "messages": 1234, "begin": 10.0, "end": 40.0, "topics": {}, "notes": []},
+        "configuration": f"{NAME}",
+        "clock": "log",
+        "properties": [
+            judged("violated", "globally: /stop causes /arm/state within 100 ms", path=PROJECT, line=3, time=12.0, witnesses=witnesses),
+            judged("held", f"globally: no /other{word}", node=None),
+        ],
+    }  # fmt: skip
+    return recorded(json.dumps(document), "verdicts.json")
+
+
 def quoted(word: str) -> str:
     return "".join(letter for letter in word if letter.isalnum() or letter in "<>/= ")[:200]
 
@@ -260,6 +284,7 @@ def given(word: str = "", *, results: int = 3, configurations: tuple[Configurati
         workspace=Workspace(Path("/nowhere"), packages, listed, Texts({**SOURCE, CODE: f"{SOURCE[CODE]}// {word}\n"})),
         configurations=configurations if configurations is not None else (configuration(word), configuration(name="tool/alone")),
         properties=properties(word),
+        verdicts=(verdicts(word),),
         broadcasts={one.name: broadcasts(one, word) for one in (configurations or (configuration(word),))[:1]},
         builds={"base": Build(package="base", interfaces=(go,))},
         measurements=[Measurement("base", CODE, n, "", f"f{n}{word}", "cyclomatic-complexity", float(n % 17 + 1)) for n in range(1, 80)],

@@ -18,9 +18,11 @@ VIEWS = (
     "overview",
     "findings",
     "system",
+    "programs",
     "launch",
     "parameters",
     "transforms",
+    "properties",
     "packages",
     "interfaces",
     "metrics",
@@ -76,8 +78,9 @@ def test_no_text_of_a_workspace_is_more_than_text(driver: Any, tmp_path: Path, w
         "system?element=%2Fbox%2Ffound&way=behind",
     ):
         page.go(view)
-    page.go("findings")
-    page.click(".rows .row", "")
+    for view in ("properties", "findings"):
+        page.go(view)
+        page.click(".rows .row", "")
     assert page.complaints() == []
     assert page.run("return window.hacked") is None
     assert page.run("return document.querySelectorAll('script').length") == 2
@@ -219,6 +222,38 @@ def test_traces(page: Page, element: str, way: str, inside: set[str], outside: s
     assert not outside & shown(page)
 
 
+@pytest.mark.parametrize(
+    ("start", "goal", "inside", "said"),
+    [
+        ("/camera", "/arm/state", {"/camera", "/image", "/box/filter", "/box/found", "/arm/driver", "/arm/state"}, "6 elements on the ways to /arm/state"),
+        ("/image", "/box/filter", {"/image", "/box/filter"}, "2 elements on the ways"),
+        ("/arm/state", "/camera", {"/arm/state", "/camera"}, "There is no way from /arm/state to /camera."),
+    ],
+)  # fmt: skip
+def test_the_way_from_one_element_to_another(page: Page, start: str, goal: str, inside: set[str], said: str) -> None:
+    page.go(f"system?element={start}")
+    page.run(
+        "const one = document.querySelector('.detail input[list]'); one.value = arguments[0];"
+        " one.dispatchEvent(new Event('change'))",
+        goal,
+    )
+    page.settled()
+    assert said in page.text("[role=status]")
+    titles = page.text(".picture .element title")
+    assert all(f"{name}" in titles for name in inside) and len(shown(page)) == len(inside)
+    place = page.run("return location.hash")
+    page.go("overview")
+    page.go(place[1:])
+    assert len(shown(page)) == len(inside) and said in page.text("[role=status]")
+
+
+def test_a_way_to_nothing_is_the_whole_system(page: Page) -> None:
+    page.go("system?element=/camera")
+    before = shown(page)
+    page.go("system?element=/camera&way=to&to=/nowhere")
+    assert shown(page) == before
+
+
 def test_details_of_a_node_and_of_a_topic(page: Page) -> None:
     page.go("system?element=%2Fbox%2Ffilter")
     text = page.text(".detail")
@@ -265,6 +300,19 @@ def test_another_configuration_and_one_that_is_not_there(page: Page) -> None:
     assert "tool/alone" in page.text(".detail h2")
     page.go("system?configuration=away")
     assert "There is no configuration away." in page.text("[role=status]")
+
+
+def test_programs_and_where_they_run(page: Page) -> None:
+    page.go("overview")
+    page.click("a.figure", "programs that are nodes")
+    assert page.run("return location.hash") == "#programs"
+    assert page.text("[role=status]") == "6 of 6 programs"
+    page.type("input.search", "filter")
+    assert page.text("[role=status]") == "1 of 6 programs"
+    page.click(".rows .row", "filter")
+    assert "/box/filter in base/launch/base.launch.py" in page.text(".detail")
+    page.click(".detail a", "/box/filter")
+    assert page.run("return location.hash").startswith("#system?")
 
 
 def test_launch_files_as_a_tree(page: Page) -> None:
@@ -389,7 +437,7 @@ def test_a_page_without_transforms_has_no_such_view(driver: Any, tmp_path: Path)
 
 def test_properties_with_what_is_wrong_with_them(page: Page) -> None:
     page.go("properties")
-    assert "3 of 3 properties" in page.text("[role=status]")
+    assert "4 of 4 properties" in page.text("[role=status]")
     assert "not readable" in page.text(".rows") and "assumption" in page.text(".rows")
     page.click(".head button", "findings")
     page.click(".rows .row", "stops")
@@ -403,11 +451,35 @@ def test_properties_with_what_is_wrong_with_them(page: Page) -> None:
     page.go(place[1:])
     assert "within 100 ms" in page.text(".detail")
     page.type("input.search", "data")
-    assert "1 of 3 properties" in page.text("[role=status]")
+    assert "1 of 4 properties" in page.text("[role=status]")
     page.go("properties")
     page.click(".rows .row", "stops")
     page.click(".detail a", "/arm/stop")
     assert page.run("return location.hash").startswith("#system?")
+
+
+def test_a_violation_is_a_sequence_of_messages(page: Page) -> None:
+    page.go("properties")
+    assert "drive.mcap" in page.text(".recordings") and "1,234 messages" in page.text(".recordings")
+    assert "✗ violated" in page.text(".rows") and "not asked" in page.text(".rows")
+    page.click(".rows .row", "within 100 ms")
+    lives = page.text(".sequence .life-name title").split("\n")
+    assert lives == ["/camera", "/box/filter", "(not known)", "/arm/driver"]
+    said = page.text(".sequence .said")
+    assert "+0.500 s  /image" in said and "+1.250 s  /box/found" in said and "✗ violated +2.000 s" in said
+    steps = page.text(".detail ol.steps")
+    assert "trigger: message 105 on /image" in steps and "published by /camera at base/src/base.cpp:7" in steps
+    page.click(".rows .row", "no /other")
+    assert "asked of a recording alone" in page.text(".detail") and not page.all(".detail .sequence")
+
+
+def test_a_page_without_recordings(driver: Any, tmp_path: Path) -> None:
+    path = tmp_path / "page.html"
+    path.write_text(written(replace(given(), verdicts=())), encoding="utf-8")
+    page = Page(driver, path, "properties")
+    page.settled()
+    assert "3 of 3 properties" in page.text("[role=status]") and "not asked" not in page.text()
+    assert page.complaints() == []
 
 
 def test_findings_by_tag_and_by_configuration(page: Page) -> None:

@@ -95,6 +95,24 @@ def test_quality_over_time_is_what_a_folder_has_kept(workspace: Path, tmp_path: 
     assert len(data_in(page)["history"]) == 1
 
 
+def test_what_monitor_says_is_shown(workspace: Path, tmp_path: Path) -> None:
+    page, said = tmp_path / "page.html", tmp_path / "said.json"
+    one = {"verdict": "violated", "text": "globally: no /a", "witnesses": []}
+    said.write_text(json.dumps({"recording": {"name": "a.mcap"}, "properties": [one]}), encoding="utf-8")
+    done = haros("report", ".", *QUICK, "--verdicts", str(said), "--output", str(page), cwd=workspace)
+    assert done.returncode == 0, done.stderr
+    assert texts(data_in(page), "verdicts") == ["a.mcap"]
+
+
+@pytest.mark.parametrize("content", [None, "{}"])
+def test_verdicts_that_are_none(tmp_path: Path, content: str | None) -> None:
+    said = tmp_path / "said.json"
+    if content is not None:
+        said.write_text(content, encoding="utf-8")
+    done = haros("report", ".", "--verdicts", str(said), cwd=tmp_path)
+    assert done.returncode == 2 and "said.json" in done.stderr and not (tmp_path / "haros-ci-report.html").exists()
+
+
 @pytest.mark.parametrize(
     "content",
     [

@@ -230,7 +230,7 @@ def test_properties_of_a_project() -> None:
     promise, granted, broken = data["properties"]
     assert texts(data, [promise["id"], promise["text"]]) == ["stops", "globally: /stop causes /arm/state within 100 ms"]
     assert (promise["granted"], granted["granted"], promise["fault"]) == (0, 1, -1)
-    assert broken["fault"] >= 0 and texts(data, [broken["text"]]) == ["globally no\N{REPLACEMENT CHARACTER}"]
+    assert broken["fault"] >= 0 and texts(data, [broken["text"]]) == ["globally no"]
     assert held(None) == ()
 
 

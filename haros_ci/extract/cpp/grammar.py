@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import TypeVar
 
 import tree_sitter_cpp
-from tree_sitter import Language, Node, Parser
+from tree_sitter import Language, Node, Parser, TreeCursor
 
 LANGUAGE = Language(tree_sitter_cpp.language())
 ERROR = 65535
@@ -57,6 +57,19 @@ def parse(data: bytes) -> Node | None:
         return Parser(LANGUAGE).parse(read, progress_callback=is_enough).root_node
     except ValueError:
         return None
+
+
+def onwards(cursor: TreeCursor, is_inside: bool) -> bool:
+    """Move *cursor* on in the order of the text, past what is in its node unless *is_inside*; False at the end.
+
+    What a cursor has passed is not kept: walking so is several times faster than by the children of nodes.
+    """
+    if is_inside and cursor.goto_first_child():
+        return True
+    while not cursor.goto_next_sibling():
+        if not cursor.goto_parent():
+            return False
+    return True
 
 
 def errors(root: Node, limit: int) -> list[Node]:

@@ -13,11 +13,11 @@ function findingsView(parameters) {
   const sort = { column: key, down: direction === "down" };
   const columns = [
     { key: "level", title: "level", width: "5.5rem", compare: (a, b) => a.rank - b.rank, cell: (one) => h("span", { class: `level ${one.level}` }, one.level) },
-    { key: "place", title: "place", width: "minmax(12rem, 2fr)", class: "path", compare: (a, b) => compare(a.place.path, b.place.path) || a.place.line - b.place.line, cell: (one) => h("span", { title: one.place.text }, h("bdi", null, one.place.text)) },
-    { key: "message", title: "message", width: "minmax(14rem, 4fr)", compare: (a, b) => compare(a.message, b.message), cell: (one) => one.message },
-    { key: "rule", title: "rule", width: "minmax(9rem, 1.3fr)", compare: (a, b) => compare(a.full, b.full), cell: (one) => h("span", { title: one.full }, one.full) },
-    { key: "package", title: "package", width: "minmax(6rem, 1fr)", compare: (a, b) => compare(a.package, b.package), cell: (one) => one.package },
-    { key: "state", title: "state", width: "6rem", compare: (a, b) => compare(a.state, b.state), cell: (one) => one.state },
+    { key: "place", title: "place", width: "minmax(9rem, 2fr)", class: "path", compare: (a, b) => compare(a.place.path, b.place.path) || a.place.line - b.place.line, cell: (one) => h("span", { title: one.place.text }, h("bdi", null, one.place.text)) },
+    { key: "message", title: "message", width: "minmax(12rem, 4fr)", compare: (a, b) => compare(a.message, b.message), cell: (one) => one.message },
+    { key: "rule", title: "rule", width: "minmax(7rem, 1.3fr)", compare: (a, b) => compare(a.full, b.full), cell: (one) => h("span", { title: one.full }, one.full) },
+    { key: "package", title: "package", width: "minmax(5rem, 1fr)", compare: (a, b) => compare(a.package, b.package), cell: (one) => one.package },
+    { key: "state", title: "state", width: "5rem", compare: (a, b) => compare(a.state, b.state), cell: (one) => one.state },
   ];
 
   const matches = (one) => {

@@ -54,7 +54,7 @@ function packagesView(parameters) {
   const columns = [
     { key: "name", title: "package", width: "minmax(11rem, 2fr)", compare: (a, b) => compare(a.name, b.name), cell: (one) => h("span", { title: one.path }, one.name, one.circle >= 0 ? h("span", { class: "remark" }, ` circle ${one.circle + 1}`) : "") },
     number("files", "files", (one) => one.files, "4rem"), ...D.languages.slice(0, 4).map((name, index) => number(LANGUAGE_NAMES[name].replace(" files (XML)", ""), name, (one) => one.lines[index], "5rem")),
-    number("findings", "findings", (one) => one.findings), number("per 1,000 lines", "ratio", (one) => Math.round(one.ratio * 10) / 10, "6.5rem"),
+    number("findings", "findings", (one) => one.findings), number("per 1,000 lines", "ratio", (one) => Math.round(one.ratio * 10) / 10, "7.5rem"),
     { key: "bar", title: "", width: "5rem", cell: (one) => bar(one.ratio / most, "fill heat") }, number("needs", "needs", (one) => one.inner.length, "4.5rem"), number("needed by", "users", (one) => one.users.length, "6rem"),
   ];
   const [key, direction] = (parameters.sort || "").split("-");

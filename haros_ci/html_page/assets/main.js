@@ -3,6 +3,7 @@ const VIEWS = {
   overview: ["Overview", () => ({ content: overview() })],
   findings: ["Findings", findingsView],
   system: ["System", systemView],
+  programs: ["Programs", programsView],
   launch: ["Launch", launchView],
   parameters: ["Parameters", parametersView],
   transforms: ["Transforms", transformsView],
@@ -12,7 +13,7 @@ const VIEWS = {
   metrics: ["Metrics", metricsView],
   changes: ["Changes", changesView],
 };
-const offered = Object.keys(VIEWS).filter((name) => (!D.only || name === D.only) && (name !== "changes" || D.changes) && (name !== "metrics" || D.metrics.length) && (name !== "launch" || CONFIGURATIONS.some((one) => one.launch.length)) && (name !== "properties" || PROPERTIES.length) && (name !== "transforms" || CONFIGURATIONS.some(hasTransforms)));
+const offered = Object.keys(VIEWS).filter((name) => (!D.only || name === D.only) && (name !== "changes" || D.changes) && (name !== "programs" || CONFIGURATIONS.some((one) => one.row.nodes.length)) && (name !== "metrics" || D.metrics.length) && (name !== "launch" || CONFIGURATIONS.some((one) => one.launch.length)) && (name !== "properties" || PROPERTIES.length || RECORDINGS.length) && (name !== "transforms" || CONFIGURATIONS.some(hasTransforms)));
 
 const main = h("main", { id: "main", tabindex: "-1" });
 const navigation = h("nav", { "aria-label": "views" }, offered.map((name) => h("a", { href: name, "data-view": name }, VIEWS[name][0])));

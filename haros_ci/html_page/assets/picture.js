@@ -15,7 +15,11 @@ function shape(what, rectangle) {
   return s("rect", { class: "shape", x, y, width, height, rx: what === "topics" ? height / 2 : 4 });
 }
 
-const fitted = (words, width, character) => cut(words, Math.max(4, Math.floor((width - 14) / (character || 6.5))));
+// What fits into so many px; of a name that does not, its end, which tells it from others.
+function fitted(words, width, character) {
+  const most = Math.max(4, Math.floor((width - 14) / (character || 6.5)));
+  return words.startsWith("/") && words.length > most ? `…${words.slice(words.length - most + 1)}` : cut(words, most);
+}
 
 function curve(from, to, bend) {
   const start = [from[0] + from[2], from[1] + from[3] / 2];

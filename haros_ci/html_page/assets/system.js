@@ -28,7 +28,7 @@ function systemView(parameters) {
   const which = chosenConfiguration(parameters.configuration);
   if (!which) return { content: [h("h1", null, "System"), h("p", null, "No node was found.")] };
   const made = system(which.index, parameters.with);
-  const state = { element: parameters.element || "", hops: parameters.hops || "", way: parameters.way || "", folded: (parameters.folded || "").split(" ").filter(Boolean) };
+  const state = { element: parameters.element || "", hops: parameters.hops || "", way: parameters.way || "", to: parameters.to || "", folded: (parameters.folded || "").split(" ").filter(Boolean) };
   const detail = h("aside", { class: "detail", "aria-label": "details", "aria-live": "polite" });
   const status = h("span", { class: "quiet", role: "status" });
   const picture = makePicture({ label: `nodes and topics of ${made.name}`, select: (id) => chooseId(id), folded: (labels) => remember({ folded: labels.join(" ") }) });
@@ -114,7 +114,7 @@ function systemView(parameters) {
     };
     const found = added.map((one) => { const lines = ownLines(one, 7); return nodeElement(one, put(Math.min(280, Math.max(100, Math.max(last(one.name).length, one.type.length + one.package.length, ...lines.map((each) => each.text.length)) * 6.6 + 26)), HEAD + lines.length * LINE + (lines.length ? 4 : 0)), -1, lines); });
     if (found.length) [x, y, tall] = [14, y + tall + 16, 0];
-    for (const channel of more) found.push(channelElement(channel, put(Math.min(280, Math.max(100, channel.name.length * 6.6 + 26)), 24), -1));
+    for (const channel of more) found.push(channelElement(channel, put(Math.min(280, Math.max(100, channel.name.length * 6.6 + 34)), 24), -1));
     return [found.length ? y + tall + 14 : height, found];
   }
 
@@ -127,7 +127,9 @@ function systemView(parameters) {
     const isShared = (channel) => new Set(channel.ends.map((each) => each.node)).size > 1;
     // What only one node has stands in that node, unless it is asked for.
     const every = (channel) => channel === start || (shown(channel) && (isShared(channel) || (id.startsWith("n") && channel.ends[0].node === start)));
-    const found = levels(made, every, id, state.way || "around", hops);
+    const goal = state.way === "to" ? idOf(state.to) : null;
+    const onWay = (channel) => channel === start || (goal !== null && channelId(channel) === goal) || (shown(channel) && isShared(channel));
+    const found = goal !== null ? between(made, onWay, id, goal) : levels(made, every, id, state.way || "around", hops);
     const tooMany = found.size > 900;
     if (tooMany) for (const one of [...found].sort((a, b) => Math.abs(a[1]) - Math.abs(b[1])).slice(900)) found.delete(one[0]);
     for (const one of found.keys()) if (!one.startsWith("n")) placed.set(byId(one).key, true);
@@ -136,17 +138,19 @@ function systemView(parameters) {
       const item = byId(one);
       const inside = own.get(one) || [];
       const words = one.startsWith("n") ? Math.max(last(item.name).length, item.type.length, ...inside.map((each) => each.text.length)) : item.name.length;
-      return [Math.min(280, Math.max(100, words * 6.6 + 26)), one.startsWith("n") ? HEAD + inside.length * LINE + (inside.length ? 4 : 0) : 24];
+      return [Math.min(280, Math.max(100, words * 6.6 + 34)), one.startsWith("n") ? HEAD + inside.length * LINE + (inside.length ? 4 : 0) : 24];
     };
     const { places, size: whole } = columns(found, size, neighbours(made, every));
     const elements = [...places].map(([one, rectangle]) => (one.startsWith("n") ? nodeElement(byId(one), rectangle, -1, own.get(one)) : channelElement(byId(one), rectangle, -1)));
     const edges = [...made.channels.values()].filter((channel) => places.has(channelId(channel))).flatMap(edgesOf).filter((one) => places.has(one.from) && places.has(one.to));
-    status.textContent = `${found.size} elements${tooMany ? " (the nearest)" : ""}`;
+    const isCut = goal !== null && goal !== id && !edges.length;
+    status.textContent = isCut ? `There is no way from ${start.name} to ${state.to}.` : `${count(found.size, "element")}${tooMany ? " (the nearest)" : ""}${goal !== null ? ` on the ways to ${state.to}` : ""}`;
     return { size: whole, boxes: [], elements, edges, isPart: true };
   }
 
   function draw() {
     const id = state.element ? idOf(state.element) : null;
+    if (state.way === "to" && idOf(state.to) === null) state.way = "";
     const isPart = id !== null && (state.hops || state.way);
     back.hidden = !isPart;
     if (!isPart && !made.picture) {
@@ -183,10 +187,18 @@ function systemView(parameters) {
   }
 
   function focusButtons(id) {
-    const go = (change) => () => { Object.assign(state, { hops: "", way: "" }, change); remember({ hops: state.hops, way: state.way, element: byId(id).name }); draw(); };
+    const go = (change) => () => { Object.assign(state, { hops: "", way: "", to: "" }, change); remember({ hops: state.hops, way: state.way, to: state.to, element: byId(id).name }); draw(); };
     const button = (words, change, title) => { const on = state.hops === (change.hops || "") && state.way === (change.way || ""); return h("button", { onclick: go(change), "aria-pressed": String(on), title }, words); };
     return h("div", { class: "buttons", role: "group", "aria-label": "what is shown" }, button("whole system", {}, "everything"), button("1 hop", { hops: "1" }, "what it is connected with"), button("2 hops", { hops: "2" }), button("3 hops", { hops: "3" }),
-      button("reaches →", { way: "behind" }, "everything that what it gives can reach: a node is taken to pass on all that it receives"), button("← depends on", { way: "before" }, "everything that can reach it"));
+      button("reaches →", { way: "behind" }, "everything that what it gives can reach: a node is taken to pass on all that it receives"), button("← depends on", { way: "before" }, "everything that can reach it"), wayTo(id, go));
+  }
+
+  // From here to another element, such as from a sensor to an actuator.
+  function wayTo(id, go) {
+    const names = [...new Set([...made.nodes.map((one) => one.name), ...[...made.channels.values()].filter((one) => shown(one) && isKnown(one.name)).map((one) => one.name)])].sort(compare);
+    const input = h("input", { type: "text", list: "goals", value: state.way === "to" ? state.to : "", placeholder: "node or topic", "aria-label": "show the ways to" });
+    input.addEventListener("change", () => { if (idOf(input.value) !== null && idOf(input.value) !== id) go({ way: "to", to: input.value })(); else if (input.value) status.textContent = `There is no other ${input.value} in this configuration.`; });
+    return h("label", { class: "choice" }, h("span", null, "way to"), input, h("datalist", { id: "goals" }, names.slice(0, 3000).map((name) => h("option", { value: name }))));
   }
 
   function chooseId(id) {
@@ -235,7 +247,7 @@ function systemView(parameters) {
     const next = event.key === "ArrowDown" ? event.target.nextElementSibling : event.key === "ArrowUp" ? event.target.previousElementSibling || field : null;
     if (next) { event.preventDefault(); next.focus(); }
   });
-  const back = h("button", { onclick: () => { Object.assign(state, { hops: "", way: "" }); remember({ hops: "", way: "" }); draw(); } }, "Whole system");
+  const back = h("button", { onclick: () => { Object.assign(state, { hops: "", way: "", to: "" }); remember({ hops: "", way: "", to: "" }); draw(); } }, "Whole system");
   const foldButtons = h("span", { class: "buttons" }, h("button", { onclick: () => picture.foldAll(true) }, "Fold all"), h("button", { onclick: () => picture.foldAll(false) }, "Unfold all"));
   const present = D.switches.filter((one) => [...made.channels.values()].some((channel) => channel.switch === one));
   const stage = h("div", { class: "stage" });

@@ -18,14 +18,14 @@ function neighbours(made, shown) {
   return { out, into };
 }
 
-// Every element that can be reached along *next*, with the number of steps to it, up to *most* steps.
-function reached(start, next, most) {
+// Every element that can be reached along *next*, with the number of steps to it, up to *most* steps, and not through *wall*.
+function reached(start, next, most, wall) {
   const found = new Map([[start, 0]]);
   let edge = [start];
   for (let step = 1; edge.length && step <= most; step++) {
     const ahead = [];
     for (const from of edge)
-      for (const to of next.get(from) || []) {
+      for (const to of (from !== wall && next.get(from)) || []) {
         if (found.has(to)) continue;
         found.set(to, step);
         ahead.push(to);
@@ -43,6 +43,13 @@ function levels(made, shown, start, way, hops) {
   if (way !== "behind") for (const [id, step] of reached(start, into, hops)) if (!found.has(id) || step < found.get(id)) found.set(id, -step);
   if (way === "around" && hops < Infinity) grow(found, out, into, hops);
   return found;
+}
+
+// What lies on a way from *start* to *goal*, by the steps from the start; nothing if there is no way.
+function between(made, shown, start, goal) {
+  const { out, into } = neighbours(made, shown);
+  const back = reached(goal, into, Infinity, start);
+  return back.has(start) ? new Map([...reached(start, out, Infinity, goal)].filter(([id]) => back.has(id))) : new Map([[start, 0], [goal, 1]]);
 }
 
 // All within so many steps whatever their direction: what gives to a neighbour stands left of it.
