@@ -6,7 +6,7 @@ It is the same for all nodes: which of the timers and subscriptions a node makes
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from haros_ci import syntax
 from haros_ci.code import classes, kinds
@@ -14,6 +14,7 @@ from haros_ci.code.body import Call, last_part
 from haros_ci.code.callbacks import Callback, callbacks, given_function
 from haros_ci.code.calls import called, function_meant
 from haros_ci.code.codebase import Codebase, Routine
+from haros_ci.rates.threads import THREADS, begins_thread, in_one
 from haros_ci.syntax import Expression
 from haros_ci.syntax.walk import everything
 
@@ -22,8 +23,12 @@ HARMLESS = frozenset(
     "rclcpp::Node rclcpp_lifecycle::LifecycleNode rclpy.node.Node Node object nodelet::Nodelet nav2_util::LifecycleNode "
     "rclpy.lifecycle.Node rclpy.lifecycle.LifecycleNode std::enable_shared_from_this".split()
 )
-#: Functions that begin a thread with a function, by the last part of the name.
-THREADS = frozenset(("thread", "Thread", "create_thread", "jthread"))
+#: A base that calls one method of a class alone, in a thread of its own (threading.Thread.start).
+THREAD_BASE = "threading.Thread"
+#: Why what a framework calls at its own times has no rate.
+TRANSITION = "it is a transition of a managed node"
+#: Calls that make the server of an action of a function that they are given: rclcpp_action, nav2_util, actionlib, rclpy.
+ACTIONS = frozenset("create_server create_action_server SimpleActionServer ActionServer".split())
 #: Methods that a framework calls once when the node starts.
 STARTS = frozenset(("onInit",))
 #: Methods that ROS libraries call by themselves, whatever else does.
@@ -43,6 +48,10 @@ class Runs:
     calls: tuple[tuple[Routine, Call], ...] = ()
     begins: bool = False
     is_made: bool = False
+    #: Calls of a method of that name on an object that may be of the class, so that it runs in some of them.
+    perhaps: tuple[tuple[Routine, Call], ...] = ()
+    #: What else makes it run, as ``flows.ASKED`` names it.
+    asked: tuple[str, ...] = ()
     #: The calls that begin a thread with it.
     threads: tuple[tuple[Routine, Call], ...] = ()
     reason: str = ""
@@ -71,6 +80,8 @@ def _runs(code: Codebase, routine: Routine) -> Runs:
         return Runs(begins=True, is_made=True)
     if function.kind == "destructor":
         return Runs(reason="it runs when an object is gone")
+    if name in FRAMEWORK and routine.function.owner:
+        return Runs(asked=("transition",))
     outside = _overrides(code, routine, name)
     if outside:
         return Runs(reason=outside)
@@ -92,9 +103,8 @@ def _overrides(code: Codebase, routine: Routine, name: str) -> str:
     owner = classes.owner_of(code, routine)
     if owner is None:
         return "the class of the method is not known" if routine.function.owner and not routine.is_python else ""
-    if name in FRAMEWORK:
-        return "it is a transition of a managed node"
     outside = [other for above, other in classes.bases(code, owner) if above is None and other not in HARMLESS]
+    outside = [other for other in outside if other != THREAD_BASE or name == "run"]
     if not outside:
         return ""
     is_virtual = routine.is_python or any(
@@ -103,10 +113,19 @@ def _overrides(code: Codebase, routine: Routine, name: str) -> str:
     return f"{outside[0]}, which is not in the workspace, may call it" if is_virtual else ""
 
 
+@dataclass(slots=True)
+class _Seen:
+    """What is collected of the routines that mention a function."""
+
+    calls: list[tuple[Routine, Call]] = field(default_factory=list)
+    perhaps: list[tuple[Routine, Call]] = field(default_factory=list)
+    threads: list[tuple[Routine, Call]] = field(default_factory=list)
+    asked: list[str] = field(default_factory=list)
+
+
 def _mentioned(code: Codebase, routine: Routine, name: str, own: tuple[Callback, ...]) -> Runs:
     """What runs a named function, from all mentions of its name in programs of its language."""
-    calls: list[tuple[Routine, Call]] = []
-    threads: list[tuple[Routine, Call]] = []
+    seen = _Seen()
     begins = name in STARTS or (routine.is_python and name == "main" and not routine.function.owner)
     count = 0
     for path in sorted(code.mentioning(name)):
@@ -116,65 +135,83 @@ def _mentioned(code: Codebase, routine: Routine, name: str, own: tuple[Callback,
             count += 1
             if count > MOST:
                 return Runs(reason="its name is too common to look at every mention")
-            found, started, why = _in(code, where, routine, name, own)
+            why = _in(code, where, routine, name, own, seen) if in_one(code, where, routine) else ""
             if why:
                 return Runs(reason=why)
-            calls += found
-            threads += started
-    reason = "" if calls or own or begins or threads else "it is not seen who calls it"
-    return Runs(own, tuple(calls), begins, threads=tuple(threads), reason=reason)
+    asked = tuple(dict.fromkeys(seen.asked))
+    found = Runs(own, tuple(seen.calls), begins, perhaps=tuple(seen.perhaps), asked=asked, threads=tuple(seen.threads))
+    is_run = own or begins or seen.calls or seen.perhaps or seen.threads or asked
+    return found if is_run else Runs(reason="it is not seen who calls it")
 
 
-def _in(
-    code: Codebase, where: Routine, routine: Routine, name: str, own: tuple[Callback, ...]
-) -> tuple[list[tuple[Routine, Call]], list[tuple[Routine, Call]], str]:
-    """The calls of *routine* in another, those that begin a thread with it there, and why it may be run in other ways."""
+def _in(code: Codebase, where: Routine, routine: Routine, name: str, own: tuple[Callback, ...], seen: _Seen) -> str:
+    """Add what runs *routine* in another to *seen*; why it may be run in ways that are not seen, or ""."""
     parts = (*where.function.inits, *(where.function.body or ()))
     mentions = [node for node in everything(parts) if _last(node) == name]
     if not mentions:
-        return [], [], ""
+        return ""
     accounted: set[int] = set()
-    calls: list[tuple[Routine, Call]] = []
-    threads: list[tuple[Routine, Call]] = []
     registered = {(one.call.line, one.call.column, one.role) for one in own if one.maker is where}
     for call in code.body(where).calls:
         if _last(call.callee) == name:
-            targets = called(code, where, call.whole)
-            if routine in targets:
-                calls.append((where, call))
-            elif not targets and _may_be(code, where, routine, call.callee):
-                return [], [], f"{where.title} may call it"
+            why = _call(code, where, routine, call, seen)
+            if why:
+                return why
             accounted.add(id(call.callee))
         for position, argument in enumerate(call.args):
             role, value = str(position), argument
             if isinstance(argument, syntax.Keyword):
                 role, value = argument.name, argument.value
-            is_thread = last_part(call.callee) in THREADS or _starts(code, where, call)
-            if (call.line, call.column, role) in registered or (
-                is_thread and routine in given_function(code, where, value)
-            ):
+            is_known = (call.line, call.column, role) in registered
+            is_known = is_known or _given(code, where, routine, call, value, seen)
+            if is_known:
                 accounted |= {id(node) for node in everything(value) if _last(node) == name}
-                threads += [(where, call)] if is_thread else []
     for variable in (one for every in code.body(where).variables.values() for one in every):
         if variable.type.name.rpartition("::")[2] in THREADS and any(
             routine in function_meant(code, where, part) for part in variable.parts
         ):
-            return [], [], f"{where.title} begins a thread with it"
+            return f"{where.title} begins a thread with it"
     for target, _, _, _ in code.body(where).sets:
         accounted.add(id(target))
     for node in mentions:
         if id(node) not in accounted and _is_given(code, where, routine, node):
-            return [], [], f"{where.title} gives it to others"
-    return calls, threads, ""
+            return f"{where.title} gives it to others"
+    return ""
 
 
-def _starts(code: Codebase, where: Routine, call: Call) -> bool:
-    """Whether a call is ``start(function)`` of a thread object (ecl/threads/thread.hpp)."""
-    return (
-        call.name == "start"
-        and call.receiver is not None
-        and kinds.type_name(code, where, call.receiver) == "ecl::Thread"
-    )
+def _call(code: Codebase, where: Routine, routine: Routine, call: Call, seen: _Seen) -> str:
+    """Add a call of that name to *seen*, if it runs *routine* or may; a reason where that is not all that it may do."""
+    targets = called(code, where, call.whole)
+    if routine in targets:
+        seen.calls.append((where, call))
+    elif targets:
+        if any(_overridden(code, target, routine) for target in targets):
+            seen.perhaps.append((where, call))
+    elif _may_be(code, where, routine, call.callee):
+        if not routine.owner:
+            return f"{where.title} may call it"
+        seen.perhaps.append((where, call))
+    return ""
+
+
+def _overridden(code: Codebase, target: Routine, routine: Routine) -> bool:
+    """Whether *routine* is a method of a class whose base has the method *target*."""
+    above, owner = classes.owner_of(code, target), classes.owner_of(code, routine)
+    return above is not None and owner is not None and above[1].name in classes.base_names(code, owner)
+
+
+def _given(code: Codebase, where: Routine, routine: Routine, call: Call, value: Expression, seen: _Seen) -> bool:
+    """Whether a call begins a thread with *routine*, or makes an action server of it, as *value* says."""
+    is_thread = begins_thread(code, where, call)
+    if not is_thread and last_part(call.callee) not in ACTIONS:
+        return False
+    if routine not in given_function(code, where, value):
+        return False
+    if is_thread:
+        seen.threads.append((where, call))
+    else:
+        seen.asked.append("action")
+    return True
 
 
 def _last(node: object) -> str:
