@@ -9,6 +9,7 @@ from haros_ci import syntax
 from haros_ci.code import kinds
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.syntax import Block, Expression, Statement
+from haros_ci.syntax.walk import everything
 
 #: Seconds in what ``std::chrono`` counts, by the last part of its name or literal (cppreference.com, std::chrono::duration).
 CHRONO = {
@@ -129,8 +130,6 @@ def turns_of(code: Codebase, routine: Routine, loop: Statement) -> int | None:
 
 def _counted(loop: syntax.Loop) -> int | None:
     """The turns of ``for (int i = 0; i < 3; ++i)`` where nothing in the body sets the counter."""
-    from haros_ci.syntax.walk import everything
-
     start = loop.before[0] if len(loop.before) == 1 else None
     test, step = loop.test, loop.body[-1] if loop.body else None
     if (
