@@ -194,6 +194,9 @@ def show(**flags: Any) -> int:
 )
 @click.option("--check-readme", is_flag=True, help="Compare with the interface tables of the packages' READMEs.")
 @click.option("--coverage", is_flag=True, help="Tell which calls of ROS APIs the model has, and which it lacks.")
+@click.option(
+    "--observed", metavar="FILE", type=click.Path(), help="Tell what this bag or .jsonl file has beside the model."
+)
 @workspace_options
 @timings_options
 def model(**flags: Any) -> int:

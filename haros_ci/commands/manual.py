@@ -38,7 +38,7 @@ Every command has a --help of its own. The pages: https://github.com/haros-ci/ha
 #: The section that an option stands in, by its first name; what is named nowhere stands under Options.
 SECTIONS: Mapping[str, tuple[str, ...]] = {
     "What is looked at": ("--project", "--isolated", "--exclude", "--compile-database", "--configuration", "--launch", "--arg", "--env", "--path", "--no-known-nodes", "--as-running", "--exact"),
-    "What is reported": ("--profile", "--tool", "--select", "--ignore", "--import", "--metric", "--level", "--scope", "--expect", "--check-readme", "--coverage", "--rates", "--dependence", "--affects", "--caused-by"),
+    "What is reported": ("--profile", "--tool", "--select", "--ignore", "--import", "--metric", "--level", "--scope", "--expect", "--check-readme", "--coverage", "--rates", "--dependence", "--affects", "--caused-by", "--observed"),
     "What is known already": ("--baseline", "--baseline-rev", "--base", "--no-baseline", "--require-baseline", "--file", "--accept-new", "--force"),
     "What comes out": (
         "--output", "--format", "--sarif-for", "--why", "--statistics", "--show-settings", "--fail-on", "--allow-tool-failure",

@@ -44,7 +44,17 @@ OPTIONS = (
     *("affects", "caused_by"),
 )
 #: Options that choose of what is printed, and change nothing of which calls the model has.
-UNCOVERED = ("configuration", "as_running", "expect", "check_readme", "rates", "dependence", "affects", "caused_by")
+UNCOVERED = (
+    "configuration",
+    "as_running",
+    "expect",
+    "check_readme",
+    "rates",
+    "dependence",
+    "affects",
+    "caused_by",
+    "observed",
+)
 #: What --format json --compact is called here.
 COMPACT = "compact json"
 FORMATS = ("text", "json", "dot", "mermaid", "svg", "sqlite", "nodl", "readme")
@@ -84,7 +94,7 @@ def model(flags: Mapping[str, Any]) -> int:
             from haros_ci.analysis.unmodelled import unmodelled
         made = varied(workspace, settings, store, **options)
         found = selected(made.architecture, flags["configuration"])
-        if flags["rates"]:
+        if flags["rates"] or flags["observed"]:
             from haros_ci.analysis.rates import with_rates
 
             found = with_rates(found, made.sources, workspace)
@@ -113,7 +123,14 @@ def model(flags: Mapping[str, Any]) -> int:
         end(store, notes(settings.notes))
         put_content(covered, format, path)
         return 0
-    if is_kept(flags, settings):
+    if flags["observed"]:
+        from haros_ci.commands.observed import compared, recording_at
+
+        recording = recording_at(flags["observed"])
+        found, messages = make()
+        end(store, messages)
+        put_content(encoded(compared(found, recording, flags["format"])), format, path)
+    elif is_kept(flags, settings):
         from haros_ci.config.digests import settings_digests
 
         key = repr(
@@ -140,6 +157,8 @@ def refuse(flags: Mapping[str, Any]) -> None:
         raise UserError(f"--compact is for json, not {flags['format']}", help="write --format json --compact")
     if flags["coverage"] and (flags["compact"] or flags["format"] not in ("text", "json")):
         raise UserError("--coverage is text or json", help="write --coverage --format json")
+    if flags["observed"] and (flags["compact"] or flags["format"] not in ("text", "json")):
+        raise UserError("--observed is text or json", help="write --observed FILE --format json")
     others = [name for name in UNCOVERED if flags[name]] if flags["coverage"] else []
     if others:
         option = f"--{others[0].replace('_', '-')}"

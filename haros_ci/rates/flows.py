@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import inf
 
 from haros_ci import syntax
@@ -15,7 +15,8 @@ from haros_ci.model.architecture import Endpoint, Node
 from haros_ci.model.location import Location
 from haros_ci.model.rates import NEVER, Pace, Rate, at_most, either, exactly, total, unknown
 from haros_ci.rates.publishers import Publishing, publishing
-from haros_ci.rates.runs import Runs, runs
+from haros_ci.rates.runs import TRANSITION, Runs, runs
+from haros_ci.rates.threads import is_joined
 from haros_ci.rates.turns import Paced, turns
 
 #: Calls inside calls, from a callback to where something is published.
@@ -26,6 +27,7 @@ ASKED = {
     "action": "it runs when a goal comes",
     "response": "it runs when a response comes",
     "parameters": "it runs when parameters are set",
+    "transition": TRANSITION,
 }
 
 
@@ -40,6 +42,11 @@ class Flow:
         """The same where it does not happen each time."""
         return Flow(at_most(self.own), tuple((name, 0.0, high) for name, _, high in self.topics))
 
+    def times(self, number: int) -> Flow:
+        """The same where it happens that many times instead of once."""
+        topics = tuple((name, low * number, high * number) for name, low, high in self.topics)
+        return Flow(scaled(self.own, number, number), topics)
+
 
 @dataclass(frozen=True, slots=True)
 class PublishCall:
@@ -52,10 +59,14 @@ class PublishCall:
 
 @dataclass(frozen=True, slots=True)
 class _Context:
-    """How often a function runs; *is_once*: where a program or thread begins, and nowhere else."""
+    """How often a function runs; *is_once*: where a program or thread begins, and nowhere else.
+
+    *is_alone*: it does not run twice at the same time for one object.
+    """
 
     flow: Flow
     is_once: bool = False
+    is_alone: bool = False
 
 
 @dataclass(slots=True)
@@ -66,24 +77,25 @@ class NodeFlows:
     node: Node
     _known: dict[int, _Context] = field(default_factory=dict)
     _active: set[int] = field(default_factory=set)
+    #: Functions at which a search has stopped: what it says is for where it began alone.
+    _stops: int = 0
 
     def calls(self, end: Endpoint) -> tuple[tuple[PublishCall, ...], str]:
         """The publish calls of a publisher, and why there may be others; "" if these are all."""
         found, reason = self._publishing(end)
-        calls = tuple(
-            PublishCall(Location(routine.path, call.line, call.column), end.name, self.of_call(routine, call))
-            for routine, call in found.calls
-        )
-        return calls, reason
+        calls = []
+        for routine, call in found.calls:
+            flow = self.of_call(routine, call)
+            flow = flow.sometimes() if found.is_shared else flow
+            calls.append(PublishCall(Location(routine.path, call.line, call.column), end.name, flow))
+        return tuple(calls), reason
 
     def _publishing(self, end: Endpoint) -> tuple[Publishing, str]:
         if end.implicit or end.source not in ("source", "exact-tier") or end.location is None:
             return Publishing(()), "no code of the workspace publishes it"
         found = publishing(self.code, end.location)
         same = [other for other in self.node.endpoints if other.kind == end.kind and other.location == end.location]
-        if len(same) > 1:
-            return Publishing(()), "one call makes several publishers"
-        return found, found.reason
+        return replace(found, is_shared=len(same) > 1), found.reason
 
     def of_call(self, routine: Routine, call: Call, depth: int = 0) -> Flow:
         """How often a call in *routine* runs."""
@@ -97,13 +109,20 @@ class NodeFlows:
             flow = Flow(unknown("it runs whenever an object is made"))
         else:
             flow = context.flow
+        flow = flow.times(found.times)
         return flow.sometimes() if found.is_sometimes else flow
 
     def _paced(self, paced: Paced, context: _Context) -> Flow:
-        every = self._paces("rate", paced.made)
-        rate = self._of_paces(every, "the node is not seen to make the rate of the loop")
+        every = self._paces("rate", paced.made) if paced.made is not None else []
+        if paced.hertz and not every:
+            rate = exactly(round(paced.hertz, 9))
+            rate = rate if paced.made is not None else at_most(rate)
+        else:
+            rate = self._of_paces(every, "the node is not seen to make the rate of the loop")
         if context.is_once:
             return Flow(rate if paced.is_endless else at_most(rate))
+        if context.is_alone:
+            return Flow(at_most(rate))
         if context.flow.own.reason in ASKED.values() or context.flow.topics or context.flow.own.is_known:
             return Flow(at_most(rate))
         return Flow(unknown(context.flow.own.reason or "it is not known how many such loops run"))
@@ -132,13 +151,15 @@ class NodeFlows:
         if key in self._known:
             return self._known[key]
         if depth > DEPTH or key in self._active:
+            self._stops += 1
             return _Context(Flow(unknown("functions call each other in a circle, or too deeply to be looked at")))
         self._active.add(key)
+        stops = self._stops
         try:
             found = self._of_runs(routine, runs(self.code, routine), depth)
         finally:
             self._active.discard(key)
-        if depth == 0:
+        if depth == 0 or stops == self._stops:
             self._known[key] = found
         return found
 
@@ -146,20 +167,25 @@ class NodeFlows:
         if found.reason:
             return _Context(Flow(unknown(found.reason)))
         flows = [self._of_callback(callback) for callback in found.callbacks]
-        is_once = not flows
+        is_once = not (flows or found.perhaps or found.asked)
         mains = {routine.path} if found.begins and not found.is_made else set()
         for where, call in found.calls:
             outer = self.of_routine(where, depth + 1)
             placed = turns(self.code, where, call)
-            is_once = is_once and outer.is_once and placed.paced is None and not placed.reason
+            is_once = is_once and outer.is_once and placed.paced is None and not placed.reason and placed.times == 1
             flows.append(self.of_call(where, call, depth + 1))
             if outer.is_once and runs(self.code, where).begins:
                 mains.add(where.path)
+        flows += [self.of_call(where, call, depth + 1).sometimes() for where, call in found.perhaps]
+        flows += [Flow(unknown(ASKED[kind])) for kind in found.asked]
         for where, call in found.threads:
             outer = self.of_routine(where, depth + 1)
             placed = turns(self.code, where, call)
-            if not outer.is_once or placed.paced is not None or placed.reason:
-                return _Context(Flow(unknown("a thread begins with it whenever something else happens")))
+            if not outer.is_once or placed.paced is not None or placed.reason or placed.times > 1:
+                is_alone = not flows and len(found.threads) == 1 and is_joined(self.code, where, call)
+                return _Context(
+                    Flow(unknown("a thread begins with it whenever something else happens")), is_alone=is_alone
+                )
         if len(mains) + len(found.threads) > 1:
             return _Context(Flow(unknown("several programs, or threads, run it")))
         return _Context(add(flows), is_once)

@@ -60,10 +60,14 @@ TESTS = frozenset(("!", "==", "!=", "&&", "||", "is", "is not", "and", "or", "no
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Publishing:
-    """The *calls* that publish, with their routines; *reason* says why there may be others, "" if these are all."""
+    """The *calls* that publish, with their routines; *reason* says why there may be others, "" if these are all.
+
+    *is_shared*: a call may publish on another topic, as one call makes several publishers.
+    """
 
     calls: tuple[tuple[Routine, Call], ...]
     reason: str = ""
+    is_shared: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -6,7 +6,7 @@ It is the same for all nodes: which of the timers and subscriptions a node makes
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from haros_ci import syntax
 from haros_ci.code import classes, kinds
@@ -14,6 +14,7 @@ from haros_ci.code.body import Call, last_part
 from haros_ci.code.callbacks import Callback, callbacks, given_function
 from haros_ci.code.calls import called, function_meant
 from haros_ci.code.codebase import Codebase, Routine
+from haros_ci.rates.threads import THREADS, begins_thread, in_one
 from haros_ci.syntax import Expression, Record
 from haros_ci.syntax.walk import everything
 
@@ -22,8 +23,12 @@ HARMLESS = frozenset(
     "rclcpp::Node rclcpp_lifecycle::LifecycleNode rclpy.node.Node Node object nodelet::Nodelet nav2_util::LifecycleNode "
     "rclpy.lifecycle.Node rclpy.lifecycle.LifecycleNode std::enable_shared_from_this".split()
 )
-#: Functions that begin a thread with a function, by the last part of the name.
-THREADS = frozenset(("thread", "Thread", "create_thread", "jthread"))
+#: A base that calls one method of a class alone, in a thread of its own (threading.Thread.start).
+THREAD_BASE = "threading.Thread"
+#: Why what a framework calls at its own times has no rate.
+TRANSITION = "it is a transition of a managed node"
+#: Calls that make the server of an action of a function that they are given: rclcpp_action, nav2_util, actionlib, rclpy.
+ACTIONS = frozenset("create_server create_action_server SimpleActionServer ActionServer".split())
 #: Methods that a framework calls once when the node starts.
 STARTS = frozenset(("onInit",))
 #: Methods that ROS libraries call by themselves, whatever else does.
@@ -38,18 +43,21 @@ MOST = 4_000
 class Runs:
     """The *callbacks* that a routine is, the *calls* that run it, whether it is where a program or thread *begins*.
 
-    *is_made* says that it runs whenever an object is made; *reason* why there may be more, "" if these are all.
-    *perhaps* are the calls that may run it, *hidden* why more may run it that is no such call.
+    *is_made* says that it runs whenever an object is made; *reason* why it may run at rates that these do not tell, "" if these are all.
+    *hidden* is why more may run it that is none of these.
     """
 
     callbacks: tuple[Callback, ...] = ()
     calls: tuple[tuple[Routine, Call], ...] = ()
     begins: bool = False
     is_made: bool = False
+    #: Calls of a method of that name on an object that may be of the class, so that it runs in some of them.
+    perhaps: tuple[tuple[Routine, Call], ...] = ()
+    #: What else makes it run, as ``flows.ASKED`` names it.
+    asked: tuple[str, ...] = ()
     #: The calls that begin a thread with it.
     threads: tuple[tuple[Routine, Call], ...] = ()
     reason: str = ""
-    perhaps: tuple[tuple[Routine, Call], ...] = ()
     hidden: str = ""
 
 
@@ -76,6 +84,8 @@ def _runs(code: Codebase, routine: Routine) -> Runs:
         return Runs(begins=True, is_made=True)
     if function.kind == "destructor":
         return _unseen("it runs when an object is gone")
+    if name in FRAMEWORK and routine.function.owner:
+        return Runs(asked=("transition",), hidden=TRANSITION)
     return _mentioned(code, routine, name, own, _overrides(code, routine, name))
 
 
@@ -98,9 +108,8 @@ def _overrides(code: Codebase, routine: Routine, name: str) -> str:
     owner = classes.owner_of(code, routine)
     if owner is None:
         return "the class of the method is not known" if routine.function.owner and not routine.is_python else ""
-    if name in FRAMEWORK:
-        return "it is a transition of a managed node"
     outside = [other for above, other in classes.bases(code, owner) if above is None and other not in HARMLESS]
+    outside = [other for other in outside if other != THREAD_BASE or name == "run"]
     if not outside:
         return ""
     is_virtual = routine.is_python or any(
@@ -109,11 +118,25 @@ def _overrides(code: Codebase, routine: Routine, name: str) -> str:
     return f"{outside[0]}, which is not in the workspace, may call it" if is_virtual else ""
 
 
-def _mentioned(code: Codebase, routine: Routine, name: str, own: tuple[Callback, ...], hidden: str) -> Runs:
+@dataclass(slots=True)
+class _Seen:
+    """What is collected of the routines that mention a function; *reason* and *hidden* as ``Runs`` has them."""
+
+    calls: list[tuple[Routine, Call]] = field(default_factory=list)
+    perhaps: list[tuple[Routine, Call]] = field(default_factory=list)
+    threads: list[tuple[Routine, Call]] = field(default_factory=list)
+    asked: list[str] = field(default_factory=list)
+    reason: str = ""
+    hidden: str = ""
+
+    def is_hidden(self, why: str) -> None:
+        """There is more that runs it, which is not seen."""
+        self.reason, self.hidden = self.reason or why, self.hidden or why
+
+
+def _mentioned(code: Codebase, routine: Routine, name: str, own: tuple[Callback, ...], outside: str) -> Runs:
     """What runs a named function, from all mentions of its name in programs of its language."""
-    calls: list[tuple[Routine, Call]] = []
-    threads: list[tuple[Routine, Call]] = []
-    perhaps: list[tuple[Routine, Call]] = []
+    seen = _Seen(reason=outside, hidden=outside)
     begins = name in STARTS or (routine.is_python and name == "main" and not routine.function.owner)
     count = 0
     for path in sorted(code.mentioning(name)):
@@ -125,54 +148,59 @@ def _mentioned(code: Codebase, routine: Routine, name: str, own: tuple[Callback,
             count += 1
             if count > MOST:
                 return _unseen("its name is too common to look at every mention")
-            mentions = _in(code, where, routine, name, own)
-            calls += mentions.calls
-            threads += mentions.threads
-            perhaps += mentions.perhaps
-            hidden = hidden or mentions.hidden
-    reason = hidden or (f"{perhaps[0][0].title} may call it" if perhaps else "")
-    if not (reason or calls or own or begins or threads):
-        reason = hidden = UNCALLED
-    return Runs(own, tuple(calls), begins, False, tuple(threads), reason, tuple(perhaps), hidden)
+            if in_one(code, where, routine):
+                _in(code, where, routine, name, own, seen)
+    asked = tuple(dict.fromkeys(seen.asked))
+    if not (own or begins or seen.calls or seen.perhaps or seen.threads or asked):
+        seen.is_hidden(UNCALLED)
+    return Runs(
+        own,
+        tuple(seen.calls),
+        begins,
+        perhaps=tuple(seen.perhaps),
+        asked=asked,
+        threads=tuple(seen.threads),
+        reason=seen.reason,
+        hidden=seen.hidden,
+    )
 
 
-def _in(code: Codebase, where: Routine, routine: Routine, name: str, own: tuple[Callback, ...]) -> Runs:
-    """The calls of *routine* in another, those that begin a thread with it there, and why it may be run in other ways."""
-    mentions = _names(code, where)[name]
+def _in(code: Codebase, where: Routine, routine: Routine, name: str, own: tuple[Callback, ...], seen: _Seen) -> None:
+    """Add what runs *routine* in another to *seen*, and why it may be run in ways that are not seen."""
     accounted: set[int] = set()
-    calls: list[tuple[Routine, Call]] = []
-    threads: list[tuple[Routine, Call]] = []
-    perhaps: list[tuple[Routine, Call]] = []
     registered = {(one.call.line, one.call.column, one.role) for one in own if one.maker is where}
     for call in code.body(where).calls:
         if _last(call.callee) == name:
-            targets = called(code, where, call.whole)
-            if routine in targets:
-                calls.append((where, call))
-            elif _may_replace(code, routine, targets) or not targets and may_run(code, where, routine, call.callee):
-                perhaps.append((where, call))
+            _call(code, where, routine, call, seen)
             accounted.add(id(call.callee))
         for position, argument in enumerate(call.args):
             role, value = str(position), argument
             if isinstance(argument, syntax.Keyword):
                 role, value = argument.name, argument.value
-            is_thread = last_part(call.callee) in THREADS or _starts(code, where, call)
-            if (call.line, call.column, role) in registered or (
-                is_thread and routine in given_function(code, where, value)
-            ):
+            is_known = (call.line, call.column, role) in registered
+            if _given(code, where, routine, call, value, seen) or is_known:
                 accounted |= {id(node) for node in everything(value) if _last(node) == name}
-                threads += [(where, call)] if is_thread else []
     for variable in (one for every in code.body(where).variables.values() for one in every):
         if variable.type.name.rpartition("::")[2] in THREADS and any(
             routine in function_meant(code, where, part) for part in variable.parts
         ):
-            return _unseen(f"{where.title} begins a thread with it")
+            seen.is_hidden(f"{where.title} begins a thread with it")
     for target, _, _, _ in code.body(where).sets:
         accounted.add(id(target))
-    for node in mentions:
+    for node in _names(code, where)[name]:
         if id(node) not in accounted and _is_given(code, where, routine, node):
-            return _unseen(f"{where.title} gives it to others")
-    return Runs(calls=tuple(calls), threads=tuple(threads), perhaps=tuple(perhaps))
+            seen.is_hidden(f"{where.title} gives it to others")
+
+
+def _call(code: Codebase, where: Routine, routine: Routine, call: Call, seen: _Seen) -> None:
+    """Add a call of that name to *seen*, if it runs *routine* or may."""
+    targets = called(code, where, call.whole)
+    if routine in targets:
+        seen.calls.append((where, call))
+    elif _may_replace(code, routine, targets) or (not targets and may_run(code, where, routine, call.callee)):
+        seen.perhaps.append((where, call))
+        if not routine.owner:
+            seen.reason = seen.reason or f"{where.title} may call it"
 
 
 def _names(code: Codebase, where: Routine) -> dict[str, list[Record]]:
@@ -195,13 +223,19 @@ def _may_replace(code: Codebase, routine: Routine, targets: tuple[Routine, ...])
     return owner is not None and any(target.owner in classes.base_names(code, owner) for target in targets)
 
 
-def _starts(code: Codebase, where: Routine, call: Call) -> bool:
-    """Whether a call is ``start(function)`` of a thread object (ecl/threads/thread.hpp)."""
-    return (
-        call.name == "start"
-        and call.receiver is not None
-        and kinds.type_name(code, where, call.receiver) == "ecl::Thread"
-    )
+def _given(code: Codebase, where: Routine, routine: Routine, call: Call, value: Expression, seen: _Seen) -> bool:
+    """Whether a call begins a thread with *routine*, or makes an action server of it, as *value* says."""
+    is_thread = begins_thread(code, where, call)
+    if not is_thread and last_part(call.callee) not in ACTIONS:
+        return False
+    if routine not in given_function(code, where, value):
+        return False
+    if is_thread:
+        seen.threads.append((where, call))
+    else:
+        seen.asked.append("action")
+        seen.hidden = seen.hidden or f"{where.title} gives it to others"
+    return True
 
 
 def _last(node: object) -> str:

@@ -16,7 +16,7 @@ from haros_ci.rates.flows import Flow, NodeFlows, scaled
 #: Rounds after which a rate that still grows has no bound, and all that there are.
 WIDEN, ROUNDS = 12, 40
 CYCLE = "callbacks publish what calls them again"
-NOBODY = "no node of the configuration publishes it"
+NOBODY = "it comes with messages on {}, which no node of the configuration publishes"
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,6 +85,7 @@ def _sum(published: list[_Published], topics: Mapping[str, Rate]) -> Rate:
 def _at(flow: Flow, topics: Mapping[str, Rate]) -> Rate:
     """A flow as a number, under the rates that topics have."""
     inherited = [
-        scaled(topics[name] if name in topics else unknown(NOBODY), low, high) for name, low, high in flow.topics
+        scaled(topics[name] if name in topics else unknown(NOBODY.format(name)), low, high)
+        for name, low, high in flow.topics
     ]
     return total((flow.own, *inherited))

@@ -12,9 +12,12 @@ from haros_ci.code import classes, kinds
 from haros_ci.code.body import Call
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.model.location import Location
+from haros_ci.rates.sleeps import every_turn, hertz, rate_slept, seconds, turns_of
 from haros_ci.syntax import Block, Expression, Statement
 from haros_ci.syntax.walk import everything
 
+#: Why a call in a loop is not known to run a number of times.
+OPEN = "it is in a loop of unknown length"
 #: Conditions that hold as long as the program runs.
 RUNNING = re.compile(
     r"(true|1|True|not rospy\.is_shutdown\(\)|(ros|rclcpp|rclpy)(::|\.)ok\([\w.>()-]{0,60}\)|(ros::)?ok\(\)"
@@ -24,15 +27,21 @@ RUNNING = re.compile(
 
 @dataclass(frozen=True, slots=True)
 class Paced:
-    """A loop with a rate's ``sleep()`` in each turn; *made* is where the rate is. *is_endless*: it ends with the program alone."""
+    """A loop that sleeps in each turn: *made* is where its rate is made, *hertz* the turns a second if they are written out there, else 0.
 
-    made: Location
+    Without a rate, *hertz* are the most turns that a sleep of a known time allows.
+
+    *is_endless*: it ends with the program alone.
+    """
+
+    made: Location | None
     is_endless: bool
+    hertz: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
 class Turns:
-    """A call runs once for each run of its function, or in some of them (*is_sometimes*), or as its loop says.
+    """A call runs once for each run of its function, or *times* (loops of a known length), or at most so (*is_sometimes*), or as its loop says.
 
     *paced* is the innermost loop with a rate around it, *reason* why a loop has no rate that is known.
     """
@@ -40,33 +49,74 @@ class Turns:
     is_sometimes: bool = False
     paced: Paced | None = None
     reason: str = ""
+    times: int = 1
 
 
 def turns(code: Codebase, routine: Routine, call: Call) -> Turns:
     """How often *call* runs when *routine* runs."""
+    key = ("turns", id(call.whole))
+    if key not in code.kept:
+        code.kept[key] = _turns(code, routine, call)
+    found: Turns = code.kept[key]
+    return found
+
+
+def _turns(code: Codebase, routine: Routine, call: Call) -> Turns:
     found = _Search(call.whole)
     found.block(routine.function.body or ())
     if not found.is_found:
         return Turns(reason="it is not in a statement of its own")
-    sometimes = found.is_sometimes or any(getattr(one, "operator", "") in ("&&", "||") for one in found.around)
+    sometimes = found.is_sometimes
+    times = 1
     for loop in reversed(found.loops):
+        counted = turns_of(code, routine, loop)
+        if counted is not None:
+            sometimes = sometimes or any(map(_leaves_loop, _inside(loop.body)))
+            times *= counted
+            continue
         if not isinstance(loop, syntax.Loop):
-            return Turns(reason="it is in a loop of unknown length")
-        rate = _rate_of(code, routine, loop)
-        if rate is None:
-            is_open = RUNNING.fullmatch(" ".join(loop.text.split())) is not None
-            return Turns(reason="it is in a loop without a rate" if is_open else "it is in a loop of unknown length")
-        if any(isinstance(node, syntax.Continue) for node in _inside(loop.body)):
-            return Turns(reason="the loop may go on without the sleep of its rate")
-        made = rate_made(code, routine, rate)
-        if made is None:
+            return Turns(reason=OPEN)
+        return _paced(code, routine, loop, call, Turns(sometimes, times=times))
+    return Turns(sometimes, times=times)
+
+
+def _paced(code: Codebase, routine: Routine, loop: syntax.Loop, call: Call, inner: Turns) -> Turns:
+    """The turns of a call that runs as *inner* says in each turn of a loop of unknown length."""
+    is_open = RUNNING.fullmatch(" ".join(loop.text.split())) is not None
+    calls = tuple(every_turn(loop.body))
+    rate = rate_slept(calls)
+    made = rate_made(code, routine, rate) if rate is not None else None
+    longest = max((seconds(code, routine, one) or 0.0 for one in calls), default=0.0)
+    if made is None and not longest:
+        if rate is not None:
             return Turns(reason="it is not seen where the rate of the loop is made")
-        leaves = any(isinstance(node, (syntax.Break, syntax.Return, syntax.Throw)) for node in _inside(loop.body))
-        leaves = leaves or any(isinstance(node, (syntax.Return, syntax.Throw)) for node in everything(loop.body))
-        sleeps = [one for one in everything(loop.body) if isinstance(one, syntax.Call) and _sleeps(one)]
-        is_endless = not leaves and len(sleeps) == 1 and RUNNING.fullmatch(" ".join(loop.text.split())) is not None
-        return Turns(sometimes, Paced(made, is_endless))
-    return Turns(sometimes)
+        return Turns(reason="it is in a loop without a rate" if is_open else OPEN)
+    if _goes_on_behind(loop.body, call.whole):
+        return Turns(reason="the loop may go on without the sleep of its rate")
+    leaves = any(isinstance(node, (syntax.Break, syntax.Return, syntax.Throw)) for node in _inside(loop.body))
+    leaves = leaves or any(isinstance(node, (syntax.Return, syntax.Throw)) for node in everything(loop.body))
+    sleeps = [one for one in everything(loop.body) if isinstance(one, syntax.Call) and _sleeps(one)]
+    is_endless = is_open and made is not None and not leaves and len(sleeps) == 1
+    written = hertz(code, routine, rate) if rate is not None and made is not None else 1.0 / longest
+    paced = Paced(made, is_endless, written)
+    return Turns(inner.is_sometimes, paced, times=inner.times)
+
+
+def _leaves_loop(statement: Statement) -> bool:
+    return isinstance(statement, (syntax.Break, syntax.Continue, syntax.Return, syntax.Throw))
+
+
+def _goes_on_behind(block: Block, target: syntax.Call) -> bool:
+    """Whether a ``continue`` of the loop with this body may come behind the call *target* in it."""
+    for number, statement in enumerate(block):
+        if not any(node is target for node in everything(statement)):
+            continue
+        if any(isinstance(node, syntax.Continue) for node in _inside(block[number + 1 :])):
+            return True
+        if isinstance(statement, (syntax.Loop, syntax.Each)):
+            return False
+        return any(_goes_on_behind(inner, target) for inner in blocks(statement))
+    return False
 
 
 def _sleeps(call: syntax.Call) -> bool:
@@ -105,7 +155,6 @@ class _Search:
         self.is_found = False
         self.is_sometimes = False
         self.loops: list[syntax.Loop | syntax.Each] = []
-        self.around: list[Expression] = []
 
     def block(self, block: Block) -> bool:
         exits = False
@@ -134,11 +183,16 @@ class _Search:
             own = next(iter(syntax.started(statement.init)), None)
         if isinstance(statement, (syntax.If, syntax.Switch)):
             own = statement.test if isinstance(statement, syntax.If) else statement.value
+        if isinstance(statement, syntax.Loop):
+            own = statement.test
         if isinstance(own, syntax.Assignment):
             own = own.value
         if own is None or not any(node is self.target for node in everything(own)):
             return False
         self.is_found = True
+        if isinstance(statement, syntax.Loop):
+            self.loops.insert(0, statement)
+            self.is_sometimes = True
         if own is not self.target:  # a part of an expression that may not be evaluated
             whole = [node for node in everything(own) if isinstance(node, (syntax.Operation, syntax.Conditional))]
             self.is_sometimes = self.is_sometimes or bool(whole)
@@ -150,23 +204,6 @@ def _leaves(statement: Statement) -> bool:
     if any(isinstance(node, (syntax.Return, syntax.Throw)) for node in everything(statement)):
         return True
     return any(isinstance(node, (syntax.Break, syntax.Continue)) for node in _inside((statement,)))
-
-
-def _rate_of(code: Codebase, routine: Routine, loop: syntax.Loop) -> Expression | None:
-    """What ``sleep()`` is called on in every turn of a loop; None if there is no one such call."""
-    found: list[Expression] = []
-    waiting: list[Statement] = list(loop.body)
-    while waiting:
-        statement = waiting.pop()
-        if isinstance(statement, syntax.Nested):
-            waiting += statement.body
-        elif isinstance(statement, syntax.Try):
-            waiting += statement.body
-        elif isinstance(statement, syntax.Do) and isinstance(statement.value, syntax.Call):
-            callee = statement.value.callee
-            if isinstance(callee, syntax.Member) and callee.name == "sleep" and not statement.value.arguments:
-                found.append(callee.object)
-    return found[0] if len(found) == 1 else None
 
 
 def rate_made(code: Codebase, routine: Routine, rate: Expression) -> Location | None:

@@ -52,17 +52,25 @@ class Bag(Recording):
     def messages(self, requested: frozenset[str]) -> Iterator[tuple[str, Any, int, int]]:
         from haros_ci.recordings.types import decoder_of
 
+        for channel, time, raw in self._raw():
+            topic = channel.topic
+            if topic not in requested:
+                continue
+            if channel.decoder is None:
+                channel.decoder = decoder_of(channel)
+            yield topic, channel.decoder(raw, self.count), time, self.count
+
+    def times(self) -> Iterator[tuple[str, int]]:
+        return ((channel.topic, time) for channel, time, _ in self._raw())
+
+    def _raw(self) -> Iterator[tuple[Channel, int, bytes]]:
+        """The messages of all files, each of them counted."""
         for path in self.files:
             self.container = container(path)
             try:
                 for channel, time, raw in self.container.raw(self.topics):
-                    number = self.passed(time)
-                    topic = channel.topic
-                    if topic not in requested:
-                        continue
-                    if channel.decoder is None:
-                        channel.decoder = decoder_of(channel)
-                    yield topic, channel.decoder(raw, number), time, number
+                    self.passed(time)
+                    yield channel, time, raw
             except Cut as cut:
                 self.notes.append(f"{path.name} can be read up to message {self.count} only: {cut}")
             self.read += 1

@@ -46,7 +46,13 @@ class JsonLines(Recording):
             raise NoMessage(f"it is on one more topic than {MOST_CHANNELS:,}")
         self.topics.setdefault(topic, set())
 
+    def times(self) -> Iterator[tuple[str, int]]:
+        return ((topic, time) for topic, _, time, _ in self._messages(None))
+
     def messages(self, requested: frozenset[str]) -> Iterator[tuple[str, Any, int, int]]:
+        return self._messages(requested)
+
+    def _messages(self, requested: frozenset[str] | None) -> Iterator[tuple[str, Any, int, int]]:
         faults = 0
         with opened(self.path) as file:
             self.file = file
@@ -67,7 +73,7 @@ class JsonLines(Recording):
                         ) from None
                     continue
                 number = self.passed(time)
-                if topic in requested:
+                if requested is None or topic in requested:
                     yield topic, message, time, number
         if faults > 1:
             self.notes.append(f"{faults - 1} further lines are no messages")

@@ -73,6 +73,10 @@ class Recording:
         """Topic, message, time and number, from 1, of the messages on the topics *requested*; a message can be ``Unreadable``."""
         raise NotImplementedError
 
+    def times(self) -> Iterator[tuple[str, int]]:
+        """Topic and time of each message, none of which is decoded; ``topics`` has the types then."""
+        raise NotImplementedError
+
     def share(self) -> float | None:
         """How much of it has been read, None if that is not known."""
         return None

@@ -6,8 +6,8 @@ from __future__ import annotations
 import json
 
 import pytest
-from follow_kit import cpp_files, main
-from rates_kit import architecture, cpp, python, rates, ros2
+from follow_kit import cpp_files, main, python_files, script
+from rates_kit import architecture, by_topic, cpp, python, rates, ros2
 
 from haros_ci.report import model_json, model_text
 
@@ -49,8 +49,46 @@ LOOPS = {
         "0 to 10 Hz",
     ),
     "once": ("p.publish(m);", "0 Hz"),
+    "the sleep in a condition": ("ros::Rate r(10); while (ros::ok()) { p.publish(m); if (!r.sleep()) f(); }", "10 Hz"),
+    "a way back before it": (
+        "ros::Rate r(10); while (ros::ok()) { if (f()) { r.sleep(); continue; } p.publish(m); r.sleep(); }",
+        "0 to 10 Hz",
+    ),
+    "a sleep of chrono": (
+        "while (ros::ok()) { p.publish(m); std::this_thread::sleep_for(std::chrono::milliseconds(50)); }",
+        "0 to 20 Hz",
+    ),
+    "a duration's sleep": ("while (ros::ok()) { p.publish(m); ros::Duration(0.5).sleep(); }", "0 to 2 Hz"),
+    "a rate for one turn": ("while (ros::ok()) { p.publish(m); ros::Rate(5).sleep(); }", "0 to 5 Hz"),
+    "two sleeps": ("while (ros::ok()) { p.publish(m); usleep(1000); usleep(100000); }", "0 to 10 Hz"),
+    "a counted loop": ("for (int i = 0; i < 3; ++i) p.publish(m);", "0 Hz"),
+    "a counted loop in each turn": (
+        "ros::Rate r(10); while (ros::ok()) { for (int i = 0; i < 3; ++i) p.publish(m); r.sleep(); }",
+        "30 Hz",
+    ),
+    "items that are written out": (
+        "ros::Rate r(10); while (ros::ok()) { for (int x : {1, 2}) p.publish(m); r.sleep(); }",
+        "20 Hz",
+    ),
+    "a counted loop that is left": (
+        "ros::Rate r(10); while (ros::ok()) { for (int i = 0; i < 3; ++i) { if (f()) break; p.publish(m); } r.sleep(); }",
+        "0 to 30 Hz",
+    ),
 }
 UNKNOWN_LOOPS = {
+    "a sleep that is not known": ("while (ros::ok()) { p.publish(m); usleep(f()); }", "without a rate"),
+    "a sleep of nothing": ("while (ros::ok()) { p.publish(m); usleep(0); }", "without a rate"),
+    "a sleep in some turns of chrono": ("while (ros::ok()) { p.publish(m); if (f()) usleep(1000); }", "without a rate"),
+    "a counter that is set": (
+        "ros::Rate r(9); while (ros::ok()) { for (int i = 0; i < 3; ++i) { i = 0; p.publish(m); } r.sleep(); }", "length"
+    ),
+    "a counter that is given": (
+        "ros::Rate r(9); while (ros::ok()) { for (int i = 0; i < 3; ++i) { f(&i); p.publish(m); } r.sleep(); }", "length"
+    ),
+    "as many turns as a variable says": (
+        "ros::Rate r(9); while (ros::ok()) { for (int i = 0; i < n; ++i) p.publish(m); r.sleep(); }", "length"
+    ),
+    "a loop in the test of which it is": ("while (f(p.publish(m))) {}", "length"),
     "no rate": ("while (ros::ok()) { p.publish(m); ros::spinOnce(); }", "without a rate"),
     "another loop in it": ("ros::Rate r(10); while (ros::ok()) { for (;f();) p.publish(m); r.sleep(); }", "unknown length"),
     "a list": ("ros::Rate r(10); while (ros::ok()) { for (auto x : xs) p.publish(m); r.sleep(); }", "unknown length"),
@@ -143,7 +181,7 @@ def test_a_callback_inherits_the_rate_of_its_topic(case: str) -> None:
 
 def test_a_topic_that_nobody_publishes_has_no_rate() -> None:
     found = of_class('sub_ = nh.subscribe("in", 1, &A::got, this);', "send();")
-    assert found == "unknown (no node of the configuration publishes it)"
+    assert found == "unknown (it comes with messages on /in, which no node of the configuration publishes)"
 
 
 def test_a_cycle_ends_without_a_bound() -> None:
@@ -206,6 +244,17 @@ PYTHON = {
         "p = PUB('a')\ndef tick(event):\n    p.publish('')\nrospy.Timer(rospy.Duration(0.5), tick, oneshot=True)\n",
         "unknown (the timer fires once each time that it is started)",
     ),
+    "a sleep": ("import time\np = PUB('a')\nwhile not rospy.is_shutdown():\n    p.publish('')\n    time.sleep(0.1)\n", "0 to 10 Hz"),
+    "rospy.sleep": ("p = PUB('a')\nwhile True:\n    p.publish('')\n    rospy.sleep(0.5)\n", "0 to 2 Hz"),
+    "a sleep of another library": (
+        "import other\np = PUB('a')\nwhile not rospy.is_shutdown():\n    p.publish('')\n    other.sleep(0.1)\n",
+        "unknown (it is in a loop without a rate)",
+    ),
+    "a counted loop": (
+        "p = PUB('a')\nr = rospy.Rate(10)\nwhile not rospy.is_shutdown():\n    for i in range(3):\n        p.publish('')\n"
+        "    r.sleep()\n",
+        "30 Hz",
+    ),
     "a thread of a callback": (
         "import threading\np = PUB('a')\ndef work():\n    p.publish('')\ndef got(m):\n"
         "    threading.Thread(target=work).start()\nrospy.Subscriber('in', String, got)\nrospy.spin()\n",
@@ -237,3 +286,48 @@ def test_the_model_has_rates_only_where_they_are_asked_for() -> None:
 def test_publishers_of_a_topic_add_up() -> None:
     launch = '<launch><node pkg="p" type="n" name="x"/><node pkg="p" type="n" name="y"/></launch>'
     assert {name: str(rate) for name, rate in rates(cpp_files(main(TWO), launch)).topics}["/a"] == "20 Hz"
+
+
+VIRTUAL = """struct Base { virtual void send() {} };
+struct A : Base {
+  A(ros::NodeHandle& nh) { pub_ = ADV("a", 1); }
+  void send() override { std_msgs::String m; pub_.publish(m); }
+  ros::Publisher pub_;
+};
+struct B { void send() {} };"""
+PERHAPS = {
+    "a method of the base": ("Base* b = &a; ros::Rate r(10); while (ros::ok()) { b->send(); r.sleep(); }", "0 to 10 Hz"),
+    "an object that is not known": ("auto b = pick(a); ros::Rate r(10); while (ros::ok()) { b->send(); r.sleep(); }", "0 to 10 Hz"),
+    "both": ("Base* b = &a; ros::Rate r(10); while (ros::ok()) { b->send(); a.send(); r.sleep(); }", "10 to 20 Hz"),
+    "another class": ("B b; ros::Rate r(10); while (ros::ok()) { b.send(); a.send(); r.sleep(); }", "10 Hz"),
+    "without a bound": ("Base* b = &a; while (ros::ok()) { b->send(); ros::spinOnce(); }", "unknown (it is in a loop without a rate)"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", PERHAPS)
+def test_a_call_that_may_be_of_the_method_bounds_it(case: str) -> None:
+    body, expected = PERHAPS[case]
+    assert cpp("A a(nh); " + body, VIRTUAL)["/a"] == expected
+
+
+THREADS = {
+    "one that is kept": ("t_ = std::thread(&A::work, this);", "0 to 10 Hz"),
+    "one on the heap": ("t_ = std::make_unique<std::thread>(&A::work, this);", "0 to 10 Hz"),
+    "one that is detached": ("std::thread t(&A::work, this); t.detach();", "unknown"),
+    "one that is detached later": ("t_ = std::thread(&A::work, this); t_.detach();", "unknown"),
+    "one of boost, which goes on": ("t_ = boost::thread(&A::work, this);", "unknown"),
+}
+
+
+@pytest.mark.parametrize("case", THREADS)
+def test_a_thread_that_a_callback_begins_runs_once_at_a_time_where_it_is_kept(case: str) -> None:
+    start, expected = THREADS[case]
+    work = "std::thread t_; void work() { ros::Rate r(10); while (ros::ok()) { send(); r.sleep(); } } "
+    found = cpp("A a(nh);", CLASS % ('sub_ = nh.subscribe("in", 1, &A::got, this);', work, start))["/a"]
+    assert found.startswith(expected)
+
+
+def test_programs_that_no_file_imports_both_of_are_not_one() -> None:
+    files = python_files(script("p = PUB('a')\ndef go():\n    p.publish('')\ngo()\n"))
+    other = {"p/src/tool.py": "def check(x):\n    while True:\n        x.go()\n        go()\n"}
+    assert by_topic({**files, **other})["/a"] == "0 Hz"
