@@ -22,28 +22,34 @@ def check(project: Project) -> Iterator[Finding]:
         return
     access = Access(project.access)
     nodes = [node for system in project.systems for node in system.nodes if node.kind != "library"]
+    groups: dict[tuple[object, ...], tuple[tuple[AccessRule, ...], dict[tuple[str, str], End]]] = {}
     for node in nodes:
         for end in node.ends:
-            if end.known and not end.implicit:
-                rules = access.refusing(end.kind, end.name, node.name, node.type)
-                if rules:
-                    yield _refused(project, node, end, rules)
+            rules = access.refusing(end.kind, end.name, node.name, node.type) if end.known and not end.implicit else ()
+            if rules:  # one call is one finding, under however many names it runs
+                key = (end.location.sort_key, end.kind, rules, "" if end.in_source else end.name)
+                groups.setdefault(key, (rules, {}))[1].setdefault((node.name, end.name), end)
+    for rules, ends in groups.values():
+        yield _refused(project, list(ends.values()), rules)
     yield from _misspelt(project, nodes)
 
 
-def _refused(project: Project, node: SystemNode, end: End, rules: tuple[AccessRule, ...]) -> Finding:
+def _refused(project: Project, ends: list[End], rules: tuple[AccessRule, ...]) -> Finding:
+    end = ends[0]
     does, may = _DOES[rules[0].verb]
     allowed = list(dict.fromkeys(pattern for rule in rules for pattern in rule.nodes))
     places = [(place, f"{rule.verb}: {rule.name}") for rule in rules for place in _places(project, rule)]
     where = f" ({line_of(places[0][0])})" if places else ""
     who = f"only {listed(allowed)} may" if allowed else "no node may"
-    when = "" if node.is_default else " under other launch arguments than the defaults"
+    when = "" if end.node.is_default else " under other launch arguments than the defaults"
+    others = [f"{other.node.name} ({other.name})" for other in ends[1:]]
+    more = f"; likewise for {listed(others)}" if others else ""
     return Finding(
         at=end.location,
-        message=f"{node.name} {does} {end.name}{when}, which {who} {may}{where}; take this out, or let the node do it there",
-        about=(node.name, end.kind, end.name),
+        message=f"{end.node.name} {does} {end.name}{when}, which {who} {may}{where}; take this out, or let the node do it there{more}",
+        about=(end.kind, *(name for other in ends for name in (other.node.name, other.name))),
         related=tuple(places),
-        apart=(node.name, end.kind, end.name),
+        apart=(end.kind, *(rule.name for rule in rules), "" if end.in_source else end.name),
     )
 
 

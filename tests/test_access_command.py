@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-
 from commandline import commit, write
+
 from haros_ci.cli import main
 
 MANIFEST = (
@@ -64,3 +64,14 @@ def test_the_rules_of_the_base_revision_count(workspace: Path, capsys: pytest.Ca
     (workspace / "haros.yaml").write_text(OPEN, encoding="utf-8")
     commit(workspace)
     assert findings(capsys, "--baseline-rev=HEAD") == []
+
+
+def test_a_call_is_one_finding_under_all_its_names(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    start = "<node pkg='demo' exec='talker.py' namespace='{}'/>"
+    launch = f"<launch>{start.format('left')}{start.format('right')}</launch>"
+    (workspace / "demo" / "all.launch.xml").write_text(launch, encoding="utf-8")
+    (workspace / "haros.yaml").write_text("access:\n  publish:\n    /**/chatter: []\n", encoding="utf-8")
+    (found,) = findings(capsys)
+    text = found["message"]["text"]
+    assert "/left/talker publishes /left/chatter, which no node may publish (haros.yaml:3)" in text
+    assert "; likewise for /right/talker (/right/chatter)" in text
