@@ -15,6 +15,7 @@ import click
 from haros_ci.analysis.inspection import Architectures
 from haros_ci.analysis.monitored import Chosen, Monitored, chosen
 from haros_ci.commands.common import reported, settings_from, store_for
+from haros_ci.commands.monitor_export import export, target_of
 from haros_ci.commands.output import parse_outputs
 from haros_ci.errors import UserError
 from haros_ci.model.location import Location
@@ -53,7 +54,8 @@ SECOND = 1_000_000_000
 
 def monitor(flags: Mapping[str, Any]) -> int:
     """Read, judge, write every output; exit code 1 for a property that is violated, 2 for wrong usage, else 0."""
-    recording = recording_of(flags)
+    recording = recording_of(flags) if flags["export"] is None else None
+    target = target_of(flags) if flags["export"] is not None else None
     outputs = parse_outputs(flags["output"])
     paths = (flags["path"],) if flags["path"] else ()
     settings = settings_from({**flags, "paths": paths, "no_baseline": True, "profile": "architecture"})
@@ -70,6 +72,8 @@ def monitor(flags: Mapping[str, Any]) -> int:
     )
     if trouble := store.flush():
         click.echo(f"warning: {trouble}", err=True)
+    if recording is None:
+        return export(picked, target)
     if not picked.properties:
         for note in picked.notes:
             click.echo(f"note: {terminal(note)}", err=True)

@@ -20,11 +20,15 @@ LONGEST_LINE = 16 << 20
 MOST_FAULTS = 1_000
 SECOND = 1_000_000_000
 #: What ROSMonitoring writes beside the fields of a message.
-_OF_EVENTS = frozenset(("topic", "time", "order", "ros_version", "service", "request", "response", "spec"))
+_OF_EVENTS = frozenset(("topic", "time"))
 
 
 class NoMessage(Exception):
     """Why a line is no message."""
+
+
+class OfService(Exception):
+    """A line is a request or a response of a service, as ROSMonitoring writes them."""
 
 
 class JsonLines(Recording):
@@ -47,7 +51,7 @@ class JsonLines(Recording):
         self.topics.setdefault(topic, set())
 
     def messages(self, requested: frozenset[str]) -> Iterator[tuple[str, Any, int, int]]:
-        faults = 0
+        faults = calls = 0
         with opened(self.path) as file:
             self.file = file
             for row, line in enumerate(lines(file), 1):
@@ -56,6 +60,9 @@ class JsonLines(Recording):
                 try:
                     topic, time, message = message_of(line)
                     self.know(topic)
+                except OfService:
+                    calls += 1
+                    continue
                 except NoMessage as err:
                     faults += 1
                     if faults == 1:
@@ -71,6 +78,8 @@ class JsonLines(Recording):
                     yield topic, message, time, number
         if faults > 1:
             self.notes.append(f"{faults - 1} further lines are no messages")
+        if calls:
+            self.notes.append(f"{calls} lines are requests and responses of services, which are not looked at")
 
 
 def opened(path: Path) -> BinaryIO:
@@ -102,7 +111,7 @@ def lines(file: BinaryIO) -> Iterator[bytes]:
 
 
 def message_of(line: bytes) -> tuple[str, int, Any]:
-    """Topic, time in nanoseconds and message of a line; NoMessage if it is none."""
+    """Topic, time in nanoseconds and message of a line; NoMessage or OfService if it is none."""
     try:
         found = json.loads(line, parse_int=_whole)
     except (ValueError, RecursionError):
@@ -110,6 +119,8 @@ def message_of(line: bytes) -> tuple[str, int, Any]:
     if not isinstance(found, dict):
         raise NoMessage("it is no object")
     topic, time = found.get("topic"), found.get("time")
+    if topic is None and isinstance(found.get("service"), str):
+        raise OfService
     if not isinstance(topic, str) or not topic:
         raise NoMessage("it has no topic")
     if (
