@@ -137,7 +137,7 @@ def feed(watch: Watch, recording: Recording) -> None:
     for topic, message, at, number in shown(recording, recording.messages(watch.topics)):
         _begin(watch, recording)
         if isinstance(message, Unreadable):
-            watch.leave(topic, message.reason)
+            watch.miss(topic, message.reason, at, number)
         else:
             watch.take(topic, message, at, number)
     _begin(watch, recording)

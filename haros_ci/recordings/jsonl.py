@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from haros_ci.errors import UserError
-from haros_ci.recordings.recording import LATEST, LONGEST_NAME, MOST_CHANNELS, Recording
+from haros_ci.recordings.recording import LATEST, LONGEST_NAME, MOST_CHANNELS, Recording, full_name
 
 #: Bytes of a line.
 LONGEST_LINE = 16 << 20
@@ -132,13 +132,9 @@ def message_of(line: bytes) -> tuple[str, int, Any]:
         raise NoMessage("it has no time in seconds")
     at = time * SECOND if isinstance(time, int) else round(time * SECOND)
     if isinstance(found.get("msg"), dict):
-        return _name(topic), at, found["msg"]
-    return _name(topic), at, {name: value for name, value in found.items() if name not in _OF_EVENTS}
+        return full_name(topic), at, found["msg"]
+    return full_name(topic), at, {name: value for name, value in found.items() if name not in _OF_EVENTS}
 
 
 def _whole(text: str) -> int | float:
     return int(text) if len(text) < 40 else float(text)
-
-
-def _name(topic: str) -> str:
-    return topic if topic.startswith("/") else f"/{topic}"

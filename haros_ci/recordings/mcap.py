@@ -29,7 +29,7 @@ class McapFile:
         self.file: BinaryIO | None = None
         self.definitions = Definitions()
         self.is_packed = is_packed
-        self.schemas: dict[int, tuple[str, str, str]] = {}
+        self.schemas: dict[int, tuple[str, str, str | None]] = {}
         self.channels: dict[int, Channel] = {}
 
     def raw(self, channels: dict[str, set[str]]) -> Iterator[tuple[Channel, int, bytes]]:
@@ -106,7 +106,8 @@ class McapFile:
             raise Cut("it has too many types")
         if max(len(name), len(encoding)) > LONGEST_NAME:
             raise Cut(f"a type has a name of more than {LONGEST_NAME:,} characters")
-        self.schemas[_U16.unpack_from(content)[0]] = name, encoding, self.definitions.kept(definition)
+        kept = self.definitions.kept(definition)
+        self.schemas[_U16.unpack_from(content)[0]] = name, encoding, kept if encoding else None
 
     def channel(self, content: bytes, channels: dict[str, set[str]]) -> None:
         """Take a topic."""
@@ -115,10 +116,10 @@ class McapFile:
             return
         topic, at = _text(content, 4)
         written, _ = _text(content, at)
-        name, encoding, definition = self.schemas.get(schema, ("", "", ""))
+        name, encoding, definition = self.schemas.get(schema, ("", "", None))
         known = encoding if encoding not in ("ros2msg", "ros1msg", "") else written
-        self.channels[key] = Channel(topic, name, definition, known)
-        channels.setdefault(topic, set()).add(name)
+        self.channels[key] = channel = Channel(topic, name, definition, known)
+        channels.setdefault(channel.topic, set()).add(name)
 
 
 def _text(content: bytes, at: int) -> tuple[str, int]:

@@ -41,11 +41,11 @@ class Unreadable:
 
 @dataclass(slots=True)
 class Channel:
-    """A topic of a bag with its type (``pkg/T`` or ``pkg/msg/T``), the type's *definition* ("" where the bag has none), and how messages are written."""
+    """A topic of a bag, as a full name, with its type (``pkg/T`` or ``pkg/msg/T``), the type's *definition* (None where the bag has none), and how messages are written."""
 
     topic: str
     type: str
-    definition: str
+    definition: str | None
     encoding: str
     decoder: Any = None
     count: int = 0
@@ -53,6 +53,12 @@ class Channel:
     def __post_init__(self) -> None:
         if max(len(self.topic), len(self.type), len(self.encoding)) > LONGEST_NAME:
             raise Cut(f"a topic or type has a name of more than {LONGEST_NAME:,} characters")
+        self.topic = full_name(self.topic)
+
+
+def full_name(topic: str) -> str:
+    """A name without a slash in front is one below the root: what writes bags takes both."""
+    return topic if topic.startswith("/") else f"/{topic}"
 
 
 class Recording:

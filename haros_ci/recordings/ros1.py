@@ -77,9 +77,10 @@ class Ros1File:
             connection = _fields(content)
             name = header.get(b"topic", b"").decode("utf-8", "replace")
             kind_of, definition = (connection.get(part, b"").decode("utf-8", "replace") for part in _OF_CONNECTION)
-            channel = Channel(name, kind_of, self.definitions.kept(definition), "ros1")
+            known = self.definitions.kept(definition) if _OF_CONNECTION[1] in connection else None
+            channel = Channel(name, kind_of, known, "ros1")
             self.channels[key] = channel
-            channels.setdefault(name, set()).add(channel.type)
+            channels.setdefault(channel.topic, set()).add(channel.type)
         elif kind == _MESSAGE:
             time = header.get(b"time", b"")
             if key not in self.channels or len(time) != _TIME.size:

@@ -113,11 +113,13 @@ def test_a_type_that_is_not_known(tmp_path: Path) -> None:
         ("demo/Level\nimport os", "uint8 data", "no name"),
         ("../Level", "uint8 data", "no name"),
         ("Level", "uint8 data", "no name"),
-        ("demo/Level", "", "does not say"),
+        ("demo/Level", None, "does not say"),
+        ("demo/Level", "Other other\nuint8 data", "the bag does not say what a demo/msg/Other is"),
+        ("demo/Level", "Other[3] others\nuint8 data", "the bag does not say what a demo/msg/Other is"),
         ("demo/Level", "string s='''\"\"\"\nimport os\nuint8 data", ""),
     ],
 )
-def test_definitions_that_cannot_be_read(type: str, definition: str, why: str) -> None:
+def test_definitions_that_cannot_be_read(type: str, definition: str | None, why: str) -> None:
     demanded()
     from haros_ci.recordings.types import decoder_of
 
@@ -128,6 +130,54 @@ def test_definitions_that_cannot_be_read(type: str, definition: str, why: str) -
         and found.reason.startswith("message 7, on /a, cannot be read: ")
     )
     assert "\n" not in found.reason.replace(type, "")
+
+
+HEADER = "\n" + "=" * 80 + "\nMSG: std_msgs/Header\nuint32 seq\ntime stamp\nstring frame_id\n"
+
+
+@pytest.mark.parametrize(
+    ("definition", "raw", "expected"),
+    [
+        ("Header header\nuint8 data" + HEADER, struct.pack("<IIII3sB", 1, 12, 5, 3, b"map", 7), ("map", 12, 5, 7)),
+        ("std_msgs/Header header\nuint8 data" + HEADER, struct.pack("<IIIIB", 1, 12, 5, 0, 7), ("", 12, 5, 7)),
+    ],
+)
+def test_times_of_ros1_need_no_definition(definition: str, raw: bytes, expected: tuple[Any, ...]) -> None:
+    demanded()
+    found = decoder_of(Channel("/a", "demo/Level", definition, "ros1"))(raw, 1)
+    stamp = found.header.stamp
+    assert (found.header.frame_id, stamp.sec, stamp.nanosec, found.data) == expected
+    assert isinstance(decoder_of(Channel("/a", "demo/Level", definition, "ros1"))(raw[:15], 1), Unreadable)
+
+
+@pytest.mark.parametrize(
+    ("encoding", "type", "raw"),
+    [
+        ("ros1", "std_msgs/Empty", b""),
+        ("ros1", "demo/Reset", b""),
+        ("cdr", "demo/msg/Reset", b"\x00\x01\x00\x00\x00"),
+    ],
+)
+@pytest.mark.parametrize("definition", ["", "# nothing\n"])
+def test_messages_without_fields(encoding: str, type: str, raw: bytes, definition: str) -> None:
+    demanded()
+    assert not isinstance(decoder_of(Channel("/a", type, definition, encoding))(raw, 1), Unreadable)
+
+
+def test_times_and_durations_alone_and_in_arrays() -> None:
+    demanded()
+    decode = decoder_of(Channel("/a", "demo/Level", "time at\nduration[2] waits\ntime[] more\n", "ros1"))
+    found = decode(struct.pack("<II4iIII", 9, 8, -1, 7, 2, 6, 1, 5, 4), 1)
+    assert (found.at.sec, found.waits[0].sec, found.more[0].nanosec) == (9, -1, 4)
+
+
+@pytest.mark.parametrize("topic", ["a", "/a"])
+@pytest.mark.parametrize("kind", ["ros1", "sqlite3", "mcap"])
+def test_names_without_a_slash_are_below_the_root(tmp_path: Path, kind: str, topic: str) -> None:
+    rows: list[Row] = [(topic, 1, 0)]
+    path = ros1(tmp_path / "run.bag", rows) if kind == "ros1" else ros2(tmp_path / "run", rows, kind)
+    found, recording = read(path)
+    assert [each[0] for each in found] == ["/a"] and list(recording.topics) == ["/a"]
 
 
 @pytest.mark.parametrize("raw", [b"", b"\xff\xff\xff\xff", b"\x00\x01\x00\x00\xff\xff\xff\x7f", b"\x28\xb5\x2f\xfdxx"])
