@@ -7,10 +7,11 @@ import struct
 from collections.abc import Iterator
 from pathlib import Path
 from typing import BinaryIO
+from zlib import crc32
 
 from haros_ci.recordings.jsonl import opened
 from haros_ci.recordings.packed import LARGEST, unpacked, unpacking
-from haros_ci.recordings.recording import LATEST, LONGEST_NAME, MOST_CHANNELS, Channel, Cut, Definitions
+from haros_ci.recordings.recording import LATEST, LONGEST_NAME, MOST_CHANNELS, Channel, Cut, Definitions, in_order
 
 _SCHEMA, _CHANNEL, _MESSAGE, _CHUNK, _END_OF_DATA = 3, 4, 5, 6, 15
 _U16, _U32 = struct.Struct("<H"), struct.Struct("<I")
@@ -56,20 +57,25 @@ class McapFile:
             if size > LARGEST:
                 raise Cut(f"a record of {size} bytes is too large")
             content = file.read(size)
-            if len(content) != size:
-                raise Cut("it ends early")
+            is_whole = len(content) == size
             if kind == _CHUNK:
-                yield from self.chunk(content, channels)
-            else:
+                yield from in_order(self.chunk(content, channels, is_whole=is_whole), is_whole)
+            elif is_whole:
                 yield from self.record(kind, content, channels)
+            if not is_whole:
+                raise Cut("it ends early")
 
-    def chunk(self, content: bytes, channels: dict[str, set[str]]) -> Iterator[tuple[Channel, int, bytes]]:
-        """The messages of a chunk, in order of time."""
+    def chunk(
+        self, content: bytes, channels: dict[str, set[str]], *, is_whole: bool = True
+    ) -> Iterator[tuple[Channel, int, bytes]]:
+        """The messages of a chunk as they stand there; of one that is not whole those that are there."""
         form, at = _text(content, _OF_CHUNK)
-        if len(content) < at + 8:
+        if len(content) < at + 8 or (form and not is_whole):
             raise Cut("a chunk ends early")
         inner = unpacked(content[at + 8 :], form)
-        found: list[tuple[Channel, int, bytes]] = []
+        sum_ = _U32.unpack_from(content, _OF_CHUNK - 4)[0]
+        if is_whole and sum_ and crc32(inner) != sum_:
+            raise Cut("a chunk is damaged")
         at = 0
         while at < len(inner):
             if at + _HEAD.size > len(inner):
@@ -78,9 +84,8 @@ class McapFile:
             at += _HEAD.size
             if at + size > len(inner):
                 raise Cut("a chunk ends early")
-            found += self.record(kind, inner[at : at + size], channels)
+            yield from self.record(kind, inner[at : at + size], channels)
             at += size
-        yield from sorted(found, key=lambda item: item[1])
 
     def record(self, kind: int, content: bytes, channels: dict[str, set[str]]) -> Iterator[tuple[Channel, int, bytes]]:
         """What a record holds: a message, or the channel or the type of others."""

@@ -61,6 +61,22 @@ def full_name(topic: str) -> str:
     return topic if topic.startswith("/") else f"/{topic}"
 
 
+def in_order(messages: Iterator[tuple[Channel, int, bytes]], is_whole: bool) -> Iterator[tuple[Channel, int, bytes]]:
+    """The messages of a chunk in order of time; where they are Cut, and of a chunk that is not whole, those before it come first."""
+    found: list[tuple[Channel, int, bytes]] = []
+    cut: Cut | None = None
+    try:
+        for message in messages:
+            found.append(message)  # noqa: PERF402 (what was found before a Cut counts)
+    except Cut as err:
+        cut = err
+    yield from sorted(found, key=lambda item: item[1])
+    if not is_whole:
+        raise Cut("it ends early")
+    if cut is not None:
+        raise cut
+
+
 class Recording:
     """Messages with their times. *first* and *last* are those of the messages so far, in nanoseconds; *count* is how many those are.
 

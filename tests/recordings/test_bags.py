@@ -79,6 +79,45 @@ def test_a_bag_that_was_cut_off_is_read_up_to_there(tmp_path: Path, kind: str) -
     assert seen
 
 
+@pytest.mark.parametrize("kind", ["ros1", "mcap"])
+def test_of_a_chunk_that_was_cut_off_the_beginning_is_read(tmp_path: Path, kind: str) -> None:
+    rows: list[Row] = [("/a", number % 200, number) for number in range(2_000)]
+    path = ros1(tmp_path / "run.bag", rows) if kind == "ros1" else _mcap(tmp_path, rows)
+    path.write_bytes(path.read_bytes()[:20_000])
+    found, recording = read(path)
+    assert 100 < len(found) < 1_000 and [each[3] for each in found] == list(range(1, len(found) + 1))
+    assert recording.notes == [f"{path.name} can be read up to message {len(found)} only: it ends early"]
+
+
+def _mcap(directory: Path, rows: list[Row]) -> Path:
+    (path,) = ros2(directory / "run", rows, "mcap").glob("*.mcap")
+    return path
+
+
+def test_a_bag_without_its_index_may_lack_messages(tmp_path: Path) -> None:
+    path = ros1(tmp_path / "run.bag", ROWS)
+    content = path.read_bytes()
+    index = content.index(b"index_pos=") + len("index_pos=")
+    (place,) = struct.unpack_from("<q", content, index)
+    for cut, open_ in ((content[: place - 3], content[index : index + 8]), (content[:place], bytes(8))):
+        path.write_bytes(cut[:index] + open_ + cut[index + 8 :])
+        found, recording = read(path)
+        why = "it ends early" if any(open_) else "it was not closed"
+        assert found == EXPECTED and recording.notes == [f"run.bag can be read up to message 4 only: {why}"]
+
+
+def test_a_chunk_whose_checksum_does_not_fit(tmp_path: Path) -> None:
+    path = _mcap(tmp_path, ROWS)
+    content = bytearray(path.read_bytes())
+    at = content.index(b"lz4") if b"lz4" in content else content.index(b"demo/msg/Level")
+    chunk = content.index(b"\x06", 8)
+    assert chunk < at
+    content[chunk + 9 + 24 : chunk + 9 + 28] = b"\x01\x02\x03\x04"
+    path.write_bytes(content)
+    found, recording = read(path)
+    assert found == [] and recording.notes == [f"{path.name} can be read up to message 0 only: a chunk is damaged"]
+
+
 def test_a_database_that_was_cut_off(tmp_path: Path) -> None:
     ros2(tmp_path / "run", [("/a", number % 200, number) for number in range(2_000)])
     (path,) = (tmp_path / "run").glob("*.db3")
