@@ -253,3 +253,29 @@ def test_a_log_of_rosmonitoring_is_a_recording(workspace: Path, capsys: pytest.C
     code, found, said = verdicts(capsys, "--jsonl", "log.jsonl", "--configuration", "demo")
     assert code == 1 and found["answers"] == "held" and found["globally: no /robot/level {data > 100}"] == "violated"
     assert "1 lines are requests and responses" in str(said)
+
+
+def test_every_rule_is_explained_and_has_its_place(capsys: pytest.CaptureFixture[str]) -> None:
+    from haros_ci.commands.monitor import RULES
+    from haros_ci.monitoring.verdict import Verdict
+
+    assert set(RULES) == {verdict.value for verdict in Verdict} - {"held"}
+    page = (Path(__file__).resolve().parents[1] / "docs" / "rules" / "haros-ci.md").read_text(encoding="utf-8")
+    for rule in RULES.values():
+        assert main(["explain", rule.id]) == 0 and rule.help in capsys.readouterr().out
+        assert f"\n## {rule.id}\n" in page
+
+
+def test_a_comment_for_a_recording_is_no_idle_one_for_the_rest(
+    workspace: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = PROJECT.replace("{data > 100}'\n", "{data > 100}'  # haros: ignore[hpl-violated] known\n")
+    (workspace / "haros.yaml").write_text(text, encoding="utf-8")
+    main(
+        ["check", ".", "--no-cache", "--profile", "architecture", "--select", "unused-suppression", "--output", "text"]
+    )
+    assert "unused-suppression" not in capsys.readouterr().out
+    code, found, _ = verdicts(
+        capsys, "--jsonl", record(workspace, (QUESTION, 1, 1), (LEVEL, 1.05, 101)), "--configuration", "demo"
+    )
+    assert (code, found["globally: no /robot/level {data > 100}"]) == (0, "violated")

@@ -27,26 +27,14 @@ from haros_ci.recordings.recording import Recording, Unreadable
 from haros_ci.registry import registry
 from haros_ci.report.escape import terminal
 from haros_ci.report.monitor_text import Held, Judged, Moment, as_json, text
+from haros_ci.results import own
 from haros_ci.results.coverage import coverage
 from haros_ci.results.result import Notification, Related, Report, Result
-from haros_ci.results.rule import Level, Rule
+from haros_ci.results.rule import Level
 from haros_ci.writing import write
 
 #: The rules under which verdicts are reported.
-RULES = {
-    "violated": Rule(
-        id="hpl-violated", summary="Property that a recording violates.", level=Level.ERROR,
-        help="The messages of the code flow, in this order, are what the property forbids, or lack what it demands.", tags=("ros", "correctness"),
-    ),
-    "never exercised": Rule(
-        id="hpl-never-exercised", summary="Property that a recording says nothing of.", level=Level.NOTE,
-        help="Its scope never opened, or its trigger never came: record more, or look at the names in it.", tags=("ros",),
-    ),
-    "undecided": Rule(
-        id="hpl-undecided", summary="Property that is still open at the end of a recording.", level=Level.NOTE,
-        help="The recording ended before what the property demands was due, or a part of it could not be read.", tags=("ros",),
-    ),
-}  # fmt: skip
+RULES = {"violated": own.VIOLATED, "never exercised": own.NEVER_EXERCISED, "undecided": own.UNDECIDED}
 #: Messages between two looks at the clock, and seconds between two lines of progress.
 _EVERY, _PAUSE = 20_000, 0.5
 SECOND = 1_000_000_000
