@@ -96,9 +96,11 @@ class Watch:
 
     def _outcome(self, monitor: Monitor, end: int, recorded: frozenset[str] | None) -> Outcome:
         outcome = monitor.finish(end)
-        if outcome.verdict is Verdict.HELD and recorded is not None:
-            behaviour = {monitor.name(event) for event in monitor.property.pattern.behaviour}
-            if not behaviour & recorded:
-                reason = f"the recording does not have {', '.join(sorted(behaviour))}"
-                return replace(outcome, verdict=Verdict.NEVER_EXERCISED, reason=reason)
-        return outcome
+        behaviour = {monitor.name(event) for event in monitor.property.pattern.behaviour}
+        if recorded is None or behaviour & recorded:
+            return outcome
+        reason = f"the recording does not have {', '.join(sorted(behaviour))}"
+        if outcome.verdict is Verdict.HELD:
+            return replace(outcome, verdict=Verdict.NEVER_EXERCISED, reason=reason)
+        is_missed = outcome.verdict is Verdict.VIOLATED  # by what nobody published, or nobody recorded
+        return replace(outcome, reason=f"{outcome.reason}; {reason}") if is_missed else outcome

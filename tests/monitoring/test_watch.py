@@ -153,3 +153,18 @@ def test_the_end_of_the_recording_counts(end: int, verdict: str) -> None:
 def test_an_empty_recording() -> None:
     assert [each.verdict.value for each in watch("globally: some /a", "globally: /a causes /b").finish(None)] == [
         "undecided", "never exercised"]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("property", "recorded", "reason"),
+    [
+        ("globally: /a causes /b within 1 s", {"/a"}, "/b did not come within 1 s; the recording does not have /b"),
+        ("globally: /a causes /b within 1 s", {"/a", "/b"}, "/b did not come within 1 s"),
+        ("globally: /a causes (/b or /c) within 1 s", {"/a", "/c"}, "/b or /c did not come within 1 s"),
+    ],
+)
+def test_it_is_said_where_a_topic_was_not_recorded(property: str, recorded: set[str], reason: str) -> None:
+    watched = watch(property)
+    watched.take("/a", {}, 0, 1)
+    (outcome,) = watched.finish(5 * SECOND, frozenset(recorded))
+    assert (outcome.verdict, outcome.reason) == (Verdict.VIOLATED, reason)
