@@ -17,14 +17,17 @@ from haros_ci.analysis.monitored import Chosen, Monitored, chosen
 from haros_ci.commands.common import reported, settings_from, store_for
 from haros_ci.commands.monitor_export import export, target_of
 from haros_ci.commands.output import parse_outputs
+from haros_ci.config.selection import Selection
+from haros_ci.config.settings import Settings
 from haros_ci.errors import UserError
 from haros_ci.model.location import Location
+from haros_ci.model.workspace import Workspace
 from haros_ci.monitoring.clock import Clock
 from haros_ci.monitoring.verdict import Outcome, Verdict
 from haros_ci.monitoring.watch import Watch
 from haros_ci.pipeline import finished, found, own_run, selection_of
 from haros_ci.recordings.recording import Recording, Unreadable
-from haros_ci.registry import registry
+from haros_ci.registry import Registry, registry
 from haros_ci.report.escape import terminal
 from haros_ci.report.monitor_text import Held, Judged, Moment, as_json, text
 from haros_ci.results import own
@@ -42,26 +45,13 @@ SECOND = 1_000_000_000
 
 def monitor(flags: Mapping[str, Any]) -> int:
     """Read, judge, write every output; exit code 1 for a property that is violated, 2 for wrong usage, else 0."""
-    recording = recording_of(flags) if flags["export"] is None else None
-    target = target_of(flags) if flags["export"] is not None else None
+    if flags["export"] is not None:
+        target = target_of(flags)
+        return export(picked_by(flags, settings_of(flags))[0], target)
+    recording = recording_of(flags)
     outputs = parse_outputs(flags["output"])
-    paths = (flags["path"],) if flags["path"] else ()
-    settings = settings_from({**flags, "paths": paths, "no_baseline": True, "profile": "architecture"})
-    known = registry(settings)
-    selection, _ = selection_of(settings, known)
-    workspace = found(settings, selection)
-    store = store_for(settings)
-    picked = chosen(
-        workspace,
-        Architectures(settings, store, known),
-        flags["configuration"],
-        flags["property"],
-        settings.project_file or "",
-    )
-    if trouble := store.flush():
-        click.echo(f"warning: {trouble}", err=True)
-    if recording is None:
-        return export(picked, target)
+    settings = settings_of(flags)
+    picked, workspace, known, selection = picked_by(flags, settings)
     if not picked.properties:
         for note in picked.notes:
             click.echo(f"note: {terminal(note)}", err=True)
@@ -85,6 +75,30 @@ def monitor(flags: Mapping[str, Any]) -> int:
         else:
             others.append((format, path))
     return reported(report, workspace, tuple(others), {}, settings, {**flags, "statistics": False, "why": False})
+
+
+def settings_of(flags: Mapping[str, Any]) -> Settings:
+    """The settings of the workspace that the flags name."""
+    paths = (flags["path"],) if flags["path"] else ()
+    return settings_from({**flags, "paths": paths, "no_baseline": True, "profile": "architecture"})
+
+
+def picked_by(flags: Mapping[str, Any], settings: Settings) -> tuple[Chosen, Workspace, Registry, Selection]:
+    """The properties that the flags name, and what they were found in."""
+    known = registry(settings)
+    selection, _ = selection_of(settings, known)
+    workspace = found(settings, selection)
+    store = store_for(settings)
+    picked = chosen(
+        workspace,
+        Architectures(settings, store, known),
+        flags["configuration"],
+        flags["property"],
+        settings.project_file or "",
+    )
+    if trouble := store.flush():
+        click.echo(f"warning: {trouble}", err=True)
+    return picked, workspace, known, selection
 
 
 def recording_of(flags: Mapping[str, Any]) -> Recording:
