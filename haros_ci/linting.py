@@ -115,7 +115,8 @@ def reported_rules(tool: str, path: str, selection: Selection) -> Iterable[str]:
     of_test = is_test(path)
     for rule in selection.rules(tool):
         is_left = of_test and f"{tool}:{rule}" in IN_TESTS and not selection.is_asked_for(tool, rule, path)
-        if selection.wants(tool, rule, path) and not is_left:
+        is_of_recordings = tool == own.TOOL and rule in own.OF_RECORDINGS
+        if selection.wants(tool, rule, path) and not is_left and not is_of_recordings:
             yield rule
 
 

@@ -196,3 +196,86 @@ def test_nothing_of_it_is_loaded_elsewhere(workspace: Path) -> None:
     for arguments in (["--help"], ["check", "--no-cache", "--profile", "architecture", "--output", "json=out.json"]):
         done = subprocess.run([sys.executable, "-c", code % arguments], capture_output=True, text=True, check=True)
         assert done.stdout.splitlines()[-1] == "[]", arguments
+
+
+def exported(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
+    code = main(["monitor", *arguments, "--no-cache"])
+    captured = capsys.readouterr()
+    return code, captured.out, captured.err
+
+
+def test_what_rosmonitoring_needs(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = exported(capsys, "--export", "rosmonitoring", "--configuration", "demo")
+    assert code == 0 and "is no HPL" in err
+    topics = [line.split()[-1] for line in out.splitlines() if "- name:" in line]
+    assert topics == ["/ask", "/level", "/question", "/robot/level"] and out.count("type: std_msgs.msg.UInt8") == 4
+    assert "ros_version: ros1" in out and '#     "globally: /question causes /robot/level within 100 ms"' in out
+    code, out, _ = exported(
+        capsys, "--export", "rosmonitoring=m.yaml", "--configuration", "demo", "--property", "answers"
+    )
+    text = (workspace / "m.yaml").read_text()
+    assert (code, out) == (0, "") and [line.split()[-1] for line in text.splitlines() if "- name:" in line] == [
+        "/question",
+        "/robot/level",
+    ]
+
+
+def test_without_properties_all_topics_are_recorded(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (workspace / "haros.yaml").unlink()
+    code, out, _ = exported(capsys, "--export", "rosmonitoring", "--configuration", "demo/launch/other.launch")
+    assert code == 0 and [line.split()[-1] for line in out.splitlines() if "- name:" in line] == ["/ask", "/level"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("--export", "monitors"), "no such format"),
+        (("--export", "rosmonitoring", "--jsonl", "x"), "reads no recording"),
+        (("--export", "rosmonitoring", "--output", "json"), "reads no recording"),
+        (("--export", "rosmonitoring", "--property", "globally: no /other"), "no topic to record"),
+    ],
+)
+def test_wrong_usage_of_export(
+    workspace: Path, capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], said: str
+) -> None:
+    code, out, err = exported(capsys, "--configuration", "demo", *arguments)
+    assert (code, out) == (2, "") and said in err
+
+
+def test_a_log_of_rosmonitoring_is_a_recording(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    rows = [
+        {"data": 1, "time": 10.5, "topic": "question"},
+        {"request": {"a": 1}, "service": "add", "time": 10.51},
+        {"data": 2, "time": 10.55, "topic": "robot/level"},
+        {"data": 200, "time": 10.6, "topic": "robot/level"},
+    ]
+    (workspace / "log.jsonl").write_text("".join(json.dumps(row) + "\n" for row in rows))
+    code, found, said = verdicts(capsys, "--jsonl", "log.jsonl", "--configuration", "demo")
+    assert code == 1 and found["answers"] == "held" and found["globally: no /robot/level {data > 100}"] == "violated"
+    assert "1 lines are requests and responses" in str(said)
+
+
+def test_every_rule_is_explained_and_has_its_place(capsys: pytest.CaptureFixture[str]) -> None:
+    from haros_ci.commands.monitor import RULES
+    from haros_ci.monitoring.verdict import Verdict
+
+    assert set(RULES) == {verdict.value for verdict in Verdict} - {"held"}
+    page = (Path(__file__).resolve().parents[1] / "docs" / "rules" / "haros-ci.md").read_text(encoding="utf-8")
+    for rule in RULES.values():
+        assert main(["explain", rule.id]) == 0 and rule.help in capsys.readouterr().out
+        assert f"\n## {rule.id}\n" in page
+
+
+def test_a_comment_for_a_recording_is_no_idle_one_for_the_rest(
+    workspace: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = PROJECT.replace("{data > 100}'\n", "{data > 100}'  # haros: ignore[hpl-violated] known\n")
+    (workspace / "haros.yaml").write_text(text, encoding="utf-8")
+    main(
+        ["check", ".", "--no-cache", "--profile", "architecture", "--select", "unused-suppression", "--output", "text"]
+    )
+    assert "unused-suppression" not in capsys.readouterr().out
+    code, found, _ = verdicts(
+        capsys, "--jsonl", record(workspace, (QUESTION, 1, 1), (LEVEL, 1.05, 101)), "--configuration", "demo"
+    )
+    assert (code, found["globally: no /robot/level {data > 100}"]) == (0, "violated")

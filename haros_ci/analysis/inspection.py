@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from haros_ci.config.digests import settings_digests
 from haros_ci.config.selection import Selection
 from haros_ci.config.settings import Settings
+from haros_ci.model.access import AccessRule
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.element import Element
 from haros_ci.model.workspace import Store, Workspace
@@ -60,7 +61,8 @@ class Architectures:
             made = self.of(workspace)
             found = tuple(systems(made.architecture, workspace))
             where = self.settings.project_file or ""
-            self._projects[workspace.root] = project_of(made, workspace, found, project_file=where)
+            access = self.settings.access
+            self._projects[workspace.root] = project_of(made, workspace, found, project_file=where, access=access)
         return self._projects[workspace.root]
 
     def seen(self, project: Project) -> Project:
@@ -117,7 +119,9 @@ def inspected(
     message = run_checks(chosen, all_systems, own.TOOL, under)
     past, renames = _past(base, architectures), base.renames if base else None
     where = settings.project_file or ""
-    project = architectures.seen(project_of(made, workspace, all_systems, past, renames, project_file=where))
+    access = settings.access
+    seen = project_of(made, workspace, all_systems, past, renames, project_file=where, access=access)
+    project = architectures.seen(seen)
     said_once = run_on_project(chosen, project, own.TOOL)
     failures = (*message.notifications, *said_once.notifications)
     faults = tuple(refused(workspace))
@@ -214,6 +218,7 @@ def project_of(
     *,
     project_file: str = "",
     stated: Sequence[Stated] | None = None,
+    access: Sequence[AccessRule] = (),
 ) -> Project:
     """What the checks of packages see, from what the architecture was *made* of; *base* is that of the base revision.
 
@@ -251,6 +256,7 @@ def project_of(
         code=code,
         project_file=project_file,
         stated=stated,
+        access=access,
     )
 
 

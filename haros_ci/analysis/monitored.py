@@ -15,7 +15,7 @@ from haros_ci.behaviour.text import canonical
 from haros_ci.behaviour.tree import Event, Expression, Property
 from haros_ci.checking.kinds import TOPIC
 from haros_ci.checking.properties import Properties, node_names, stated_in
-from haros_ci.checking.system import System, SystemNode, systems
+from haros_ci.checking.system import Channel, System, SystemNode, systems
 from haros_ci.errors import UserError
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
@@ -47,11 +47,13 @@ class Publisher:
 
 @dataclass(frozen=True, slots=True)
 class Chosen:
-    """The *configuration* ("" for none), its properties, the publishers of each topic, and sentences about properties that are left out."""
+    """The *configuration* ("" for none) of ROS 1 or 2, its properties, the publishers of each topic and its types, and sentences about properties that are left out."""
 
     configuration: str
     properties: tuple[Monitored, ...]
     publishers: Mapping[str, tuple[Publisher, ...]]
+    types: Mapping[str, tuple[str, ...]]
+    ros: int
     notes: tuple[str, ...]
 
 
@@ -74,7 +76,9 @@ def chosen(
     notes = [f"{stated.location}: is no HPL; haros-ci hpl says why" for stated in picked if not _is_sound(stated)]
     properties = Properties(project, picked)
     found = [one for stated in picked if _is_sound(stated) for one in _monitored(properties, stated, system, notes)]
-    return Chosen(name, tuple(found), _publishers(system), tuple(notes))
+    types = {topic.name: topic.types for topic in system.topics if not _is_of_libraries(topic)} if system else {}
+    ros = system.ros if system else 1
+    return Chosen(name, tuple(found), _publishers(system), types, ros, tuple(notes))
 
 
 def _system(every: Iterable[System], name: str) -> System | None:
@@ -172,6 +176,11 @@ def _names(property: Property, node: SystemNode | None) -> dict[str, str] | str:
             return f"what {event.topic} of {node.name} is called when it runs is not known"
         found[event.topic] = names.pop() if names else topic if topic[0] == "/" else f"{node.name}/{topic.lstrip('~/')}"
     return found
+
+
+def _is_of_libraries(topic: Channel) -> bool:
+    """Whether only client libraries are on the topic."""
+    return all(end.implicit for end in topic.ends)
 
 
 def _publishers(system: System | None) -> dict[str, tuple[Publisher, ...]]:

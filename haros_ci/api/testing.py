@@ -87,7 +87,9 @@ def said(check: Check, example: Example, directory: Path, plugins: tuple[str, ..
     workspace, made, all_systems = read(example.files, directory / "head", example.executables, plugins)
     outcome = run_checks((check,), all_systems, "haros-ci")
     file = project_file_of(example.files)
-    project = project_of(made, workspace, all_systems, base, project_file=file)
+    counts = directory / ("head" if example.base is None else "base")
+    access = load(counts).access if file else ()
+    project = project_of(made, workspace, all_systems, base, project_file=file, access=access)
     once = run_on_project((check,), project, "haros-ci")
     for problem in (*outcome.notifications, *once.notifications):
         raise AssertionError(problem.message)

@@ -2,7 +2,7 @@
 """Where properties stand: under ``hpl`` of configurations and nodes of a project file, as in HAROS, and in files that are named there.
 
 ``properties`` are promises, ``assumptions`` (or ``axioms``) what is taken for granted. HAROS has no ``files``: names of ``.hpl`` files with
-properties, as ``package/path`` or as paths from the root.
+properties, as ``package/path`` or as paths from the root; nor ``rules`` (``behaviour/rules.py``), which are promises, too.
 """
 
 from __future__ import annotations
@@ -12,13 +12,14 @@ from dataclasses import dataclass, field
 
 from haros_ci.behaviour.fault import HplFault
 from haros_ci.behaviour.parser import parse_property, read_file
+from haros_ci.behaviour.rules import FORM, parse_rule
 from haros_ci.behaviour.sources import Lines, Source, Value, read_yaml, source_of
 from haros_ci.behaviour.text import canonical
 from haros_ci.behaviour.tree import Place, Property
 from haros_ci.model.location import Location
 
-PROPERTIES, AXIOMS, FILES = ("properties",), ("assumptions", "axioms"), "files"
-KEYS = (*PROPERTIES, *AXIOMS, FILES)
+PROPERTIES, AXIOMS, FILES, RULES = ("properties",), ("assumptions", "axioms"), "files", "rules"
+KEYS = (*PROPERTIES, *AXIOMS, FILES, RULES)
 #: Properties of one project that are read.
 MOST_STATED = 5_000
 #: Files of properties that one project names.
@@ -112,12 +113,14 @@ class _Reader:
                 continue  # HAROS passes over it
             if not isinstance(item.data, tuple):
                 if item.data is not None:
-                    yield self.refused(owner, item, f"{key!r} must be a list", f"write {key}: ['globally: no /topic']")
+                    example = FORM.removeprefix("for example ") if key == RULES else "globally: no /topic"
+                    yield self.refused(owner, item, f"{key!r} must be a list", f"write {key}: ['{example}']")
                 continue
             for element in item.data:
-                yield from self.file(owner, element) if key == FILES else (self.one(owner, key in AXIOMS, element),)
+                yield from self.file(owner, element) if key == FILES else (self.one(owner, key, element),)
 
-    def one(self, owner: Owner, is_axiom: bool, value: Value) -> Stated:
+    def one(self, owner: Owner, key: object, value: Value) -> Stated:
+        is_axiom, parse = key in AXIOMS, parse_rule if key == RULES else parse_property
         if not value.is_text:
             help_ = (
                 "put it in quotes: YAML takes 'globally:' as a key"
@@ -128,7 +131,7 @@ class _Reader:
         source = source_of(self.path, self.lines, value)
         location = source.location(Place(1, 1, 0, len(source.text)))
         try:
-            return Stated(owner, is_axiom, source, location, parse_property(source.text))
+            return Stated(owner, is_axiom, source, location, parse(source.text))
         except HplFault as fault:
             return Stated(owner, is_axiom, source, source.location(fault.at), fault=fault)
 

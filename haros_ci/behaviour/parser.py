@@ -92,7 +92,7 @@ def _recover(scanner: Scanner, begin: int) -> None:
 
 
 def _property(scanner: Scanner) -> Property:
-    metadata = _metadata(scanner)
+    metadata = metadata_of(scanner)
     begin = scanner.at
     scope = _scope(scanner)
     if not scanner.sign(":"):
@@ -101,7 +101,8 @@ def _property(scanner: Scanner) -> Property:
     return Property(scanner.place(begin), scope, pattern, metadata)
 
 
-def _metadata(scanner: Scanner) -> tuple[Metadata, ...]:
+def metadata_of(scanner: Scanner) -> tuple[Metadata, ...]:
+    """The metadata before a property."""
     found: list[Metadata] = []
     while scanner.is_sign("#"):
         begin = scanner.at
@@ -141,13 +142,13 @@ def _scope(scanner: Scanner) -> Scope:
     if scanner.keyword("globally"):
         return Scope(scanner.place(begin), ScopeKind.GLOBALLY)
     if scanner.keyword("until"):
-        terminator = _events(scanner)
+        terminator = events(scanner)
         return Scope(scanner.place(begin), ScopeKind.UNTIL, (), terminator)
     if not scanner.keyword("after"):
         raise scanner.fault("'globally', 'after' or 'until'", dialect.scope(scanner))
-    activator = _events(scanner)
+    activator = events(scanner)
     if scanner.keyword("until"):
-        terminator = _events(scanner)
+        terminator = events(scanner)
         return Scope(scanner.place(begin), ScopeKind.AFTER_UNTIL, activator, terminator)
     return Scope(scanner.place(begin), ScopeKind.AFTER, activator)
 
@@ -155,20 +156,21 @@ def _scope(scanner: Scanner) -> Scope:
 def _pattern(scanner: Scanner) -> Pattern:
     begin = scanner.at
     word = scanner.keyword("some", "no")
-    first = _events(scanner)
+    first = events(scanner)
     if word is not None:
-        bound = _bound(scanner)
+        bound = time_bound(scanner)
         return Pattern(scanner.place(begin), PatternKind(word), first, (), bound)
     word = scanner.keyword(*_PATTERNS)
     if word is None:
         raise scanner.fault("'causes', 'forbids' or 'requires'", dialect.after_event(scanner))
-    second, kind = _events(scanner), PatternKind(word)
-    bound = _bound(scanner)
+    second, kind = events(scanner), PatternKind(word)
+    bound = time_bound(scanner)
     behaviour, trigger = (first, second) if kind is PatternKind.REQUIRES else (second, first)
     return Pattern(scanner.place(begin), kind, behaviour, trigger, bound)
 
 
-def _events(scanner: Scanner) -> tuple[Event, ...]:
+def events(scanner: Scanner) -> tuple[Event, ...]:
+    """One event, or several in parentheses."""
     if not scanner.is_sign("("):
         return (_event(scanner),)
     begin = scanner.here()
@@ -216,13 +218,14 @@ def _event(scanner: Scanner) -> Event:
     return Event(scanner.place(begin), topic, topic_at, alias, alias_at, predicate)
 
 
-def _bound(scanner: Scanner) -> Bound | None:
+def time_bound(scanner: Scanner, word: str = "within") -> Bound | None:
+    """A time after *word*; None if that does not come next."""
     begin = scanner.at
-    if not scanner.keyword("within"):
+    if not scanner.keyword(word):
         return None
     number = scanner.number()
     if number is None:
-        help_ = "a time is not negative" if scanner.is_sign("-") else "for example within 100 ms"
+        help_ = "a time is not negative" if scanner.is_sign("-") else f"for example {word} 100 ms"
         raise scanner.fault("a number", help_)
     unit = scanner.keyword(*dialect.UNITS)
     if unit is None:

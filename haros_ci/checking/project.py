@@ -13,6 +13,7 @@ from haros_ci.checking.cmake import CMake
 from haros_ci.checking.system import System
 from haros_ci.knowledge.knowledge import Knowledge
 from haros_ci.knowledge.knowledge import knowledge as packaged
+from haros_ci.model.access import AccessRule
 from haros_ci.model.build import Build, CMakeCommand, Interface
 from haros_ci.model.changes import Changes
 from haros_ci.model.element import Element
@@ -151,11 +152,14 @@ class Project:
         knowledge: Knowledge | None = None,
         project_file: str = "",
         stated: Sequence[Stated] | None = None,
+        access: Sequence[AccessRule] = (),
     ) -> None:
         self.workspace = workspace
         #: The path of the project file; "" if there is none in the workspace.
         self.project_file = project_file
         self._stated = stated
+        #: Who may publish, subscribe to, call or serve what, as the project file that counts has it.
+        self.access = tuple(access)
         self.programs = programs
         #: The configurations that launch takes; what it refuses is one finding each, and shows nothing of the workspace.
         self.systems = tuple(system for system in systems if not system.is_refused)

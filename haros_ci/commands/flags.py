@@ -209,6 +209,11 @@ monitor_options = options(
     click.option("--bag", metavar="BAG", type=click.Path(), help="A bag of ROS 1 or ROS 2: a file, or a directory."),
     click.option("--jsonl", metavar="FILE", type=click.Path(), help="A message in each line, as JSON."),
     click.option("--configuration", metavar="NAME", help="What has been recorded."),
+    click.option(
+        "--export",
+        metavar="rosmonitoring[=PATH]",
+        help="Instead: what ROSMonitoring needs to record the topics of the properties.",
+    ),
     click.option("--property", metavar="ID|TEXT", multiple=True, help="Only these properties; repeatable."),
     click.option(
         "--clock",

@@ -127,6 +127,7 @@ EXAMPLES: Mapping[str, tuple[tuple[str, str], ...]] = {
             "haros-ci monitor --jsonl run.jsonl --property 'globally: no /error'",
         ),
         ("findings for code scanning", "haros-ci monitor --bag run --output sarif=monitor.sarif"),
+        ("what ROSMonitoring records for it", "haros-ci monitor --export rosmonitoring=monitor.yaml"),
     ),
     "rules": (
         ("what is on in a profile", "haros-ci rules --profile strict --enabled"),

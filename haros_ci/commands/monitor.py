@@ -15,37 +15,29 @@ import click
 from haros_ci.analysis.inspection import Architectures
 from haros_ci.analysis.monitored import Chosen, Monitored, chosen
 from haros_ci.commands.common import reported, settings_from, store_for
+from haros_ci.commands.monitor_export import export, target_of
 from haros_ci.commands.output import parse_outputs
+from haros_ci.config.selection import Selection
+from haros_ci.config.settings import Settings
 from haros_ci.errors import UserError
 from haros_ci.model.location import Location
+from haros_ci.model.workspace import Workspace
 from haros_ci.monitoring.clock import Clock
 from haros_ci.monitoring.verdict import Outcome, Verdict
 from haros_ci.monitoring.watch import Watch
 from haros_ci.pipeline import finished, found, own_run, selection_of
 from haros_ci.recordings.recording import Recording, Unreadable
-from haros_ci.registry import registry
+from haros_ci.registry import Registry, registry
 from haros_ci.report.escape import terminal
 from haros_ci.report.monitor_text import Held, Judged, Moment, as_json, text
+from haros_ci.results import own
 from haros_ci.results.coverage import coverage
 from haros_ci.results.result import Notification, Related, Report, Result
-from haros_ci.results.rule import Level, Rule
+from haros_ci.results.rule import Level
 from haros_ci.writing import write
 
 #: The rules under which verdicts are reported.
-RULES = {
-    "violated": Rule(
-        id="hpl-violated", summary="Property that a recording violates.", level=Level.ERROR,
-        help="The messages of the code flow, in this order, are what the property forbids, or lack what it demands.", tags=("ros", "correctness"),
-    ),
-    "never exercised": Rule(
-        id="hpl-never-exercised", summary="Property that a recording says nothing of.", level=Level.NOTE,
-        help="Its scope never opened, or its trigger never came: record more, or look at the names in it.", tags=("ros",),
-    ),
-    "undecided": Rule(
-        id="hpl-undecided", summary="Property that is still open at the end of a recording.", level=Level.NOTE,
-        help="The recording ended before what the property demands was due, or a part of it could not be read.", tags=("ros",),
-    ),
-}  # fmt: skip
+RULES = {"violated": own.VIOLATED, "never exercised": own.NEVER_EXERCISED, "undecided": own.UNDECIDED}
 #: Messages between two looks at the clock, and seconds between two lines of progress.
 _EVERY, _PAUSE = 20_000, 0.5
 SECOND = 1_000_000_000
@@ -53,23 +45,13 @@ SECOND = 1_000_000_000
 
 def monitor(flags: Mapping[str, Any]) -> int:
     """Read, judge, write every output; exit code 1 for a property that is violated, 2 for wrong usage, else 0."""
+    if flags["export"] is not None:
+        target = target_of(flags)
+        return export(picked_by(flags, settings_of(flags))[0], target)
     recording = recording_of(flags)
     outputs = parse_outputs(flags["output"])
-    paths = (flags["path"],) if flags["path"] else ()
-    settings = settings_from({**flags, "paths": paths, "no_baseline": True, "profile": "architecture"})
-    known = registry(settings)
-    selection, _ = selection_of(settings, known)
-    workspace = found(settings, selection)
-    store = store_for(settings)
-    picked = chosen(
-        workspace,
-        Architectures(settings, store, known),
-        flags["configuration"],
-        flags["property"],
-        settings.project_file or "",
-    )
-    if trouble := store.flush():
-        click.echo(f"warning: {trouble}", err=True)
+    settings = settings_of(flags)
+    picked, workspace, known, selection = picked_by(flags, settings)
     if not picked.properties:
         for note in picked.notes:
             click.echo(f"note: {terminal(note)}", err=True)
@@ -93,6 +75,30 @@ def monitor(flags: Mapping[str, Any]) -> int:
         else:
             others.append((format, path))
     return reported(report, workspace, tuple(others), {}, settings, {**flags, "statistics": False, "why": False})
+
+
+def settings_of(flags: Mapping[str, Any]) -> Settings:
+    """The settings of the workspace that the flags name."""
+    paths = (flags["path"],) if flags["path"] else ()
+    return settings_from({**flags, "paths": paths, "no_baseline": True, "profile": "architecture"})
+
+
+def picked_by(flags: Mapping[str, Any], settings: Settings) -> tuple[Chosen, Workspace, Registry, Selection]:
+    """The properties that the flags name, and what they were found in."""
+    known = registry(settings)
+    selection, _ = selection_of(settings, known)
+    workspace = found(settings, selection)
+    store = store_for(settings)
+    picked = chosen(
+        workspace,
+        Architectures(settings, store, known),
+        flags["configuration"],
+        flags["property"],
+        settings.project_file or "",
+    )
+    if trouble := store.flush():
+        click.echo(f"warning: {trouble}", err=True)
+    return picked, workspace, known, selection
 
 
 def recording_of(flags: Mapping[str, Any]) -> Recording:
@@ -133,7 +139,7 @@ def feed(watch: Watch, recording: Recording) -> None:
     for topic, message, at, number in shown(recording, recording.messages(watch.topics)):
         _begin(watch, recording)
         if isinstance(message, Unreadable):
-            watch.leave(topic, message.reason)
+            watch.miss(topic, message.reason, at, number)
         else:
             watch.take(topic, message, at, number)
     _begin(watch, recording)

@@ -50,6 +50,8 @@ def _values(settings: Settings) -> Iterator[str]:
         yield f"# No baseline: {_quoted(settings.without_base)[1:-1]}"
     yield line("plugins", settings.plugins)
     yield from (line(key, names) for key, names in _model(settings.project))
+    if settings.access:
+        yield line("access", tuple(f"{rule.verb} {rule.name}" for rule in settings.access))
     yield f"trust-config: {_shown(settings.trust_config)}"
     if settings.linters:
         yield f"linters:  # {_quoted(origins.get('linters', origins.get('plugin_blacklist', DEFAULT)))[1:-1]}"

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from haros_ci.config.access import read_access
 from haros_ci.config.declared import EXEC_KEYS, read_declared
 from haros_ci.config.exemptions import read_exemptions
 from haros_ci.config.haros import HOME_KEYS, PROJECT_KEYS, read_haros
@@ -22,7 +23,7 @@ from haros_ci.results.rule import Level
 OWN_KEYS = (
     "profile", "select", "ignore", "levels", "per-package", "per-path", "exceptions", "exclude", "linters", "fail-on", "max-file-size",
     "compile-database", "baseline", "plugins", "plugin_whitelist", "apis", "known_nodes",
-    "environment_files",
+    "environment_files", "access",
 )  # fmt: skip
 KNOWN_KEYS = (*OWN_KEYS, *PROJECT_KEYS, *HOME_KEYS)
 POLICY_KEYS = ("select", "ignore", "levels")
@@ -82,6 +83,7 @@ def read_project(data: bytes, name: str, *, trust_config: bool = False) -> Proje
         "per_package": per_package,
         "per_path": per_path,
         "exemptions": exemptions,
+        "access": read_access(file, top.get("access")),
         "linters": own.linters(top, haros.disabled),
         "declared": own.declared(top),
         "packages": haros.packages,

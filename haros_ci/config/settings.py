@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from haros_ci.model.access import AccessRule
 from haros_ci.model.declared_tool import DeclaredTool
 from haros_ci.results.rule import Level
 
@@ -92,6 +93,7 @@ class Settings:
     ``haros_plugins`` are those among them that are HAROS's (``haros_plugin_*``), which run only under ``trust_config``, through the two
     lists. ``plugin_export`` is the directory for the files that these export.
     ``declared`` are the tools that the project file declares, trusted or not: they run only under ``trust_config``.
+    ``access`` are the rules of who may use which topics and services, each with its line in the project file.
     ``origins`` says where a value stands, ``FILE:LINE`` or
     ``command line``, by key (``fail-on``), ``selector <text>``, ``haros <text>`` (a selector of a HAROS ignore list) or
     ``linter <tool>``; what it does not name is a default.
@@ -109,6 +111,7 @@ class Settings:
     per_package: tuple[PackagePolicy, ...] = ()
     per_path: tuple[PathPolicy, ...] = ()
     exemptions: tuple[Exemption, ...] = ()
+    access: tuple[AccessRule, ...] = ()
     exclude: tuple[str, ...] = ()
     linters: tuple[tuple[str, LinterSettings], ...] = ()
     declared: tuple[DeclaredTool, ...] = ()

@@ -96,6 +96,12 @@ class Monitor:
         """What the topic of *event* is called in the recording."""
         return self.names.get(event.topic, event.topic)
 
+    def is_blind(self, topic: str) -> bool:
+        """Whether the property asks for nothing that messages on one of ``topics`` hold."""
+        roles = self.roles[topic]
+        parts = (roles.activator, roles.terminator, roles.trigger, roles.behaviour)
+        return all(part is None or (part.test is None and part.slots is None) for part in parts)
+
     def leave(self, reason: str) -> None:
         """A message on one of ``topics`` is there and cannot be had: from here on nothing is known."""
         if not self.done:

@@ -22,13 +22,20 @@ _ROTATIONS = ("quaternion", "orientation", "rotation", "pose", "transform")
 _DEEPEST = 4
 
 
+#: The parts of times and durations of ROS 1, as they are called where bags are read.
+_OF_TIMES = {"secs": "sec", "nsecs": "nanosec"}
+
+
 def field(message: Any, name: str) -> Any:
     """The field or constant *name* of *message*."""
     if type(message) is dict:
         return message[name]
     if name[:1] == "_" or not hasattr(type(message), "__dataclass_fields__"):
         raise LookupError(name)
-    return getattr(message, name)
+    try:
+        return getattr(message, name)
+    except AttributeError:
+        return getattr(message, _OF_TIMES[name])
 
 
 def item(array: Any, index: Any) -> Any:

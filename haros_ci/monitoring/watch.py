@@ -59,12 +59,29 @@ class Watch:
         for monitor in self.ears[topic]:
             monitor.leave(reason)
 
+    def miss(self, topic: str, reason: str, time: int, number: int) -> None:
+        """The same, recorded at *time*: where it does not matter what a message holds, it is enough that it came."""
+        self.counts[topic] += 1
+        if self.stamped is not None:
+            self.leave(topic, reason)
+            return
+        at = self._at(time, number)
+        for monitor in self.ears[topic]:
+            if monitor.is_blind(topic):
+                monitor.take(topic, None, at, number)
+            else:
+                monitor.leave(reason)
+
     def _give(self, topic: str, message: Any, time: int, number: int) -> None:
-        if self.began is None:
-            self.begin(time)
-        at = self.clock.at(time, number)
+        at = self._at(time, number)
         for monitor in self.ears[topic]:
             monitor.take(topic, message, at, number)
+
+    def _at(self, time: int, number: int) -> int:
+        """The time of a message by the clock that counts."""
+        if self.began is None:
+            self.begin(time)
+        return self.clock.at(time, number)
 
     def finish(self, time: int | None, recorded: frozenset[str] | None = None) -> tuple[Outcome, ...]:
         """The outcomes, in the order of the monitors. *time* is that of the last message of the recording (None: not known); *recorded* are its topics."""
@@ -79,9 +96,11 @@ class Watch:
 
     def _outcome(self, monitor: Monitor, end: int, recorded: frozenset[str] | None) -> Outcome:
         outcome = monitor.finish(end)
-        if outcome.verdict is Verdict.HELD and recorded is not None:
-            behaviour = {monitor.name(event) for event in monitor.property.pattern.behaviour}
-            if not behaviour & recorded:
-                reason = f"the recording does not have {', '.join(sorted(behaviour))}"
-                return replace(outcome, verdict=Verdict.NEVER_EXERCISED, reason=reason)
-        return outcome
+        behaviour = {monitor.name(event) for event in monitor.property.pattern.behaviour}
+        if recorded is None or behaviour & recorded:
+            return outcome
+        reason = f"the recording does not have {', '.join(sorted(behaviour))}"
+        if outcome.verdict is Verdict.HELD:
+            return replace(outcome, verdict=Verdict.NEVER_EXERCISED, reason=reason)
+        is_missed = outcome.verdict is Verdict.VIOLATED  # by what nobody published, or nobody recorded
+        return replace(outcome, reason=f"{outcome.reason}; {reason}") if is_missed else outcome

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from haros_ci.errors import UserError
-from haros_ci.recordings.recording import LATEST, LONGEST_NAME, MOST_CHANNELS, Recording
+from haros_ci.recordings.recording import LATEST, LONGEST_NAME, MOST_CHANNELS, Recording, full_name
 
 #: Bytes of a line.
 LONGEST_LINE = 16 << 20
@@ -20,11 +20,15 @@ LONGEST_LINE = 16 << 20
 MOST_FAULTS = 1_000
 SECOND = 1_000_000_000
 #: What ROSMonitoring writes beside the fields of a message.
-_OF_EVENTS = frozenset(("topic", "time", "order", "ros_version", "service", "request", "response", "spec"))
+_OF_EVENTS = frozenset(("topic", "time"))
 
 
 class NoMessage(Exception):
     """Why a line is no message."""
+
+
+class OfService(Exception):
+    """A line is a request or a response of a service, as ROSMonitoring writes them."""
 
 
 class JsonLines(Recording):
@@ -53,7 +57,7 @@ class JsonLines(Recording):
         return self._messages(requested)
 
     def _messages(self, requested: frozenset[str] | None) -> Iterator[tuple[str, Any, int, int]]:
-        faults = 0
+        faults = calls = 0
         with opened(self.path) as file:
             self.file = file
             for row, line in enumerate(lines(file), 1):
@@ -62,6 +66,9 @@ class JsonLines(Recording):
                 try:
                     topic, time, message = message_of(line)
                     self.know(topic)
+                except OfService:
+                    calls += 1
+                    continue
                 except NoMessage as err:
                     faults += 1
                     if faults == 1:
@@ -77,6 +84,8 @@ class JsonLines(Recording):
                     yield topic, message, time, number
         if faults > 1:
             self.notes.append(f"{faults - 1} further lines are no messages")
+        if calls:
+            self.notes.append(f"{calls} lines are requests and responses of services, which are not looked at")
 
 
 def opened(path: Path) -> BinaryIO:
@@ -108,7 +117,7 @@ def lines(file: BinaryIO) -> Iterator[bytes]:
 
 
 def message_of(line: bytes) -> tuple[str, int, Any]:
-    """Topic, time in nanoseconds and message of a line; NoMessage if it is none."""
+    """Topic, time in nanoseconds and message of a line; NoMessage or OfService if it is none."""
     try:
         found = json.loads(line, parse_int=_whole)
     except (ValueError, RecursionError):
@@ -116,6 +125,8 @@ def message_of(line: bytes) -> tuple[str, int, Any]:
     if not isinstance(found, dict):
         raise NoMessage("it is no object")
     topic, time = found.get("topic"), found.get("time")
+    if topic is None and isinstance(found.get("service"), str):
+        raise OfService
     if not isinstance(topic, str) or not topic:
         raise NoMessage("it has no topic")
     if (
@@ -127,13 +138,9 @@ def message_of(line: bytes) -> tuple[str, int, Any]:
         raise NoMessage("it has no time in seconds")
     at = time * SECOND if isinstance(time, int) else round(time * SECOND)
     if isinstance(found.get("msg"), dict):
-        return _name(topic), at, found["msg"]
-    return _name(topic), at, {name: value for name, value in found.items() if name not in _OF_EVENTS}
+        return full_name(topic), at, found["msg"]
+    return full_name(topic), at, {name: value for name, value in found.items() if name not in _OF_EVENTS}
 
 
 def _whole(text: str) -> int | float:
     return int(text) if len(text) < 40 else float(text)
-
-
-def _name(topic: str) -> str:
-    return topic if topic.startswith("/") else f"/{topic}"

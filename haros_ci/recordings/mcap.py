@@ -7,10 +7,11 @@ import struct
 from collections.abc import Iterator
 from pathlib import Path
 from typing import BinaryIO
+from zlib import crc32
 
 from haros_ci.recordings.jsonl import opened
 from haros_ci.recordings.packed import LARGEST, unpacked, unpacking
-from haros_ci.recordings.recording import LATEST, LONGEST_NAME, MOST_CHANNELS, Channel, Cut, Definitions
+from haros_ci.recordings.recording import LATEST, LONGEST_NAME, MOST_CHANNELS, Channel, Cut, Definitions, in_order
 
 _SCHEMA, _CHANNEL, _MESSAGE, _CHUNK, _END_OF_DATA = 3, 4, 5, 6, 15
 _U16, _U32 = struct.Struct("<H"), struct.Struct("<I")
@@ -29,7 +30,7 @@ class McapFile:
         self.file: BinaryIO | None = None
         self.definitions = Definitions()
         self.is_packed = is_packed
-        self.schemas: dict[int, tuple[str, str, str]] = {}
+        self.schemas: dict[int, tuple[str, str, str | None]] = {}
         self.channels: dict[int, Channel] = {}
 
     def raw(self, channels: dict[str, set[str]]) -> Iterator[tuple[Channel, int, bytes]]:
@@ -56,20 +57,25 @@ class McapFile:
             if size > LARGEST:
                 raise Cut(f"a record of {size} bytes is too large")
             content = file.read(size)
-            if len(content) != size:
-                raise Cut("it ends early")
+            is_whole = len(content) == size
             if kind == _CHUNK:
-                yield from self.chunk(content, channels)
-            else:
+                yield from in_order(self.chunk(content, channels, is_whole=is_whole), is_whole)
+            elif is_whole:
                 yield from self.record(kind, content, channels)
+            if not is_whole:
+                raise Cut("it ends early")
 
-    def chunk(self, content: bytes, channels: dict[str, set[str]]) -> Iterator[tuple[Channel, int, bytes]]:
-        """The messages of a chunk, in order of time."""
+    def chunk(
+        self, content: bytes, channels: dict[str, set[str]], *, is_whole: bool = True
+    ) -> Iterator[tuple[Channel, int, bytes]]:
+        """The messages of a chunk as they stand there; of one that is not whole those that are there."""
         form, at = _text(content, _OF_CHUNK)
-        if len(content) < at + 8:
+        if len(content) < at + 8 or (form and not is_whole):
             raise Cut("a chunk ends early")
         inner = unpacked(content[at + 8 :], form)
-        found: list[tuple[Channel, int, bytes]] = []
+        sum_ = _U32.unpack_from(content, _OF_CHUNK - 4)[0]
+        if is_whole and sum_ and crc32(inner) != sum_:
+            raise Cut("a chunk is damaged")
         at = 0
         while at < len(inner):
             if at + _HEAD.size > len(inner):
@@ -78,9 +84,8 @@ class McapFile:
             at += _HEAD.size
             if at + size > len(inner):
                 raise Cut("a chunk ends early")
-            found += self.record(kind, inner[at : at + size], channels)
+            yield from self.record(kind, inner[at : at + size], channels)
             at += size
-        yield from sorted(found, key=lambda item: item[1])
 
     def record(self, kind: int, content: bytes, channels: dict[str, set[str]]) -> Iterator[tuple[Channel, int, bytes]]:
         """What a record holds: a message, or the channel or the type of others."""
@@ -106,7 +111,8 @@ class McapFile:
             raise Cut("it has too many types")
         if max(len(name), len(encoding)) > LONGEST_NAME:
             raise Cut(f"a type has a name of more than {LONGEST_NAME:,} characters")
-        self.schemas[_U16.unpack_from(content)[0]] = name, encoding, self.definitions.kept(definition)
+        kept = self.definitions.kept(definition)
+        self.schemas[_U16.unpack_from(content)[0]] = name, encoding, kept if encoding else None
 
     def channel(self, content: bytes, channels: dict[str, set[str]]) -> None:
         """Take a topic."""
@@ -115,10 +121,10 @@ class McapFile:
             return
         topic, at = _text(content, 4)
         written, _ = _text(content, at)
-        name, encoding, definition = self.schemas.get(schema, ("", "", ""))
+        name, encoding, definition = self.schemas.get(schema, ("", "", None))
         known = encoding if encoding not in ("ros2msg", "ros1msg", "") else written
-        self.channels[key] = Channel(topic, name, definition, known)
-        channels.setdefault(topic, set()).add(name)
+        self.channels[key] = channel = Channel(topic, name, definition, known)
+        channels.setdefault(channel.topic, set()).add(name)
 
 
 def _text(content: bytes, at: int) -> tuple[str, int]:

@@ -41,11 +41,11 @@ class Unreadable:
 
 @dataclass(slots=True)
 class Channel:
-    """A topic of a bag with its type (``pkg/T`` or ``pkg/msg/T``), the type's *definition* ("" where the bag has none), and how messages are written."""
+    """A topic of a bag, as a full name, with its type (``pkg/T`` or ``pkg/msg/T``), the type's *definition* (None where the bag has none), and how messages are written."""
 
     topic: str
     type: str
-    definition: str
+    definition: str | None
     encoding: str
     decoder: Any = None
     count: int = 0
@@ -53,6 +53,28 @@ class Channel:
     def __post_init__(self) -> None:
         if max(len(self.topic), len(self.type), len(self.encoding)) > LONGEST_NAME:
             raise Cut(f"a topic or type has a name of more than {LONGEST_NAME:,} characters")
+        self.topic = full_name(self.topic)
+
+
+def full_name(topic: str) -> str:
+    """A name without a slash in front is one below the root: what writes bags takes both."""
+    return topic if topic.startswith("/") else f"/{topic}"
+
+
+def in_order(messages: Iterator[tuple[Channel, int, bytes]], is_whole: bool) -> Iterator[tuple[Channel, int, bytes]]:
+    """The messages of a chunk in order of time; where they are Cut, and of a chunk that is not whole, those before it come first."""
+    found: list[tuple[Channel, int, bytes]] = []
+    cut: Cut | None = None
+    try:
+        for message in messages:
+            found.append(message)
+    except Cut as err:
+        cut = err
+    yield from sorted(found, key=lambda item: item[1])
+    if not is_whole:
+        raise Cut("it ends early")
+    if cut is not None:
+        raise cut
 
 
 class Recording:

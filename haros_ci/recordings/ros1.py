@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import struct
 from collections.abc import Iterator
 from pathlib import Path
@@ -11,9 +12,9 @@ from typing import BinaryIO
 from haros_ci.errors import UserError
 from haros_ci.recordings.jsonl import opened
 from haros_ci.recordings.packed import LARGEST, unpacked
-from haros_ci.recordings.recording import MOST_CHANNELS, Channel, Cut, Definitions
+from haros_ci.recordings.recording import MOST_CHANNELS, Channel, Cut, Definitions, in_order
 
-_MESSAGE, _CHUNK, _CONNECTION = 2, 5, 7
+_MESSAGE, _BAG, _CHUNK, _CONNECTION = 2, 3, 5, 7
 LARGEST_HEADER = 1 << 20
 _U32 = struct.Struct("<I")
 _TIME = struct.Struct("<II")
@@ -29,6 +30,8 @@ class Ros1File:
         self.file: BinaryIO | None = None
         self.definitions = Definitions()
         self.channels: dict[int, Channel] = {}
+        #: Where the index stands, behind all messages; 0 in a bag that was not closed, None if nothing says so.
+        self.index: int | None = None
 
     def raw(self, channels: dict[str, set[str]]) -> Iterator[tuple[Channel, int, bytes]]:
         with opened(self.path) as file:
@@ -43,16 +46,24 @@ class Ros1File:
                 size = _size(file.read(4), LARGEST)
                 kind = header.get(b"op", b"\x00")[0]
                 if kind == _CHUNK:
+                    content = file.read(size)
+                    is_whole = len(content) == size
                     form = header.get(b"compression", b"none").decode("latin-1")
-                    yield from self.chunk(unpacked(_exactly(file, size), form), channels)
+                    inner = unpacked(content, form) if is_whole or form == "none" else b""
+                    yield from in_order(self.chunk(inner, channels), is_whole)
                 elif kind in (_MESSAGE, _CONNECTION):
                     yield from self.record(kind, header, _exactly(file, size), channels)
                 else:
-                    file.seek(size, 1)
+                    if kind == _BAG:
+                        self.index = int.from_bytes(header.get(b"index_pos", b"")[:8], "little")
+                    _pass_over(file, size)
+            if self.index == 0:
+                raise Cut("it was not closed")
+            if self.index is not None and self.index > file.tell():
+                raise Cut("it ends early")
 
     def chunk(self, content: bytes, channels: dict[str, set[str]]) -> Iterator[tuple[Channel, int, bytes]]:
-        """The messages of a chunk, in order of time."""
-        found: list[tuple[Channel, int, bytes]] = []
+        """The messages of a chunk as they stand there."""
         at, end = 0, len(content)
         while at < end:
             size = _size(content[at : at + 4], end)
@@ -62,9 +73,8 @@ class Ros1File:
             at += 4
             if at + size > end:
                 raise Cut("a chunk ends early")
-            found += self.record(header.get(b"op", b"\x00")[0], header, content[at : at + size], channels)
+            yield from self.record(header.get(b"op", b"\x00")[0], header, content[at : at + size], channels)
             at += size
-        yield from sorted(found, key=lambda item: item[1])
 
     def record(
         self, kind: int, header: dict[bytes, bytes], content: bytes, channels: dict[str, set[str]]
@@ -77,9 +87,10 @@ class Ros1File:
             connection = _fields(content)
             name = header.get(b"topic", b"").decode("utf-8", "replace")
             kind_of, definition = (connection.get(part, b"").decode("utf-8", "replace") for part in _OF_CONNECTION)
-            channel = Channel(name, kind_of, self.definitions.kept(definition), "ros1")
+            known = self.definitions.kept(definition) if _OF_CONNECTION[1] in connection else None
+            channel = Channel(name, kind_of, known, "ros1")
             self.channels[key] = channel
-            channels.setdefault(name, set()).add(channel.type)
+            channels.setdefault(channel.topic, set()).add(channel.type)
         elif kind == _MESSAGE:
             time = header.get(b"time", b"")
             if key not in self.channels or len(time) != _TIME.size:
@@ -95,6 +106,12 @@ def _size(content: bytes, limit: int) -> int:
     if size > limit:
         raise Cut(f"a record of {size} bytes is too large")
     return size
+
+
+def _pass_over(file: BinaryIO, size: int) -> None:
+    file.seek(size, 1)
+    if size and file.tell() > os.fstat(file.fileno()).st_size:
+        raise Cut("it ends early")
 
 
 def _exactly(file: BinaryIO, size: int) -> bytes:

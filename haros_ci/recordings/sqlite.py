@@ -53,8 +53,8 @@ class SqliteFile:
         for key, topic, type, form in database.execute("SELECT id, name, type, serialization_format FROM topics"):
             if len(known) >= MOST_CHANNELS:
                 raise Cut("it has too many topics")
-            known[key] = Channel(str(topic), str(type), definitions.get(str(type), ""), str(form))
-            channels.setdefault(str(topic), set()).add(str(type))
+            known[key] = channel = Channel(str(topic), str(type), definitions.get(str(type)), str(form))
+            channels.setdefault(channel.topic, set()).add(str(type))
         for key, time, content in database.execute("SELECT topic_id, timestamp, data FROM messages ORDER BY timestamp"):
             if (
                 key not in known

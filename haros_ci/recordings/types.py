@@ -62,19 +62,20 @@ def _store(channel: Channel) -> tuple[Any, str, int]:
         raise ValueError("its type has no name")
     package, _, rest = channel.type.partition("/")
     name = f"{package}/msg/{rest.rpartition('/')[2]}"
-    if not channel.definition:
-        if channel.encoding == "ros1" and channel.type != "std_msgs/Empty":
-            raise ValueError(f"the bag does not say what a {channel.type} is")
-        store = get_typestore(Stores.ROS1_NOETIC if channel.encoding == "ros1" else Stores.LATEST)
-        if name not in store.fielddefs:
+    if channel.definition is None:
+        store = get_typestore(Stores.LATEST)
+        if channel.encoding == "ros1" or name not in store.fielddefs:
             raise ValueError(f"the bag does not say what a {channel.type} is")
         return store, name, least_bytes(store.fielddefs, name)
     if len(channel.definition) > LONGEST_DEFINITION or channel.definition.count("\n") > MOST_LINES:
         raise ValueError(f"the definition of {channel.type} is too long")
     types = get_types_from_msg(channel.definition, name)
     checked(types)
-    least = least_bytes(types, name)
     store = get_typestore(Stores.EMPTY)
+    known = {**store.fielddefs, **types}  # time and duration of ROS 1 are not defined in a bag
+    for used in _unknown(known):
+        raise ValueError(f"the bag does not say what a {used} is")
+    least = least_bytes(known, name)
     store.register(types)
     if channel.encoding == "ros1" and _is_hollow(types):
         raise ValueError(f"{channel.type} has an array of messages without any field")
@@ -147,6 +148,17 @@ def _least_of(types: Any, kind: Any, known: dict[str, int | None]) -> int:
     if sort == _ARRAY:
         return int(inner[1]) * _least_of(types, inner[0], known)
     return 1
+
+
+def _unknown(types: Any) -> list[str]:
+    """The types that fields have and that are not among *types*."""
+    named = []
+    for _, fields in types.values():
+        for _, (kind, inner) in fields:
+            inner_kind, inner_name = inner[0] if kind in _ARRAYS else (kind, inner)
+            if inner_kind == _NAME and inner_name not in types:
+                named.append(str(inner_name))
+    return named
 
 
 def _is_hollow(types: Any) -> bool:

@@ -87,10 +87,52 @@ FAILED_QUERY = Rule(
     tags=("query", "correctness"),
 )
 
+VIOLATED = Rule(
+    id="hpl-violated",
+    summary="Property that a recording violates.",
+    level=Level.ERROR,
+    help=(
+        "Reported by 'haros-ci monitor' at the line of the property; an assumption that does not hold is a warning. The messages of the code "
+        "flow, in this order, are what the property forbids, or lack what it demands; each step is a place in the source that publishes the "
+        "message. Correct what these nodes do, or the property if it asks for too much: a window ends before its bound, so that an answer at "
+        "exactly 100 ms is not within 100 ms (docs/hpl.md). docs/monitor.md has the verdicts."
+    ),
+    precision="very-high",
+    tags=("ros", "properties", "correctness"),
+)
+
+NEVER_EXERCISED = Rule(
+    id="hpl-never-exercised",
+    summary="Property that a recording says nothing of.",
+    level=Level.NOTE,
+    help=(
+        "Reported by 'haros-ci monitor' at the line of the property. Its scope never opened, its trigger never came, or the recording does not "
+        "have the topics of its behaviour, so that nothing was put to the test. Record a run in which it happens, or look at the names in the "
+        "property: they are those of the running system, those of a node's property the ones in its code (docs/monitor.md)."
+    ),
+    precision="very-high",
+    tags=("ros", "properties"),
+)
+
+UNDECIDED = Rule(
+    id="hpl-undecided",
+    summary="Property that is still open at the end of a recording.",
+    level=Level.NOTE,
+    help=(
+        "Reported by 'haros-ci monitor' at the line of the property. The recording ended before what the property demands was due, a message "
+        "that it depends on could not be read, or more messages would have to be kept than the limit allows; the message says which. Record "
+        "for longer, or with the definitions of the types (docs/monitor.md)."
+    ),
+    precision="very-high",
+    tags=("ros", "properties"),
+)
+
+#: What is said of recordings alone: no run of ``check`` reports it.
+OF_RECORDINGS = {rule.id: rule for rule in (VIOLATED, NEVER_EXERCISED, UNDECIDED)}
 RULES = {
     rule.id: rule
     for rule in (MALFORMED_MANIFEST, MALFORMED_LAUNCH, UNUSED_SUPPRESSION, FILE_NOT_ANALYSED, FAILED_QUERY)
-}
+} | OF_RECORDINGS
 
 
 def launch_results(faults: Iterable[Problem]) -> tuple[Result, ...]:

@@ -12,7 +12,7 @@ import pytest
 
 import haros_ci.config
 from haros_ci import PROJECT_URL
-from haros_ci.config import exemptions, project, shapes
+from haros_ci.config import access, exemptions, project, shapes
 from haros_ci.config.declared import EXEC_KEYS
 from haros_ci.config.haros import CONFIGURATION_KEYS, IGNORE_KEYS
 from haros_ci.config.project import read_project
@@ -38,6 +38,7 @@ def test_the_same_keys() -> None:
     assert set(SCHEMA["properties"]["analysis"]["properties"]["ignore"]["properties"]) == set(IGNORE_KEYS)
     configuration = SCHEMA["properties"]["configurations"]["additionalProperties"]["anyOf"][1]
     assert set(configuration["properties"]) == set(CONFIGURATION_KEYS)
+    assert set(SCHEMA["properties"]["access"]["properties"]) == set(access.KEYS)
     row = DEFS["apiRow"]["properties"]
     assert set(row) == set(ROW_KEYS)
     assert set(row["makes"]["items"]["properties"]) == set(ENTRY_KEYS)
@@ -93,10 +94,18 @@ VALID = [
     "apis: [{call: a, calls: ['0'], fills: {topic: '{0}'}, makes: [{kind: servers, latched: true, implicit: true}]}]",
     "known_nodes: {p: {n: {publishers: [{name: a, type: b/C}]}}, q: }",
     "rules: {a: {name: n, description: d, tags: [t], query: q}}",
+    "access:",
+    "access: {groups: {g: [/a]}, publish: {/*/a: ['@g', p/n], /**: []}, subscribe: , call: {}, serve: {/a/b.c: [/**]}}",
     "repositories: {a: {type: git, url: u, version: v, packages: [p]}}",
     "workspace: /x\nenvironment: copy\nplugin_blacklist: [radon]\ncpp: {parser_lib: x}",
 ]
 INVALID = [
+    "access: [a]",
+    "access: {publsh: {}}",
+    "access: {publish: {a: []}}",
+    "access: {publish: {/a: /b}}",
+    "access: {publish: {/a: }}",
+    "access: {publish: {/a: [1]}}",
     "exlude: [a]",
     "[a]",
     "profile: roz",

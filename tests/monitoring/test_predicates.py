@@ -22,8 +22,15 @@ class Point:
 
 
 @dataclass
+class Stamp:
+    sec: int = 7
+    nanosec: int = 8
+
+
+@dataclass
 class Deep:
     p: Point = field(default_factory=Point)
+    at: Stamp = field(default_factory=Stamp)
     values: tuple[int, ...] = (1, 2, 3)
 
 
@@ -72,7 +79,10 @@ def test_does_not_hold(predicate: str) -> None:
     assert not holds(predicate)
 
 
-@pytest.mark.parametrize("predicate", ["p.x = 3", "values[1] = 2", "p.LIMIT = 9", "len(values) = 3"])
+@pytest.mark.parametrize(
+    "predicate",
+    ["p.x = 3", "values[1] = 2", "p.LIMIT = 9", "len(values) = 3", "at.sec = 7", "at.secs = 7", "at.nsecs = 8"],
+)
 def test_messages_of_bags_are_instances(predicate: str) -> None:
     assert holds(predicate, Deep())
 

@@ -93,6 +93,39 @@ def test_what_cannot_be_read_leaves_its_properties_undecided_from_there_on() -> 
     assert verdicts == ["violated", "held", "held"]
 
 
+@pytest.mark.parametrize(
+    ("property", "verdict"),
+    [
+        ("globally: no /a", "violated"),
+        ("globally: some /a", "held"),
+        ("globally: /b causes /a within 1 s", "held"),
+        ("globally: /a forbids /c {x > 0}", "violated"),
+        ("globally: /c {x = 1} requires /a", "held"),
+        ("after /a until /d: no /c {x > 0}", "violated"),
+        ("until /a: no /c {x > 0}", "never exercised"),
+        ("globally: no (/a or /b {x > 5})", "violated"),
+        ("globally: no /a {x > 0}", "undecided"),
+        ("globally: /a as A forbids /c {x = @A.x}", "undecided"),
+        ("after /a {x > 0}: no /c", "undecided"),
+    ],
+)
+def test_that_it_came_is_enough_where_nothing_is_asked_of_it(property: str, verdict: str) -> None:
+    watched = watch(property)
+    watched.begin(0)
+    for topic, number in (("/b", 1), ("/a", 2), ("/c", 3)):
+        if topic == "/a":
+            watched.miss("/a", "message 2, on /a, cannot be read", number, number)
+        elif topic in watched.topics:
+            watched.take(topic, {"x": 1}, number, number)
+    assert watched.finish(3)[0].verdict.value == verdict and watched.counts["/a"] == 1
+
+
+def test_by_header_stamps_a_message_has_to_be_had() -> None:
+    watched = watch("globally: no /a", by_header=True)
+    watched.miss("/a", "message 1, on /a, cannot be read", 1, 1)
+    assert watched.finish(2)[0].verdict is Verdict.UNDECIDED
+
+
 def test_topics_are_called_as_in_the_recording() -> None:
     watched = watch("globally: no cmd {x > 1}", names={"cmd": "/robot/cmd"})
     assert watched.topics == {"/robot/cmd"}
@@ -120,3 +153,18 @@ def test_the_end_of_the_recording_counts(end: int, verdict: str) -> None:
 def test_an_empty_recording() -> None:
     assert [each.verdict.value for each in watch("globally: some /a", "globally: /a causes /b").finish(None)] == [
         "undecided", "never exercised"]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("property", "recorded", "reason"),
+    [
+        ("globally: /a causes /b within 1 s", {"/a"}, "/b did not come within 1 s; the recording does not have /b"),
+        ("globally: /a causes /b within 1 s", {"/a", "/b"}, "/b did not come within 1 s"),
+        ("globally: /a causes (/b or /c) within 1 s", {"/a", "/c"}, "/b or /c did not come within 1 s"),
+    ],
+)
+def test_it_is_said_where_a_topic_was_not_recorded(property: str, recorded: set[str], reason: str) -> None:
+    watched = watch(property)
+    watched.take("/a", {}, 0, 1)
+    (outcome,) = watched.finish(5 * SECOND, frozenset(recorded))
+    assert (outcome.verdict, outcome.reason) == (Verdict.VIOLATED, reason)

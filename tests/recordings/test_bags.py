@@ -79,6 +79,45 @@ def test_a_bag_that_was_cut_off_is_read_up_to_there(tmp_path: Path, kind: str) -
     assert seen
 
 
+@pytest.mark.parametrize("kind", ["ros1", "mcap"])
+def test_of_a_chunk_that_was_cut_off_the_beginning_is_read(tmp_path: Path, kind: str) -> None:
+    rows: list[Row] = [("/a", number % 200, number) for number in range(2_000)]
+    path = ros1(tmp_path / "run.bag", rows) if kind == "ros1" else _mcap(tmp_path, rows)
+    path.write_bytes(path.read_bytes()[:20_000])
+    found, recording = read(path)
+    assert 100 < len(found) < 1_000 and [each[3] for each in found] == list(range(1, len(found) + 1))
+    assert recording.notes == [f"{path.name} can be read up to message {len(found)} only: it ends early"]
+
+
+def _mcap(directory: Path, rows: list[Row]) -> Path:
+    (path,) = ros2(directory / "run", rows, "mcap").glob("*.mcap")
+    return path
+
+
+def test_a_bag_without_its_index_may_lack_messages(tmp_path: Path) -> None:
+    path = ros1(tmp_path / "run.bag", ROWS)
+    content = path.read_bytes()
+    index = content.index(b"index_pos=") + len("index_pos=")
+    (place,) = struct.unpack_from("<q", content, index)
+    for cut, open_ in ((content[: place - 3], content[index : index + 8]), (content[:place], bytes(8))):
+        path.write_bytes(cut[:index] + open_ + cut[index + 8 :])
+        found, recording = read(path)
+        why = "it ends early" if any(open_) else "it was not closed"
+        assert found == EXPECTED and recording.notes == [f"run.bag can be read up to message 4 only: {why}"]
+
+
+def test_a_chunk_whose_checksum_does_not_fit(tmp_path: Path) -> None:
+    path = _mcap(tmp_path, ROWS)
+    content = bytearray(path.read_bytes())
+    at = content.index(b"lz4") if b"lz4" in content else content.index(b"demo/msg/Level")
+    chunk = content.index(b"\x06", 8)
+    assert chunk < at
+    content[chunk + 9 + 24 : chunk + 9 + 28] = b"\x01\x02\x03\x04"
+    path.write_bytes(content)
+    found, recording = read(path)
+    assert found == [] and recording.notes == [f"{path.name} can be read up to message 0 only: a chunk is damaged"]
+
+
 def test_a_database_that_was_cut_off(tmp_path: Path) -> None:
     ros2(tmp_path / "run", [("/a", number % 200, number) for number in range(2_000)])
     (path,) = (tmp_path / "run").glob("*.db3")
@@ -113,11 +152,13 @@ def test_a_type_that_is_not_known(tmp_path: Path) -> None:
         ("demo/Level\nimport os", "uint8 data", "no name"),
         ("../Level", "uint8 data", "no name"),
         ("Level", "uint8 data", "no name"),
-        ("demo/Level", "", "does not say"),
+        ("demo/Level", None, "does not say"),
+        ("demo/Level", "Other other\nuint8 data", "the bag does not say what a demo/msg/Other is"),
+        ("demo/Level", "Other[3] others\nuint8 data", "the bag does not say what a demo/msg/Other is"),
         ("demo/Level", "string s='''\"\"\"\nimport os\nuint8 data", ""),
     ],
 )
-def test_definitions_that_cannot_be_read(type: str, definition: str, why: str) -> None:
+def test_definitions_that_cannot_be_read(type: str, definition: str | None, why: str) -> None:
     demanded()
     from haros_ci.recordings.types import decoder_of
 
@@ -128,6 +169,54 @@ def test_definitions_that_cannot_be_read(type: str, definition: str, why: str) -
         and found.reason.startswith("message 7, on /a, cannot be read: ")
     )
     assert "\n" not in found.reason.replace(type, "")
+
+
+HEADER = "\n" + "=" * 80 + "\nMSG: std_msgs/Header\nuint32 seq\ntime stamp\nstring frame_id\n"
+
+
+@pytest.mark.parametrize(
+    ("definition", "raw", "expected"),
+    [
+        ("Header header\nuint8 data" + HEADER, struct.pack("<IIII3sB", 1, 12, 5, 3, b"map", 7), ("map", 12, 5, 7)),
+        ("std_msgs/Header header\nuint8 data" + HEADER, struct.pack("<IIIIB", 1, 12, 5, 0, 7), ("", 12, 5, 7)),
+    ],
+)
+def test_times_of_ros1_need_no_definition(definition: str, raw: bytes, expected: tuple[Any, ...]) -> None:
+    demanded()
+    found = decoder_of(Channel("/a", "demo/Level", definition, "ros1"))(raw, 1)
+    stamp = found.header.stamp
+    assert (found.header.frame_id, stamp.sec, stamp.nanosec, found.data) == expected
+    assert isinstance(decoder_of(Channel("/a", "demo/Level", definition, "ros1"))(raw[:15], 1), Unreadable)
+
+
+@pytest.mark.parametrize(
+    ("encoding", "type", "raw"),
+    [
+        ("ros1", "std_msgs/Empty", b""),
+        ("ros1", "demo/Reset", b""),
+        ("cdr", "demo/msg/Reset", b"\x00\x01\x00\x00\x00"),
+    ],
+)
+@pytest.mark.parametrize("definition", ["", "# nothing\n"])
+def test_messages_without_fields(encoding: str, type: str, raw: bytes, definition: str) -> None:
+    demanded()
+    assert not isinstance(decoder_of(Channel("/a", type, definition, encoding))(raw, 1), Unreadable)
+
+
+def test_times_and_durations_alone_and_in_arrays() -> None:
+    demanded()
+    decode = decoder_of(Channel("/a", "demo/Level", "time at\nduration[2] waits\ntime[] more\n", "ros1"))
+    found = decode(struct.pack("<II4iIII", 9, 8, -1, 7, 2, 6, 1, 5, 4), 1)
+    assert (found.at.sec, found.waits[0].sec, found.more[0].nanosec) == (9, -1, 4)
+
+
+@pytest.mark.parametrize("topic", ["a", "/a"])
+@pytest.mark.parametrize("kind", ["ros1", "sqlite3", "mcap"])
+def test_names_without_a_slash_are_below_the_root(tmp_path: Path, kind: str, topic: str) -> None:
+    rows: list[Row] = [(topic, 1, 0)]
+    path = ros1(tmp_path / "run.bag", rows) if kind == "ros1" else ros2(tmp_path / "run", rows, kind)
+    found, recording = read(path)
+    assert [each[0] for each in found] == ["/a"] and list(recording.topics) == ["/a"]
 
 
 @pytest.mark.parametrize("raw", [b"", b"\xff\xff\xff\xff", b"\x00\x01\x00\x00\xff\xff\xff\x7f", b"\x28\xb5\x2f\xfdxx"])

@@ -12,7 +12,7 @@ import pytest
 
 from haros_ci.errors import UserError
 from haros_ci.recordings import jsonl
-from haros_ci.recordings.jsonl import JsonLines, NoMessage, message_of
+from haros_ci.recordings.jsonl import MOST_FAULTS, JsonLines, NoMessage, OfService, message_of
 
 SECOND = 1_000_000_000
 
@@ -26,7 +26,7 @@ SECOND = 1_000_000_000
             '{"topic": "/a", "time": 1764000000, "msg": {"x": [1, {"y": null}]}}',
             ("/a", 1764000000 * SECOND, {"x": [1, {"y": None}]}),
         ),
-        ('{"topic": "/a", "time": 2, "data": 7, "order": 3}', ("/a", 2 * SECOND, {"data": 7})),
+        ('{"topic": "/a", "time": 2, "data": 7, "order": 3}', ("/a", 2 * SECOND, {"data": 7, "order": 3})),
         ('{"data": 5, "topic": "chatter", "time": 1694.25}', ("/chatter", 1694_250_000_000, {"data": 5})),
         ('{"topic": "/a", "time": 1, "msg": {"data": NaN}}', None),
     ],
@@ -79,6 +79,20 @@ def test_a_line_that_is_too_long(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     row = '{"topic": "/a", "time": 1}'
     recording = JsonLines(write(tmp_path / "run.jsonl", row, "[" + "1," * 500 + "1]", row))
     assert len(list(recording.messages(frozenset(("/a",))))) == 2 and len(recording.notes) == 1
+
+
+@pytest.mark.parametrize("rest", ['"request": {"a": 2}', '"response": {"sum": 5}, "stamp": 3'])
+def test_requests_and_responses_of_rosmonitoring(tmp_path: Path, rest: str) -> None:
+    row = f'{{"service": "add", "time": 1, {rest}}}'
+    with pytest.raises(OfService):
+        message_of(row.encode())
+    message = '{"topic": "orders", "time": 1, "service": "a", "request": 3, "order": 4}'
+    recording = JsonLines(write(tmp_path / "run.jsonl", *[row] * (MOST_FAULTS + 2), message))
+    (found,) = recording.messages(frozenset(("/orders",)))
+    assert found == ("/orders", {"service": "a", "request": 3, "order": 4}, SECOND, 1)
+    assert recording.notes == [
+        f"{MOST_FAULTS + 2} lines are requests and responses of services, which are not looked at"
+    ]
 
 
 def test_another_kind_of_file(tmp_path: Path) -> None:

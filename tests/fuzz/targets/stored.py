@@ -251,7 +251,7 @@ def recordings(data: bytes) -> object:
         try:
             topic, time, message = jsonl.message_of(line)
             found += [topic, time, repr(message)]
-        except jsonl.NoMessage as err:
+        except (jsonl.NoMessage, jsonl.OfService) as err:
             found.append(str(err))
     for read in (ros1.Ros1File(Path("run.bag")).chunk, mcap.McapFile(Path("run.mcap")).chunk):
         topics: dict[str, set[str]] = {}
