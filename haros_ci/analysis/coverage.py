@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from haros_ci.analysis.architecture import api_rows, plugin_rows
+from haros_ci.analysis.api_rows import api_rows, plugin_rows
 from haros_ci.analysis.coverage_files import Plugins, area_of, built, copies, imported, loaded, plugins_of, shadowed
 from haros_ci.analysis.coverage_nodes import Users
 from haros_ci.code.codebase import Codebase, codebase
@@ -26,6 +26,7 @@ from haros_ci.model.workspace import Workspace
 from haros_ci.systems.client_libraries import library_files
 from haros_ci.systems.link import Linked
 from haros_ci.timing import timed
+from haros_ci.workspace.views import views
 
 Rows = Mapping[tuple[str, int], Iterable[Row]]
 
@@ -33,10 +34,21 @@ Rows = Mapping[tuple[str, int], Iterable[Row]]
 @timed("coverage")
 def coverage_of(made: Linked, workspace: Workspace, settings: Settings) -> Coverage:
     """The call sites in *workspace*, found by the names of API rows, and what the architecture that was *made* says of each."""
+    if made.views:
+        seen = [
+            (view, _sites(own, view.workspace, settings))
+            for view, own in zip(views(workspace), made.views, strict=True)
+        ]
+        held = {_order(site): site for view, sites in seen for site in sites if view.holds(site.path)}
+        return Coverage(sites=tuple(held[key] for key in sorted(held)))
+    return Coverage(sites=tuple(sorted(_sites(made, views(workspace)[0].workspace, settings), key=_order)))
+
+
+def _sites(made: Linked, workspace: Workspace, settings: Settings) -> Iterator[Site]:
     rows = api_rows(settings.project.get("apis"), "", [], plugin_rows(settings))
     ros = {package.name: package.ros for package in workspace.packages if package.ros is not None}
     code = codebase(made.sources, workspace.text, ros)
-    return Coverage(sites=tuple(sorted(_CoverageJudge(made, workspace, rows, code).sites(), key=_order)))
+    return _CoverageJudge(made, workspace, rows, code).sites()
 
 
 @timed("coverage")

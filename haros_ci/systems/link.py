@@ -117,13 +117,14 @@ class Linked:
     """An architecture; *under* gives a configuration of it by its name, with some launch arguments set otherwise.
 
     It is linked as any other, with what has been followed before; None if no launch file starts it. *builds* and *sources* are what was
-    linked.
+    linked. *views* are those of each version of ROS where packages of one name are of both, () elsewhere.
     """
 
     architecture: Architecture
     under: Callable[[str, Mapping[str, str]], Configuration | None]
     builds: Mapping[str, Build]
     sources: tuple[Source, ...]
+    views: tuple[Linked, ...] = ()
 
 
 @timed("launch")
