@@ -9,6 +9,7 @@ from functools import partial
 from typing import Any
 
 from haros_ci.analysis.api_rows import api_rows, plugin_rows
+from haros_ci.analysis.coverage_marks import marked
 from haros_ci.analysis.kept_nodes import keeper
 from haros_ci.analysis.kept_runs import launch_state
 from haros_ci.analysis.requested import configurations, named_environment
@@ -174,7 +175,7 @@ def _of_view(
         configurations=tuple(hinted),
         problems=tuple(sorted(said_before, key=lambda p: (p.path, p.line or 0, p.message))),
     )
-    return replace(made, architecture=whole, under=under)
+    return marked(replace(made, architecture=whole, under=under), workspace, settings)
 
 
 def filled(

@@ -28,6 +28,9 @@ from haros_ci.systems.link import Linked
 from haros_ci.timing import timed
 from haros_ci.workspace.views import views
 
+#: How the reason of an unknown ``endpoints`` ends that a call gives which the model does not account for.
+NOT_IN = " is not in the model"
+
 Rows = Mapping[tuple[str, int], Iterable[Row]]
 
 
@@ -45,10 +48,15 @@ def coverage_of(made: Linked, workspace: Workspace, settings: Settings) -> Cover
 
 
 def _sites(made: Linked, workspace: Workspace, settings: Settings) -> Iterator[Site]:
-    rows = api_rows(settings.project.get("apis"), "", [], plugin_rows(settings))
     ros = {package.name: package.ros for package in workspace.packages if package.ros is not None}
     code = codebase(made.sources, workspace.text, ros)
-    return _CoverageJudge(made, workspace, rows, code).sites()
+    return judging(made, workspace, settings, code).sites()
+
+
+def judging(made: Linked, workspace: Workspace, settings: Settings, code: Codebase) -> CoverageJudge:
+    """What tells the call sites of a workspace, and what the architecture that was *made* says of them."""
+    rows = api_rows(settings.project.get("apis"), "", [], plugin_rows(settings))
+    return CoverageJudge(made, workspace, rows, code)
 
 
 @timed("coverage")
@@ -57,15 +65,14 @@ def uncovered(made: Linked, workspace: Workspace, settings: Settings, code: Code
 
     Where enough of them are endpoints, nothing is asked of the others.
     """
-    rows = api_rows(settings.project.get("apis"), "", [], plugin_rows(settings))
-    judging = _CoverageJudge(made, workspace, rows, code)
-    found = judging.found()
-    places = judge.places_of(_locations(made.architecture))
-    area = judging.areas()
+    asked = judging(made, workspace, settings, code)
+    found = asked.found()
+    places = asked.places()
+    area = asked.areas()
     here = [places.has(match) for match in found if area(match.source) == PRODUCTION]
     if sum(here) >= ENOUGH * len(here):
         return ()
-    return too_little(Coverage(sites=tuple(judging.sites())))
+    return too_little(Coverage(sites=tuple(asked.sites())))
 
 
 def too_little(found: Coverage) -> tuple[str, ...]:
@@ -85,7 +92,9 @@ def _order(site: Site) -> tuple[str, int, int]:
 
 
 @dataclass(slots=True)
-class _CoverageJudge:
+class CoverageJudge:
+    """The call sites of a workspace, and what the model says of each."""
+
     made: Linked
     workspace: Workspace
     rows: Rows
@@ -93,7 +102,6 @@ class _CoverageJudge:
     texts: dict[str, str] = field(default_factory=dict)
     #: The files of the product's targets and of those for tests, made when they are asked for.
     files: list[tuple[frozenset[str], frozenset[str]]] = field(default_factory=list)
-    sought: list[TextSite] | None = None
     #: Files of libraries that are copied into a package, each with the directory of its library.
     copies: Mapping[str, str] = field(default_factory=dict)
     #: Files of libraries that the rows describe: they are not followed.
@@ -103,9 +111,14 @@ class _CoverageJudge:
 
     def found(self) -> list[TextSite]:
         """All call sites, file by file; they are looked for once."""
-        if self.sought is None:
-            self.sought = list(self._found())
-        return self.sought
+        if not self.made.sought:
+            self.made.sought.append(list(self._found()))
+        found: list[TextSite] = self.made.sought[0]
+        return found
+
+    def places(self) -> Places:
+        """Where the model has endpoints."""
+        return judge.places_of(_locations(self.made.architecture))
 
     def _found(self) -> Iterator[TextSite]:
         table: dict[tuple[str, int | None], Names] = {}
@@ -129,7 +142,7 @@ class _CoverageJudge:
     def sites(self) -> Iterator[Site]:
         """All call sites with what the model says of each."""
         found = self.found()
-        places = judge.places_of(_locations(self.made.architecture))
+        places = self.places()
         area = self.areas()
         areas = {match.source.path: area(match.source) for match in found}
         self.copies = copies(self.workspace)
@@ -305,7 +318,8 @@ def _gaps(found: Architecture) -> Iterator[tuple[str, str]]:
     for configuration in found.configurations:
         for node in configuration.nodes:
             for unknown in node.unknowns:
-                if unknown.field == "endpoints" and unknown.location is not None:
+                is_gap = unknown.field == "endpoints" and not unknown.reason.endswith(NOT_IN)
+                if is_gap and unknown.location is not None:
                     yield unknown.location.path, f"{node.name}: {unknown.reason}"
 
 

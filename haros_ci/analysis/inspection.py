@@ -174,7 +174,7 @@ def _inspected(
             ),
             *(
                 Notification(Level.NOTE, sentence, ARCHITECTURE)
-                for sentence in (_uncovered(made, workspace, settings, project) if base is None else ())
+                for sentence in _uncovered(made, workspace, settings, project)
             ),
         ),
         graphs=message.graphs,

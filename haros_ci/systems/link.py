@@ -125,6 +125,8 @@ class Linked:
     builds: Mapping[str, Build]
     sources: tuple[Source, ...]
     views: tuple[Linked, ...] = ()
+    #: The calls of ROS APIs that a search of the text has found, once it was made.
+    sought: list[Any] = field(default_factory=list, compare=False, repr=False)
 
 
 @timed("launch")
