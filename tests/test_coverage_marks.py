@@ -102,7 +102,9 @@ node = Talker()
 """
 
 
-@pytest.mark.parametrize(("more", "count"), [("pass", 0), ("pass  # self.more()", 0), ("self.register(self.more)", 1), ("self.more()", 0)])
+@pytest.mark.parametrize(
+    ("more", "count"), [("pass", 0), ("pass  # self.more()", 0), ("self.register(self.more)", 1), ("self.more()", 0)]
+)
 def test_a_method_of_python_that_nothing_names_is_not_said(tmp_path: Path, more: str, count: int) -> None:
     (tmp_path / "scripts").mkdir()
     (tmp_path / "package.xml").write_text(MANIFEST)
