@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from haros_ci.model.architecture import Configuration
 from haros_ci.model.workspace import Problem, Workspace
-from haros_ci.results.result import Run
+from haros_ci.results.result import Notification, Result, Run
 from haros_ci.systems.link import Linked, Requested
 from haros_ci.workspace.views import View, views
 
@@ -58,16 +58,9 @@ def in_views(run: Run, workspace: Workspace, project_file: str | None, look: Cal
     if len(parts) == 1:
         return look(parts[0])
     runs = [look(view) for view in parts]
-    held = (
-        r
-        for v, one in zip(parts, runs, strict=True)
-        for r in one.results
-        if r.location is None or v.holds(r.location.path)
-    )
-    results = {repr(result): result for result in held}
+    results = {repr(result): result for view, one in zip(parts, runs, strict=True) for result in _held(view, one)}
     notes = dict.fromkeys(note for one in runs for note in one.notifications)
-    for one in runs:
-        notes = {n: None for n in notes if n.path is None or n.path != project_file or n in one.notifications}
+    notes = {n: None for n in notes if _is_of_all(n, project_file, runs)}
     return replace(
         run,
         results=tuple(sorted(results.values(), key=lambda result: result.sort_key)),
@@ -77,6 +70,16 @@ def in_views(run: Run, workspace: Workspace, project_file: str | None, look: Cal
         successful=all(one.successful for one in runs),
         changes=next((one.changes for one in runs if one.changes), runs[0].changes),
     )
+
+
+def _held(view: View, run: Run) -> Iterator[Result]:
+    """The results of *run* that are the view's."""
+    return (result for result in run.results if result.location is None or view.holds(result.location.path))
+
+
+def _is_of_all(note: Notification, project_file: str | None, runs: Sequence[Run]) -> bool:
+    """Whether a note counts: one on the project file if all *runs* have it."""
+    return note.path is None or note.path != project_file or all(note in one.notifications for one in runs)
 
 
 def same_view(workspace: Workspace, view: View) -> Workspace:

@@ -61,13 +61,12 @@ def configurations(
             problems.update(dict.fromkeys(report))
             name = f"{name} ({job.label})"
         elif job.label == loose_scripts.SCRIPT:
-            if node.kind != system.PROGRAM and any(not end.implicit for made in nodes for end in made.endpoints):
+            if _makes(nodes):
                 problems.update(dict.fromkeys(report))
                 yield Configuration(name=f"{name} ({job.label})", nodes=nodes, is_loose=True)
             continue
         elif job.label:
-            reason = library_yaml.ANY if job.label == ros2_system.PLUGINS else behavior_trees.ANY
-            if not any(unknown.reason == reason for unknown in node.unknowns):
+            if not _has_any(node, job.label):
                 continue
             name = f"{name} ({job.label})"
         elif node.kind == system.PROGRAM:
@@ -77,3 +76,14 @@ def configurations(
             name = f"{name} (nodelet)" if node.kind == "nodelet" and name in taken else name
         taken.add(name)
         yield Configuration(name=name, nodes=nodes)
+
+
+def _makes(nodes: Iterable[Node]) -> bool:
+    """Whether there is a node that makes something itself."""
+    return any(not end.implicit for node in nodes if node.kind != system.PROGRAM for end in node.endpoints)
+
+
+def _has_any(node: Node, label: str) -> bool:
+    """Whether plug-ins or trees of any name are made in the node."""
+    reason = library_yaml.ANY if label == ros2_system.PLUGINS else behavior_trees.ANY
+    return any(unknown.reason == reason for unknown in node.unknowns)

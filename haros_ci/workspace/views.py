@@ -62,17 +62,25 @@ def views(workspace: Workspace) -> tuple[View, ...]:
     if not doubled:
         return (View(_without(workspace, {package.path for found in chosen.values() for package in found.values()})),)
     of_both = {package.path: package.ros for package in workspace.packages}
-    inside: dict[int, set[str]] = {1: set(), 2: set()}
-    for name in doubled:
-        for ros, package in chosen[name].items():
-            start = "" if package.path == "." else f"{package.path}/"
-            inside[ros] |= {f"{name}/{f.path[len(start) :]}" for f in workspace.files if f.path.startswith(start)}
-    shared = frozenset(inside[1] & inside[2])
+    shared = _paths(workspace, doubled, chosen, 1) & _paths(workspace, doubled, chosen, 2)
     found = []
     for ros in (1, 2):
         kept = {(seen.get(ros) or next(iter(seen.values()))).path for seen in chosen.values()}
         found.append(View(_without(workspace, kept), ros, doubled, shared, of_both))
     return tuple(found)
+
+
+def _paths(
+    workspace: Workspace, names: Iterable[str], chosen: Mapping[str, Mapping[int, Package]], ros: int
+) -> frozenset[str]:
+    """The files of those packages of a version of ROS, as ``package/path``."""
+    starts = {name: f"{chosen[name][ros].path}/" for name in names}
+    return frozenset(
+        f"{name}/{file.path[len(start) :]}"
+        for name, start in starts.items()
+        for file in workspace.files
+        if file.path.startswith(start)
+    )
 
 
 def doubles(packages: Iterable[Package], files: Iterable[SourceFile]) -> Iterable[Problem]:
