@@ -8,12 +8,14 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
 
+from haros_ci.analysis.api_rows import api_rows, plugin_rows
+from haros_ci.analysis.coverage_marks import marked
 from haros_ci.analysis.kept_nodes import keeper
 from haros_ci.analysis.kept_runs import launch_state
 from haros_ci.analysis.requested import configurations, named_environment
+from haros_ci.analysis.views import joined, started_in
 from haros_ci.config.settings import Settings
 from haros_ci.declared import hints
-from haros_ci.extract.apis.tables import rows
 from haros_ci.extract.cpp.exact import ExactCall, Place, pick
 from haros_ci.extract.parameter_library import read_parameter_library
 from haros_ci.forks import shared
@@ -21,7 +23,6 @@ from haros_ci.index.index import Source
 from haros_ci.keeping.kept import Earlier
 from haros_ci.launch.ros2.dialect import description_reader
 from haros_ci.launch.ros2.places import Places
-from haros_ci.model.api import Row, RowError, load_row
 from haros_ci.model.architecture import Architecture, Configuration
 from haros_ci.model.build import Build
 from haros_ci.model.launch import LaunchFile
@@ -37,6 +38,7 @@ from haros_ci.systems.link import Linked, Requested, Ros2Launch, linked
 from haros_ci.timing import stage, timed
 from haros_ci.workspace.build import builds
 from haros_ci.workspace.environment import environment_of
+from haros_ci.workspace.views import views
 
 TOO_DEEP = "nested too deeply to be read; split the statements"
 
@@ -97,7 +99,33 @@ def varied(
     ``under(name, arguments)`` of it is the configuration *name* with these launch arguments, as the command line would set
     them; it is linked when it is asked for, with what has been followed before. *common* has, and gets, what other revisions may share.
     """
-    common = common or Common()
+    options: dict[str, Any] = {
+        "environment": environment,
+        "known_nodes": known_nodes,
+        "exact": exact,
+        "processes": processes,
+        "alternatives": alternatives,
+        "common": common or Common(),
+    }
+    parts = views(workspace)
+    made = [_of_view(v.workspace, settings, store, requested=started_in(v, requested), **options) for v in parts]
+    return joined(workspace, parts, made, settings.project_file or "the project file")
+
+
+def _of_view(
+    workspace: Workspace,
+    settings: Settings,
+    store: Store,
+    *,
+    requested: tuple[Requested, ...] | None,
+    environment: Mapping[str, str] | None,
+    known_nodes: bool,
+    exact: bool,
+    processes: int,
+    alternatives: bool,
+    common: Common,
+) -> Linked:
+    """The same of a workspace in which no two packages have the same name."""
     with stage("build files"):
         built = builds(workspace)
     problems: list[Problem] = []
@@ -147,7 +175,7 @@ def varied(
         configurations=tuple(hinted),
         problems=tuple(sorted(said_before, key=lambda p: (p.path, p.line or 0, p.message))),
     )
-    return replace(made, architecture=whole, under=under)
+    return marked(replace(made, architecture=whole, under=under), workspace, settings)
 
 
 def filled(
@@ -310,27 +338,3 @@ def known_types(declared: object, where: str, problems: list[Problem], here: fro
         return None
 
     return known
-
-
-def plugin_rows(settings: Settings) -> tuple[Row, ...]:
-    """The API rows of plug-ins, in their order."""
-    if not settings.plugins:
-        return ()
-    from haros_ci.plugins.load import load
-
-    return tuple(row for plugin in load(settings.plugins, settings.root) for row in plugin.rows)
-
-
-def api_rows(
-    declared: object, where: str, problems: list[Problem], more: tuple[Row, ...] = ()
-) -> dict[tuple[str, int], tuple[Row, ...]]:
-    """The API rows by language and ROS version; those of the project file come first, then *more*, those of plug-ins."""
-    own: list[Row] = []
-    for number, item in enumerate(declared if isinstance(declared, (list, tuple)) else (), start=1):
-        try:
-            if not isinstance(item, Mapping):
-                raise RowError("a row is a mapping with a 'call'")
-            own.append(load_row(item))
-        except RowError as err:
-            problems.append(Problem(where, f"row {number} of 'apis': {err}"))
-    return {(language, ros): (*own, *more, *rows(language, ros)) for language in ("cpp", "python") for ros in (1, 2)}

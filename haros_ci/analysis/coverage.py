@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from haros_ci.analysis.architecture import api_rows, plugin_rows
+from haros_ci.analysis.api_rows import api_rows, plugin_rows
 from haros_ci.analysis.coverage_files import Plugins, area_of, built, copies, imported, loaded, plugins_of, shadowed
 from haros_ci.analysis.coverage_nodes import Users
 from haros_ci.code.codebase import Codebase, codebase
@@ -26,6 +26,10 @@ from haros_ci.model.workspace import Workspace
 from haros_ci.systems.client_libraries import library_files
 from haros_ci.systems.link import Linked
 from haros_ci.timing import timed
+from haros_ci.workspace.views import views
+
+#: How the reason of an unknown ``endpoints`` ends that a call gives which the model does not account for.
+NOT_IN = " is not in the model"
 
 Rows = Mapping[tuple[str, int], Iterable[Row]]
 
@@ -33,10 +37,26 @@ Rows = Mapping[tuple[str, int], Iterable[Row]]
 @timed("coverage")
 def coverage_of(made: Linked, workspace: Workspace, settings: Settings) -> Coverage:
     """The call sites in *workspace*, found by the names of API rows, and what the architecture that was *made* says of each."""
-    rows = api_rows(settings.project.get("apis"), "", [], plugin_rows(settings))
+    if made.views:
+        seen = [
+            (view, _sites(own, view.workspace, settings))
+            for view, own in zip(views(workspace), made.views, strict=True)
+        ]
+        held = {_order(site): site for view, sites in seen for site in sites if view.holds(site.path)}
+        return Coverage(sites=tuple(held[key] for key in sorted(held)))
+    return Coverage(sites=tuple(sorted(_sites(made, views(workspace)[0].workspace, settings), key=_order)))
+
+
+def _sites(made: Linked, workspace: Workspace, settings: Settings) -> Iterator[Site]:
     ros = {package.name: package.ros for package in workspace.packages if package.ros is not None}
     code = codebase(made.sources, workspace.text, ros)
-    return Coverage(sites=tuple(sorted(_CoverageJudge(made, workspace, rows, code).sites(), key=_order)))
+    return judging(made, workspace, settings, code).sites()
+
+
+def judging(made: Linked, workspace: Workspace, settings: Settings, code: Codebase) -> CoverageJudge:
+    """What tells the call sites of a workspace, and what the architecture that was *made* says of them."""
+    rows = api_rows(settings.project.get("apis"), "", [], plugin_rows(settings))
+    return CoverageJudge(made, workspace, rows, code)
 
 
 @timed("coverage")
@@ -45,15 +65,14 @@ def uncovered(made: Linked, workspace: Workspace, settings: Settings, code: Code
 
     Where enough of them are endpoints, nothing is asked of the others.
     """
-    rows = api_rows(settings.project.get("apis"), "", [], plugin_rows(settings))
-    judging = _CoverageJudge(made, workspace, rows, code)
-    found = judging.found()
-    places = judge.places_of(_locations(made.architecture))
-    area = judging.areas()
+    asked = judging(made, workspace, settings, code)
+    found = asked.found()
+    places = asked.places()
+    area = asked.areas()
     here = [places.has(match) for match in found if area(match.source) == PRODUCTION]
     if sum(here) >= ENOUGH * len(here):
         return ()
-    return too_little(Coverage(sites=tuple(judging.sites())))
+    return too_little(Coverage(sites=tuple(asked.sites())))
 
 
 def too_little(found: Coverage) -> tuple[str, ...]:
@@ -73,7 +92,9 @@ def _order(site: Site) -> tuple[str, int, int]:
 
 
 @dataclass(slots=True)
-class _CoverageJudge:
+class CoverageJudge:
+    """The call sites of a workspace, and what the model says of each."""
+
     made: Linked
     workspace: Workspace
     rows: Rows
@@ -81,7 +102,6 @@ class _CoverageJudge:
     texts: dict[str, str] = field(default_factory=dict)
     #: The files of the product's targets and of those for tests, made when they are asked for.
     files: list[tuple[frozenset[str], frozenset[str]]] = field(default_factory=list)
-    sought: list[TextSite] | None = None
     #: Files of libraries that are copied into a package, each with the directory of its library.
     copies: Mapping[str, str] = field(default_factory=dict)
     #: Files of libraries that the rows describe: they are not followed.
@@ -91,9 +111,14 @@ class _CoverageJudge:
 
     def found(self) -> list[TextSite]:
         """All call sites, file by file; they are looked for once."""
-        if self.sought is None:
-            self.sought = list(self._found())
-        return self.sought
+        if not self.made.sought:
+            self.made.sought.append(list(self._found()))
+        found: list[TextSite] = self.made.sought[0]
+        return found
+
+    def places(self) -> Places:
+        """Where the model has endpoints."""
+        return judge.places_of(_locations(self.made.architecture))
 
     def _found(self) -> Iterator[TextSite]:
         table: dict[tuple[str, int | None], Names] = {}
@@ -117,7 +142,7 @@ class _CoverageJudge:
     def sites(self) -> Iterator[Site]:
         """All call sites with what the model says of each."""
         found = self.found()
-        places = judge.places_of(_locations(self.made.architecture))
+        places = self.places()
         area = self.areas()
         areas = {match.source.path: area(match.source) for match in found}
         self.copies = copies(self.workspace)
@@ -293,7 +318,8 @@ def _gaps(found: Architecture) -> Iterator[tuple[str, str]]:
     for configuration in found.configurations:
         for node in configuration.nodes:
             for unknown in node.unknowns:
-                if unknown.field == "endpoints" and unknown.location is not None:
+                is_gap = unknown.field == "endpoints" and not unknown.reason.endswith(NOT_IN)
+                if is_gap and unknown.location is not None:
                     yield unknown.location.path, f"{node.name}: {unknown.reason}"
 
 

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from haros_ci.index.index import Source
-from haros_ci.model.architecture import Architecture
+from haros_ci.model.architecture import Architecture, Node
 from haros_ci.syntax import Function
 
 
@@ -25,14 +25,21 @@ class _File:
         return bisect_right(self.lines, line) - 1
 
 
+def type_name(node: Node) -> str:
+    """The type of a node as ``package/type``."""
+    return f"{node.package}/{node.type.removeprefix(f'{node.package}/')}"
+
+
 class Users:
     """The node types, ``package/type``, by the code that they run."""
 
-    def __init__(self, found: Architecture, sources: Iterable[Source]) -> None:
+    def __init__(self, found: Architecture, sources: Iterable[Source], *, within: bool = False) -> None:
+        """With *within* those of one function or class alone."""
+        self._within = within
         ends: dict[str, list[tuple[int, str]]] = {}
         for configuration in found.configurations:
             for node in (*configuration.nodes, *configuration.alternatives):
-                name = f"{node.package}/{node.type.removeprefix(f'{node.package}/')}"
+                name = type_name(node)
                 for end in node.endpoints:
                     if end.location is not None and end.location.line is not None and not end.implicit:
                         ends.setdefault(end.location.path, []).append((end.location.line, name))
@@ -52,7 +59,7 @@ class Users:
         number = file.around(line)
         owner = file.functions[number].owner if number >= 0 else ""
         same = [n for n, function in enumerate(file.functions) if owner and function.owner == owner]
-        for numbers in ([number], same, file.users):
+        for numbers in ([number], same, () if self._within else file.users):
             found = frozenset[str]().union(*(file.users.get(number, frozenset()) for number in numbers))
             if found:
                 return tuple(sorted(found))

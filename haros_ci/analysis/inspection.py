@@ -20,6 +20,7 @@ from haros_ci.results import own
 from haros_ci.results.result import Notification, Run
 from haros_ci.results.rule import Level, Rule
 from haros_ci.timing import stage, timed
+from haros_ci.workspace.views import View, views
 
 if TYPE_CHECKING:  # they are loaded where there is something to check
     from haros_ci.analysis.architecture import Common
@@ -37,6 +38,14 @@ Progress = Callable[[str], None]
 ARCHITECTURE = "architecture"
 
 
+#: A workspace in a run: its root, and which packages of it are seen.
+_Key = tuple[Path, tuple[str, ...]]
+
+
+def _key(workspace: Workspace) -> _Key:
+    return workspace.root, tuple(package.path for package in workspace.packages)
+
+
 class Architectures:
     """The architecture of each workspace of a run, made once: that of the base revision is asked for by both sides."""
 
@@ -44,8 +53,8 @@ class Architectures:
         self.settings = settings
         self.store = store
         self.registry = known or registry(settings)
-        self._made: dict[Path, Linked] = {}
-        self._projects: dict[Path, Project] = {}
+        self._made: dict[_Key, Linked] = {}
+        self._projects: dict[_Key, Project] = {}
         self._common: Common | None = None
 
     def under(self, store: Store) -> Architectures:
@@ -55,32 +64,39 @@ class Architectures:
 
     def project(self, workspace: Workspace) -> Project:
         """What the checks have seen of the workspace, or see of it, for who shows more of that."""
-        if workspace.root not in self._projects:
+        if _key(workspace) not in self._projects:
             from haros_ci.checking.system import systems
 
             made = self.of(workspace)
             found = tuple(systems(made.architecture, workspace))
             where = self.settings.project_file or ""
             access = self.settings.access
-            self._projects[workspace.root] = project_of(made, workspace, found, project_file=where, access=access)
-        return self._projects[workspace.root]
+            self._projects[_key(workspace)] = project_of(made, workspace, found, project_file=where, access=access)
+        return self._projects[_key(workspace)]
 
     def seen(self, project: Project) -> Project:
         """Keep what the checks see."""
-        self._projects[project.workspace.root] = project
+        self._projects[_key(project.workspace)] = project
         return project
 
     def of(self, workspace: Workspace) -> Linked:
         with stage("loading"):
             from haros_ci.analysis.architecture import Common, varied
+            from haros_ci.analysis.views import joined
 
         if self._common is None:
             self._common = Common()
-        if workspace.root not in self._made:
-            self._made[workspace.root] = varied(
-                workspace, self.settings, self.store, processes=self.settings.jobs, common=self._common
-            )
-        return self._made[workspace.root]
+        key = _key(workspace)
+        if key not in self._made:
+            parts = views(workspace)
+            if parts[0].workspace is workspace:
+                self._made[key] = varied(
+                    workspace, self.settings, self.store, processes=self.settings.jobs, common=self._common
+                )
+            else:
+                where = self.settings.project_file or "the project file"
+                self._made[key] = joined(workspace, parts, [self.of(view.workspace) for view in parts], where)
+        return self._made[key]
 
 
 @timed("checks")
@@ -93,10 +109,29 @@ def inspected(
     base: Base | None = None,
 ) -> Run:
     """*run* with what the checks and queries say of the architecture, where any of them is on; what changed since *base*."""
-    settings = architectures.settings
-    known = architectures.registry
+    settings, known = architectures.settings, architectures.registry
     if not is_inspected(workspace, selection, settings, known):
         return run
+    with stage("loading"):
+        from haros_ci.analysis.views import in_views, same_view
+
+    def look(view: View) -> Run:
+        past = replace(base, workspace=same_view(base.workspace, view)) if base is not None else None
+        return _inspected(run, view.workspace, selection, architectures, progress, past)
+
+    return in_views(run, workspace, settings.project_file, look)
+
+
+def _inspected(
+    run: Run,
+    workspace: Workspace,
+    selection: Selection,
+    architectures: Architectures,
+    progress: Progress | None,
+    base: Base | None,
+) -> Run:
+    """The same of a workspace in which no two packages have the same name."""
+    settings, known = architectures.settings, architectures.registry
     chosen = chosen_checks(workspace, selection, known)
     with stage("loading"):
         from haros_ci.analysis.launch_faults import refused
@@ -143,7 +178,7 @@ def inspected(
             ),
             *(
                 Notification(Level.NOTE, sentence, ARCHITECTURE)
-                for sentence in (_uncovered(made, workspace, settings, project) if base is None else ())
+                for sentence in _uncovered(made, workspace, settings, project)
             ),
         ),
         graphs=message.graphs,

@@ -330,8 +330,9 @@ class System:
 
 
 def systems(architecture: Architecture, workspace: Workspace | None = None) -> Iterator[System]:
-    """Every configuration as a system, in the architecture's order."""
-    found = tuple(System(configuration, architecture, workspace) for configuration in architecture.configurations)
+    """Every configuration as a system, in the architecture's order, but for programs that no build installs."""
+    ones = (configuration for configuration in architecture.configurations if not configuration.is_loose)
+    found = tuple(System(configuration, architecture, workspace) for configuration in ones)
     whole = Whole(found)
     for system in found:
         system.whole = whole

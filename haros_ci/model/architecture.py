@@ -205,6 +205,8 @@ class Configuration:
     alternatives: tuple[Node, ...] = ()
     alternative_parameters: tuple[Parameter, ...] = ()
     launch_facts: tuple[LaunchFact, ...] = ()
+    #: Whether it is a program that no build installs, started by its path: checks pass it over.
+    is_loose: bool = False
     #: How often its nodes publish, where that was asked for.
     rates: Rates | None = field(default=None, compare=False)
     #: Which inputs of its nodes can cause which outputs, where that was asked for.

@@ -104,14 +104,18 @@ class Opened:
 class Linked:
     """An architecture; *under* gives a configuration of it by its name, with some launch arguments set otherwise.
 
-    It is linked as any other, with what has been followed before; None if no launch file starts it, or if the steps of the workspace are used up. *builds* and *sources* are what was
-    linked.
+    It is linked as any other, with what has been followed before; None if no launch file starts it, or if the steps of the workspace are
+    used up. *builds* and *sources* are what was linked. *views* are those of each version of ROS where packages of one name are of both, ()
+    elsewhere.
     """
 
     architecture: Architecture
     under: Callable[[str, Mapping[str, str]], Configuration | None]
     builds: Mapping[str, Build]
     sources: tuple[Source, ...]
+    views: tuple[Linked, ...] = ()
+    #: The calls of ROS APIs that a search of the text has found, once it was made.
+    sought: list[Any] = field(default_factory=list, compare=False, repr=False)
 
 
 @timed("launch")

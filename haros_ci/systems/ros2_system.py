@@ -126,12 +126,19 @@ def _words(text: str, first: str = "") -> list[str]:
     return [first, *words] if first and words and words[0] != first else words
 
 
-def alone(types: Types, package: str, name: str, is_component: bool = False, label: str = "") -> Job:
+def alone(
+    types: Types,
+    package: str,
+    name: str,
+    is_component: bool = False,
+    label: str = "",
+    found: tuple[Entry, frozenset[str]] | None = None,
+) -> Job:
     """A node type started by itself, under the name that it gives itself; perhaps with every plug-in of the workspace.
 
-    *label* is ``PLUGINS`` then, or ``TREES``.
+    *label* is ``PLUGINS`` then, or ``TREES``; *found* is the program where the tables do not have it.
     """
-    entry, files = (types.components if is_component else types.ros2_programs)[package, name]
+    entry, files = found or (types.components if is_component else types.ros2_programs)[package, name]
     line = entry.function.line if entry.function else entry.definition.line if entry.definition else 1
     chosen = f"/{name.rpartition('::')[2]}"
     node = Node(

@@ -7,6 +7,7 @@ from collections.abc import Callable, Hashable
 from dataclasses import dataclass, replace
 from typing import Any
 
+from haros_ci.follow.follow import Entry
 from haros_ci.follow.ros.ends import UNNAMED, by, endpoints
 from haros_ci.follow.ros.own_name import ANONYMOUS, OwnName, own_name
 from haros_ci.follow.ros.paces import paces
@@ -147,9 +148,14 @@ def type_of(look_up: str, described: PluginClass | None) -> tuple[str, str]:
     return (package, name) if slash else (described.package if described is not None else "", look_up)
 
 
-def alone(types: Types, package: str, name: str) -> Job:
-    """A node type started by itself, under the name that it gives itself; ``?`` for what is not known of it."""
-    entry, files = types.executables[package, name]
+def alone(
+    types: Types, package: str, name: str, label: str = "", found: tuple[Entry, frozenset[str]] | None = None
+) -> Job:
+    """A node type started by itself, under the name that it gives itself; ``?`` for what is not known of it.
+
+    *found* is the program where the tables do not have it.
+    """
+    entry, files = found or types.executables[package, name]
     server = ParameterServer(())
     location = Location(entry.source.path, entry.function.line if entry.function is not None else 1)
     chosen = f"/{name.partition('.')[0]}"
@@ -183,7 +189,7 @@ def alone(types: Types, package: str, name: str) -> Job:
         made = replace(made, paces=paces(followed.made))
         return (made if ends or names else replace(made, kind=PROGRAM),), followed.problems
 
-    return Job(node, (id(entry), chosen), follow_it, _size(types, files))
+    return Job(node, (id(entry), chosen), follow_it, _size(types, files), label=label)
 
 
 #: Why a nodelet that nothing loads has no name of its own (names.cpp of roscpp).

@@ -10,13 +10,21 @@ from haros_ci.follow.libraries import yaml as library_yaml
 from haros_ci.follow.ros import behavior_trees
 from haros_ci.model.architecture import Configuration, Node
 from haros_ci.model.workspace import Problem
-from haros_ci.systems import gazebo_plugins, ros1_controllers, ros2_controllers, ros2_hosts, ros2_system, system
+from haros_ci.systems import (
+    gazebo_plugins,
+    loose_scripts,
+    ros1_controllers,
+    ros2_controllers,
+    ros2_hosts,
+    ros2_system,
+    system,
+)
 from haros_ci.systems.following import Types
 from haros_ci.systems.system import Job
 
 
 def ros2_alone(types: Types, started: set[tuple[str, str]], launched: Iterable[Job]) -> Iterator[Job]:
-    """The ROS 2 node types that nothing starts: executables, components that no executable runs, plug-ins with a node.
+    """What is started by itself: of ROS 2 executables, components that no executable runs, plug-ins with a node.
 
     *launched* is what launch files start, *started* the packages and types of that.
     """
@@ -36,6 +44,7 @@ def ros2_alone(types: Types, started: set[tuple[str, str]], launched: Iterable[J
     yield from ros1_controllers.jobs(types)
     yield from gazebo_plugins.jobs(types, launched)
     yield from ros2_hosts.hosts(types)
+    yield from loose_scripts.jobs(types)
 
 
 def configurations(
@@ -51,9 +60,13 @@ def configurations(
                 continue
             problems.update(dict.fromkeys(report))
             name = f"{name} ({job.label})"
+        elif job.label == loose_scripts.SCRIPT:
+            if _makes(nodes):
+                problems.update(dict.fromkeys(report))
+                yield Configuration(name=f"{name} ({job.label})", nodes=nodes, is_loose=True)
+            continue
         elif job.label:
-            reason = library_yaml.ANY if job.label == ros2_system.PLUGINS else behavior_trees.ANY
-            if not any(unknown.reason == reason for unknown in node.unknowns):
+            if not _has_any(node, job.label):
                 continue
             name = f"{name} ({job.label})"
         elif node.kind == system.PROGRAM:
@@ -63,3 +76,14 @@ def configurations(
             name = f"{name} (nodelet)" if node.kind == "nodelet" and name in taken else name
         taken.add(name)
         yield Configuration(name=name, nodes=nodes)
+
+
+def _makes(nodes: Iterable[Node]) -> bool:
+    """Whether there is a node that makes something itself."""
+    return any(not end.implicit for node in nodes if node.kind != system.PROGRAM for end in node.endpoints)
+
+
+def _has_any(node: Node, label: str) -> bool:
+    """Whether plug-ins or trees of any name are made in the node."""
+    reason = library_yaml.ANY if label == ros2_system.PLUGINS else behavior_trees.ANY
+    return any(unknown.reason == reason for unknown in node.unknowns)

@@ -15,6 +15,7 @@ from haros_ci.workspace.generated import says_generated
 from haros_ci.workspace.known_copies import copied_library, is_of_project
 from haros_ci.workspace.package_xml import parse_package, settled, supports_both
 from haros_ci.workspace.third_party import ThirdParty
+from haros_ci.workspace.views import doubles
 
 #: A package, and what is wrong with its manifest.
 _Found = tuple[Package, Problem | None]
@@ -124,9 +125,9 @@ def assemble(
             continue
         package, fault = packages[directory]
         packages[directory] = settled(package, manifest.path, manifest.data, others), fault
-    found += _doubles(package for package, _ in packages.values())
     owners = {directory: package.name for directory, (package, _) in packages.items()}
     owned = _owned(sorted(files, key=lambda file: file.path), owners, ThirdParty(names, owners, requested))
+    found += doubles((package for package, _ in packages.values()), owned)
     reader = TextReader(root, listed, max_file_size, elsewhere)
     found += _of_rosbuild(owned, names, reader)
     return Workspace(
@@ -189,16 +190,6 @@ def _owned(files: Iterable[SourceFile], owners: dict[str, str], third_party: Thi
         copy = file.path if is_copy and (not around or third_party.is_tree(around)) else around
         made.append(replace(file, package=owner, third_party=copy))
     return tuple(made)
-
-
-def _doubles(packages: Iterable[Package]) -> Iterable[Problem]:
-    """A problem for each further package of a name; colcon and catkin refuse them."""
-    first: dict[str, str] = {}
-    for package in sorted(packages, key=lambda p: p.path):
-        if package.name in first:
-            message = f"the package name {package.name!r} is also that of {first[package.name]}; rename or exclude one"
-            yield Problem(package.path, message)
-        first.setdefault(package.name, package.path)
 
 
 def _of_rosbuild(files: Iterable[SourceFile], names: frozenset[str], reader: TextReader) -> Iterable[Problem]:

@@ -83,7 +83,11 @@ def test_two_packages_of_one_name(tmp_path: Path) -> None:
     )
     workspace = discover(tmp_path, (".",))
     assert [package.path for package in workspace.packages] == ["a", "b", "c"]
-    assert messages(workspace) == [("b", "the package name 'arm' is also that of a; rename or exclude one")]
+    ((path, message),) = messages(workspace)
+    assert path == "b"
+    assert message.startswith(
+        "the package name 'arm' is also that of a, which the model has (not b); to choose, put a COLCON_IGNORE"
+    )
 
 
 def test_a_directory_is_the_subtree(tmp_path: Path) -> None:

@@ -7,7 +7,8 @@ import os
 
 from fuzz.targets.kit import ROOT, Entry, parts, refused, ros_package, text_of, workspace
 
-from haros_ci.analysis.architecture import api_rows, known_types
+from haros_ci.analysis.api_rows import api_rows
+from haros_ci.analysis.architecture import known_types
 from haros_ci.analysis.requested import configurations
 from haros_ci.behaviour.clauses import Reader
 from haros_ci.behaviour.comparing import Compared, excluded, follows
