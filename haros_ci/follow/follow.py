@@ -19,6 +19,7 @@ from haros_ci.index.index import Source
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Function
 from haros_ci.values.abstract import (
+    NONE,
     UNSET,
     UNSET_OR_INHERITED,
     Callable,
@@ -251,7 +252,7 @@ def interlude(walk: Walk, frame: Frame) -> None:
 
 
 def _disturb(walk: Walk, effects: Sequence_[Writes], own: int) -> None:
-    """Join what the callbacks leave behind with what holds; of its *own* a callback sees plain values only."""
+    """Join what the callbacks leave behind with what holds; of its *own* a callback sees plain values only, and parameters."""
     _disturb_all(walk, effects, own, _disturbed(_all_together(walk) if effects is walk.effects else _together(effects)))
 
 
@@ -259,7 +260,7 @@ def _disturb_all(walk: Walk, effects: Sequence_[Writes], own: int, together: Map
     """The same where *together* is what holds after one or another of them, of the cells that this changes."""
     mine = effects[own] if 0 <= own < len(effects) else {}
     for cell, value in together.items():
-        if cell in mine and not isinstance(mine[cell], (Known, Text)) and not _is_counted(mine[cell]):
+        if cell in mine and not (cell is walk.server or _is_seen_again(cell.value, mine[cell])):
             for number, writes in enumerate(effects):
                 if number != own and cell in writes:
                     after = _joined(cell.value, writes[cell])
@@ -267,6 +268,18 @@ def _disturb_all(walk: Walk, effects: Sequence_[Writes], own: int, together: Map
                         walk.state.write(cell, after)
         else:
             walk.state.write(cell, value)
+
+
+def _is_seen_again(held: Any, value: Any) -> bool:
+    """Whether a callback finds what it left behind when it ran before: plain values, and flags and texts that are not known then."""
+    if isinstance(value, Opaque):
+        return _is_counted(value) or (_is_plain(held) and held != NONE)
+    return _is_plain(value)
+
+
+def _is_plain(value: Any) -> bool:
+    options = value.options if isinstance(value, Choice) else (value,)
+    return all(isinstance(option, (Known, Text)) for option in options)
 
 
 def _disturbed(together: Mapping[Cell, Any]) -> dict[Cell, Any]:

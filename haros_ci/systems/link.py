@@ -13,7 +13,6 @@ from haros_ci.follow.context import Exact
 from haros_ci.graph.names import clean
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.index.index import Source
-from haros_ci.keeping.kept import Followed
 from haros_ci.launch.ros1.entry import entry_files
 from haros_ci.launch.ros1.roslaunch import evaluate
 from haros_ci.launch.ros2.dialect import is_ros2_file
@@ -22,7 +21,7 @@ from haros_ci.launch.ros2.evaluate import launch_system
 from haros_ci.launch.ros2.parameter_files import parameter_file
 from haros_ci.launch.ros2.places import Places
 from haros_ci.model.api import Row
-from haros_ci.model.architecture import Architecture, Configuration, Node, Parameter
+from haros_ci.model.architecture import Architecture, Configuration, Parameter
 from haros_ci.model.build import Build
 from haros_ci.model.environment import NOTHING, Environment
 from haros_ci.model.launch import LaunchFile
@@ -38,6 +37,7 @@ from haros_ci.systems import (
     ros2_library_classes,
     ros2_library_modules,
     ros2_system,
+    rounds,
     system,
     unstarted,
 )
@@ -46,19 +46,13 @@ from haros_ci.systems.keeping import Keeper
 from haros_ci.systems.launch_facts import Completion
 from haros_ci.systems.node_types import path_name, types_of
 from haros_ci.systems.ros2_library import Seen
+from haros_ci.systems.rounds import Result, Share
 from haros_ci.systems.simulation import ros1 as ros1_simulation
 from haros_ci.systems.simulation import ros2 as ros2_simulation
 from haros_ci.systems.simulation.simulators import Completes
 from haros_ci.systems.simulation.trees import DescriptionTrees
 from haros_ci.systems.system import Job
 from haros_ci.timing import timed
-
-#: A node with its endpoints, and what went wrong.
-Result = tuple[tuple[Node, ...], tuple[Problem, ...]]
-#: The same, all that was followed for it, and the steps that count for each program so far.
-Worked = tuple[Result, list[tuple[Any, Followed]], dict[Any, dict[str, int]]]
-#: Does jobs, each of a group that has work in common, and gives their results in order.
-Share = Callable[[Sequence[Callable[[], Any]], Sequence[Hashable]], Sequence[Any]]
 
 
 def in_turn(jobs: Sequence[Callable[[], Any]], groups: Sequence[Hashable]) -> Sequence[Any]:
@@ -247,22 +241,14 @@ def linked(
                 jobs.append(system.standalone(types, described.name))
     key = keeping.key_of(types, rows) if keeper is not None else ""
     old = keeping.take_up(types, keeper, key) if keeper is not None else []
-    every = (*jobs, *others)
-    order = sorted(
-        range(len(every)), key=lambda number: -every[number].size
-    )  # large ones first: nobody waits at the end
-    work = [partial(_worked, types, every[number]) for number in order]
-    done = dict(zip(order, share(work, [every[number].group for number in order]), strict=True))
-    _count(types, done.values())
-    made = ros2_library.seen_in(node for number in range(len(jobs)) for node in done[number][0][0])
+    done, fresh = rounds.work(types, (*jobs, *others), share)
+    made = ros2_library.seen_in(node for nodes, _ in done[: len(jobs)] for node in nodes)
     more = list(_more(types, made)) if requested is None else []
-    brought = share([partial(_worked, types, job) for job in more], [job.group for job in more])
-    _count(types, brought)
+    brought, fresh_too = rounds.work(types, more, share)
     if keeper is not None:
-        keeping.hand_on(keeper, key, old, [item for _, fresh, _ in (*done.values(), *brought) for item in fresh])
-    present.remember(types, (fresh for _, fresh, _ in (*done.values(), *brought)))
-    results = (done[number][0] for number in range(len(jobs)))
-    other_results = (done[number][0] for number in range(len(jobs), len(every)))
+        keeping.hand_on(keeper, key, old, [*fresh, *fresh_too])
+    present.remember(types, (*fresh, *fresh_too))
+    results, other_results = iter(done[: len(jobs)]), iter(done[len(jobs) :])
     completion = Completion(workspace, builds, types)
     for item, opened in launched:
         followed = list(islice(results, len(opened.jobs)))
@@ -271,7 +257,7 @@ def linked(
         configurations.append(_configuration(completion, item, opened, followed, beside))
     alone = zip(results, jobs[sum(len(opened.jobs) for _, opened in launched) :], strict=True)
     configurations += unstarted.configurations(alone, problems, {item.name for item in configurations})
-    for ((nodes, _), *_), job in zip(brought, more, strict=True):
+    for (nodes, _), job in zip(brought, more, strict=True):
         if nodes[0].kind != system.PROGRAM and ros2_library.tells(nodes, made):
             own = f"{nodes[0].package}/{nodes[0].type.removeprefix(f'{nodes[0].package}/')}"
             configurations.append(Configuration(name=f"{own} ({job.label})", nodes=nodes))
@@ -284,7 +270,7 @@ def linked(
             return None
         item = replace(items[name], arguments={**items[name].arguments, **assignment})
         opened = open_(types, workspace, load, ros2, item, defaults.over(item.environment, environment), trees)
-        return _configuration(completion, item, opened, [job.follow() for job in opened.jobs], ())
+        return _configuration(completion, item, opened, rounds.work_here(opened.jobs), ())
 
     found = Architecture(
         configurations=tuple(configurations),
@@ -324,20 +310,6 @@ def _environment(jobs: Sequence[Job], results: Sequence[Result]) -> tuple[Parame
         for node in nodes
         if job.parameters is not None
     )
-
-
-def _worked(types: Types, job: Job) -> Worked:
-    """What a job gives, all that was followed for it, and the steps that count for its program so far."""
-    before = len(types.fresh)
-    made = job.follow()
-    return made, types.fresh[before:], types.counted
-
-
-def _count(types: Types, done: Iterable[Worked]) -> None:
-    """Let the steps count here that went into programs in other processes."""
-    for _, _, counted in done:
-        for entry, steps in counted.items():
-            types.counted.setdefault(entry, {}).update(steps)
 
 
 def _more(types: Types, made: Seen) -> Iterator[Job]:

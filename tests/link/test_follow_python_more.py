@@ -342,7 +342,7 @@ NAMES = (
     ('PUB(rospy.search_param(param_name="x"))', ["/g/x"], ["/g/x"]),
     ('PUB(rospy.search_param("y"))', ["/g/me/y"], ["/g/me/y"]),
     ('PUB(rospy.search_param("s/u"))', ["/g/s/u"], ["/g/s/u"]),
-    ('PUB(rospy.search_param("/x"))', ["/x"], ["/x"]),
+    ('PUB(rospy.search_param("/x"))', ["/?"], ["/x"]),
     ("PUB(rospy.search_param(text()))", ["/?"], ["/?"]),
     ('PUB(rospy.resolve_name("a") + "/b")', ["/g/r/b"], []),
     ('PUB(rospy.resolve_name("b") + "/b")', ["/g/b/b"], []),

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Jobs done in two rounds: who reads a ROS 1 parameter that some node is seen to set is followed once more."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from functools import partial
+from typing import Any
+
+from haros_ci.graph.parameters import ParameterServer, Setting
+from haros_ci.keeping.kept import Followed
+from haros_ci.model.architecture import Endpoint, Node
+from haros_ci.model.workspace import Problem
+from haros_ci.systems.following import Types
+from haros_ci.systems.system import Job
+from haros_ci.values.abstract import Known, Opaque
+
+#: A node with its endpoints, and what went wrong.
+Result = tuple[tuple[Node, ...], tuple[Problem, ...]]
+#: The same, all that was followed for it, and the steps that count for each program so far.
+Worked = tuple[Result, list[tuple[Any, Followed]], dict[Any, dict[str, int]]]
+#: Does jobs, each of a group that has work in common, and gives their results in order.
+Share = Callable[[Sequence[Callable[[], Any]], Sequence[Hashable]], Sequence[Any]]
+#: Settings of one server that are looked at; more of them are of a workspace that sets names by the thousand.
+MOST = 1_000
+
+
+def work(types: Types, jobs: Sequence[Job], share: Share) -> tuple[list[Result], list[tuple[Any, Followed]]]:
+    """What each of the *jobs* gives, in order, and all that was followed for them."""
+    order = sorted(range(len(jobs)), key=lambda number: -jobs[number].size)  # nobody waits for a large one at the end
+    done = _share(types, jobs, order, share)
+    fresh = [item for _, followed, _ in done.values() for item in followed]
+    again = in_second_round(jobs, {number: worked[0] for number, worked in done.items()})
+    if again:
+        later = _share(types, jobs, again, share)
+        fresh += [item for _, followed, _ in later.values() for item in followed]
+        done.update(later)
+    return [done[number][0] for number in range(len(jobs))], fresh
+
+
+def work_here(jobs: Sequence[Job]) -> list[Result]:
+    """The same in this process, one after the other."""
+    done = [job.follow() for job in jobs]
+    for number in in_second_round(jobs, dict(enumerate(done))):
+        done[number] = jobs[number].follow()
+    return done
+
+
+def _share(types: Types, jobs: Sequence[Job], order: Sequence[int], share: Share) -> dict[int, Worked]:
+    tasks = [partial(_worked, types, jobs[number]) for number in order]
+    done = dict(zip(order, share(tasks, [jobs[number].group for number in order]), strict=True))
+    for _, _, counted in done.values():  # the steps that went into programs in other processes count here, too
+        for entry, steps in counted.items():
+            types.counted.setdefault(entry, {}).update(steps)
+    return done
+
+
+def _worked(types: Types, job: Job) -> Worked:
+    """What a job gives, all that was followed for it, and the steps that count for its program so far."""
+    before = len(types.fresh)
+    made = job.follow()
+    return made, types.fresh[before:], types.counted
+
+
+def in_second_round(jobs: Sequence[Job], done: Mapping[int, Result]) -> list[int]:
+    """The numbers of those jobs whose node reads what a node of the same server sets, now that the servers know of it."""
+    by_server: dict[int, list[int]] = {}
+    for number, job in enumerate(jobs):
+        if job.server is not None:
+            by_server.setdefault(id(job.server), []).append(number)
+    found: list[int] = []
+    for numbers in by_server.values():
+        server = jobs[numbers[0]].server
+        settings = tuple(
+            dict.fromkeys(setting for n in numbers for setting in _settings(jobs[n].node.name, done[n][0]))
+        )
+        if settings and server is not None:
+            server.settings = settings[:MOST]
+            found += [n for n in numbers if _is_concerned(server, jobs[n].node, done[n][0])]
+    return found
+
+
+def _settings(name: str, nodes: Iterable[Node]) -> Iterable[Setting]:
+    """What a node sets and deletes."""
+    for end in _of_kind(nodes, "setters"):
+        why = next((unknown.reason for unknown in end.unknowns if unknown.field == "value"), None)
+        if why is not None or isinstance(end.value, (list, dict)):
+            yield Setting(name, end.name, Opaque(f"{name} may set it"))
+        elif end.value is not None or end.type is None:
+            yield Setting(name, end.name, Known(end.value))
+
+
+def _is_concerned(server: ParameterServer, node: Node, nodes: Iterable[Node]) -> bool:
+    """Whether what a node reads is another value, or may be there, because of what nodes set.
+
+    What it reads with a default of its own, and sets itself, is as it was.
+    """
+    for end in _of_kind(nodes, "getters"):
+        if "?" in end.name:
+            continue
+        setters = {setting.node for setting in server.settings if setting.concerns(end.name)}
+        if setters - {node.name} or (setters and end.value is None and server.get(end.name) is None):
+            return True
+    return False
+
+
+def _of_kind(nodes: Iterable[Node], kind: str) -> Iterable[Endpoint]:
+    return (end for node in nodes for end in node.endpoints if end.kind == kind and not end.is_ruled_out)
