@@ -13,7 +13,7 @@ from haros_ci import syntax
 from haros_ci.follow import activation, alternatives, call_arguments, construct, inert, lookup
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.made import Root, forget_again, forget_unowned
-from haros_ci.follow.ros import ros2_nodes
+from haros_ci.follow.ros import registration, ros2_nodes
 from haros_ci.follow.walk import ROOTS, OutOfSteps, Walk
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
@@ -78,6 +78,7 @@ def follow(walk: Walk, entry: Entry) -> bool:
         return False
     finally:
         forget_unowned(walk)
+    registration.forget_unregistered(walk, entry.source)
     return True
 
 
