@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 from haros_ci import syntax
 from haros_ci.follow import conversions, thrown
 from haros_ci.follow.made import MadeEntity, make
-from haros_ci.follow.ros import forwarding, paces, qos_overrides, ros2_nodes, ros2_parameters, ros2_selectors
+from haros_ci.follow.ros import forwarding, paces, qos_calls, qos_overrides, ros2_nodes, ros2_parameters, ros2_selectors
 from haros_ci.graph.names import UNKNOWN, pattern
 from haros_ci.graph.ros2_process import GIVEN, NO_DEFAULT, NO_NAME, RosNode
 from haros_ci.index.ros_types import ros2_data_type, ros2_parameter_type
 from haros_ci.model.api import Entry
-from haros_ci.model.architecture import KINDS, Qos
+from haros_ci.model.architecture import KINDS
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import (
     NONE,
@@ -96,15 +96,9 @@ def _named(applied: Applied, entry: Entry, provided: Any, node: RosNode | None, 
         name = node.expand(f"/{text}" if is_open else text)
         if "?" in name and why is None and node.why is not None:
             unknowns.append(("name", *node.why))
-    qos: Qos | None = None
-    if "qos" in entry.values:
-        profile = value_of(applied, entry.values["qos"])
-        if profile is not None:
-            from haros_ci.follow.ros.qos import qos_of
-
-            qos, messages = qos_of(profile)
-            if messages is not None:
-                unknowns.append(("qos", messages[0], messages[1] or applied.location))
+    qos, not_known = qos_calls.of_call(applied, entry)
+    if not_known is not None:
+        unknowns.append(("qos", not_known[0], not_known[1] or applied.location))
     place = forwarding.place(walk, text, applied.location)
     if qos is not None and node is not None and "options" in entry.values and entry.kind in qos_overrides.ENDS:
         options = value_of(applied, entry.values["options"])
