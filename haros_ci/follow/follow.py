@@ -12,7 +12,7 @@ from typing import Any
 from haros_ci import syntax
 from haros_ci.follow import activation, alternatives, call_arguments, construct, inert, lookup
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.made import Root, forget_again, forget_unowned
+from haros_ci.follow.made import Root, forget_again, forget_unowned, is_set_in_time
 from haros_ci.follow.ros import registration, ros2_nodes
 from haros_ci.follow.walk import ROOTS, OutOfSteps, Walk
 from haros_ci.index.index import Source
@@ -78,7 +78,9 @@ def follow(walk: Walk, entry: Entry) -> bool:
         return False
     finally:
         forget_unowned(walk)
-    registration.forget_unregistered(walk, entry.source)
+    if walk.context.process is None:
+        is_set_in_time(walk)
+        registration.forget_unregistered(walk, entry.source)
     return True
 
 
@@ -312,7 +314,8 @@ def _together(effects: Iterable[Writes], found: dict[Cell, Any] | None = None) -
 
 
 def _invoke(walk: Walk, frame: Frame, root: Root) -> None:
-    before, dead = walk.conditions[:], walk.dead_root
+    before, dead, trials = walk.conditions[:], walk.dead_root, walk.trials
+    walk.trials = []
     walk.conditions[:], walk.dead_root, walk.is_raised = root.conditions, root.dead, False
     for cell, value in root.writes.items():
         walk.state.write(cell, value)
@@ -320,7 +323,7 @@ def _invoke(walk: Walk, frame: Frame, root: Root) -> None:
         walk.idle.clear()  # what one node of a tree makes, others may have made
     with walk.doubted(root.doubt):
         activation.invoke(walk, frame, root.function, _arguments(walk, root, frame))
-    walk.conditions[:], walk.dead_root = before, dead
+    walk.conditions[:], walk.dead_root, walk.trials = before, dead, trials
 
 
 def _arguments(walk: Walk, root: Root, frame: Frame) -> tuple[call_arguments.PassedArgument, ...]:

@@ -25,7 +25,8 @@ class Perhaps(Opaque):
 class SetByNode(Perhaps):
     """A parameter that nothing sets before nodes start, and that a node sets then: the server keeps it (wiki.ros.org/Parameter Server).
 
-    *held* is its value once it is set. *is_default_first* where who reads it with a default has that in the first run of the system.
+    *held* is its value once it is set. *is_default_first* where only names of which nothing is known may be this one: who reads it with
+    a default of its own is taken to have that.
     """
 
     held: Value = NONE
@@ -101,29 +102,27 @@ class ParameterServer:
         return self._below(name)
 
     def get_for(self, node: str, name: str, under: tuple[Condition, ...] = ()) -> Value | None:
-        """The same for a *node*, which may read it after others have set it, and after it has done so itself when it ran before."""
+        """The same for a *node*, which may read it after others have set it."""
         found = self.get(name, under)
-        own = [setting for setting in self.settings if setting.concerns(name)]
-        if found is not None:  # whoever starts the system sets it again
-            own = [setting for setting in own if setting.node != node]
+        others = [setting for setting in self.settings if setting.node != node and setting.concerns(name)]
         if found is None:
-            own = [setting for setting in own if setting.value != NONE]
-        if not own or (isinstance(found, Opaque) and not isinstance(found, Perhaps)):
+            others = [setting for setting in others if setting.value != NONE]
+        if not others or (isinstance(found, Opaque) and not isinstance(found, Perhaps)):
             return found
-        others = [setting for setting in own if setting.node != node and not setting.name.startswith("/?")]
-        first = (others or own)[0]
+        named = [setting for setting in others if not setting.name.startswith("/?")]
+        first = (named or others)[0]
         why = f"{first.node} may set it"
-        values = [setting.value if setting.name == name else Opaque(why) for setting in own]
+        values = [setting.value if setting.name == name else Opaque(why) for setting in others]
         held = values[0]
         is_same = all(
             isinstance(value, Known) and isinstance(held, Known) and same(value.value, held.value) for value in values
         )
-        if isinstance(found, Known) and any(setting.value == NONE for setting in own):
+        if isinstance(found, Known) and any(setting.value == NONE for setting in others):
             return SetByNode(f"{first.node} may delete it", held=found)
         if found is None:
-            return SetByNode(why, held=held if is_same else Opaque(why), is_default_first=not others)
+            return SetByNode(why, held=held if is_same else Opaque(why), is_default_first=not named)
         if isinstance(found, Known) and not (is_same and isinstance(held, Known) and same(found.value, held.value)):
-            return Opaque(why) if others else found
+            return Opaque(why) if named else found
         return found
 
     def _below(self, name: str) -> Value | None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Jobs done in two rounds: who reads a ROS 1 parameter that some node is seen to set is followed once more."""
+"""Jobs done in two rounds: who reads a ROS 1 parameter that another node is seen to set is followed once more."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def _worked(types: Types, job: Job) -> Worked:
 
 
 def in_second_round(jobs: Sequence[Job], done: Mapping[int, Result]) -> list[int]:
-    """The numbers of those jobs whose node reads what a node of the same server sets, now that the servers know of it."""
+    """The numbers of those jobs whose node reads what another node of the same server sets, now that the servers know of it."""
     by_server: dict[int, list[int]] = {}
     for number, job in enumerate(jobs):
         if job.server is not None:
@@ -76,7 +76,7 @@ def in_second_round(jobs: Sequence[Job], done: Mapping[int, Result]) -> list[int
         )
         if settings and server is not None:
             server.settings = settings[:MOST]
-            found += [n for n in numbers if _is_concerned(server, jobs[n].node, done[n][0])]
+            found += [n for n in numbers if _is_concerned(settings, jobs[n].node.name, done[n][0])]
     return found
 
 
@@ -90,18 +90,11 @@ def _settings(name: str, nodes: Iterable[Node]) -> Iterable[Setting]:
             yield Setting(name, end.name, Known(end.value))
 
 
-def _is_concerned(server: ParameterServer, node: Node, nodes: Iterable[Node]) -> bool:
-    """Whether what a node reads is another value, or may be there, because of what nodes set.
-
-    What it reads with a default of its own, and sets itself, is as it was.
-    """
-    for end in _of_kind(nodes, "getters"):
-        if "?" in end.name:
-            continue
-        setters = {setting.node for setting in server.settings if setting.concerns(end.name)}
-        if setters - {node.name} or (setters and end.value is None and server.get(end.name) is None):
-            return True
-    return False
+def _is_concerned(settings: Sequence[Setting], name: str, nodes: Iterable[Node]) -> bool:
+    """Whether what the node *name* reads is another value, or may be there, because of what others set."""
+    others = [setting for setting in settings if setting.node != name]
+    ends = _of_kind(nodes, "getters") if others else ()
+    return any(setting.concerns(end.name) for end in ends if "?" not in end.name for setting in others)
 
 
 def _of_kind(nodes: Iterable[Node], kind: str) -> Iterable[Endpoint]:

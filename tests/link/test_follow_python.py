@@ -555,10 +555,7 @@ DEFECTS = (
         "any object is true, whatever its __len__ or __bool__ says (statements.truth)",
     )
     | because(
-        ("a handler starts from the end of the try block only, and a function's throw ends there (statements._try)"),
-        "suppressed",
-        "exception on the way",
-        "exception at once",
+        "what finally says comes after the try, also where that returns (extract/python statements)",
         "return in finally",
     )
     | because(

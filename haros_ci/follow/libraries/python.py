@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
-from haros_ci.follow import comprehensions, dispatch, dynamic, members, partials
+from haros_ci.follow import comprehensions, dispatch, dynamic, members, partials, thrown
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import (
     argparse as command_lines,
@@ -55,6 +55,7 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
         try:
             return Known({"int": int, "float": float, "bool": bool}[name](first.value))
         except (TypeError, ValueError, OverflowError):
+            thrown.throws(walk, thrown.NUMBER)
             return walk.opaque("it is no number", frame)
     if name in ("int", "float", "bool", "str"):
         kind = {"int": "int", "float": "double", "bool": "bool", "str": "std::string"}[name]

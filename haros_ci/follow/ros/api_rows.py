@@ -313,6 +313,8 @@ def parameter_value(applied: selectors.Applied, name: str, default: Value | None
         return Opaque("the parameter's name is not known")
     found = applied.walk.parameter(clean(name))
     if found is None:
+        if default is None and applied.walk.context.process is None:
+            applied.walk.absent.append(clean(name))
         return default
     if isinstance(found, SetByNode) and default is not None:
         return default if found.is_default_first else join(default, found.held)

@@ -36,7 +36,7 @@ def of_call(applied: Applied, entry: Entry) -> tuple[Qos | None, Why | None]:
     why = _no_overload(applied, entry) or (NOT_GIVEN if profile is None else None)
     if why is None and isinstance(profile, Library) and _short(profile.name) in changed(applied.walk):
         why = CHANGED
-    return (UNKNOWN, (why, None)) if why is not None or profile is None else qos_of(profile)
+    return qos_of(profile) if why is None else (UNKNOWN, (why, None))
 
 
 def _no_overload(applied: Applied, entry: Entry) -> str | None:

@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING
 from haros_ci.follow.libraries import python_modules
 
 if TYPE_CHECKING:
+    from haros_ci.follow.walk import Walk
     from haros_ci.index.index import Source
     from haros_ci.syntax import Alias
-    from haros_ci.follow.walk import Walk
 
 #: What the master is told of.
 REGISTERED = frozenset(("publishers", "subscribers", "servers", "action_servers", "action_clients"))

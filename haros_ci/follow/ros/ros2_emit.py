@@ -214,6 +214,8 @@ def _parameter(
         ),
     )
     walk.is_raised = walk.is_raised or raises
+    if walk.trials and entry.strict and entry.kind == "getters" and _is_undeclared(applied, node, text, value):
+        thrown.throws(walk, thrown.UNDECLARED)
     if entry.kind == "setters" or entry.kind == "parameters":
         stored = default if entry.kind == "setters" else value
         if (
@@ -226,6 +228,12 @@ def _parameter(
             )  # without a value from outside the declaration or reading throws
         ros2_parameters.remember(applied, full, stored if stored is not None else NONE)
     return value
+
+
+def _is_undeclared(applied: Applied, node: RosNode | None, name: str, value: Value | None) -> bool:
+    if value is not None or node is None or "?" in name or node.whole.options.get(ros2_nodes.UNDECLARED):
+        return False
+    return ros2_parameters.is_declared(applied, node, Known(name)) == Known(False)
 
 
 def _raises(applied: Applied, entry: Entry, node: RosNode | None, full: str, is_set: bool) -> bool:
