@@ -90,6 +90,8 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
         if items is not None:
             return Sequence(Cell(tuple(Cell(item) for item in items)))
         return Sequence(Cell(walk.opaque(f"a list made by {name}", frame)))
+    if name == "next" and isinstance(first, Sequence):
+        return python_lists.taken(walk, first, args[1].value if len(args) > 1 else None)
     if name == "enumerate" and first is not None:
         items = comprehensions.items(first)
         begin = args[1].value if len(args) > 1 else Known(0)
