@@ -163,7 +163,10 @@ def _target(walk: Walk, frame: Frame, target: Expression) -> Cell | None:
         if cell is None:
             cell = frame.scopes[0][target.name] = Cell(NONE)
         return cell
-    cell = expressions.cell_of(walk, frame, target)
+    if python and isinstance(target, syntax.Member):
+        cell = members.own_cell(walk, expressions.evaluate(walk, frame, target.object), target.name, frame)
+    else:
+        cell = expressions.cell_of(walk, frame, target)
     if cell is None and python and isinstance(target, syntax.Subscript):
         return _entry(walk, frame, target)
     if cell is None and isinstance(target, syntax.Member):

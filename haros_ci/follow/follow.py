@@ -143,6 +143,8 @@ def _call_back(walk: Walk, frame: Frame) -> None:
             _disturb_all(walk, effects, number, together)
             walk.called.add(number)
             _invoke(walk, frame, walk.roots[number])
+            if walk.state.has_set(mark) and any(item.dead for item in list(walk.made.values())[made:]):
+                _invoke(walk, frame, walk.roots[number])  # which finds the object that it has made
             _hand_on(walk, known, walk.state.undo(mark))
             if root.is_update:
                 forget_again(walk, made)

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from haros_ci.values.abstract import NONE, Cell, Opaque, Partial, Value, join
+from haros_ci.values.abstract import NONE, Cell, Known, Object, Opaque, Partial, Value, join
 
 #: What ``join`` does not know: contents of sequences and maps.
 CONTENTS = frozenset((tuple, dict, Partial))
@@ -42,6 +42,12 @@ class State:
     def since(self, mark: int) -> Writes:
         """The cells written since *mark*, with what they hold now."""
         return {cell: cell.value for cell, _ in self._log[mark:]}
+
+    def has_set(self, mark: int) -> bool:
+        """Whether what was no object before *mark* is one now."""
+        return any(
+            old == NONE and cell.value.__class__ is Object for cell, old in self._log[mark:] if old.__class__ is Known
+        )
 
     def undo(self, mark: int) -> Writes:
         """Go back to *mark*; what was written since is returned."""

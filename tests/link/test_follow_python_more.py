@@ -265,7 +265,6 @@ UNKNOWN = (
     case("element that is not there", 'l = ["a"]\nPUB(l[3])', "/?"),
     case("sort with a key", 'PUB(sorted(["b", "a"], key=text)[0])', "/?"),
     case("sort the other way", 'PUB(sorted(["b", "a"], reverse=text())[0])', "/?"),
-    case("next", 'i = iter(["a", "b"])\nnext(i)\nPUB(next(i))', "/?"),
     case("arguments behind what is not known", 'def f(a, b="c"):\n    PUB(a + b)\nf(*text(), "b")', "/?"),
     case("arguments that are not known, collected", 'def f(*a):\n    PUB("n%d" % len(a))\nf("a", *text())', "/n?"),
     case("keywords that are not known, collected", 'def f(**k):\n    PUB("n%d" % len(k))\nf(a=1, **text())', "/n?"),
