@@ -230,7 +230,7 @@ def super_call(
     owner = walk.class_of(function.owner, frame.source) if function is not None and function.owner else None
     if this is None or owner is None:
         return library.unknown_call(walk, frame, f"super().{name}", args)
-    entries = linear.above(walk, *this.definition, owner[1]) if this.definition is not None else None
+    entries = linear.above(walk, this.definition, owner[1]) if this.definition is not None else None
     for entry in entries if entries is not None else linear.order(walk, *owner)[1:]:
         if isinstance(entry, str):
             if name == "__init__":

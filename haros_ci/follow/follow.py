@@ -7,29 +7,27 @@ from collections.abc import Callable as Function_
 from collections.abc import Iterable, Mapping
 from collections.abc import Sequence as Sequence_
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 from haros_ci import syntax
-from haros_ci.follow import activation, alternatives, call_arguments, construct, inert, lookup
+from haros_ci.follow import activation, alternatives, call_arguments, construct, counters, inert, lookup
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.made import Root, forget_again, forget_unowned, is_set_in_time
+from haros_ci.follow.made import Root, forget_again, forget_unowned, is_set_in_time, not_ruled_out
 from haros_ci.follow.ros import registration, ros2_nodes
 from haros_ci.follow.walk import ROOTS, OutOfSteps, Walk
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Function
 from haros_ci.values.abstract import (
-    NONE,
     UNSET,
     UNSET_OR_INHERITED,
     Callable,
     Cell,
-    Choice,
     Known,
     Object,
     Opaque,
     Sequence,
-    Text,
     Value,
     tick,
 )
@@ -37,8 +35,6 @@ from haros_ci.values.state import Writes, joined
 
 #: Reasons of values that what others write takes the place of.
 UNSETS = frozenset((UNSET, UNSET_OR_INHERITED))
-#: Why a number is not known that a callback changes whenever it runs.
-COUNTS = "a callback gives it another number each time"
 #: Steps that a second rehearsal of all callbacks may take.
 CHEAP = 2_000
 
@@ -144,7 +140,9 @@ def _call_back(walk: Walk, frame: Frame) -> None:
             walk.called.add(number)
             _invoke(walk, frame, walk.roots[number])
             if walk.state.has_set(mark) and any(item.dead for item in list(walk.made.values())[made:]):
-                _invoke(walk, frame, walk.roots[number])  # which finds the object that it has made
+                not_ruled_out(
+                    walk, partial(_invoke, walk, frame, walk.roots[number])
+                )  # it finds the object that it has made
             _hand_on(walk, known, walk.state.undo(mark))
             if root.is_update:
                 forget_again(walk, made)
@@ -154,33 +152,11 @@ def _call_back(walk: Walk, frame: Frame) -> None:
 def _counted(first: Writes, second: Writes) -> Writes:
     """What a callback writes when it runs a *second* time; a number that is another one each time is not known."""
     return {
-        cell: Opaque(COUNTS, type=cell.type) if cell in first and _goes_on(cell.value, first[cell], value) else value
+        cell: Opaque(counters.COUNTS, type=cell.type)
+        if cell in first and counters.goes_on(cell.value, first[cell], value)
+        else value
         for cell, value in second.items()
     }
-
-
-def _has_other_number(held: Any, value: Any) -> bool:
-    if held is value:
-        return False
-    before, then = _numbers(held), _numbers(value)
-    return bool(before and then - before)
-
-
-def _goes_on(held: Any, first: Any, second: Any) -> bool:
-    """Whether a number that became *first* becomes yet another one."""
-    if _is_counted(first):
-        return True
-    before, then, now = _numbers(held), _numbers(first), _numbers(second)
-    return bool(before and then) and (isinstance(second, Opaque) or bool(now - before - then))
-
-
-def _numbers(value: Any) -> frozenset[Any]:
-    options = value.options if isinstance(value, Choice) else (value,)
-    return frozenset(option.value for option in options if isinstance(option, Known) and option.kind in (int, float))
-
-
-def _is_counted(value: Any) -> bool:
-    return isinstance(value, Opaque) and value.reason == COUNTS
 
 
 def _rank(walk: Walk, root: Root) -> tuple[bool, bool]:
@@ -206,7 +182,10 @@ def _rehearse_all(walk: Walk, frame: Frame) -> None:
     for number in range(len(walk.effects), min(len(walk.roots), ROOTS)):
         begun = tick()
         writes = _rehearsed(walk, frame, walk.roots[number], [], number)
-        if any(walk.is_older(cell, begun) and _has_other_number(cell.value, value) for cell, value in writes.items()):
+        if any(
+            walk.is_older(cell, begun) and counters.has_other_number(cell.value, value)
+            for cell, value in writes.items()
+        ):
             writes.update(_again(walk, frame, walk.roots[number], writes))
         walk.effects.append(writes)
 
@@ -216,7 +195,7 @@ def _again(walk: Walk, frame: Frame, root: Root, writes: Writes) -> Writes:
     rehearsed, spent = walk.rehearsed, dict(walk.spent)
     found = _counted(writes, _rehearsed(walk, frame, root, [writes], 0))
     walk.rehearsed, walk.spent = rehearsed, spent
-    return {cell: value for cell, value in found.items() if _is_counted(value)}
+    return {cell: value for cell, value in found.items() if counters.is_counted(value)}
 
 
 def _rehearsed(walk: Walk, frame: Frame, root: Root, others: list[Writes], number: int) -> Writes:
@@ -265,7 +244,7 @@ def _disturb_all(walk: Walk, effects: Sequence_[Writes], own: int, together: Map
     """The same where *together* is what holds after one or another of them, of the cells that this changes."""
     mine = effects[own] if 0 <= own < len(effects) else {}
     for cell, value in together.items():
-        if cell in mine and not (cell is walk.server or _is_seen_again(cell.value, mine[cell])):
+        if cell in mine and not (cell is walk.server or counters.is_seen_again(cell.value, mine[cell])):
             for number, writes in enumerate(effects):
                 if number != own and cell in writes:
                     after = _joined(cell.value, writes[cell])
@@ -273,18 +252,6 @@ def _disturb_all(walk: Walk, effects: Sequence_[Writes], own: int, together: Map
                         walk.state.write(cell, after)
         else:
             walk.state.write(cell, value)
-
-
-def _is_seen_again(held: Any, value: Any) -> bool:
-    """Whether a callback finds what it left behind when it ran before: plain values, and flags and texts that are not known then."""
-    if isinstance(value, Opaque):
-        return _is_counted(value) or (_is_plain(held) and held != NONE)
-    return _is_plain(value)
-
-
-def _is_plain(value: Any) -> bool:
-    options = value.options if isinstance(value, Choice) else (value,)
-    return all(isinstance(option, (Known, Text)) for option in options)
 
 
 def _disturbed(together: Mapping[Cell, Any]) -> dict[Cell, Any]:

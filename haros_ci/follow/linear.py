@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
+
 from haros_ci import syntax
 from haros_ci.follow import expressions, lookup, members
 from haros_ci.follow.frames import Frame
@@ -27,9 +29,14 @@ def order(walk: Walk, source: Source, definition: Class) -> tuple[Entry, ...]:
     return found
 
 
-def above(walk: Walk, source: Source, definition: Class, last: Class) -> tuple[Entry, ...] | None:
+def of_workspace(entries: Iterable[Entry]) -> Iterator[tuple[Source, Class]]:
+    """Those of *entries* that are classes of the workspace."""
+    return (entry for entry in entries if not isinstance(entry, str))
+
+
+def above(walk: Walk, owner: tuple[Source, Class], last: Class) -> tuple[Entry, ...] | None:
     """What comes after the class *last* in the order of a class; None if it is not in it."""
-    every = order(walk, source, definition)
+    every = order(walk, *owner)
     for number, entry in enumerate(every):
         if not isinstance(entry, str) and entry[1] is last:
             return every[number + 1 :]

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable as Function_
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
@@ -197,6 +198,18 @@ def go_back(walk: Walk, kept: Kept) -> None:
     for key in walk.statics.keys() - statics:
         del walk.statics[key]
     walk.offered &= offered
+
+
+def not_ruled_out(walk: Walk, run: Function_[[], None]) -> None:
+    """What *run* makes again, and other branches than before, is not ruled out; what else it makes and registers does not count."""
+    kept = keep(walk)
+    run()
+    found = dict(walk.made)
+    go_back(walk, kept)
+    for key, made in kept.made.items():
+        other = found.get(key)
+        if other is not None and other.dead < made.dead:
+            walk.made[key] = other
 
 
 def forget_again(walk: Walk, known: int) -> None:

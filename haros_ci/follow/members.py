@@ -121,7 +121,8 @@ def own_cell(walk: Walk, value: Value, name: str, frame: Frame) -> Cell | None:
     """The cell of a data member that is assigned to: in Python the object gets one of its own where its class has one."""
     this = value.cell.value if isinstance(value, Pointer) else value
     if isinstance(this, Object) and this.definition is not None and name not in this.fields:
-        of_its_class = static_cell(walk, *this.definition, name)
+        source, definition = this.definition
+        of_its_class = static_cell(walk, source, definition, name)
         if of_its_class is not None:
             this.fields[name] = Cell(of_its_class.value, of_its_class.type)
     return member(walk, value, name, frame)
@@ -141,8 +142,8 @@ def static_cell(walk: Walk, source: Source, definition: Class, name: str, depth:
             kind = walk.type_in(declared.type, frame)
             return lookup.global_cell(walk, source, f"{definition.name}{separator}{name}", declared.init, kind)
     if separator == "." and depth < methods.BASES:
-        every = linear.order(walk, source, definition)[1:]
-        cells = (static_cell(walk, *entry, name, methods.BASES) for entry in every if not isinstance(entry, str))
+        every = linear.of_workspace(linear.order(walk, source, definition)[1:])
+        cells = (static_cell(walk, where, known, name, methods.BASES) for where, known in every)
         return next((cell for cell in cells if cell is not None), None)
     if depth < methods.BASES:
         for base in walk.bases(source, definition, {}):

@@ -46,10 +46,10 @@ def _field_of(
         if declared.name == name:
             return source, declared, walk.resolved(declared.type, definition.name, source, templates)
     if source.separator == "." and len(definition.bases) > 1:
-        for entry in linear.order(walk, source, definition)[1:]:
-            for declared in () if isinstance(entry, str) else entry[1].fields:
+        for where, known in linear.of_workspace(linear.order(walk, source, definition)[1:]):
+            for declared in known.fields:
                 if declared.name == name:
-                    return entry[0], declared, walk.resolved(declared.type, entry[1].name, entry[0], {})
+                    return where, declared, walk.resolved(declared.type, known.name, where, {})
         return None
     if depth < BASES:
         for base in walk.bases(source, definition, templates):
@@ -67,8 +67,8 @@ def class_method(
 ) -> Found | None:
     """The method *name* of a class or its bases; the *arguments* of the call choose between overloads."""
     if source.separator == ".":
-        every = linear.order(walk, source, definition)
-        found_in = (own_method(walk, *entry, name, arguments) for entry in every if not isinstance(entry, str))
+        every = linear.of_workspace(linear.order(walk, source, definition))
+        found_in = (own_method(walk, where, known, name, arguments) for where, known in every)
         return next((found for found in found_in if found is not None), None)
     candidates = _cpp_methods(walk, source, definition, name)
     if candidates:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
-from haros_ci.graph.parameters import ParameterServer, Setting
+from haros_ci.graph.parameters import Setting
 from haros_ci.keeping.kept import Followed
 from haros_ci.model.architecture import Endpoint, Node
 from haros_ci.model.workspace import Problem

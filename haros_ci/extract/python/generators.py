@@ -9,11 +9,13 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator, Sequence
+from typing import Any, TypeVar
 
 #: The list: no name of Python.
 YIELDED = "[yielded]"
 #: Decorators that leave a generator what it is.
 _PLAIN = frozenset(("staticmethod", "classmethod"))
+_Node = TypeVar("_Node", bound=ast.AST)
 _OWN_SCOPE = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)
 
 
@@ -58,7 +60,12 @@ def _statement(node: ast.stmt) -> ast.stmt:
         return _placed(ast.Expr(ast.Call(callee, [value], [])), node)
     if isinstance(node, ast.Return):
         return _placed(ast.Return(ast.Name(YIELDED, ast.Load())), node)
-    fields = {name: _inside(value) for name, value in ast.iter_fields(node)}
+    return _rebuilt(node)
+
+
+def _rebuilt(node: _Node) -> _Node:
+    """A node with what is inside of its blocks changed."""
+    fields: dict[str, Any] = {name: _inside(value) for name, value in ast.iter_fields(node)}
     return ast.copy_location(type(node)(**fields), node)
 
 
@@ -68,7 +75,7 @@ def _inside(value: object) -> object:
     return [
         _statement(item)
         if isinstance(item, ast.stmt)
-        else ast.copy_location(type(item)(**{name: _inside(part) for name, part in ast.iter_fields(item)}), item)
+        else _rebuilt(item)
         if isinstance(item, (ast.ExceptHandler, ast.match_case))
         else item
         for item in value
