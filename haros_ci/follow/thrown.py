@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 INDEX, KEY, NUMBER = ("IndexError", "LookupError"), ("KeyError", "LookupError"), ("ValueError",)
 #: What is thrown where a parameter is read that ROS 2 has not declared.
 UNDECLARED = ("ParameterNotDeclared", "runtime_error", "std::exception")
-#: Places where one block may be left that are told apart; the last one stands for all after it.
+#: Places where one block may be left that are kept; the last one stands for all after it.
 PLACES = 16
 
 #: What a handler's text has that catches these exceptions; one without a type catches all.

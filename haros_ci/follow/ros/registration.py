@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from haros_ci.index.index import Source
     from haros_ci.syntax import Alias
 
-#: What the master is told of.
+#: What is registered with the master.
 REGISTERED = frozenset(("publishers", "subscribers", "servers", "action_servers", "action_clients"))
 #: Why there is none of it.
 NEVER = "the program never calls rospy.init_node, without which rospy registers nothing"
@@ -57,7 +57,9 @@ def _may_name(walk: Walk, source: Source) -> bool:
     if any(not _is_quiet(walk, source, alias) for alias in source.program.aliases):
         return True
     functions = source.program.functions
-    return any(name.endswith("init_node") for each in functions for name in walk.relevance.calls_of(each, source))
+    return any(
+        name.endswith("init_node") for function in functions for name in walk.relevance.calls_of(function, source)
+    )
 
 
 def _is_quiet(walk: Walk, source: Source, alias: Alias) -> bool:
