@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from haros_ci import syntax
 from haros_ci.follow import (
     activation,
@@ -13,20 +11,18 @@ from haros_ci.follow import (
     call_arguments,
     conversions,
     copies,
-    dispatch,
     expressions,
     lookup,
     members,
     methods,
     operators,
     properties,
-    slices,
     uncertain,
 )
-from haros_ci.follow.frames import Frame, of_element
-from haros_ci.follow.libraries import python_lists, texts, tuples
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.libraries import python_lists, tuples
 from haros_ci.follow.walk import Walk
-from haros_ci.index.types import MAPS, SEQUENCES
+from haros_ci.index.types import MAPS
 from haros_ci.syntax import Expression, Type
 from haros_ci.values.abstract import (
     LIST_LIMIT,
@@ -34,7 +30,6 @@ from haros_ci.values.abstract import (
     UNSET,
     UNSET_OR_INHERITED,
     Cell,
-    Choice,
     ClassValue,
     Known,
     Mapped,
@@ -44,9 +39,7 @@ from haros_ci.values.abstract import (
     Pointer,
     Sequence,
     Value,
-    join,
 )
-from haros_ci.values.given import letter
 
 TIES = frozenset(map(syntax.Name, ("std::tie", "boost::tie", "tie")))
 #: Methods of containers that give one of their elements.
@@ -168,7 +161,10 @@ def _target(walk: Walk, frame: Frame, target: Expression) -> Cell | None:
         if cell is None:
             cell = frame.scopes[0][target.name] = Cell(NONE)
         return cell
-    cell = expressions.cell_of(walk, frame, target)
+    if python and isinstance(target, syntax.Member):
+        cell = members.own_cell(walk, expressions.evaluate(walk, frame, target.object), target.name, frame)
+    else:
+        cell = expressions.cell_of(walk, frame, target)
     if cell is None and python and isinstance(target, syntax.Subscript):
         return _entry(walk, frame, target)
     if cell is None and isinstance(target, syntax.Member):
@@ -201,7 +197,7 @@ def _unset(walk: Walk, owner: Object) -> str:
 
 def _entry(walk: Walk, frame: Frame, target: syntax.Subscript) -> Cell | None:
     """The new entry of a dictionary that Python assigns to; None for all that is no dictionary, or is not known."""
-    container, key, _ = _parts(walk, frame, target)
+    container, key, _ = parts(walk, frame, target)
     pairs = container.content.value if isinstance(container, Mapped) else None
     if not isinstance(pairs, dict) or not isinstance(key, Known) or issubclass(key.kind, (list, dict)):
         return None
@@ -213,73 +209,7 @@ def _entry(walk: Walk, frame: Frame, target: syntax.Subscript) -> Cell | None:
     return cell
 
 
-def indexed(walk: Walk, frame: Frame, expression: syntax.Subscript) -> Value:
-    """``a[b]``."""
-    container, key, kind = _parts(walk, frame, expression)
-    if isinstance(key, Object) and key.name == "slice":
-        return slices.part(walk, frame, container, key)
-    if isinstance(key, Choice) and isinstance(container, Mapped):
-        return _chosen(walk, frame, container, key)
-    cell = element(walk, frame, container, key, kind)
-    if cell is not None:
-        return cell.value
-    if isinstance(container, Known) and isinstance(key, Known):
-        if issubclass(container.kind, str) and frame.source.program.language != "python":
-            if isinstance(key.value, int) and key.value >= 0 and container.ask("longer than", key.value):
-                return texts.number(letter(container, key.value))
-            return walk.opaque("a character that is not known", frame)
-        try:
-            return Known(container.value[key.value])  # type: ignore[index]  # LookupError or TypeError if it has none
-        except (LookupError, TypeError):
-            if isinstance(container.value, (dict, list)) and frame.source.separator != ".":
-                return NONE  # yaml-cpp: an undefined node
-    if isinstance(container, Object) and (part := _of_object(walk, frame, container, key)) is not None:
-        return part
-    cells = container.content.value if isinstance(container, Sequence) else ()
-    if isinstance(cells, tuple) and isinstance(container, Sequence) and isinstance(key, Known):
-        return walk.opaque(f"there is no element {key.value}: the list has {len(cells)}", frame)
-    if isinstance(cells, tuple) and cells and not isinstance(key, Known) and not braces.is_open(container):
-        return any_of(cell.value for cell in cells)
-    held = dispatch.entry(container) if not isinstance(key, Known) and frame.source.separator == "." else None
-    if held is not None:
-        return held
-    kind = None
-    if isinstance(container, Sequence) and container.type is not None and container.type.arguments:
-        kind = container.type.of(0)
-    elif isinstance(container, Opaque) and container.type is not None and container.type.name in (SEQUENCES | MAPS):
-        kind = container.type.of(len(container.type.arguments) - 1) if container.type.arguments else None
-    return walk.opaque(of_element(key), frame, None, kind)
-
-
-def _of_object(walk: Walk, frame: Frame, container: Object, key: Value) -> Value | None:
-    """What ``operator[]`` of an object's class gives, or a part of a pair or struct that is taken apart."""
-    method = methods.method_of(walk, container, "operator[]") if container.definition is not None else None
-    if method is not None:
-        return activation.invoke(walk, frame, method, (call_arguments.PassedArgument(key),))
-    part = tuples.part(container, key.value) if isinstance(key, Known) else None
-    return part.value if part is not None else None
-
-
-def _chosen(walk: Walk, frame: Frame, container: Mapped, key: Choice) -> Value:
-    """The entry of one of several keys; Python does not go on with one that is not there."""
-    cells = [element(walk, frame, container, option) for option in key.options]
-    found = [cell.value for cell in cells if cell is not None]
-    if not found or (len(found) < len(cells) and frame.source.separator != "."):
-        return walk.opaque("an element that is not known", frame)
-    return any_of(found)
-
-
-def any_of(values: Iterable[Value]) -> Value:
-    """One of *values*, there is no telling which."""
-    result: Value | None = None
-    for value in values:
-        result = value if result is None else join(result, value)
-        if isinstance(result, Opaque) and result.reason not in (UNSET, UNSET_OR_INHERITED):
-            break  # it stays so
-    return result if result is not None else NONE
-
-
-def _parts(walk: Walk, frame: Frame, expression: syntax.Subscript) -> tuple[Value, Value, Type | None]:
+def parts(walk: Walk, frame: Frame, expression: syntax.Subscript) -> tuple[Value, Value, Type | None]:
     """The container, the key and the type of the entries of ``a[b]``; arrays of objects are made here."""
     inner = expression.object
     cell = expressions.cell_of(walk, frame, inner) if isinstance(inner, call_arguments.LVALUES) else None
@@ -301,7 +231,7 @@ def _parts(walk: Walk, frame: Frame, expression: syntax.Subscript) -> tuple[Valu
 def accessed(walk: Walk, frame: Frame, expression: syntax.Subscript | syntax.Call) -> Cell | None:
     """The cell of ``v[i]``, ``v.at(i)``, ``v.front()`` or ``v.back()``."""
     if isinstance(expression, syntax.Subscript):
-        return element(walk, frame, *_parts(walk, frame, expression))
+        return element(walk, frame, *parts(walk, frame, expression))
     callee = expression.callee
     if (
         frame.source.program.language == "python"

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import call_arguments, methods, partials, setters
@@ -14,7 +15,7 @@ from haros_ci.follow.walk import CHAIN, ROOTS, Walk
 from haros_ci.model.architecture import Condition
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
-from haros_ci.values.abstract import NONE, Callable, Choice, Object, Pointer, Value
+from haros_ci.values.abstract import NONE, Callable, Choice, Known, Object, Pointer, Value
 
 #: The macros that name a signal or slot (QObject).
 QT = frozenset(("SLOT", "SIGNAL"))
@@ -65,7 +66,12 @@ def register(
             if isinstance(inner, Object) and inner.definition is not None:
                 value = Callable(value.source, function, inner, value.bound, value.frame, inner.templates)
                 break
-    key = (id(value.function), value.this, len(value.bound))  # which keeps the object's identity from being used again
+    key = (
+        id(value.function),
+        value.this,
+        len(value.bound),
+        _carried(walk, value),
+    )  # which keeps identities from being used again
     dead = walk.ruled_out()
     root = Root(value, tuple(walk.conditions), is_update=is_update, is_setup=is_setup, doubt=doubt, dead=dead)
     if key in walk.known_roots:
@@ -75,6 +81,16 @@ def register(
         walk.roots.append(root)
         if not (walk.is_called_back or is_entry):
             setters.disturbed(walk, value)
+
+
+def _carried(walk: Walk, function: Callable) -> tuple[Any, ...]:
+    """The plain data that a callback which makes something takes along, bound to it or captured by value."""
+    if not walk.relevance.makes(function.function, function.source):
+        return ()
+    bound: list[tuple[str, Any]] = [(str(number), value) for number, value in enumerate(function.bound)]
+    if isinstance(function.frame, Frame) and function.function.captures:
+        bound += [(name, cell.value) for name, cell in function.frame.scopes[-1].items()]
+    return tuple((name, value.kind, repr(value.value)) for name, value in bound if isinstance(value, Known))
 
 
 def _again(walk: Walk, number: int, other: Root) -> None:

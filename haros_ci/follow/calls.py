@@ -16,6 +16,7 @@ from haros_ci.follow import (
     expressions,
     follow,
     library_calls,
+    linear,
     members,
     methods,
     packs,
@@ -33,6 +34,7 @@ from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
 from haros_ci.values import iterators
 from haros_ci.values.abstract import (
+    NONE,
     Callable,
     Cell,
     Choice,
@@ -228,14 +230,16 @@ def super_call(
     owner = walk.class_of(function.owner, frame.source) if function is not None and function.owner else None
     if this is None or owner is None:
         return library.unknown_call(walk, frame, f"super().{name}", args)
-    for base in owner[1].bases:
-        found = methods.python_class(walk, base, owner[0])
-        if found is None:
+    entries = linear.above(walk, this.definition, owner[1]) if this.definition is not None else None
+    for entry in entries if entries is not None else linear.order(walk, *owner)[1:]:
+        if isinstance(entry, str):
             if name == "__init__":
-                for library_base in methods.library_bases(walk, *owner):
-                    library_objects.construct_library(walk, frame, this, syntax.Type(library_base), args, location)
+                named = methods.as_node(walk, entry, *owner)
+                library_objects.construct_library(walk, frame, this, syntax.Type(named), args, location)
+                if named in walk.rows:  # which calls nobody else's
+                    return NONE
             continue
-        method = methods.class_method(walk, *found, name)
+        method = methods.own_method(walk, *entry, name)
         if method is not None:
             return activation.invoke(walk, frame, Callable(*method, this), args)
     return library.unknown_call(walk, frame, f"super().{name}", args)

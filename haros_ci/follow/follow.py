@@ -7,12 +7,13 @@ from collections.abc import Callable as Function_
 from collections.abc import Iterable, Mapping
 from collections.abc import Sequence as Sequence_
 from dataclasses import dataclass, replace
+from functools import partial
 
 from haros_ci import syntax
-from haros_ci.follow import activation, alternatives, call_arguments, construct, inert, lookup
+from haros_ci.follow import activation, alternatives, call_arguments, construct, counters, inert, lookup
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.made import Root, forget_again, forget_unowned
-from haros_ci.follow.ros import ros2_nodes
+from haros_ci.follow.made import Root, forget_again, forget_unowned, is_set_in_time, not_ruled_out
+from haros_ci.follow.ros import registration, ros2_nodes
 from haros_ci.follow.walk import ROOTS, OutOfSteps, Walk
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
@@ -22,12 +23,10 @@ from haros_ci.values.abstract import (
     UNSET_OR_INHERITED,
     Callable,
     Cell,
-    Choice,
     Known,
     Object,
     Opaque,
     Sequence,
-    Text,
     Value,
     tick,
 )
@@ -36,8 +35,6 @@ from haros_ci.values.state import Writes, joined
 
 #: Reasons of values that what others write takes the place of.
 UNSETS = frozenset((UNSET, UNSET_OR_INHERITED))
-#: Why a number is not known that a callback changes whenever it runs.
-COUNTS = "a callback gives it another number each time"
 #: Steps that a second rehearsal of all callbacks may take.
 CHEAP = 2_000
 
@@ -77,6 +74,9 @@ def follow(walk: Walk, entry: Entry) -> bool:
         return False
     finally:
         forget_unowned(walk)
+    if walk.context.process is None:
+        is_set_in_time(walk)
+        registration.forget_unregistered(walk, entry.source)
     return True
 
 
@@ -139,6 +139,10 @@ def _call_back(walk: Walk, frame: Frame) -> None:
             _disturb_all(walk, effects, number, together)
             walk.called.add(number)
             _invoke(walk, frame, walk.roots[number])
+            if walk.state.has_set(mark) and any(item.dead for item in list(walk.made.values())[made:]):
+                not_ruled_out(
+                    walk, partial(_invoke, walk, frame, walk.roots[number])
+                )  # it finds the object that it has made
             _hand_on(walk, known, walk.state.undo(mark))
             if root.is_update:
                 forget_again(walk, made)
@@ -148,33 +152,11 @@ def _call_back(walk: Walk, frame: Frame) -> None:
 def _counted(first: Writes, second: Writes) -> Writes:
     """What a callback writes when it runs a *second* time; a number that is another one each time is not known."""
     return {
-        cell: Opaque(COUNTS, type=cell.type) if cell in first and _goes_on(cell.value, first[cell], value) else value
+        cell: Opaque(counters.COUNTS, type=cell.type)
+        if cell in first and counters.goes_on(cell.value, first[cell], value)
+        else value
         for cell, value in second.items()
     }
-
-
-def _has_other_number(held: object, value: object) -> bool:
-    if held is value:
-        return False
-    before, then = _numbers(held), _numbers(value)
-    return bool(before and then - before)
-
-
-def _goes_on(held: object, first: object, second: object) -> bool:
-    """Whether a number that became *first* becomes yet another one."""
-    if _is_counted(first):
-        return True
-    before, then, now = _numbers(held), _numbers(first), _numbers(second)
-    return bool(before and then) and (isinstance(second, Opaque) or bool(now - before - then))
-
-
-def _numbers(value: object) -> frozenset[object]:
-    options = value.options if isinstance(value, Choice) else (value,)
-    return frozenset(option.value for option in options if isinstance(option, Known) and option.kind in (int, float))
-
-
-def _is_counted(value: object) -> bool:
-    return isinstance(value, Opaque) and value.reason == COUNTS
 
 
 def _rank(walk: Walk, root: Root) -> tuple[bool, bool]:
@@ -200,7 +182,10 @@ def _rehearse_all(walk: Walk, frame: Frame) -> None:
     for number in range(len(walk.effects), min(len(walk.roots), ROOTS)):
         begun = tick()
         writes = _rehearsed(walk, frame, walk.roots[number], [], number)
-        if any(walk.is_older(cell, begun) and _has_other_number(cell.value, value) for cell, value in writes.items()):
+        if any(
+            walk.is_older(cell, begun) and counters.has_other_number(cell.value, value)
+            for cell, value in writes.items()
+        ):
             writes.update(_again(walk, frame, walk.roots[number], writes))
         walk.effects.append(writes)
 
@@ -210,7 +195,7 @@ def _again(walk: Walk, frame: Frame, root: Root, writes: Writes) -> Writes:
     rehearsed, spent = walk.rehearsed, dict(walk.spent)
     found = _counted(writes, _rehearsed(walk, frame, root, [writes], 0))
     walk.rehearsed, walk.spent = rehearsed, spent
-    return {cell: value for cell, value in found.items() if _is_counted(value)}
+    return {cell: value for cell, value in found.items() if counters.is_counted(value)}
 
 
 def _rehearsed(walk: Walk, frame: Frame, root: Root, others: list[Writes], number: int) -> Writes:
@@ -251,7 +236,7 @@ def interlude(walk: Walk, frame: Frame) -> None:
 
 
 def _disturb(walk: Walk, effects: Sequence_[Writes], own: int) -> None:
-    """Join what the callbacks leave behind with what holds; of its *own* a callback sees plain values only."""
+    """Join what the callbacks leave behind with what holds; of its *own* a callback sees plain values only, and parameters."""
     _disturb_all(walk, effects, own, _disturbed(_all_together(walk) if effects is walk.effects else _together(effects)))
 
 
@@ -259,7 +244,7 @@ def _disturb_all(walk: Walk, effects: Sequence_[Writes], own: int, together: Map
     """The same where *together* is what holds after one or another of them, of the cells that this changes."""
     mine = effects[own] if 0 <= own < len(effects) else {}
     for cell, value in together.items():
-        if cell in mine and not isinstance(mine[cell], (Known, Text)) and not _is_counted(mine[cell]):
+        if cell in mine and not (cell is walk.server or counters.is_seen_again(cell.value, mine[cell])):
             for number, writes in enumerate(effects):
                 if number != own and cell in writes:
                     after = _joined(cell.value, writes[cell])
@@ -298,7 +283,8 @@ def _together(effects: Iterable[Writes], found: Writes | None = None) -> Writes:
 
 
 def _invoke(walk: Walk, frame: Frame, root: Root) -> None:
-    before, dead = walk.conditions[:], walk.dead_root
+    before, dead, trials = walk.conditions[:], walk.dead_root, walk.trials
+    walk.trials = []
     walk.conditions[:], walk.dead_root, walk.is_raised = root.conditions, root.dead, False
     for cell, value in root.writes.items():
         walk.state.put(cell, value)
@@ -306,7 +292,7 @@ def _invoke(walk: Walk, frame: Frame, root: Root) -> None:
         walk.idle.clear()  # what one node of a tree makes, others may have made
     with walk.doubted(root.doubt):
         activation.invoke(walk, frame, root.function, _arguments(walk, root, frame))
-    walk.conditions[:], walk.dead_root = before, dead
+    walk.conditions[:], walk.dead_root, walk.trials = before, dead, trials
 
 
 def _arguments(walk: Walk, root: Root, frame: Frame) -> tuple[call_arguments.PassedArgument, ...]:

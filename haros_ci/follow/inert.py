@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from haros_ci import syntax
-from haros_ci.follow import call_arguments, lookup, methods, partials
+from haros_ci.follow import call_arguments, lookup, methods, partials, thrown
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
@@ -208,6 +208,8 @@ def skipped(
     args: tuple[call_arguments.PassedArgument, ...],
 ) -> Value:
     """What is known after a function that was not followed: the numbers that it may change are not."""
+    if walk.trials and thrown.may_come_from(walk, definition):
+        thrown.may_throw(walk)
     changed = walk.relevance.changes(definition, function.source)
     reason = f"{definition.name} may change it"
     unknown = walk.opaque(reason, inner, definition.line)

@@ -3,14 +3,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable as Function_
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
+from haros_ci.graph.parameters import Setting
 from haros_ci.graph.ros2_process import RosNode
 from haros_ci.model.architecture import Condition, Qos
 from haros_ci.model.location import Location
-from haros_ci.values.abstract import Callable
+from haros_ci.values.abstract import NONE, Callable
 from haros_ci.values.cells import Slot
 
 if TYPE_CHECKING:
@@ -136,6 +138,24 @@ def make(walk: Walk, made: MadeEntity) -> None:
     if known is not None and (known.conditions != conditions or known.dead != dead):
         walk.news += 1
     walk.made[key] = made
+    if walk.lacking and len(walk.lacking) == walk.ruled_out() == dead:
+        walk.lacks[key] = tuple(walk.lacking)
+
+
+def _sets(made: MadeEntity) -> bool:
+    """Whether a setter is one that is made as things are, and deletes nothing."""
+    return not made.dead and (made.value is not None or made.type is not None or bool(made.unknowns))
+
+
+def is_set_in_time(walk: Walk) -> None:
+    """What is ruled out as a parameter is not set that the node itself sets is made when it runs again: the server keeps it."""
+    setters = [Setting("", made.name, NONE) for made in walk.made.values() if made.kind == "setters" and _sets(made)]
+    for key, lacking in walk.lacks.items():
+        made = walk.made.get(key)
+        if made is None or made.dead != len(lacking):
+            continue
+        if all(any(setter.concerns(name) for setter in setters for name in names) for names in lacking):
+            walk.made[key] = replace(made, dead=0)
 
 
 def _as_known(known: MadeEntity, made: MadeEntity) -> MadeEntity:
@@ -183,6 +203,18 @@ def go_back(walk: Walk, kept: Kept) -> None:
     for key in walk.statics.keys() - statics:
         del walk.statics[key]
     walk.offered &= offered
+
+
+def not_ruled_out(walk: Walk, run: Function_[[], None]) -> None:
+    """What *run* makes again, and other branches than before, is not ruled out; what else it makes and registers does not count."""
+    kept = keep(walk)
+    run()
+    found = dict(walk.made)
+    go_back(walk, kept)
+    for key, made in kept.made.items():
+        other = found.get(key)
+        if other is not None and other.dead < made.dead:
+            walk.made[key] = other
 
 
 def forget_again(walk: Walk, known: int) -> None:

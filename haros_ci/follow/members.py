@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from haros_ci import syntax
-from haros_ci.follow import activation, enums, expressions, lookup, methods, properties
+from haros_ci.follow import activation, enums, expressions, linear, lookup, methods, properties
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import python as library_python
 from haros_ci.follow.libraries import python_modules
@@ -117,6 +117,17 @@ def _of_module_or_class(walk: Walk, value: Value, name: str) -> Cell | None:
     return static_cell(walk, value.source, value.definition, name) if isinstance(value, ClassValue) else None
 
 
+def own_cell(walk: Walk, value: Value, name: str, frame: Frame) -> Cell | None:
+    """The cell of a data member that is assigned to: in Python the object gets one of its own where its class has one."""
+    this = value.cell.value if isinstance(value, Pointer) else value
+    if isinstance(this, Object) and this.definition is not None and name not in this.fields:
+        source, definition = this.definition
+        of_its_class = static_cell(walk, source, definition, name)
+        if of_its_class is not None:
+            this.fields[name] = Cell(of_its_class.value, of_its_class.type)
+    return member(walk, value, name, frame)
+
+
 def static_cell(walk: Walk, source: Source, definition: Class, name: str, depth: int = 0) -> Cell | None:
     """The cell of a class's own attribute, declared or assigned to, or that of its bases."""
     separator = source.separator
@@ -130,9 +141,13 @@ def static_cell(walk: Walk, source: Source, definition: Class, name: str, depth:
             frame = Frame(source, definition.name)
             kind = walk.type_in(declared.type, frame)
             return lookup.global_cell(walk, source, f"{definition.name}{separator}{name}", declared.init, kind)
+    if separator == "." and depth < methods.BASES:
+        every = linear.of_workspace(linear.order(walk, source, definition)[1:])
+        cells = (static_cell(walk, where, known, name, methods.BASES) for where, known in every)
+        return next((cell for cell in cells if cell is not None), None)
     if depth < methods.BASES:
         for base in walk.bases(source, definition, {}):
-            owner = methods.python_class(walk, base, source) if separator == "." else walk.class_of(base.name, source)
+            owner = walk.class_of(base.name, source)
             if owner is not None and owner[1] is not definition:
                 found = static_cell(walk, owner[0], owner[1], name, depth + 1)
                 if found is not None:

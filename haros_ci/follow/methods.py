@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import expressions, lookup, members, overloads
+from haros_ci.follow import expressions, linear, lookup, members, overloads
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
@@ -45,6 +45,12 @@ def _field_of(
     for declared in definition.fields:
         if declared.name == name:
             return source, declared, walk.resolved(declared.type, definition.name, source, templates)
+    if source.separator == "." and len(definition.bases) > 1:
+        for where, known in linear.of_workspace(linear.order(walk, source, definition)[1:]):
+            for declared in known.fields:
+                if declared.name == name:
+                    return where, declared, walk.resolved(declared.type, known.name, where, {})
+        return None
     if depth < BASES:
         for base in walk.bases(source, definition, templates):
             owner = walk.class_of(base.name, source)
@@ -60,23 +66,31 @@ def class_method(
     walk: Walk, source: Source, definition: Class, name: str, arguments: Given = None, depth: int = 0
 ) -> Found | None:
     """The method *name* of a class or its bases; the *arguments* of the call choose between overloads."""
-    separator = source.separator
-    if separator == "::":
-        candidates = _cpp_methods(walk, source, definition, name)
-    else:
-        candidates = walk.index.near(walk.index.functions, f"{definition.name}.{name}", source, walk.files)
-        candidates = overloads.python_methods([item for item in candidates if item[0].path == source.path])
+    if source.separator == ".":
+        every = linear.of_workspace(linear.order(walk, source, definition))
+        found_in = (own_method(walk, where, known, name, arguments) for where, known in every)
+        return next((found for found in found_in if found is not None), None)
+    candidates = _cpp_methods(walk, source, definition, name)
     if candidates:
-        where, function = overload(walk, candidates, arguments)
-        return where, overloads.decorated(walk, function) if separator == "." else function
+        return overload(walk, candidates, arguments)
     if depth < BASES:
         for base in walk.bases(source, definition, {}):
-            owner = python_class(walk, base, source) if separator == "." else walk.class_of(base.name, source)
+            owner = walk.class_of(base.name, source)
             if owner is not None and owner[1] is not definition:
                 found = class_method(walk, owner[0], owner[1], name, arguments, depth + 1)
                 if found is not None:
                     return found
     return None
+
+
+def own_method(walk: Walk, source: Source, definition: Class, name: str, arguments: Given = None) -> Found | None:
+    """The method *name* that stands in a class of Python itself."""
+    candidates = walk.index.near(walk.index.functions, f"{definition.name}.{name}", source, walk.files)
+    candidates = overloads.python_methods([item for item in candidates if item[0].path == source.path])
+    if not candidates:
+        return None
+    where, function = overload(walk, candidates, arguments)
+    return where, overloads.decorated(walk, function)
 
 
 def python_class(walk: Walk, base: Type, source: Source) -> tuple[Source, Class] | None:
@@ -86,7 +100,7 @@ def python_class(walk: Walk, base: Type, source: Source) -> tuple[Source, Class]
     return (value.source, value.definition) if isinstance(value, ClassValue) else None
 
 
-def _as_node(walk: Walk, name: str, source: Source, definition: Class) -> str:
+def as_node(walk: Walk, name: str, source: Source, definition: Class) -> str:
     """The node of rclpy for a class ``Node`` of a library that is not known: it derives from it, and what else it makes is not known."""
     if not name.endswith(".Node") or name in walk.rows or walk.context.process is None:
         return name
@@ -112,7 +126,7 @@ def library_bases(walk: Walk, source: Source, definition: Class, depth: int = 0)
                 if owner is None:
                     value = expressions.evaluate(walk, Frame(source, ""), syntax.Name(name.split(".")[0]))
                     name = ".".join((getattr(value, "name", name.split(".")[0]), *name.split(".")[1:]))
-                    name = _as_node(walk, name, source, definition)
+                    name = as_node(walk, name, source, definition)
             else:
                 owner, name = walk.class_of(base.name, source), base.name
             if owner is None:

@@ -7,15 +7,14 @@ from collections.abc import Callable
 from typing import TypeVar, cast
 
 from haros_ci import syntax
-from haros_ci.follow import construct, expressions, guarded, library_calls, lookup, loops, members, thrown
+from haros_ci.follow import attempts, construct, expressions, guarded, library_calls, lookup, loops, members, thrown
 from haros_ci.follow.frames import BREAK, CONTINUE, NEXT, RAISED, RETURN, THROW, Frame, Loop
-from haros_ci.follow.libraries import harmless
 from haros_ci.follow.walk import Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Statement
 from haros_ci.values import abstract
 from haros_ci.values.abstract import Cell, ClassValue, Known, Library, Value, tick
-from haros_ci.values.state import Writes, joined
+from haros_ci.values.state import Writes
 
 #: What holds in the script that is started, and in no other module: no condition at all.
 MAIN_GUARD = ('__name__=="__main__"', '"__main__"==__name__')
@@ -100,21 +99,23 @@ def _if(walk: Walk, frame: Frame, statement: syntax.If) -> str:
     then, other, else_line, else_column = statement.then, statement.other, statement.else_line, statement.else_column
     if text.replace("'", '"').replace(" ", "").strip("()") in MAIN_GUARD and frame.source.program.language == "python":
         return execute(walk, frame, then) if frame.source.path in walk.files else NEXT
+    asked = len(walk.absent)
     holds = expressions.holds(walk, frame, statement.test, expressions.evaluate(walk, frame, statement.test))
     if walk.is_raised:
         return NEXT
+    lacking = tuple(walk.absent[asked:])
     if holds is not None and walk.outer is not None:  # what a wrapper does not do as things are is nobody's
         return execute(walk, frame, then if holds else other)
     branches = []
     mark = walk.state.mark()
     with walk.under("if", text, frame, line, column):
-        ended = follow_branch(walk, frame, then, holds is not False)
+        ended = follow_branch(walk, frame, then, holds is not False, lacking=lacking)
     branches.append((ended, walk.state.undo(mark)))
     if else_line:
         path = frame.source.path
         walk.pairs[Location(path, else_line, else_column)] = Location(path, line, column)
         with walk.under("else", text, frame, else_line, else_column):
-            ended = follow_branch(walk, frame, other, holds is not True)
+            ended = follow_branch(walk, frame, other, holds is not True, lacking=lacking)
         branches.append((ended, walk.state.undo(mark)))
     else:
         branches.append((NEXT, {}))
@@ -122,17 +123,25 @@ def _if(walk: Walk, frame: Frame, statement: syntax.If) -> str:
 
 
 def follow_branch(
-    walk: Walk, frame: Frame, block: Block, can_be: bool, run: Callable[[Walk, Frame, Block], str] = execute
+    walk: Walk,
+    frame: Frame,
+    block: Block,
+    can_be: bool,
+    run: Callable[[Walk, Frame, Block], str] = execute,
+    lacking: tuple[str, ...] = (),
 ) -> str:
-    """Follow a branch by *run*; what one that cannot be taken returns does not count."""
-    before = frame.is_dead
+    """Follow a branch by *run*; what one that cannot be taken returns does not count. *lacking* are parameters that are not set, as its condition asks."""
+    before, known = frame.is_dead, len(walk.lacking)
     frame.is_dead = before or not can_be
     walk.dead += not can_be
+    if lacking and not can_be:
+        walk.lacking.append(lacking)
     try:
         return run(walk, frame, block)
     finally:
         frame.is_dead = before
         walk.dead -= not can_be
+        del walk.lacking[known:]
 
 
 def merge(walk: Walk, frame: Frame, branches: list[tuple[str, Writes]], live: list[int] | None) -> str:
@@ -212,52 +221,6 @@ def _taken(walk: Walk, frame: Frame, value: Value, labels: list[Expression | Non
     return found or {number for number, label in enumerate(labels) if label is None}
 
 
-def _try(walk: Walk, frame: Frame, statement: syntax.Try) -> str:
-    """A handler begins with anything that the block may have done by then; afterwards counts what it assigns itself.
-
-    What else the block has left undone where it threw is not thought of: most never throw. A handler that gives up, as it
-    returns false or nothing, is followed for what it makes, and not for what it leaves behind.
-    """
-    block, handlers = statement.body, statement.handlers
-    mark = walk.state.mark()
-    is_caught = frame.function is not None and frame.function.name != "main" and not harmless.are_ends(handlers)
-    walk.trying += is_caught
-    try:
-        with thrown.left(walk, handlers):
-            ended = execute(walk, frame, block)
-    finally:
-        walk.trying -= is_caught
-    after = walk.state.undo(mark)
-    branches: list[tuple[str, Writes]] = [(ended, after)]
-    for handler in handlers:
-        start = walk.state.mark()
-        for cell, value in after.items():
-            walk.state.put(cell, joined(cell.value, value))
-        begun = walk.state.mark()
-        frame.scopes.append({})
-        if handler.name:
-            kind = walk.type_in(handler.type, frame)
-            frame.declare(handler.name, Cell(walk.opaque("an exception", frame, handler.line, kind)))
-        returned = len(frame.returned)
-        with walk.under("catch", handler.text, frame, handler.line, handler.column):
-            how = execute(walk, frame, handler.body)
-        frame.scopes.pop()
-        if how == RETURN and ended not in (THROW, RAISED) and all(map(_is_failure, frame.returned[returned:])):
-            del frame.returned[returned:], frame.exits[returned:]
-        own = walk.state.since(begun)
-        walk.state.undo(start)
-        branches.append((how, {**after, **own}))
-    is_passed_on = ended == RAISED and not any(map(thrown.catches, handlers))
-    return merge(walk, frame, branches[:1] if is_passed_on else branches, None)
-
-
-def _is_failure(value: Value) -> bool:
-    """Whether a function that returns this says that it has failed, or nothing."""
-    if isinstance(value, Library):
-        return value.name.endswith(("FAILURE", "ERROR"))
-    return value in (Known(False), Known(None))
-
-
 def _return(walk: Walk, frame: Frame, statement: syntax.Return) -> str:
     value = expressions.evaluate(walk, frame, statement.value) if statement.value is not None else Known(None)
     if not frame.is_dead and not walk.is_raised:
@@ -269,6 +232,10 @@ def _return(walk: Walk, frame: Frame, statement: syntax.Return) -> str:
 def _throw(walk: Walk, frame: Frame, statement: syntax.Throw) -> str:
     if statement.value is not None:
         expressions.evaluate(walk, frame, statement.value)
+    if walk.trials and walk.trials[-1].frame is frame:
+        thrown.may_throw(walk)
+    else:
+        thrown.throws(walk)
     return THROW
 
 
@@ -307,7 +274,10 @@ def _class(walk: Walk, frame: Frame, statement: syntax.NestedClass) -> str:
 
 
 def _import(walk: Walk, frame: Frame, statement: syntax.Import) -> str:
-    frame.declare(statement.name, Cell(lookup.imported(walk, frame, statement.target)))
+    value = lookup.imported(walk, frame, statement.target)
+    if walk.trials and isinstance(value, Library):
+        thrown.may_throw(walk)
+    frame.declare(statement.name, Cell(value))
     return NEXT
 
 
@@ -327,7 +297,7 @@ STATEMENTS: dict[type[Statement], _Execute] = dict(
         _on(syntax.Loop, lambda walk, frame, s: loops.loop(walk, frame, s)),
         _on(syntax.Each, lambda walk, frame, s: loops.for_each(walk, frame, s)),
         _on(syntax.Switch, _switch),
-        _on(syntax.Try, _try),
+        _on(syntax.Try, lambda walk, frame, s: attempts.attempt(walk, frame, s)),
         _on(syntax.Preprocessor, lambda walk, frame, s: guarded.preprocessor(walk, frame, s)),
         _on(syntax.Nested, lambda walk, frame, s: execute(walk, frame, s.body)),
         _on(syntax.Return, _return),

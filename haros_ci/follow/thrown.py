@@ -1,25 +1,125 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Exceptions that reading a parameter raises which nothing sets: they end a loop that has no other known end.
+"""Exceptions: where a block of a ``try`` may be left, with what it has done by then; and those that end a loop.
 
+A call of what is not known may throw, and so may a ``throw`` that is reached. Python raises for certain where a known list has no such
+element, a known dictionary no such key, a text is no number; reading a parameter that nothing sets raises, too:
 ``rospy.get_param`` raises KeyError (rospy/client.py), ``get_parameter`` ParameterNotDeclaredException (rclpy/node.py, rclcpp/exceptions.hpp).
-Elsewhere a node is followed as if its parameters were set: what it makes then is of interest.
+Outside of a ``try`` that catches it a node is followed as if its parameters were set: what it makes then is of interest.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
+from haros_ci.graph.parameters import Perhaps
+from haros_ci.syntax.walk import everything
 
 if TYPE_CHECKING:
+    from haros_ci.follow.frames import Frame
     from haros_ci.follow.walk import Walk
     from haros_ci.model.location import Location
     from haros_ci.syntax import Expression
+    from haros_ci.values.state import Writes
+
+#: What Python raises where a list has no such element, a dictionary no such key, a text is no number.
+INDEX, KEY, NUMBER = ("IndexError", "LookupError"), ("KeyError", "LookupError"), ("ValueError",)
+#: What is thrown where a parameter is read that ROS 2 has not declared.
+UNDECLARED = ("ParameterNotDeclared", "runtime_error", "std::exception")
+#: Places where one block may be left that are kept; the last one stands for all after it.
+PLACES = 16
 
 #: What a handler's text has that catches these exceptions; one without a type catches all.
 CATCHING = ("KeyError", "LookupError", "Exception", "exception", "ParameterNotDeclared", "runtime_error", "...")
+
+
+@dataclass(slots=True, eq=False)
+class Trial:
+    """The block of a ``try`` that is followed in *frame*: what it had written since *mark* wherever it may be left.
+
+    *dead* are the branches around it that are not taken as things are, *depth* the conditions and doubts around it. *is_left* once it is
+    left for certain: what follows in it is gone through for what it makes otherwise.
+    """
+
+    frame: Frame
+    mark: int
+    handlers: tuple[syntax.Handler, ...]
+    dead: int
+    depth: int
+    places: list[Writes] = field(default_factory=list)
+    is_left: bool = False
+
+
+@contextmanager
+def tried(walk: Walk, frame: Frame, handlers: tuple[syntax.Handler, ...]) -> Iterator[Trial]:
+    """Follow the block of a ``try`` inside; it begins where the state is now."""
+    trial = Trial(frame, walk.state.mark(), handlers, walk.dead, _depth(walk))
+    was_dead, dead = frame.is_dead, walk.dead
+    walk.trials.append(trial)
+    try:
+        yield trial
+    finally:
+        walk.trials.pop()
+        frame.is_dead, walk.dead = was_dead, dead
+
+
+def may_throw(walk: Walk) -> None:
+    """Something is called here that may throw, or does: blocks around it may be left as things are now."""
+    for trial in reversed(walk.trials):
+        if walk.dead > trial.dead or trial.is_left or trial.frame.is_dead:
+            return
+        if len(trial.places) == PLACES:
+            trial.places.pop()
+        trial.places.append(walk.state.since(trial.mark))
+        if any(map(_catches_all, trial.handlers)):
+            return
+
+
+def throws(walk: Walk, names: tuple[str, ...] = ()) -> None:
+    """An exception of one of the classes *names* (any where there are none) is thrown here, if this is reached."""
+    before = [(trial, len(trial.places) if len(trial.places) < PLACES else -1) for trial in walk.trials]
+    may_throw(walk)
+    for trial, count in reversed(before):
+        if len(trial.places) == count or _depth(walk) != trial.depth:
+            return
+        if any(_catches(handler, names) for handler in trial.handlers):
+            trial.is_left = trial.frame.is_dead = True
+            walk.dead += 1
+            return
+
+
+def may_come_from(walk: Walk, function: syntax.Function) -> bool:
+    """Whether a function that is not followed may throw: it calls something, or does so itself."""
+    key = ("throws", id(function))
+    if key not in walk.found:
+        kinds = (syntax.Call, syntax.Throw, syntax.New)
+        walk.found[key] = any(isinstance(part, kinds) for part in everything(function.body or ()))
+    return bool(walk.found[key])
+
+
+def is_read(walk: Walk, found: object, names: tuple[str, ...]) -> None:
+    """A parameter is read, and *found* (None if nothing sets it); without one an exception of the classes *names* is thrown."""
+    if found is None:
+        throws(walk, names)
+    elif isinstance(found, Perhaps):
+        may_throw(walk)
+
+
+def _depth(walk: Walk) -> int:
+    return len(walk.conditions) + len(walk.doubts)
+
+
+def _catches_all(handler: syntax.Handler) -> bool:
+    return _catches(handler, ("...", "Exception"))
+
+
+def _catches(handler: syntax.Handler, names: tuple[str, ...]) -> bool:
+    """Whether a handler catches an exception of one of the classes *names*, or of their bases."""
+    text = f"{handler.text} {handler.type.name}"
+    return not text.strip() or "..." in text or any(name in text for name in (*names, "Exception"))
 
 
 def raises(walk: Walk, name: str, location: Location, is_set: bool) -> bool:

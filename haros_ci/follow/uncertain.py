@@ -8,6 +8,7 @@ import re
 from haros_ci import syntax
 from haros_ci.follow import conversions, copies, dispatch, expressions, members, unknown_calls
 from haros_ci.follow.frames import Frame
+from haros_ci.follow.ros import qos_calls
 from haros_ci.follow.walk import Walk
 from haros_ci.syntax import Expression
 from haros_ci.values.abstract import (
@@ -59,6 +60,8 @@ def lost(walk: Walk, frame: Frame, target: Expression, value: Value) -> None:
                 for other_value in _held(held)
             ]
         for owner in owners:
+            if isinstance(owner, Library):
+                qos_calls.change(walk, owner)
             for option in _pointed(owner):
                 cell = members.member(walk, option, target.name, frame)
                 if cell is not None:

@@ -14,6 +14,7 @@ from haros_ci.follow.context import Context, Exact
 from haros_ci.follow.frames import Frame, Loop
 from haros_ci.follow.made import Key, MadeEntity, Root
 from haros_ci.follow.ros.own_name import Naming
+from haros_ci.follow.thrown import Trial
 from haros_ci.follow.twins import Standing, Twin
 from haros_ci.graph.ros2_process import RosNode
 from haros_ci.index import compiled
@@ -149,10 +150,18 @@ class Walk:
     outer: tuple[Location, frozenset[str]] | None = None
     #: Branches around what is followed that are not taken as things are.
     dead: int = 0
+    #: Of these, for each that is not taken as a parameter is not set, the names of parameters that were not.
+    lacking: list[tuple[str, ...]] = field(default_factory=list)
+    #: The same of what was made in such branches alone, by key.
+    lacks: dict[Any, tuple[tuple[str, ...], ...]] = field(default_factory=dict)
+    #: The full names of parameters that were asked for and are not set, in turn.
+    absent: list[str] = field(default_factory=list)
     #: The same around the registration of the callback that is followed.
     dead_root: int = 0
     #: ``try`` statements around what is followed.
     trying: int = 0
+    #: Their blocks that are being followed, the innermost last.
+    trials: list[Trial] = field(default_factory=list)
     #: Calls around what is followed that stand behind a return that is taken as things are.
     beyond: int = 0
     steps: int = 0

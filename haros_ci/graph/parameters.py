@@ -13,7 +13,7 @@ from haros_ci.model.architecture import Condition, Parameter
 from haros_ci.substitutions.files import Files
 from haros_ci.substitutions.names import Text, literal
 from haros_ci.substitutions.yaml import YamlError, YamlValue, read_yaml
-from haros_ci.values.abstract import Known, Opaque, Value
+from haros_ci.values.abstract import NONE, Known, Opaque, Value, same
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,11 +21,40 @@ class Perhaps(Opaque):
     """Not known, and not even whether it is there at all."""
 
 
+@dataclass(frozen=True, slots=True)
+class SetByNode(Perhaps):
+    """A parameter that nothing sets before nodes start, and that a node sets then: the server keeps it (wiki.ros.org/Parameter Server).
+
+    *held* is its value once it is set. *is_default_first* where only names of which nothing is known may be this one: who reads it with
+    a default of its own is taken to have that.
+    """
+
+    held: Value = NONE
+    is_default_first: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """A *node* sets the parameter *name* (``?`` for unknown parts) to a *value*, or deletes it: ``NONE``."""
+
+    node: str
+    name: str
+    value: Known | Opaque
+
+    def concerns(self, name: str) -> bool:
+        """Whether it may set *name*, or what is below or above it."""
+        if "?" in self.name or "?" in name:
+            return "?" not in name and _fits(name, self.name.split("?"))
+        return self.name == name or self.name.startswith(f"{name}/") or name.startswith(f"{self.name}/")
+
+
 class ParameterServer:
     """Parameters by full name; a namespace is the map of what is below it (wiki.ros.org/Parameter Server).
 
-    A name with ``?`` stands for every name that it may be.
+    A name with ``?`` stands for every name that it may be. *settings* are what nodes set that have been followed.
     """
+
+    settings: tuple[Setting, ...] = ()
 
     def __init__(self, parameters: Iterable[Parameter]) -> None:
         self._by_name: dict[str, list[Parameter]] = {}
@@ -71,6 +100,30 @@ class ParameterServer:
                     inner[last] = dict(value.value) if isinstance(value.value, dict) else value.value
             return Known(tree)
         return self._below(name)
+
+    def get_for(self, node: str, name: str, under: tuple[Condition, ...] = ()) -> Value | None:
+        """The same for a *node*, which may read it after others have set it."""
+        found = self.get(name, under)
+        others = [setting for setting in self.settings if setting.node != node and setting.concerns(name)]
+        if found is None:
+            others = [setting for setting in others if setting.value != NONE]
+        if not others or (isinstance(found, Opaque) and not isinstance(found, Perhaps)):
+            return found
+        named = [setting for setting in others if not setting.name.startswith("/?")]
+        first = (named or others)[0]
+        why = f"{first.node} may set it"
+        values = [setting.value if setting.name == name else Opaque(why) for setting in others]
+        held = values[0]
+        is_same = all(
+            isinstance(value, Known) and isinstance(held, Known) and same(value.value, held.value) for value in values
+        )
+        if isinstance(found, Known) and any(setting.value == NONE for setting in others):
+            return SetByNode(f"{first.node} may delete it", held=found)
+        if found is None:
+            return SetByNode(why, held=held if is_same else Opaque(why), is_default_first=not named)
+        if isinstance(found, Known) and not (is_same and isinstance(held, Known) and same(found.value, held.value)):
+            return Opaque(why) if named else found
+        return found
 
     def _below(self, name: str) -> Value | None:
         """What is inside a parameter that may be a map."""

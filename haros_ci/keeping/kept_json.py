@@ -9,7 +9,7 @@ from typing import Any
 
 from haros_ci.follow.made import MadeEntity
 from haros_ci.follow.ros.paces import KINDS as PACES
-from haros_ci.graph.parameters import Perhaps
+from haros_ci.graph.parameters import Perhaps, SetByNode
 from haros_ci.graph.ros2_process import RemappingRule, RosNode
 from haros_ci.model.architecture import KINDS, Condition, Qos
 from haros_ci.model.location import Location
@@ -121,6 +121,13 @@ CLASSES: dict[type, dict[str, Check]] = {
     },
     Opaque: {"reason": _text, "location": _place, "type": lambda value: value is None},
     Perhaps: {"reason": _text, "location": _place, "type": lambda value: value is None},
+    SetByNode: {
+        "reason": _text,
+        "location": _place,
+        "type": lambda value: value is None,
+        "held": _is(Known, Opaque),
+        "is_default_first": _flag,
+    },
     Known: {"value": _plain},
     Unseen: {"shape": _text},
     AsGiven: {"key": _text},
@@ -154,7 +161,7 @@ def to_json(value: Any, depth: int = 0) -> Any:
         held = [getattr(value, name) for name in CLASSES[kind]]
         if kind is RosNode:
             held[list(CLASSES[kind]).index("given")] = {}
-        if kind in (Opaque, Perhaps) and value.type is not None:
+        if kind in (Opaque, Perhaps, SetByNode) and value.type is not None:
             raise Unfit
         return [kind.__name__, *(to_json(item, depth + 1) for item in held)]
     raise Unfit

@@ -32,7 +32,7 @@ is alternatives joined by ``|``, the first that is there counts, and ``?literal`
     above(0)        the text of a name up to its last slash, as an absolute name: ``/left/``
     expand(0,1,2)   a name as it is expanded for a node's name and namespace
     search(0)       the full name of a parameter as searchParam finds it, from the entry's namespace upwards; unknown
-                    where nothing sets it
+                    where nothing sets it; searched(0): the same, or none where nothing sets it
     item.name       in an entry with ``each``: the item's name, type, default, group
     parameter       the value that the row's getter reads
     declared(0)     ROS 2: whether the node has declared the parameter of that name
@@ -140,7 +140,8 @@ SELECTOR = re.compile(r"\{([^{}]*)\}")
 ALTERNATIVE = re.compile(
     r"\d+(\.\w+)*|<\d+>|this(<\d+>|(\.\w+)+)?|item\.(name|type|default|group)|parameter|[A-Za-z_]\w*(\.\w+)*"
     r"|callback\([\w|]+(,\d+)?\)|expand\(\d+,\d+,\d+\)|(parameters|prefixes)\(\w+,\w+\)"
-    r"|(typeof|typename|parent|search|remap|canonical|above|declared)\([\w.|<>]+\)|resolve\([\w.|]+(,\d+)?\)|handle\(~?\)"
+    r"|(typeof|typename|parent|search|searched|remap|canonical|above|declared)\([\w.|<>]+\)"
+    r"|resolve\([\w.|]+(,\d+)?\)|handle\(~?\)"
 )
 
 

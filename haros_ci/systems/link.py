@@ -37,6 +37,7 @@ from haros_ci.systems import (
     ros2_library_classes,
     ros2_library_modules,
     ros2_system,
+    rounds,
     system,
     unstarted,
 )
@@ -239,20 +240,15 @@ def linked(
                 jobs.append(system.standalone(types, described.name))
     key = keeping.key_of(types, rows) if keeper is not None else ""
     old = keeping.take_up(types, keeper, key) if keeper is not None else []
-    every = (*jobs, *others)
-    order = sorted(
-        range(len(every)), key=lambda number: -every[number].size
-    )  # large ones first: nobody waits at the end
     work = Work(types, share)
-    done = work.do(every, order)
-    made = ros2_library.seen_in(node for item in done[: len(jobs)] for node in item.result[0])
+    done, fresh = rounds.work(work, (*jobs, *others))
+    made = ros2_library.seen_in(node for nodes, _ in done[: len(jobs)] for node in nodes)
     more = list(_more(types, made)) if requested is None else []
-    brought = work.do(more, range(len(more)))
+    brought, fresh_too = rounds.work(work, more)
     if keeper is not None:
-        keeping.hand_on(keeper, key, old, [followed for item in (*done, *brought) for followed in item.fresh])
-    present.remember(types, (item.fresh for item in (*done, *brought)))
-    results = (item.result for item in done[: len(jobs)])
-    other_results = (item.result for item in done[len(jobs) :])
+        keeping.hand_on(keeper, key, old, [*fresh, *fresh_too])
+    present.remember(types, (*fresh, *fresh_too))
+    results, other_results = iter(done[: len(jobs)]), iter(done[len(jobs) :])
     completion = Completion(workspace, builds, types)
     for item, opened in launched:
         followed = list(islice(results, len(opened.jobs)))
@@ -261,7 +257,7 @@ def linked(
         configurations.append(_configuration(completion, item, opened, followed, beside))
     alone = zip(results, jobs[sum(len(opened.jobs) for _, opened in launched) :], strict=True)
     configurations += unstarted.configurations(alone, problems, {item.name for item in configurations})
-    for (nodes, _), job in zip((item.result for item in brought), more, strict=True):
+    for (nodes, _), job in zip(brought, more, strict=True):
         if nodes[0].kind != system.PROGRAM and ros2_library.tells(nodes, made):
             own = f"{nodes[0].package}/{nodes[0].type.removeprefix(f'{nodes[0].package}/')}"
             configurations.append(Configuration(name=f"{own} ({job.label})", nodes=nodes))
@@ -274,7 +270,7 @@ def linked(
             return None
         item = replace(items[name], arguments={**items[name].arguments, **assignment})
         opened = open_(types, workspace, load, ros2, item, defaults.over(item.environment, environment), trees)
-        return _configuration(completion, item, opened, [job.follow() for job in opened.jobs], ())
+        return _configuration(completion, item, opened, rounds.work_here(opened.jobs), ())
 
     found = Architecture(
         configurations=tuple(configurations),

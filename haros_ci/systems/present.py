@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -70,10 +70,9 @@ def ros2_launched(
         yield ros2_system.launched(types, node, {node.container or "": fitting[0]} if fitting else {})
 
 
-def remember(types: Types, fresh: Iterable[Sequence[tuple[Any, Followed]]]) -> None:
+def remember(types: Types, fresh: Iterable[tuple[Any, Followed]]) -> None:
     """What other processes have followed, where nodes are looked up in this one."""
-    for item in fresh:
-        for key, followed in item:
-            kept = types.followed.setdefault(key, [])
-            if not any(followed is other for other in kept):
-                kept.append(followed)
+    for key, followed in fresh:
+        kept = types.followed.setdefault(key, [])
+        if not any(followed is other for other in kept):
+            kept.append(followed)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 from haros_ci.follow.follow import Entry
@@ -53,6 +54,8 @@ class Job:
     label: str = ""
     #: Whether it is a plug-in that is loaded into a process of others, and has a configuration of its own.
     is_loaded: bool = False
+    #: The parameter server of ROS 1 that it reads.
+    server: ParameterServer | None = None
 
 
 def launched(types: Types, started: Started, server: ParameterServer) -> Job:
@@ -96,7 +99,7 @@ def launched(types: Types, started: Started, server: ParameterServer) -> Job:
     }
 
     def parameter(name: str) -> Value | None:
-        return private.get(name) or server.get(name, started.conditions)
+        return private.get(name) or server.get_for(started.name, name, started.conditions)
 
     if found is None:
         known = types.known(node.package, outside.look_up(node), 1)
@@ -112,7 +115,7 @@ def launched(types: Types, started: Started, server: ParameterServer) -> Job:
         ends = endpoints(followed.made, by(remaps), server)
         return (replace(node, endpoints=ends, unknowns=unknowns, paces=paces(followed.made)),), followed.problems
 
-    return Job(node, (id(entry), instance.name), follow_it, _size(types, files))
+    return Job(node, (id(entry), instance.name), follow_it, _size(types, files), server=server)
 
 
 def _size(types: Types, files: frozenset[str]) -> int:
@@ -162,7 +165,9 @@ def alone(
     node = Node(name=chosen, kind="node", package=package, type=name, location=location, process=chosen)
 
     def under(full: str, renames: Callable[[Value, bool | None], bool] = lambda own, anonymous: False) -> Followed:
-        return run_node(types, entry, files, Instance(full, "/", (), {}, full), server.get, renames)
+        return run_node(
+            types, entry, files, Instance(full, "/", (), {}, full), partial(server.get_for, chosen), renames
+        )
 
     def follow_it() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
         own = OwnName(chosen)
@@ -189,7 +194,7 @@ def alone(
         made = replace(made, paces=paces(followed.made))
         return (made if ends or names else replace(made, kind=PROGRAM),), followed.problems
 
-    return Job(node, (id(entry), chosen), follow_it, _size(types, files), label=label)
+    return Job(node, (id(entry), chosen), follow_it, _size(types, files), label=label, server=server)
 
 
 #: Why a nodelet that nothing loads has no name of its own (names.cpp of roscpp).
@@ -216,7 +221,7 @@ def standalone(types: Types, look_up: str) -> Job:
     )
 
     def follow_it() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
-        followed = run_node(types, entry, files, instance, server.get)
+        followed = run_node(types, entry, files, instance, partial(server.get_for, name))
         unknowns = incomplete(followed, entry, node.location)
         if is_invalid:
             unknowns = (*unknowns, Unknown("name", COLON, node.location))
@@ -224,4 +229,4 @@ def standalone(types: Types, look_up: str) -> Job:
         made = replace(node, unknowns=unknowns, endpoints=ends)
         return (replace(made, paces=paces(followed.made)),), followed.problems
 
-    return Job(node, (id(entry), instance.name), follow_it, _size(types, files))
+    return Job(node, (id(entry), instance.name), follow_it, _size(types, files), server=server)

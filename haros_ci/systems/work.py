@@ -6,7 +6,7 @@ Which nodes are left out depends on their order alone: not on how many processes
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
@@ -54,9 +54,11 @@ class Work:
         """Whether all steps of the workspace are used up."""
         return sum(self.seen.values()) > OF_ALL
 
-    def do(self, jobs: Sequence[Job], order: Iterable[int]) -> list[Done]:
-        """What each of *jobs* gives, begun in *order*. Those of which the turn comes when the steps are used up make nothing that is known."""
-        places = list(order)
+    def do(self, jobs: Sequence[Job], places: Sequence[int]) -> dict[int, Done]:
+        """What each of *jobs* at these *places* gives, by its place, begun in their order.
+
+        Those of which the turn comes when the steps are used up make nothing that is known.
+        """
         self.here = {}
         tasks = [partial(self._done, place, jobs[number]) for place, number in enumerate(places)]
         done = dict(zip(places, self.share(tasks, [jobs[number].group for number in places]), strict=True))
@@ -67,7 +69,7 @@ class Work:
                 done[number] = replace(done[number], result=_left_out(jobs[number]))
             else:
                 self.seen.update(done[number].used)
-        return [done[number] for number in range(len(jobs))]
+        return done
 
     def _done(self, place: int, job: Job) -> Done:
         """Do a job, in whichever process; not where what this process has done for earlier places is too much already."""

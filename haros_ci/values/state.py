@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from haros_ci.values.abstract import NONE, Cell, Opaque, Partial, Value, join
+from haros_ci.values.abstract import NONE, Cell, Known, Object, Opaque, Partial, Value, join
 from haros_ci.values.cells import Content, Slot
 
 #: What ``join`` does not know: contents of sequences and maps.
@@ -56,6 +56,12 @@ class State:
     def since(self, mark: int) -> Writes:
         """The cells written since *mark*, with what they hold now."""
         return {cell: cell.value for cell, _ in self._log[mark:]}
+
+    def has_set(self, mark: int) -> bool:
+        """Whether what was no object before *mark* is one now."""
+        return any(
+            old == NONE and cell.value.__class__ is Object for cell, old in self._log[mark:] if old.__class__ is Known
+        )
 
     def undo(self, mark: int) -> Writes:
         """Go back to *mark*; what was written since is returned."""

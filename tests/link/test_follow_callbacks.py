@@ -313,23 +313,13 @@ void pub(const std::string& n) { nh.advertise<std_msgs::String>(n, 1); } };
 """
 
 #: Why a row does not hold yet.
-DEFECTS = (
-    because(
-        "what callbacks do to each other is joined once, not until nothing changes (follow._disturb)",
-        "set through itself",
-    )
-    | because(
-        (
-            "functions whose names begin with std::, boost:: or are in capitals are taken for "
-            "harmless (library.HARMLESS)"
-        ),
-        "swapped by another",
-    )
-    | because(
-        "callbacks are not thought to run before the end of main (follow._call_back)",
-        "spinner in main",
-        "queue in main",
-    )
+DEFECTS = because(
+    ("functions whose names begin with std::, boost:: or are in capitals are taken for harmless (library.HARMLESS)"),
+    "swapped by another",
+) | because(
+    "callbacks are not thought to run before the end of main (follow._call_back)",
+    "spinner in main",
+    "queue in main",
 )
 
 

@@ -547,14 +547,6 @@ DEFECTS = (
         "a static local is made anew at every call (statements._variable)",
     )
     | because(
-        ("a handler starts from the end of the try block only, and a function's throw ends there (statements._try)"),
-        "exception on the way",
-        "exception at once",
-        "exception thrown by a function",
-        "exception of a function that is sure",
-        "exception after a change",
-    )
-    | because(
         "what a call that is not followed for its depth might change is left as it was (activation.invoke)",
         "very deep chain to a global",
     )

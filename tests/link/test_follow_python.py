@@ -435,7 +435,7 @@ NOT_SURE = (
     case(
         "else of try", 's = "a"\ntry:\n    check()\nexcept Exception:\n    s = "b"\nelse:\n    s = "c"\nPUB(s)', "/b|/c"
     ),
-    case("generator", 'def f():\n    yield "a"\n    yield "b"\nfor s in f():\n    PUB(s)', "/?"),
+    case("generator", 'def f():\n    yield "a"\n    yield "b"\nfor s in f():\n    PUB(s)', "/a", "/b"),
     case(
         "recursion",
         ('l = ["a"]\ndef f(n):\n    if n == 0:\n        l[0] = "b"\n    else:\n        f(n - 1)\nf(9)\nPUB(l[0])'),
@@ -555,18 +555,11 @@ DEFECTS = (
         "any object is true, whatever its __len__ or __bool__ says (statements.truth)",
     )
     | because(
-        ("a handler starts from the end of the try block only, and a function's throw ends there (statements._try)"),
-        "suppressed",
-        "exception on the way",
-        "exception at once",
+        "what finally says comes after the try, also where that returns (extract/python statements)",
         "return in finally",
     )
     | because(
         "callbacks are not thought to run before the end of main (follow._call_back)",
-    )
-    | because(
-        "methods are looked up depth first, not in Python's order (construct.class_method, field_of)",
-        "diamond",
     )
 )
 

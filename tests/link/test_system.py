@@ -396,7 +396,6 @@ def test_an_external_variable_is_the_one_that_is_defined() -> None:
     assert names(found) in (["/b"], ["/?"])
 
 
-@pytest.mark.xfail(strict=True, reason="the parameter server knows nothing of what other nodes set (system.run_node)")
 def test_a_parameter_that_another_node_sets_is_not_the_default() -> None:
     """The other node may or may not have set it when this one reads it."""
     setter = python_files(PYTHON_HEAD + 'rospy.init_node("s")\nrospy.set_param("/t", "b")\n')

@@ -71,7 +71,6 @@ GOES_ON = (
     case(
         "a handler that goes on",
         "for i in range(4):\n    try:\n        s = rospy.get_param('~s%d' % i)\n    except KeyError:\n        continue\n    PUB(s)",
-        "/?",
         "/a",
         "/b",
     ),

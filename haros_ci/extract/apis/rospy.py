@@ -65,7 +65,7 @@ ROWS: tuple[dict[str, object], ...] = (
     {"call": "rospy.delete_param", "makes": [{"kind": "setters", "name": "{0|param_name}"}]},
     {"call": "rospy.search_param",
      "makes": [{"kind": "getters", "name": "{search(0|param_name)}", "namespace": "~"}],
-     "returns": "{search(0|param_name)}"},
+     "returns": "{searched(0|param_name)}"},
 
     # rospy/timer.py, rospy/rostime.py, wiki.ros.org/rospy/Overview/Time. A Duration with nanoseconds has no row.
     {"call": "rospy.Timer", "makes": [{"kind": "timer", "period": "{0.seconds|period.seconds}"}],

@@ -7,6 +7,7 @@ import ast
 from collections.abc import Callable
 from typing import Any
 
+from haros_ci.extract.python import generators
 from haros_ci.extract.python.annotations import NO_TYPE, dotted, type_of
 from haros_ci.extract.python.expressions import expression, parameters, this_within
 from haros_ci.extract.python.scope import Bindings, PythonScope, bound, qualified
@@ -50,7 +51,7 @@ def define_function(
         returns=annotation(node.returns, scope, depth),
         line=line,
         column=column,
-        body=lower(node.body, PythonScope(file, "function", name, this), depth),
+        body=lower(generators.body_of(node), PythonScope(file, "function", name, this), depth),
         body_line=line,
         body_column=column,
         templates=_templates(node),

@@ -180,7 +180,20 @@ def _with(node: ast.With | ast.AsyncWith, scope: PythonScope, depth: int) -> Blo
         else:
             _bind(item.optional_vars, None, None, scope, node)
             entered.append(syntax.Do(syntax.Assignment("=", expression(item.optional_vars, scope, depth), call)))
-    return (*entered, *block(node.body, scope, depth))
+    suppressed = next((made for item in node.items if (made := _suppressed(item.context_expr)) is not None), None)
+    if suppressed is None:
+        return (*entered, *block(node.body, scope, depth))
+    text = " ".join(ast.unparse(argument) for argument in suppressed.args)
+    handler = syntax.Handler(*place(scope.file.source, node), text, "", NO_TYPE, ())
+    return (*entered, syntax.Try(block(node.body, conditionally(scope), depth), (handler,)))
+
+
+def _suppressed(entered: ast.expr) -> ast.Call | None:
+    """``contextlib.suppress(…)``: the body of the ``with`` ends at these exceptions, as that of a ``try`` that passes over them."""
+    if not isinstance(entered, ast.Call) or not entered.args:
+        return None
+    name = entered.func.attr if isinstance(entered.func, ast.Attribute) else getattr(entered.func, "id", "")
+    return entered if name == "suppress" else None
 
 
 class _Tried(Protocol):

@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import alternatives, assignments, construct, conversions
+from haros_ci.follow import alternatives, assignments, construct, conversions, indexing
 from haros_ci.follow.frames import Frame, of_element
 from haros_ci.follow.libraries import tuples
 from haros_ci.follow.walk import Walk
@@ -214,7 +214,7 @@ def mapped(walk: Walk, frame: Frame, receiver: Mapped, name: str, args: tuple[Pa
     if name == "at" and args:
         cell = assignments.element(walk, frame, receiver, args[0].value)
         if cell is None and not isinstance(args[0].value, Known) and isinstance(pairs, dict) and pairs:
-            return assignments.any_of(pair.value for pair in pairs.values())
+            return indexing.any_of(pair.value for pair in pairs.values())
         return cell.value if cell is not None else walk.opaque("an entry that is not known", frame)
     return None
 

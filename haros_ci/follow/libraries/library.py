@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import callbacks, methods, unknown_calls
+from haros_ci.follow import callbacks, methods, thrown, unknown_calls
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import cpp as library_cpp
 from haros_ci.follow.libraries import given_away, harmless
@@ -90,11 +90,14 @@ def unknown_call(
 ) -> Value:
     """A call of which nothing is known: what it is given by address or reference is not known afterwards, functions
     that it is given may be called, and so is its result."""
+    is_python = frame.source.program.language == "python"
+    if walk.trials and not harmless.is_harmless(name, is_python):
+        thrown.may_throw(walk)
     for argument in args:
         callbacks.register(walk, argument.value, args)
     unknown_calls.called(walk, frame, name, args)
     unknown_calls.forget_passed(walk, frame, name, args)
-    if not harmless.is_harmless(name, frame.source.program.language == "python"):
+    if not harmless.is_harmless(name, is_python):
         ros2_nodes.handed(walk, name, (argument.value for argument in args))
         given_away.taken(walk, frame, name, args)
     if isinstance(receiver, Opaque):

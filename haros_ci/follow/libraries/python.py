@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import comprehensions, dispatch, dynamic, members, partials
+from haros_ci.follow import comprehensions, dispatch, dynamic, members, partials, thrown
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import (
     argparse as command_lines,
@@ -56,6 +56,7 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
         try:
             return Known({"int": int, "float": float, "bool": bool}[name](first.value))
         except (TypeError, ValueError, OverflowError):
+            thrown.throws(walk, thrown.NUMBER)
             return walk.opaque("it is no number", frame)
     if name in ("int", "float", "bool", "str"):
         kind = {"int": "int", "float": "double", "bool": "bool", "str": "std::string"}[name]
@@ -90,6 +91,8 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
         if items is not None:
             return Sequence(Cell(tuple(Cell(item) for item in items)))
         return Sequence(Cell(walk.opaque(f"a list made by {name}", frame)))
+    if name == "next" and isinstance(first, Sequence):
+        return python_lists.taken(walk, first, args[1].value if len(args) > 1 else None)
     if name == "enumerate" and first is not None:
         items = comprehensions.items(first)
         begin = args[1].value if len(args) > 1 else Known(0)

@@ -69,6 +69,18 @@ def _once(items: list[Value]) -> list[Value]:
     return list(found.values())
 
 
+def taken(walk: Walk, iterator: Sequence, default: Value | None) -> Value | None:
+    """``next``: the first element of what an iterator still gives, which it does not give again; None if that is not known."""
+    cells = iterator.content.value
+    if not isinstance(cells, tuple):
+        return None
+    if not cells:
+        return default
+    walk.state.write(iterator.content, cells[1:])
+    found: Value = cells[0].value
+    return found
+
+
 def combined(symbol: str, left: Value, right: Value) -> Sequence | None:
     """``a | b`` and its kin of two sets or views of keys; None if the result is not known."""
     if symbol not in OPERATORS or not all(isinstance(value, Sequence) or _is_list(value) for value in (left, right)):

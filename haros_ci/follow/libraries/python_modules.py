@@ -112,6 +112,11 @@ def beside(walk: Walk, source: Source, target: str) -> str | None:
     return None if head in _libraries(walk) else f"{package}.{target}"
 
 
+def is_library(walk: Walk, head: str) -> bool:
+    """Whether a module is one of Python itself, or of a library that the API rows have."""
+    return head in _libraries(walk)
+
+
 def _libraries(walk: Walk) -> frozenset[str]:
     """The modules of Python itself and of libraries that the API rows have."""
     known = walk.found.get(("heads",))

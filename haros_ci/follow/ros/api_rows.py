@@ -23,6 +23,7 @@ from haros_ci.follow.ros import (
 from haros_ci.follow.ros.emit import emit
 from haros_ci.follow.walk import Walk
 from haros_ci.graph.names import clean
+from haros_ci.graph.parameters import SetByNode
 from haros_ci.index.ros_types import parameter_type
 from haros_ci.index.types import SEQUENCES, STRINGS, pointee
 from haros_ci.model.api import Entry, Row
@@ -43,7 +44,9 @@ from haros_ci.values.abstract import (
     Sequence,
     Text,
     Value,
+    join,
 )
+from haros_ci.values.state import joined
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
@@ -104,7 +107,7 @@ def call(
             selectors.Applied(walk, frame, row, receiver, args, types, location, None, parameter), returns
         )
         if found is not None:
-            return found
+            return found.held if isinstance(found, SetByNode) else found
         return walk.opaque("a parameter that is not set", frame, location.line)
     if (
         any(entry.kind == "getters" and entry.each is None for entry in row.makes)
@@ -250,7 +253,8 @@ def _apply(applied: selectors.Applied, made: Object | None) -> Value | None:
             continue
         value = selectors.value_of(with_parameter, template)
         if value is not None and not isinstance(value, selectors.TypeValue):
-            walk.state.write(cell, conversions.converted(value, cell.type))
+            value = conversions.converted(value.held if isinstance(value, SetByNode) else value, cell.type)
+            walk.state.put(cell, joined(cell.value, value) if isinstance(parameter, SetByNode) else value)
         elif not known:
             walk.state.write(
                 cell, walk.opaque("it is filled by a call", applied.frame, applied.location.line, cell.type)
@@ -309,5 +313,9 @@ def parameter_value(applied: selectors.Applied, name: str, default: Value | None
         return Opaque("the parameter's name is not known")
     found = applied.walk.parameter(clean(name))
     if found is None:
+        if default is None and applied.walk.context.process is None:
+            applied.walk.absent.append(clean(name))
         return default
+    if isinstance(found, SetByNode) and default is not None:
+        return default if found.is_default_first else join(default, found.held)
     return found

@@ -91,6 +91,8 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
     from haros_ci.follow.ros.api_rows import parameter_value
 
     found = parameter_value(applied, walk.context.remap(name), default)
+    if walk.trials and entry.strict:
+        thrown.is_read(walk, found, thrown.KEY)
     if found is not None and found is not default and applied.frame.source.separator == "::":
         found = _fitting(found, endpoint_type, default)
     if entry.each is not None:

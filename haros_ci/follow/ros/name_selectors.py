@@ -9,9 +9,9 @@ from haros_ci.follow import handles
 from haros_ci.follow.ros import ros2_nodes, ros2_parameters, selectors
 from haros_ci.graph import ros2_process
 from haros_ci.graph.names import clean, pattern, resolve
-from haros_ci.graph.parameters import Perhaps
+from haros_ci.graph.parameters import Perhaps, SetByNode
 from haros_ci.model.location import Location
-from haros_ci.values.abstract import FALSE, TRUE, Choice, Known, Object, Opaque, Text, Value, join
+from haros_ci.values.abstract import FALSE, NONE, TRUE, Choice, Known, Object, Opaque, Text, Value, join
 from haros_ci.values.given import marked
 
 #: A name as a pattern, with why and where it is not wholly known.
@@ -123,6 +123,24 @@ def search(applied: selectors.Applied, selector: str) -> Value:
         return Known(clean(name))
     if not name.strip("/") or name.startswith("~"):
         return walk.opaque("a name that cannot be searched for", applied.frame)
+    return _searched(applied, name)[0]
+
+
+def search_result(applied: selectors.Applied, selector: str) -> Value:
+    """What rospy's search_param returns: the name, or None where no namespace has the parameter (rospy/client.py)."""
+    found = search(applied, selector)
+    name, why, _ = _name(_first(applied, selector))
+    if not isinstance(found, Known) or why is not None:
+        return found
+    is_found = (
+        applied.walk.parameter(found.of(str)) is not None if name.startswith("/") else _searched(applied, name)[1]
+    )
+    return found if is_found else join(found, NONE)
+
+
+def _searched(applied: selectors.Applied, name: str) -> tuple[Value, bool]:
+    """The name that is found, and whether something sets it for certain."""
+    walk = applied.walk
     start, why, where = pattern(_start(applied))
     first = name.split("/")[0]
     prefix = start
@@ -130,14 +148,14 @@ def search(applied: selectors.Applied, selector: str) -> Value:
         found = walk.parameter(clean(f"{prefix}/{name}"))
         if found is None and first != name:
             found = walk.parameter(clean(f"{prefix}/{first}"))
-        if isinstance(found, Perhaps):
-            return Text(("/", found))
+        if isinstance(found, Perhaps) and not (isinstance(found, SetByNode) and prefix == start):
+            return Text(("/", found)), False
         if found is not None:
-            return Known(clean(f"{prefix}/{name}"))
+            return Known(clean(f"{prefix}/{name}")), not isinstance(found, Perhaps)
         if prefix in ("", "/"):
-            return Known(clean(f"{start}/{name}"))
+            return Known(clean(f"{start}/{name}")), False
         prefix = prefix.rpartition("/")[0]
-    return Text(("/", Opaque(why, where)))
+    return Text(("/", Opaque(why, where))), False
 
 
 def _start(applied: selectors.Applied) -> Value:

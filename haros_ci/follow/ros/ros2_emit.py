@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 from haros_ci import syntax
 from haros_ci.follow import conversions, thrown
 from haros_ci.follow.made import MadeEntity, Range, make
-from haros_ci.follow.ros import forwarding, paces, qos_overrides, ros2_nodes, ros2_parameters, ros2_selectors
+from haros_ci.follow.ros import forwarding, paces, qos_calls, qos_overrides, ros2_nodes, ros2_parameters, ros2_selectors
 from haros_ci.graph.names import UNKNOWN, pattern
 from haros_ci.graph.ros2_process import GIVEN, NO_DEFAULT, NO_NAME, RosNode
 from haros_ci.index.ros_types import ros2_data_type, ros2_parameter_type
 from haros_ci.model.api import Entry
-from haros_ci.model.architecture import KINDS, Qos
+from haros_ci.model.architecture import KINDS
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import (
     NONE,
@@ -97,15 +97,9 @@ def _named(applied: Applied, entry: Entry, provided: Value | None, node: RosNode
         name = node.expand(f"/{text}" if is_open else text)
         if "?" in name and why is None and node.why is not None:
             unknowns.append(("name", *node.why))
-    qos: Qos | None = None
-    if "qos" in entry.values:
-        profile = value_at(applied, entry.values["qos"])
-        if profile is not None:
-            from haros_ci.follow.ros.qos import qos_of
-
-            qos, messages = qos_of(profile)
-            if messages is not None:
-                unknowns.append(("qos", messages[0], messages[1] or applied.location))
+    qos, not_known = qos_calls.of_call(applied, entry)
+    if not_known is not None:
+        unknowns.append(("qos", not_known[0], not_known[1] or applied.location))
     place = forwarding.place(walk, text, applied.location)
     if qos is not None and node is not None and "options" in entry.values and entry.kind in qos_overrides.ENDS:
         options = value_at(applied, entry.values["options"])
@@ -221,6 +215,8 @@ def _parameter(
         ),
     )
     walk.is_raised = walk.is_raised or raises
+    if walk.trials and entry.strict and entry.kind == "getters" and _is_undeclared(applied, node, text, value):
+        thrown.throws(walk, thrown.UNDECLARED)
     if entry.kind == "setters" or entry.kind == "parameters":
         stored = default if entry.kind == "setters" else value
         if (
@@ -233,6 +229,12 @@ def _parameter(
             )  # without a value from outside the declaration or reading throws
         ros2_parameters.remember(applied, full, stored if stored is not None else NONE)
     return value
+
+
+def _is_undeclared(applied: Applied, node: RosNode | None, name: str, value: Value | None) -> bool:
+    if value is not None or node is None or "?" in name or node.whole.options.get(ros2_nodes.UNDECLARED):
+        return False
+    return ros2_parameters.is_declared(applied, node, Known(name)) == Known(False)
 
 
 def _raises(applied: Applied, entry: Entry, node: RosNode | None, full: str, is_set: bool) -> bool:

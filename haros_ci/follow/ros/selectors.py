@@ -178,6 +178,8 @@ def select_value(applied: Applied, selector: str) -> Found:
         )
     if function == "search":
         return name_selectors.search(applied, inside)
+    if function == "searched":
+        return name_selectors.search_result(applied, inside)
     if function == "resolve":
         return name_selectors.resolved(applied, where, index)
     if function == "remap":

@@ -121,7 +121,7 @@ def test_arguments_by_position_and_keyword(call: str, key: str, parts: tuple[obj
         ("rospy.names.resolve_name", "resolve(0|name)"),
         ("rospy.remap_name", "remap(0|name)"),
         ("rosgraph.names.canonicalize_name", "canonical(0|name)"),
-        ("rospy.search_param", "search(0|param_name)"),
+        ("rospy.search_param", "searched(0|param_name)"),
     ],
 )
 def test_names_are_given_as_rospy_gives_them(call: str, returns: str) -> None:

@@ -276,7 +276,8 @@ def test_statements(text: str, lowered: tuple[Any, ...]) -> None:
         ("def f():\n  global a\n  a = 1\n", (("global", ("a",)), ("do", ("set", "=", A, ("num", 1))))),
         ("def f():\n  nonlocal a, b\n", (("nonlocal", ("a", "b")),)),
         ("async def f():\n  await a\n", (("do", A),)),
-        ("def f():\n  yield\n  yield a\n  yield from b\n", (("do", ("none",)), ("do", A), ("do", B))),
+        ("async def f():\n  yield\n  yield a\n", (("do", ("none",)), ("do", A))),
+        ("@a\ndef f():\n  yield\n  yield a\n  yield from b\n", (("do", ("none",)), ("do", A), ("do", B))),
         ("def f():\n  def g(): pass\n", (("def", "g", 2),)),
         ("def f():\n  class G: pass\n", (("class", "f.G"),)),
         (
