@@ -62,7 +62,8 @@ def test_a_call_that_is_not_followed_is_said(tmp_path: Path, more: str) -> None:
 
 
 def test_another_method_of_the_class(tmp_path: Path) -> None:
-    found = reasons(tmp_path, members=f"void more() {{ {CALL} }}")
+    members = f"void more(Later & l) {{ {CALL} }} void again() {{ unknown_library::later(this, &Talker::more); }}"
+    found = reasons(tmp_path, "unknown_library::later(this, &Talker::again);", members)
     assert ["create_publisher" in reason for reason in found] == [True]
 
 
@@ -70,6 +71,7 @@ def test_another_method_of_the_class(tmp_path: Path) -> None:
     ("more", "members", "before", "after"),
     [
         ("", "", "", ""),
+        ("", f"void more() {{ {CALL} }}", "", ""),
         (CALL, "", "", ""),
         ("more();", f"void more() {{ {CALL} }}", "", ""),
         (f"if (get_name()[0] == 'x') {{ {CALL} }}", "", "", ""),

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from haros_ci.analysis.coverage import NOT_IN, CoverageJudge, judging
 from haros_ci.analysis.coverage_nodes import Users, type_name
-from haros_ci.code.codebase import Codebase, Routine, codebase
+from haros_ci.code.codebase import Codebase, codebase
 from haros_ci.config.settings import Settings
 from haros_ci.coverage import judge
 from haros_ci.coverage.judge import Places, Seen, Syntax, TextSite
@@ -18,6 +18,7 @@ from haros_ci.model.architecture import Architecture, Configuration, Node, Unkno
 from haros_ci.model.coverage import PRODUCTION
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
+from haros_ci.rates.runs import UNCALLED, runs
 from haros_ci.systems.link import Linked
 from haros_ci.timing import timed
 
@@ -31,8 +32,8 @@ Marks = Mapping[str, tuple[Unknown, ...]]
 def marked(made: Linked, workspace: Workspace, settings: Settings) -> Linked:
     """*made* with an unknown ``endpoints`` at every node that a call may belong to which the model does not account for.
 
-    Those are calls in a function that makes endpoints of the node, or in another method of a class of which one does. Whether such a method
-    runs is not asked, as that would take the whole of the code: what ``--coverage`` finds unreached there may be named here.
+    Those are calls in a function that makes endpoints of the node, or in another method of a class of which one does, unless nothing is seen
+    to call it.
     """
     ros = {package.name: package.ros for package in workspace.packages if package.ros is not None}
     code = codebase(made.sources, workspace.text, ros)
@@ -85,18 +86,9 @@ def _is_missing(asked: CoverageJudge, site: TextSite, places: Places) -> bool:
     placed = where.of(site)
     if placed is not None:
         name = last_name(placed[0].method.function.name)
-        if name in judge.WRAPPERS or (site.source.separator == "." and not _is_run(asked, placed[0])):
+        if name in judge.WRAPPERS or runs(code, placed[0]).reason == UNCALLED:
             return False
     return judge.other(code, where, site, Seen(places, {}, {})) is None
-
-
-def _is_run(asked: CoverageJudge, routine: Routine) -> bool:
-    """Whether a Python method is one that Python calls, or that some code names; of C++ a framework may call any that is virtual."""
-    name = last_name(routine.method.function.name)
-    if not routine.method.function.owner or name.startswith("__"):
-        return True
-    files = asked.code.mentioning(f".{name}")
-    return any(f".{name}" in asked.text(asked.code.by_path[path]) for path in sorted(files))
 
 
 def _configuration(found: Configuration, marks: Marks) -> Configuration:

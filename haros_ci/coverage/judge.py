@@ -27,6 +27,8 @@ _OTHERS = frozenset(
 #: Scopes of a file in which a name is looked up.
 _MOST_SCOPES = 20
 #: Library classes whose methods have such names, and make nothing in the node that calls them.
+#: A loader of nodelets that is asked not to provide services (nodelet/loader.h).
+_WITHOUT_SERVICES = re.compile(r"(?:nodelet::)?Loader\b[\w \t]{0,100}[({]\s*false\s*[)}]")
 _QUIET = {
     "rclcpp::AsyncParametersClient": "it asks through the client's own services",
     "rclcpp::SyncParametersClient": "it asks through the client's own services",
@@ -166,6 +168,8 @@ def other(code: Codebase, where: Syntax, found: TextSite, seen: Seen) -> tuple[s
     if found.source.path in code.firmware:
         return "code of a microcontroller", ""
     if found.call.made:
+        if _WITHOUT_SERVICES.match(code.text(found.source.path), found.call.start):
+            return "a library call that makes nothing here", "nodelet::Loader: it provides no services"
         made = _class_here(code, found)
         return ("a class of the workspace", made) if made else None
     placed = where.of(found)

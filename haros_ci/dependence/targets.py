@@ -12,7 +12,8 @@ from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.dependence.steps import steps
 from haros_ci.dependence.variables import held
 from haros_ci.rates.runs import may_run
-from haros_ci.syntax import Expression
+from haros_ci.syntax import Expression, Function
+from haros_ci.syntax.source import Source
 
 #: Of functions of one name so many are looked at.
 MOST = 400
@@ -100,9 +101,9 @@ def by_name(code: Codebase, name: str, is_python: bool) -> tuple[Routine, ...]:
                     if function.body is not None and function.kind != "lambda":
                         made.setdefault(function.name.rpartition(source.separator)[2], []).append((source, function))
         code.kept[key] = made
-    table: dict[str, list[tuple[object, object]]] = code.kept[key]
+    table: dict[str, list[tuple[Source, Function]]] = code.kept[key]
     if ("by name", is_python, name) not in code.kept:
-        every = (code.routine(source, function) for source, function in table.get(name, ()))  # type: ignore[arg-type]
+        every = (code.routine(source, function) for source, function in table.get(name, ()))
         code.kept["by name", is_python, name] = tuple(one for one in every if one is not None and not one.is_test)
     found: tuple[Routine, ...] = code.kept["by name", is_python, name]
     return found

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import call_arguments, methods, partials, setters
@@ -83,11 +82,11 @@ def register(
             setters.disturbed(walk, value)
 
 
-def _carried(walk: Walk, function: Callable) -> tuple[Any, ...]:
+def _carried(walk: Walk, function: Callable) -> tuple[object, ...]:
     """The plain data that a callback which makes something takes along, bound to it or captured by value."""
     if not walk.relevance.makes(function.function, function.source):
         return ()
-    bound: list[tuple[str, Any]] = [(str(number), value) for number, value in enumerate(function.bound)]
+    bound: list[tuple[str, object]] = [(str(number), value) for number, value in enumerate(function.bound)]
     if isinstance(function.frame, Frame) and function.function.captures:
         bound += [(name, cell.value) for name, cell in function.frame.scopes[-1].items()]
     return tuple((name, value.kind, repr(value.value)) for name, value in bound if isinstance(value, Known))

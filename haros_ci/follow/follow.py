@@ -244,7 +244,9 @@ def _disturb_all(walk: Walk, effects: Sequence_[Writes], own: int, together: Map
     """The same where *together* is what holds after one or another of them, of the cells that this changes."""
     mine = effects[own] if 0 <= own < len(effects) else {}
     for cell, value in together.items():
-        if cell in mine and not (cell is walk.server or counters.is_seen_again(cell.value, mine[cell])):
+        if cell in mine and not (
+            cell is walk.server or cell is walk.declared or counters.is_seen_again(cell.value, mine[cell])
+        ):
             for number, writes in enumerate(effects):
                 if number != own and cell in writes:
                     after = _joined(cell.value, writes[cell])

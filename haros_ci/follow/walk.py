@@ -153,7 +153,7 @@ class Walk:
     #: Of these, for each that is not taken as a parameter is not set, the names of parameters that were not.
     lacking: list[tuple[str, ...]] = field(default_factory=list)
     #: The same of what was made in such branches alone, by key.
-    lacks: dict[Any, tuple[tuple[str, ...], ...]] = field(default_factory=dict)
+    lacks: dict[Key, tuple[tuple[str, ...], ...]] = field(default_factory=dict)
     #: The full names of parameters that were asked for and are not set, in turn.
     absent: list[str] = field(default_factory=list)
     #: The same around the registration of the callback that is followed.

@@ -41,7 +41,7 @@ class Cell(Slot, Generic[Content]):
     __slots__ = ()
     value: Content
 
-    def __init__(self, value: Content, type: Type | None = None) -> None:  # noqa: A002
+    def __init__(self, value: Content, type: Type | None = None) -> None:  # noqa: A002 - the field is called so
         self.value = value
         self.type = type
         self.born = tick()

@@ -15,7 +15,7 @@ PAGE = (Path(__file__).resolve().parents[2] / "docs" / "monitor.md").read_text(e
 
 def test_the_example(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
     (lines,) = re.findall(r"```json\n(.*?)```", PAGE, re.DOTALL)
-    (said,) = re.findall(r"```text\n(.*?)```", PAGE, re.DOTALL)
+    said, _ = re.findall(r"```text\n(.*?)```", PAGE, re.DOTALL)  # the other is of model --observed
     (text,) = re.findall(r"on the lines above says of `([^`]*)`", PAGE)
     (tmp_path / "run.jsonl").write_text(lines, encoding="utf-8")
     monkeypatch.chdir(tmp_path)

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci.follow.ros.qos import UNKNOWN, Why, qos_of
 from haros_ci.model.architecture import Qos
@@ -45,7 +45,7 @@ def _no_overload(applied: Applied, entry: Entry) -> str | None:
     if applied.row.call.startswith("rclpy.node.Node."):
         positional = [argument for argument in applied.args if not argument.keyword]
         return TOO_MANY if len(positional) > MOST.get(entry.kind, len(positional)) else None
-    options: Any = value_of(applied, entry.values["options"]) if "options" in entry.values else None
+    options = value_of(applied, entry.values["options"]) if "options" in entry.values else None
     if isinstance(options, Pointer):
         options = options.cell.value
     if applied.frame.source.separator == "::" and (_is_other(options) or _has_flag(applied)):
@@ -60,7 +60,7 @@ def _has_flag(applied: Applied) -> bool:
     return any(isinstance(given.value, Known) and given.value.kind is bool for given in applied.args)
 
 
-def _is_other(options: Any) -> bool:
+def _is_other(options: object) -> bool:
     """Whether an argument in the place of options is plain data, or a quality of service."""
     if isinstance(options, Known):
         return options != NONE and not issubclass(options.kind, (list, tuple, dict, str))
