@@ -28,7 +28,7 @@ _OF_PYTHON3 = frozenset(
 _OF_SIGNATURES = frozenset(
     "missing-kwoa no-value-for-parameter redundant-keyword-arg too-many-function-args unexpected-keyword-arg".split()
 )
-_APART = frozenset(("no-self-argument", "syntax-error", "undefined-all-variable"))
+_APART = frozenset(("import-self", "no-self-argument", "syntax-error", "undefined-all-variable"))
 #: An alias of typing, which no version of Python is said to remove; ByteString is to go.
 _ALIAS = re.compile(r"\bclass (?!ByteString\b)\w+ of module typing\b")
 _PYTHON2 = re.compile(r"#![^\n]*\bpython2")
@@ -68,9 +68,23 @@ def _is_refuted_apart(result: Result, line: int, workspace: Workspace) -> bool:
     """The same for the rules that are _APART: one thing alone refutes each."""
     if result.rule == "no-self-argument":
         return _is_helper(line, workspace.text(result.location.path), workspace)
+    if result.rule == "import-self":
+        return _is_of_another_module(result.location.path, workspace)
     if result.rule == "syntax-error":
         return _TABS in result.message and _is_python2_around(result.location.path, workspace)
     return _is_starred(result, workspace)
+
+
+def _is_of_another_module(path: str, workspace: Workspace) -> bool:
+    """Whether the import of a module with the file's own name is of another one.
+
+    A script without an ending is no module. In Python 2 ``import a`` in ``a/__init__.py`` is of ``a/a.py`` ("Intra-package References" in its tutorial).
+    """
+    folder, _, name = path.rpartition("/")
+    if not name.endswith(".py"):
+        return True
+    beside = f"{folder}/{folder.rpartition('/')[2]}.py"
+    return name == "__init__.py" and beside in workspace.names and _is_python2(path, workspace)
 
 
 def _is_python2(path: str, workspace: Workspace) -> bool:

@@ -431,3 +431,38 @@ def test_names_that_no_module_beside_has(tmp_path: Path, text: str, more: dict[s
 def test_a_package_of_ros_2_imports_nothing_so(tmp_path: Path) -> None:
     keys = "<export><build_type>ament_python</build_type></export>"
     assert not of_all(tmp_path, WHOLE, {"a/src/a/arm.py": "class Arm: pass\n"}, keys)
+
+
+OF_ITSELF = "from one import One\n"
+WITH_ITS_NAME = {"a/src/one/one.py": "class One:\n    pass\n", "a/src/one/old.py": "print 'one'\n"}
+
+
+def imports_another(root: Path, files: dict[str, str], path: str) -> bool:
+    files = {"a/package.xml": CATKIN.format(""), **files}
+    made = replace(workspace(root, files, [package(files["a/package.xml"])]), names=frozenset(files))
+    return is_refuted_around(Result("pylint", "import-self", Level.WARNING, "", Location(path, 1, 1)), made)
+
+
+@pytest.mark.parametrize(
+    ("path", "files"),
+    [
+        ("a/bin/one", {"a/bin/one": "#!/usr/bin/env python\n" + OF_ITSELF}),
+        ("a/bin/one", {"a/bin/one": "#!/usr/bin/env python3\n" + OF_ITSELF}),
+        ("a/src/one/__init__.py", {"a/src/one/__init__.py": OF_ITSELF, **WITH_ITS_NAME}),
+    ],
+)
+def test_an_import_of_another_module_of_that_name(tmp_path: Path, path: str, files: dict[str, str]) -> None:
+    assert imports_another(tmp_path, files, path)
+
+
+@pytest.mark.parametrize(
+    ("path", "files"),
+    [
+        ("a/src/one.py", {"a/src/one.py": OF_ITSELF}),
+        ("a/src/one/__init__.py", {"a/src/one/__init__.py": OF_ITSELF, "a/src/one/other.py": ""}),
+        ("a/src/one/__init__.py", {"a/src/one/__init__.py": OF_ITSELF, "a/src/one/one.py": ""}),
+        ("a/src/one/one.py", {"a/src/one/one.py": OF_ITSELF, **WITH_ITS_NAME}),
+    ],
+)
+def test_an_import_of_itself(tmp_path: Path, path: str, files: dict[str, str]) -> None:
+    assert not imports_another(tmp_path, files, path)
