@@ -108,6 +108,7 @@ def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, unde
 def run_on_project(checks: Sequence[Check], project: Project, tool: str) -> Checked:
     """Run those of *checks* that look at the whole workspace; one that fails, or takes too long, loses no other's findings."""
     results: dict[tuple[object, ...], Result] = {}
+    sentences: set[tuple[str, object, str]] = set()
     failures = []
     unseen = _marked(project)
     budget = Patience()
@@ -120,7 +121,11 @@ def run_on_project(checks: Sequence[Check], project: Project, tool: str) -> Chec
                     if unseen and _OF_BUILDS.intersection(check.tags):
                         finding = _of_no_build(finding, unseen)
                     checked = _ConfirmedFinding(check, _mendable(finding, project.text), None, ())
-                    results.setdefault((*checked.key, subject(finding.about)), _result(checked, (), tool))
+                    result = _result(checked, (), tool)
+                    sentence = (check.id, result.location.sort_key, result.message)
+                    if sentence not in sentences:  # what is about others, too, says the same of the same place once
+                        sentences.add(sentence)
+                        results.setdefault((*checked.key, subject(finding.about)), result)
         except Exception as err:  # a fault of one check must not lose the others
             message = f"the check {check.id} failed: {type(err).__name__}: {err}"
             failures.append(Notification(Level.ERROR, message, tool=tool))

@@ -237,3 +237,20 @@ def test_many_ends_of_one_name_do_not_take_long(name: str, kinds: tuple[str, str
     (result,) = checked.results
     assert result.location.line == 9
     assert {f"/g{few - 1}", f"/t{few - 1}", "/chat"} <= set(result.subject)
+
+
+@pytest.mark.parametrize(
+    ("second", "count"),
+    [
+        (Finding(at=Location("a.xacro", 3), message="no mesh", about=("other",)), 1),
+        (Finding(at=Location("a.xacro", 3), message="no mesh", about=("other",), apart=("other",)), 1),
+        (Finding(at=Location("a.xacro", 3), message="no other mesh", about=("other",)), 2),
+        (Finding(at=Location("a.xacro", 4), message="no mesh", about=("other",)), 2),
+        (Finding(at=Location("b.xacro", 3), message="no mesh", about=("other",)), 2),
+    ],
+)
+def test_the_same_is_said_of_a_place_once(second: Finding, count: int) -> None:
+    first = Finding(at=Location("a.xacro", 3), message="no mesh", about=("one",))
+    check = replace(MEET, run=None, project=lambda project: iter((first, second)))
+    found = run_on_project((check,), EMPTY, "haros-ci").results
+    assert len(found) == count and found[0].subject == ("one",)
