@@ -38,7 +38,7 @@ GROUPS = {
     ),
     "stored": (
         *("baseline", "cached-values", "caches", "compile-database", "declared-output", "exact-answers", "history"),
-        *("recordings", "sarif", "shard-costs", "shards", "tool-output"),
+        *("recordings", "sarif", "shard-costs", "shards", "tool-output", "verdicts"),
     ),
     "whole": ("checks",),
 }

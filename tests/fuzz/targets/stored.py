@@ -11,9 +11,12 @@ from typing import Any
 
 from fuzz.targets.kit import Entry, parts, refused, ros_package, text_of, workspace
 
+from haros_ci.errors import UserError
 from haros_ci.extract.cpp import exact
 from haros_ci.extract.launch import xml as launch_xml
 from haros_ci.haros_json.documents import PROJECTS, added
+from haros_ci.html_page import verdicts
+from haros_ci.html_page.pool import Pool
 from haros_ci.keeping import kept, kept_json
 from haros_ci.linters import declared, rows
 from haros_ci.linters.compile_db import flags_by_file
@@ -244,6 +247,18 @@ _JSON = (b"null", b"true", b"[]", b"{}", b'""', b"1e999", b"-1", b'"a.cpp"', b'"
 _NAMES = tuple(f"{each.NAME}\n".encode() for each in built_in().linters)
 
 
+def verdicts_of_recordings(data: bytes) -> object:
+    """What a monitor wrote, for the page."""
+    text = text_of(data)
+    if text is None:
+        return None
+    try:
+        found = verdicts.recorded(text, "verdicts.json")
+    except UserError as err:
+        return str(err)
+    return repr(verdicts.verdicts(Pool(), [found]))
+
+
 def recordings(data: bytes) -> object:
     """Lines of JSON, and the chunks of bags of ROS 1 and of MCAP files."""
     found: list[object] = []
@@ -285,6 +300,12 @@ TARGETS = {
             b"time=\x00\x00\x00\x00\x00\x00\x00\x00",
             b"topic=/a",
         ),
+    ),
+    "verdicts": Entry(
+        verdicts_of_recordings,
+        "verdicts of a monitor",
+        ("html_page.verdicts",),
+        (*_JSON, b'{"recording": {}, "properties": []}'),
     ),
     "baseline": Entry(baseline, "compact baselines", ("results.compact",), _JSON),
     "shards": Entry(shards, "shard files", ("shards.shard_file", "results.values", "shards.joining"), _JSON),
