@@ -113,6 +113,9 @@ def create(
     if name in STRINGS:
         return conversions.converted(texts.constructed(arguments), kind)
     if name in SEQUENCES:
+        only = arguments[0].value if len(arguments) == 1 else None
+        if isinstance(only, Sequence) and only.type is None:  # its elements, in braces
+            return braces.from_list(walk, frame, kind, only)
         return _vector(walk, frame, kind, arguments)
     if name in MAPS:
         value = arguments[0].value if arguments else Mapped(Cell({}))
@@ -161,6 +164,8 @@ def _vector(walk: Walk, frame: Frame, kind: Type, arguments: tuple[call_argument
     if inner.name in STRINGS and all(braces.is_text(argument) for argument in arguments):
         items = Sequence(Cell(tuple(Cell(argument.value) for argument in arguments)))
         return braces.from_list(walk, frame, kind, items)  # no other constructor takes texts
+    if len(arguments) > 3:  # nor so many
+        return braces.braced(walk, frame, kind, [argument.value for argument in arguments])
     begin = create if tuples.is_unset(kind, inner) else of_template
     fill = arguments[1].value if len(arguments) > 1 else None
     within = fill.content.value if isinstance(fill, Sequence) else ()

@@ -84,11 +84,18 @@ def new(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     return syntax.New(made, () if argument is None else expressions.arguments(unit, argument, depth), line, column)
 
 
+#: Containers with a constructor of a list of elements.
+_OF_ELEMENTS = frozenset(("vector", "list", "deque", "set", "unordered_set", "array"))
+
+
 def braced(unit: Unit, node: Node, depth: int) -> syntax.Expression:
-    """``T{x}``: a call."""
+    """``T{x}``: a call; of a container, which takes braces for its elements, a call with the list of these ([dcl.init.list])."""
     type_node, value = node.child_by_field_id(_TYPE), node.child_by_field_id(_VALUE)
     if type_node is None or value is None:
         return unit.opaque(node)
     made = expressions.named_type(unit, type_node, depth).type
     line, column = unit.position(node)
-    return syntax.Call(syntax.Name(made.name), expressions.arguments(unit, value, depth), made.arguments, line, column)
+    arguments = expressions.arguments(unit, value, depth)
+    if arguments and made.name.rpartition("::")[2] in _OF_ELEMENTS:
+        arguments = (syntax.ListLiteral(arguments),)
+    return syntax.Call(syntax.Name(made.name), arguments, made.arguments, line, column)

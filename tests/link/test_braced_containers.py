@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Containers of C++ made with braces hold what stands in them; with parentheses so many elements ([dcl.init.list], [sequence.reqmts])."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from follow_kit import explicit, ros2_cpp
+
+
+def default(value: str) -> Any:
+    """The default of a parameter that is declared with *value*, beside a vector ``other`` of one element."""
+    (found,) = ros2_cpp(f'std::vector<double> other{{3}}; declare_parameter("a", {value});').nodes
+    (parameter,) = explicit(found, "parameters")
+    return parameter.value
+
+
+@pytest.mark.parametrize(
+    ("value", "expected"),
+    [
+        ("std::vector<double>{1, 2}", [1.0, 2.0]),
+        ("std::vector<double>{ 1, 2, 1, 2, 4 }", [1.0, 2.0, 1.0, 2.0, 4.0]),
+        ("std::vector<double>{3}", [3.0]),
+        ("std::vector<int64_t>{3, 4}", [3, 4]),
+        ("std::vector<int64_t>{0}", [0]),
+        ("std::vector<bool>{true, false}", [True, False]),
+        ('std::vector<std::string>{"a", "b"}', ["a", "b"]),
+        ("std::array<double, 2>{1, 2}", [1.0, 2.0]),
+        ("std::vector<double>({1, 2})", [1.0, 2.0]),
+        ("std::vector<double>{}", []),
+        ("std::vector<double>()", []),
+        ("std::vector<double>(2, 1.5)", [1.5, 1.5]),
+        ("std::vector<int64_t>(3, 4)", [4, 4, 4]),
+        ('std::vector<std::string>(2, "b")', ["b", "b"]),
+        ("std::vector<double>{other}", [3.0]),
+        ("std::vector<double>(other)", [3.0]),
+    ],
+)
+def test_what_a_container_holds(value: str, expected: list[Any]) -> None:
+    assert default(value) == expected
