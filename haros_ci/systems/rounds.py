@@ -21,11 +21,11 @@ def work(shared: Work, jobs: Sequence[Job]) -> tuple[list[Result], list[tuple[An
     """What each of the *jobs* gives, in order, and all that was followed for them."""
     order = sorted(range(len(jobs)), key=lambda number: -jobs[number].size)  # nobody waits for a large one at the end
     done = shared.do(jobs, order)
-    fresh = [item for each in done.values() for item in each.fresh]
-    again = in_second_round(jobs, {number: each.result for number, each in done.items()})
+    fresh = [item for one in done.values() for item in one.fresh]
+    again = in_second_round(jobs, {number: one.result for number, one in done.items()})
     if again:
         later = shared.do(jobs, again)
-        fresh += [item for each in later.values() for item in each.fresh]
+        fresh += [item for one in later.values() for item in one.fresh]
         done.update(later)
     return [done[number].result for number in range(len(jobs))], fresh
 

@@ -84,6 +84,7 @@ def a_condition(place: Path) -> object:
     script = """#!/usr/bin/env python3
 import sys
 import rospy
+rospy.init_node("n")
 if sys.platform:
     rospy.Publisher("a", None, queue_size=1)
 """
