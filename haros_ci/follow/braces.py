@@ -18,6 +18,11 @@ GROWN = 64
 OPEN = "[]"
 
 
+def is_list(kind: Type) -> bool:
+    """Whether a variable of that type may hold a list or map."""
+    return kind.name in SEQUENCES or kind.name in MAPS or kind.name in ("auto", "")
+
+
 def from_list(walk: Walk, frame: Frame, kind: Type, value: Value) -> Value:
     """Braces as a variable of the resolved type *kind* holds them: an array, vector, map or object."""
     if not isinstance(value, Sequence) or value.type is not None or not isinstance(value.content.value, tuple):

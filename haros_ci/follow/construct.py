@@ -68,7 +68,7 @@ def initial(walk: Walk, frame: Frame, kind: Type, init: syntax.Init | None, loca
     if isinstance(init, syntax.Equals):
         is_python = frame.source.program.language == "python"
         in_braces = init.value if isinstance(init.value, syntax.ListLiteral) and not is_python else None
-        if in_braces is not None and not _is_list(kind) and "*" not in kind.marks:
+        if in_braces is not None and not braces.is_list(kind) and "*" not in kind.marks:
             return create(walk, frame, kind, call_arguments.arguments(walk, frame, in_braces.items), location)
         walk.references = None
         value = expressions.evaluate(walk, frame, init.value)
@@ -99,10 +99,6 @@ def initial(walk: Walk, frame: Frame, kind: Type, init: syntax.Init | None, loca
     return create(walk, frame, kind, arguments, location)
 
 
-def _is_list(kind: Type) -> bool:
-    return kind.name in SEQUENCES or kind.name in MAPS or kind.name in ("auto", "")
-
-
 def create(
     walk: Walk, frame: Frame, kind: Type, arguments: tuple[call_arguments.PassedArgument, ...], location: Location
 ) -> Value:
@@ -113,9 +109,6 @@ def create(
     if name in STRINGS:
         return conversions.converted(texts.constructed(arguments), kind)
     if name in SEQUENCES:
-        only = arguments[0].value if len(arguments) == 1 else None
-        if isinstance(only, Sequence) and only.type is None:  # its elements, in braces
-            return braces.from_list(walk, frame, kind, only)
         return _vector(walk, frame, kind, arguments)
     if name in MAPS:
         value = arguments[0].value if arguments else Mapped(Cell({}))
@@ -157,6 +150,8 @@ def _vector(walk: Walk, frame: Frame, kind: Type, arguments: tuple[call_argument
     if not arguments:
         return Sequence(Cell(()), kind)
     first = arguments[0].value
+    if isinstance(first, Sequence) and first.type is None and len(arguments) == 1:  # its elements, in braces
+        return braces.from_list(walk, frame, kind, first)
     if isinstance(first, Sequence):
         twin = copies.copied(walk, first, kind)
         return Sequence(twin.content, kind) if isinstance(twin, Sequence) else twin
