@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from haros_ci.analysis.api_rows import api_rows, plugin_rows
+from haros_ci.analysis.code_of import code_of
 from haros_ci.analysis.coverage_files import Plugins, area_of, built, copies, imported, loaded, plugins_of, shadowed
 from haros_ci.analysis.coverage_nodes import Users
-from haros_ci.code.codebase import Codebase, codebase
+from haros_ci.code.codebase import Codebase
 from haros_ci.config.settings import Settings
 from haros_ci.coverage import judge
 from haros_ci.coverage.blanked import blanked
@@ -48,24 +49,22 @@ def coverage_of(made: Linked, workspace: Workspace, settings: Settings) -> Cover
 
 
 def _sites(made: Linked, workspace: Workspace, settings: Settings) -> Iterator[Site]:
-    ros = {package.name: package.ros for package in workspace.packages if package.ros is not None}
-    code = codebase(made.sources, workspace.text, ros)
-    return judging(made, workspace, settings, code).sites()
+    return judging(made, workspace, settings).sites()
 
 
-def judging(made: Linked, workspace: Workspace, settings: Settings, code: Codebase) -> CoverageJudge:
+def judging(made: Linked, workspace: Workspace, settings: Settings) -> CoverageJudge:
     """What tells the call sites of a workspace, and what the architecture that was *made* says of them."""
     rows = api_rows(settings.project.get("apis"), "", [], plugin_rows(settings))
-    return CoverageJudge(made, workspace, rows, code)
+    return CoverageJudge(made, workspace, rows, code_of(made, workspace))
 
 
 @timed("coverage")
-def uncovered(made: Linked, workspace: Workspace, settings: Settings, code: Codebase) -> tuple[str, ...]:
+def uncovered(made: Linked, workspace: Workspace, settings: Settings) -> tuple[str, ...]:
     """A sentence where the model accounts for less than ``ENOUGH`` of the production code's call sites.
 
     Where enough of them are endpoints, nothing is asked of the others.
     """
-    asked = judging(made, workspace, settings, code)
+    asked = judging(made, workspace, settings)
     found = asked.found()
     places = asked.places()
     area = asked.areas()
@@ -91,6 +90,20 @@ def _order(site: Site) -> tuple[str, int, int]:
     return site.path, site.line, site.column
 
 
+def language_of(source: Source) -> str:
+    """The language of a program, as API rows name it."""
+    return "python" if source.separator == "." else "cpp"
+
+
+def _names(rows: Rows) -> Mapping[tuple[str, int | None], Names]:
+    """The names of the calls of ROS APIs by language and ROS version; None for files of neither version or both."""
+    table: dict[tuple[str, int | None], Names] = {}
+    for language in ("cpp", "python"):
+        one, two = (names_of(rows.get((language, ros), ())) for ros in (1, 2))
+        table.update({(language, 1): one, (language, 2): two, (language, None): joined(one, two)})
+    return table
+
+
 @dataclass(slots=True)
 class CoverageJudge:
     """The call sites of a workspace, and what the model says of each."""
@@ -109,34 +122,28 @@ class CoverageJudge:
     #: Modules that only share the last part of their names with one that is imported.
     shadowed: frozenset[str] = frozenset()
 
-    def found(self) -> list[TextSite]:
-        """All call sites, file by file; they are looked for once."""
-        if not self.made.sought:
-            self.made.sought.append(list(self._found()))
-        found: list[TextSite] = self.made.sought[0]
-        return found
+    def found(self, paths: Collection[str] | None = None) -> list[TextSite]:
+        """The call sites in *paths*, or in all files, file by file; a file is searched once."""
+        kept: dict[str, tuple[TextSite, ...]] = self.made.kept.setdefault("calls", {})
+        names = _names(self.rows)
+        for source in self.code.sources:
+            if (paths is None or source.path in paths) and source.path not in kept:
+                kept[source.path] = tuple(self._found(source, names[language_of(source), self.code.ros_of(source)]))
+        return [site for source in self.code.sources for site in kept.get(source.path, ())]
 
     def places(self) -> Places:
         """Where the model has endpoints."""
         return judge.places_of(_locations(self.made.architecture))
 
-    def _found(self) -> Iterator[TextSite]:
-        table: dict[tuple[str, int | None], Names] = {}
-        for language in ("cpp", "python"):
-            one, two = (names_of(self.rows.get((language, ros), ())) for ros in (1, 2))
-            table.update({(language, 1): one, (language, 2): two, (language, None): joined(one, two)})
-        for source in self.code.sources:
-            language = "python" if source.separator == "." else "cpp"
-            names = table[language, self.code.ros_of(source)]
-            text = self.workspace.text(source.path)
-            if not source.path.endswith((".yaml", ".yml")) and may_have(text, names):
-                yield from judge.found_in(self.code, source, self.text(source), names)
+    def _found(self, source: Source, names: Names) -> Iterator[TextSite]:
+        text = self.workspace.text(source.path)
+        if not source.path.endswith((".yaml", ".yml")) and may_have(text, names):
+            yield from judge.found_in(self.code, source, self.text(source), names)
 
     def text(self, source: Source) -> str:
         """The text of a file with blanks for comments and texts."""
         if source.path not in self.texts:
-            language = "python" if source.separator == "." else "cpp"
-            self.texts[source.path] = blanked(self.workspace.text(source.path), language)
+            self.texts[source.path] = blanked(self.workspace.text(source.path), language_of(source))
         return self.texts[source.path]
 
     def sites(self) -> Iterator[Site]:

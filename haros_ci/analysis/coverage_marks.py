@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from haros_ci.analysis.coverage import NOT_IN, CoverageJudge, judging
 from haros_ci.analysis.coverage_nodes import Users, type_name
-from haros_ci.code.codebase import Codebase, codebase
+from haros_ci.code.codebase import Routine
 from haros_ci.config.settings import Settings
 from haros_ci.coverage import judge
 from haros_ci.coverage.judge import Places, Seen, Syntax, TextSite
@@ -18,12 +19,20 @@ from haros_ci.model.architecture import Architecture, Configuration, Node, Unkno
 from haros_ci.model.coverage import PRODUCTION
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
-from haros_ci.rates.runs import UNCALLED, runs
+from haros_ci.rates.runs import FRAMEWORK, STARTS, outside_caller
 from haros_ci.systems.link import Linked
 from haros_ci.timing import timed
 
 #: Calls that are named at one node.
 MOST = 20
+#: Functions that run without being named.
+BY_THEMSELVES = frozenset(("constructor", "destructor", "lambda", "module"))
+#: A function that is called on an object, by its name alone, or given away; no definition or declaration, which has a type before the name.
+_USED_CPP = (
+    r"(?:\.|->)\s?NAME\b|&\s?(?:\w{1,80}::){0,9}NAME\b|(?:[;{}(,=!&|?:]|\breturn\b|\belse\b)\s{0,80}NAME\s?\("
+    r"|[(,=]\s?(?:\w{1,80}::){0,9}NAME\s?[,;)]"
+)
+_USED_PYTHON = r"\.NAME\b|(?<!\bdef )(?<![.\w])NAME\b(?!\s?=[^=])"
 
 Marks = Mapping[str, tuple[Unknown, ...]]
 
@@ -32,12 +41,10 @@ Marks = Mapping[str, tuple[Unknown, ...]]
 def marked(made: Linked, workspace: Workspace, settings: Settings) -> Linked:
     """*made* with an unknown ``endpoints`` at every node that a call may belong to which the model does not account for.
 
-    Those are calls in a function that makes endpoints of the node, or in another method of a class of which one does, unless nothing is seen
-    to call it.
+    Those are calls in a function that makes endpoints of the node, or in another method of a class of which one does, unless nothing names
+    it.
     """
-    ros = {package.name: package.ros for package in workspace.packages if package.ros is not None}
-    code = codebase(made.sources, workspace.text, ros)
-    marks = _marks(made, workspace, settings, code)
+    marks = _marks(made, workspace, settings)
     if not marks:
         return made
 
@@ -50,15 +57,12 @@ def marked(made: Linked, workspace: Workspace, settings: Settings) -> Linked:
     return replace(made, architecture=whole, under=under)
 
 
-def _marks(made: Linked, workspace: Workspace, settings: Settings, code: Codebase) -> Marks:
+def _marks(made: Linked, workspace: Workspace, settings: Settings) -> Marks:
     """What is unknown of each node type."""
-    coverage = judging(made, workspace, settings, code)
-    found = coverage.found()
+    coverage = judging(made, workspace, settings)
+    users = Users(made.architecture, made.sources, within=True)
     places = coverage.places()
-    pending = [site for site in found if not places.has(site)]
-    if not pending:
-        return {}
-    users = Users(made.architecture, code.sources, within=True)
+    pending = [site for site in coverage.found(users.paths) if not places.has(site)]
     area = coverage.areas()
     marks: dict[str, list[Unknown]] = {}
     for site, names in _of_nodes(pending, users):
@@ -86,9 +90,24 @@ def _is_missing(asked: CoverageJudge, site: TextSite, places: Places) -> bool:
     placed = where.of(site)
     if placed is not None:
         name = last_name(placed[0].method.function.name)
-        if name in judge.WRAPPERS or runs(code, placed[0]).reason == UNCALLED:
+        if name in judge.WRAPPERS or not _is_used(asked, placed[0].method, name):
             return False
     return judge.other(code, where, site, Seen(places, {}, {})) is None
+
+
+def _is_used(asked: CoverageJudge, routine: Routine, name: str) -> bool:
+    """Whether something runs a function by itself, or some text beside its definitions names it as one calls a function or gives it away.
+
+    The text is asked, as the call graph of a large workspace costs more than all else that a run does with what it has kept.
+    """
+    function = routine.function
+    if function.kind in BY_THEMSELVES or name in (*FRAMEWORK, *STARTS, "main") or name.startswith("__"):
+        return True
+    if outside_caller(asked.code, routine, name):
+        return True
+    used = re.compile((_USED_PYTHON if routine.is_python else _USED_CPP).replace("NAME", re.escape(name)))
+    files = (asked.code.by_path[path] for path in sorted(asked.code.mentioning(name)))
+    return any(used.search(asked.text(source)) is not None for source in files)
 
 
 def _configuration(found: Configuration, marks: Marks) -> Configuration:

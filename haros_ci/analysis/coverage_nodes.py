@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 
 from haros_ci.index.index import Source
@@ -46,6 +46,11 @@ class Users:
         self._ends = ends
         self._sources = {source.path: source for source in sources if source.path in ends}
         self._files: dict[str, _File] = {}
+
+    @property
+    def paths(self) -> Collection[str]:
+        """The files with an endpoint."""
+        return self._ends.keys()
 
     def of(self, path: str, line: int) -> tuple[str, ...]:
         """The node types that a call in this line may belong to, sorted.

@@ -3,34 +3,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import replace
 from difflib import get_close_matches
 
-from haros_ci.code.codebase import codebase
+from haros_ci.code.codebase import Codebase
 from haros_ci.dependence.nodes import dependence_of
 from haros_ci.errors import UserError
-from haros_ci.index.index import Source
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.dependence_edges import names, sliced
-from haros_ci.model.workspace import Workspace
 from haros_ci.timing import timed
 
 
 @timed("dependence")
 def with_dependence(
     found: Architecture,
-    sources: Iterable[Source],
-    workspace: Workspace,
+    code: Codebase,
     affects: tuple[str, ...] = (),
     caused_by: tuple[str, ...] = (),
 ) -> Architecture:
-    """*found* with the dependence in its configurations, of which *sources* are the programs.
+    """*found* with the dependence in its configurations, whose programs are *code*.
 
     With slices of what each of *affects* reaches and what reaches each of *caused_by*; UserError for a name that no node is on.
     """
-    ros = {package.name: package.ros for package in workspace.packages if package.ros is not None}
-    code = codebase(sources, workspace.text, ros)
     made = [(one, dependence_of(one, code)) for one in found.configurations]
     asked = [*((name, True) for name in affects), *((name, False) for name in caused_by)]
     known = {name for _, dependence in made for name in names(dependence)}

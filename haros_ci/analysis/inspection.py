@@ -176,10 +176,7 @@ def _inspected(
                 Notification(Level.NOTE, sentence, ARCHITECTURE)
                 for sentence in unmodelled(found, made.builds, made.sources)
             ),
-            *(
-                Notification(Level.NOTE, sentence, ARCHITECTURE)
-                for sentence in _uncovered(made, workspace, settings, project)
-            ),
+            *(Notification(Level.NOTE, sentence, ARCHITECTURE) for sentence in _uncovered(made, workspace, settings)),
         ),
         graphs=message.graphs,
         architecture=not failures,
@@ -222,12 +219,12 @@ def chosen_checks(workspace: Workspace, selection: Selection, known: Registry) -
     return tuple(check for check in known.checks if is_on(known.check_rules[check.id], workspace, selection))
 
 
-def _uncovered(made: Linked, workspace: Workspace, settings: Settings, project: Project) -> tuple[str, ...]:
+def _uncovered(made: Linked, workspace: Workspace, settings: Settings) -> tuple[str, ...]:
     """A sentence where the model lacks many of the calls of ROS APIs."""
     with stage("loading"):
         from haros_ci.analysis.coverage import uncovered
 
-    return uncovered(made, workspace, settings, project.code)
+    return uncovered(made, workspace, settings)
 
 
 def _past(base: Base | None, architectures: Architectures) -> Callable[[], Project | None]:
@@ -271,11 +268,10 @@ def project_of(
             return None
 
     def code() -> Codebase:
-        from haros_ci.code.codebase import codebase
+        from haros_ci.analysis.code_of import code_of
 
-        ros = {package.name: package.ros for package in workspace.packages if package.ros is not None}
         with stage("call graph"):
-            return codebase(made.sources, workspace.text, ros)
+            return code_of(made, workspace)
 
     programs = {source.path: source.program for source in made.sources}
     return Project(

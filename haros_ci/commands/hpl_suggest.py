@@ -8,6 +8,7 @@ from typing import Any
 
 import click
 
+from haros_ci.analysis.code_of import code_of
 from haros_ci.analysis.suggesting import suggested
 from haros_ci.commands.common import cores, settings_from, store_for
 from haros_ci.commands.model import selected, tell
@@ -30,7 +31,7 @@ def suggest(flags: Mapping[str, Any]) -> int:
         click.echo(f"warning: {problem}", err=True)
     found = selected(made.architecture, flags["configuration"])
     tell(tuple(dict.fromkeys((*workspace.problems, *workspace.faults, *found.problems))))
-    every = suggested(found, made.sources, workspace)
+    every = suggested(found, code_of(made, workspace))
     click.echo("\n".join(lines(every)))
     return 0
 

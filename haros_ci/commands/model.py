@@ -91,17 +91,18 @@ def model(flags: Mapping[str, Any]) -> int:
     def make() -> tuple[Architecture, tuple[str, ...]]:
         with stage("loading"):  # what is kept does without all that follows nodes
             from haros_ci.analysis.architecture import varied
+            from haros_ci.analysis.code_of import code_of
             from haros_ci.analysis.unmodelled import unmodelled
         made = varied(workspace, settings, store, **options)
         found = selected(made.architecture, flags["configuration"])
         if flags["rates"] or flags["observed"]:
             from haros_ci.analysis.rates import with_rates
 
-            found = with_rates(found, made.sources, workspace)
+            found = with_rates(found, code_of(made, workspace))
         if flags["dependence"] or flags["affects"] or flags["caused_by"]:
             from haros_ci.analysis.dependence import with_dependence
 
-            found = with_dependence(found, made.sources, workspace, flags["affects"], flags["caused_by"])
+            found = with_dependence(found, code_of(made, workspace), flags["affects"], flags["caused_by"])
         found = as_running(found) if flags["as_running"] else found
         problems = (*workspace.problems, *workspace.faults, *found.problems)
         found = replace(found, problems=tuple(dict.fromkeys(problems)))

@@ -86,7 +86,7 @@ def _runs(code: Codebase, routine: Routine) -> Runs:
         return _unseen("it runs when an object is gone")
     if name in FRAMEWORK and routine.function.owner:
         return Runs(asked=("transition",), hidden=TRANSITION)
-    return _mentioned(code, routine, name, own, _overrides(code, routine, name))
+    return _mentioned(code, routine, name, own, outside_caller(code, routine, name))
 
 
 def _unseen(reason: str) -> Runs:
@@ -103,7 +103,7 @@ def _callbacks(code: Codebase) -> dict[int, tuple[Callback, ...]]:
     return known
 
 
-def _overrides(code: Codebase, routine: Routine, name: str) -> str:
+def outside_caller(code: Codebase, routine: Routine, name: str) -> str:
     """Why somebody outside the workspace may call a method; "" if nobody may."""
     owner = classes.owner_of(code, routine)
     if owner is None:

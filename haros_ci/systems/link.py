@@ -115,8 +115,8 @@ class Linked:
     builds: Mapping[str, Build]
     sources: tuple[Source, ...]
     views: tuple[Linked, ...] = ()
-    #: The calls of ROS APIs that a search of the text has found, once it was made.
-    sought: list[Any] = field(default_factory=list, compare=False, repr=False)
+    #: What has been worked out of its code, by name (``analysis.code_of``).
+    kept: dict[str, Any] = field(default_factory=dict, compare=False, repr=False)
 
 
 @timed("launch")

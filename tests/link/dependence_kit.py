@@ -9,6 +9,7 @@ from pathlib import Path
 from follow_kit import Nothing, cpp_files, main, python_files, script, workspace
 
 from haros_ci.analysis.architecture import varied
+from haros_ci.analysis.code_of import code_of
 from haros_ci.analysis.dependence import with_dependence
 from haros_ci.config.settings import Settings
 from haros_ci.model.architecture import Architecture
@@ -19,7 +20,7 @@ def architecture(files: Mapping[str, str], ros: int | None = None) -> Architectu
     whole = workspace(files, ros)
     settings = Settings(root=Path("/nowhere"))
     made = varied(whole, settings, Nothing(), environment={}, known_nodes=False)
-    return with_dependence(made.architecture, made.sources, whole)
+    return with_dependence(made.architecture, code_of(made, whole))
 
 
 def dependence(files: Mapping[str, str], ros: int | None = None) -> Dependence:
