@@ -15,8 +15,6 @@ from haros_ci.model.location import Location
 #: How deep elements may be nested, and how many there may be once aliases are followed.
 MAX_DEPTH = 40
 MAX_ENTITIES = 50_000
-#: Namespaces around a node in a parameter file that are looked into.
-PARAMETER_DEPTH = 3
 
 
 def read_ros2_yaml(text: str, path: str) -> Description | None:
@@ -47,13 +45,20 @@ def is_other_data(root: Any, path: str) -> bool:
     """
     if root.id != "mapping" or not root.value or any(key.value == "launch" for key, _ in root.value):
         return False
-    return not path.endswith((".launch.yaml", ".launch.yml")) or _has_parameters(root, PARAMETER_DEPTH)
+    return not path.endswith((".launch.yaml", ".launch.yml")) or _has_parameters(root)
 
 
-def _has_parameters(node: Any, depth: int) -> bool:
-    return node.id == "mapping" and any(
-        key.value == "ros__parameters" or (depth > 0 and _has_parameters(value, depth - 1)) for key, value in node.value
-    )
+def _has_parameters(root: Any) -> bool:
+    """Whether some map in *root*, or *root* itself, has the parameters of a node."""
+    waiting, seen = [root], {id(root)}  # aliases may lead to the same map many times, and back
+    while waiting:
+        for key, value in waiting.pop().value:
+            if key.value == "ros__parameters":
+                return True
+            if value.id == "mapping" and id(value) not in seen:
+                seen.add(id(value))
+                waiting.append(value)
+    return False
 
 
 @dataclass(slots=True)

@@ -95,6 +95,7 @@ PARAMETERS = "/bot/driver_launch:\n  ros__parameters:\n    rate: 5\n"
         ("bot/config/driver_launch.yaml", PARAMETERS),
         ("bot/test/driver.launch.yaml", PARAMETERS),
         ("bot/test/driver.launch.yml", f"bot:\n  {PARAMETERS.replace(chr(10), chr(10) + '  ')}"),
+        ("bot/test/driver.launch.yaml", "a: &a\n  b: *a\n  /n:\n    ros__parameters: {}\n"),
         ("bot/config/rocket_launch.yaml", "pad: 39\nthrust: [1, 2]\n"),
         ("bot/config/rocket_launch.yml", "launcher: {node: x}\n"),
     ],
@@ -106,6 +107,7 @@ def test_a_map_of_something_else_is_no_launch_file(path: str, text: str) -> None
 @pytest.mark.parametrize(
     ("path", "text"),
     [
+        ("bot/launch/a.launch.yaml", "a: &a\n  b: *a\n"),
         ("bot/launch/a.launch.yaml", "lauch:\n- node: {}\n"),
         ("bot/launch/a_launch.yaml", "launch:\n- node: {}\n"),
         ("bot/launch/a_launch.yaml", "launch: []\nros__parameters: {}\n"),
@@ -115,3 +117,8 @@ def test_a_map_of_something_else_is_no_launch_file(path: str, text: str) -> None
 )
 def test_a_launch_file_stays_one(path: str, text: str) -> None:
     assert read_ros2_yaml(text, path) is not None
+
+
+def test_maps_that_aliases_name_again_and_again_are_looked_through_once() -> None:
+    levels = "".join(f"a{n}: &a{n}\n" + "".join(f"  k{m}: *a{n - 1}\n" for m in range(300)) for n in range(1, 6))
+    assert read_ros2_yaml(f"a0: &a0\n  k: {{x: 1}}\n{levels}", "bot/launch/a.launch.yaml") is not None
