@@ -3,13 +3,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from haros_ci import syntax
 from haros_ci.code import classes
 from haros_ci.code.body import Iterated, Variable, names_in
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.index.index import Source
 from haros_ci.index.types import MAPS, SEQUENCES, SMART_POINTERS, pointee
-from haros_ci.syntax import Expression, Type
+from haros_ci.syntax import Expression, Field, Type
 from haros_ci.syntax.codec import plain
 from haros_ci.syntax.walk import placeless
 
@@ -148,14 +150,21 @@ def _name(code: Codebase, routine: Routine, name: str, steps: int) -> Type | Non
         member = _member(code, owner, name)
         if member is not None:
             return member
+    every = variables_outside(code, routine, name)
+    if len(every) != 1:
+        return None
+    where_, field = every[0]
+    return classes.resolved(code, field.type, field.name.rpartition("::")[0], where_)
+
+
+def variables_outside(code: Codebase, routine: Routine, name: str) -> Sequence[tuple[Source, Field]]:
+    """The C++ variables outside of functions and objects that *name* may mean in a routine, of the innermost scope that has any."""
     scope = routine.method.function.name.rpartition("::")[0]
     for candidate in code.cpp.scopes(name, scope, routine.source):
         every = code.cpp.near(code.cpp.variables, candidate, routine.source, frozenset())
         if every:
-            where_, field = every[0]
-            around = field.name.rpartition("::")[0]
-            return classes.resolved(code, field.type, around, where_) if len(every) == 1 else None
-    return None
+            return every
+    return ()
 
 
 def _member(code: Codebase, owner: classes.Owner | None, name: str) -> Type | None:

@@ -98,13 +98,8 @@ def _named(code: Codebase, routine: Routine, name: str) -> Held | None:
         found = member(code, owner, name)
         if found is not None:
             return found
-    scope = routine.method.function.name.rpartition("::")[0]
-    for candidate in code.cpp.scopes(name, scope, routine.source):
-        every = code.cpp.near(code.cpp.variables, candidate, routine.source, frozenset())
-        if every:
-            source, variable = every[0]
-            return Held("variable", source.path, variable.name, name)
-    return None
+    outside = kinds.variables_outside(code, routine, name)
+    return Held("variable", outside[0][0].path, outside[0][1].name, name) if outside else None
 
 
 def _of_module(code: Codebase, routine: Routine, name: str) -> Held | None:
