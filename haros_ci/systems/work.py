@@ -17,7 +17,7 @@ from haros_ci.model.workspace import Problem
 from haros_ci.systems.following import Types
 from haros_ci.systems.system import Job
 
-#: Steps that all programs of a workspace may take together; autoware.universe takes two million.
+#: Steps that all programs of a workspace may take together; moveit2 takes 1.4 million.
 OF_ALL = 10_000_000
 TOO_MUCH = (
     f"the programs before this one took {OF_ALL:,} steps, the limit for a workspace: what this one makes is not known; "
@@ -54,15 +54,15 @@ class Work:
         """Whether all steps of the workspace are used up."""
         return sum(self.seen.values()) > OF_ALL
 
-    def do(self, jobs: Sequence[Job], places: Sequence[int]) -> dict[int, Done]:
-        """What each of *jobs* at these *places* gives, by its place, begun in their order.
+    def do(self, jobs: Sequence[Job], order: Sequence[int]) -> dict[int, Done]:
+        """What each of *jobs* with a number in *order* gives, by this number, begun in that order.
 
         Those of which the turn comes when the steps are used up make nothing that is known.
         """
         self.here = {}
-        tasks = [partial(self._done, place, jobs[number]) for place, number in enumerate(places)]
-        done = dict(zip(places, self.share(tasks, [jobs[number].group for number in places]), strict=True))
-        for number in places:
+        tasks = [partial(self._done, place, jobs[number]) for place, number in enumerate(order)]
+        done = dict(zip(order, self.share(tasks, [jobs[number].group for number in order]), strict=True))
+        for number in order:
             for entry, steps in done[number].counted.items():  # of other processes, too
                 self.types.counted.setdefault(entry, {}).update(steps)
             if self.is_over and jobs[number].group is not None:
