@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,7 +14,7 @@ from haros_ci.config.settings import Settings
 from haros_ci.model.access import AccessRule
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.element import Element
-from haros_ci.model.workspace import Store, Workspace
+from haros_ci.model.workspace import Problem, Store, Workspace
 from haros_ci.registry import Registry, registry
 from haros_ci.results import own
 from haros_ci.results.result import Notification, Run
@@ -134,6 +134,7 @@ def _inspected(
     settings, known = architectures.settings, architectures.registry
     chosen = chosen_checks(workspace, selection, known)
     with stage("loading"):
+        from haros_ci.analysis.cut_short import cut_short
         from haros_ci.analysis.launch_faults import refused
         from haros_ci.analysis.unmodelled import unmodelled
         from haros_ci.checking.run import Assigned, run_checks, run_on_project
@@ -160,10 +161,19 @@ def _inspected(
     said_once = run_on_project(chosen, project, own.TOOL)
     failures = (*message.notifications, *said_once.notifications)
     faults = tuple(refused(workspace))
-    as_findings = {(fault.path, fault.line) for fault in faults}
+    cut: tuple[Problem, ...] = ()
+    if base is not None:
+        cut = tuple(cut_short(found.problems, _problems_before(base, architectures), base.renames))
+    as_findings = {(fault.path, fault.line) for fault in (*faults, *cut)}
     run = replace(
         run,
-        results=(*run.results, *own.launch_results(faults), *message.results, *said_once.results),
+        results=(
+            *run.results,
+            *own.launch_results(faults),
+            *own.cut_results(cut),
+            *message.results,
+            *said_once.results,
+        ),
         notifications=(
             *run.notifications,
             *failures,
@@ -239,6 +249,11 @@ def _past(base: Base | None, architectures: Architectures) -> Callable[[], Proje
         return project_of(made, base.workspace, tuple(systems(made.architecture, base.workspace)))
 
     return make
+
+
+def _problems_before(base: Base, architectures: Architectures) -> Callable[[], Iterable[Problem]]:
+    """What could not be analysed at the base revision."""
+    return lambda: architectures.of(base.workspace).architecture.problems
 
 
 def project_of(

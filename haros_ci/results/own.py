@@ -65,8 +65,9 @@ FILE_NOT_ANALYSED = Rule(
         "UTF-16, if it is larger than max-file-size, if its name is not one line of UTF-8, or if it is a symbolic link that leads out of "
         "the workspace, nowhere, or to a file of another kind. A change could hide any code in such a file. What the base revision has with "
         "the same contents, here or elsewhere, is a message and no finding; a file that was not analysed before and has changed is "
-        "reported, as what is in it now is new. Make the file readable, or leave it out by 'exclude' in the project file of the base "
-        "revision. A comment in the file does not silence this."
+        "reported, as what is in it now is new. So is a file that is too large or too deeply nested to be analysed whole, such as a "
+        "program of many thousand calls, and was not in the base revision. Make the file readable, split it, or leave it out by 'exclude' in "
+        "the project file of the base revision. A comment in the file does not silence this."
     ),
     precision="very-high",
     profiles=("ros", "strict", "google", "bugs-only", "architecture"),
@@ -169,6 +170,21 @@ def unread_results(problems: Iterable[Problem]) -> tuple[Result, ...]:
             rule.id,
             rule.level,
             f"this file cannot be analysed since this change: {_why(problem)}",
+            Location(problem.path),
+        )
+        for problem in problems
+    )
+
+
+def cut_results(problems: Iterable[Problem]) -> tuple[Result, ...]:
+    """One result for each file that a change has made too large, or too deeply nested, to be analysed whole."""
+    rule = FILE_NOT_ANALYSED
+    return tuple(
+        Result(
+            TOOL,
+            rule.id,
+            rule.level,
+            f"since this change the checks of the architecture may miss what is wrong in this file: {problem.message}",
             Location(problem.path),
         )
         for problem in problems

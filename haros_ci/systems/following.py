@@ -32,6 +32,9 @@ from haros_ci.values.given import Unseen
 
 #: What is known of a node type outside the workspace, by package, executable or look-up name, and ROS version.
 KnownNodes = Callable[[str, str, int], KnownNode | None]
+#: What is said of a node that is not followed to its end.
+TOO_LARGE = "the node is too large to be followed to its end; some of what it makes may be missing"
+FAULT = "the node could not be followed to its end"
 #: Nodelets that load nodelets that load nodelets.
 DEEPEST = 3
 
@@ -218,12 +221,9 @@ def _followed_in(
     problems: tuple[Problem, ...] = ()
     try:
         if not follow(walk, entry):
-            message = "the node is too large to be followed to its end; some of what it makes may be missing"
-            problems = (Problem(entry.source.path, message),)
+            problems = (Problem(entry.source.path, TOO_LARGE),)
     except (ArithmeticError, AttributeError, LookupError, NameError, RecursionError, TypeError, ValueError) as err:
-        message = (
-            f"the node could not be followed to its end ({type(err).__name__}): a fault of haros-ci, please report it"
-        )
+        message = f"{FAULT} ({type(err).__name__}): a fault of haros-ci, please report it"
         problems = (Problem(entry.source.path, message),)
     if context.loaded:
         trace.is_whole = False

@@ -221,7 +221,7 @@ def assert_harmless(trap: Trap, outcome: Outcome) -> None:
             assert outcome.formats[name].isascii(), name
             assert not [text for text in _messages(json.loads(outcome.formats[name])) if RAW.search(text)], name
         markdown = outcome.formats["markdown"]
-        assert not re.search(r"<(?!/?(?:code|details|summary)>)|(?<!&#64;)@\w|!\[|\]\(", markdown), markdown
+        assert not re.search(r"<(?!/?(?:br|code|details|summary)>)|(?<!&#64;)@\w|!\[|\]\(", markdown), markdown
     outcome.harmless = True
 
 
