@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 
 from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.config.suggestion import did_you_mean, nearest, quoted, suggestion
@@ -77,40 +77,28 @@ def check_selectors(
     """
     names = tuple(sorted(tools))
     runnable = tuple(sorted(linters)) or names
-    origins = dict(settings.origins)
-    for entry, where in settings.origins:
-        if entry.startswith("linter ") and entry.removeprefix("linter ") not in runnable:
-            tool = entry.removeprefix("linter ")
-            raise UserError(f"{where}: unknown tool {quoted(tool)}", help=suggestion(tool, runnable))
+    _check_linters(settings, runnable)
     written = _written(settings)
     if not written:
         return ()
     known = _KnownNames(names, catalogue, open_tools, identifiers)
     idle: list[str] = []
     notes: list[str] = []
+    origins = dict(settings.origins)
     for selector in written:
         if known.names_something(selector) or _is_user_query(selector, settings):
             continue
         where = origins.get(f"selector {selector}") or origins.get(f"haros {selector}") or "command line"
-        if selector in unserved or selector.removeprefix(_HAROS).partition(":")[2] in unserved:
+        in_full = len(notes) < MAX_NOTES
+        if _is_unserved(selector, unserved):
             idle.append(selector)
         elif f"haros {selector}" in origins and f"selector {selector}" not in origins:
-            near = did_you_mean(selector, known.words) if len(notes) < MAX_NOTES else None
+            near = did_you_mean(selector, known.words) if in_full else None
             notes.append(f"{where}: no rule or tag {quoted(selector)} here" + (f"; {near}" if near else ""))
         elif ":" in selector and not known.is_ours(selector) and not nearest(selector.partition(":")[0], names):
             notes.append(f"{where}: {quoted(selector)} can only match in an imported log: no tool here has that name")
         elif tool := known.open_tool(selector):
-            rest = selector.partition(":")[2]
-            against = doubt(tool, rest) if len(notes) < MAX_NOTES and not is_glob(rest) else None
-            if is_glob(rest) and identifiers(tool):
-                against = False, ""
-            if against is not None and against[0]:
-                message = f"{where}: {tool} has no rule {quoted(rest)}"
-                raise UserError(message, help=against[1] or "haros-ci rules lists every rule; ids are case-sensitive")
-            if against is not None:
-                notes.append(
-                    f"{where}: {quoted(selector)} names no rule of {tool} that haros-ci knows: it has no effect unless {tool} reports one of that name"
-                )
+            notes += _of_open_tool(selector, tool, where, identifiers, doubt if in_full else lambda tool, id: None)
         else:
             what = "no rule matches" if is_glob(selector) else "unknown rule or tag"
             raise UserError(f"{where}: {what} {quoted(selector)}", help=known.help(selector))
@@ -119,6 +107,35 @@ def check_selectors(
     if len(notes) > MAX_NOTES + 1:
         notes[MAX_NOTES:] = [f"and {len(notes) - MAX_NOTES} more notes on selectors"]
     return tuple(notes)
+
+
+def _check_linters(settings: Settings, runnable: Collection[str]) -> None:
+    """UserError for a name under ``linters`` that is none of *runnable*."""
+    for entry, where in settings.origins:
+        tool = entry.removeprefix("linter ")
+        if tool != entry and tool not in runnable:
+            raise UserError(f"{where}: unknown tool {quoted(tool)}", help=suggestion(tool, runnable))
+
+
+def _is_unserved(selector: str, unserved: Collection[str]) -> bool:
+    """Whether *selector* is a name of HAROS that no rule here serves."""
+    return selector in unserved or selector.removeprefix(_HAROS).partition(":")[2] in unserved
+
+
+def _of_open_tool(
+    selector: str, tool: str, where: str, identifiers: Callable[[str], Collection[str]], doubt: Doubt
+) -> Iterator[str]:
+    """A note on a selector that names no known rule of *tool*, whose catalogue may lack rules; UserError if the tool can have none of that name."""
+    rest = selector.partition(":")[2]
+    against = doubt(tool, rest) if not is_glob(rest) else (False, "") if identifiers(tool) else None
+    if against is None:
+        return
+    if against[0]:
+        message = f"{where}: {tool} has no rule {quoted(rest)}"
+        raise UserError(message, help=against[1] or "haros-ci rules lists every rule; ids are case-sensitive")
+    yield (
+        f"{where}: {quoted(selector)} names no rule of {tool} that haros-ci knows: it has no effect unless {tool} reports one of that name"
+    )
 
 
 def slip_finder(
@@ -144,7 +161,7 @@ def slip_finder(
             known.append(_KnownNames(names, catalogue, open_tools, identifiers))
         if is_glob(selector) or selector.startswith("user:") or known[0].names_something(selector):
             return ""
-        if selector in unserved or selector.removeprefix(_HAROS).partition(":")[2] in unserved:
+        if _is_unserved(selector, unserved):
             return ""
         if tool := known[0].open_tool(selector):
             against = doubt(tool, selector.partition(":")[2])

@@ -175,24 +175,27 @@ def _attributes(
         found = _found(key, item)
         if key == "traceability":
             found = {part: there.get(part) for part in PLACE if part in expected}
-            kind = "same" if found == expected else "different" if item.location else "unknown"
         elif key == "conditions":
             found = [{"statement": c.statement, "condition": c.condition, **place(c.location, packages)} for c in found]
-            kind = "same" if _same_conditions(found, expected) else "unknown" if unsure else "different"
-        elif key == "conditional":
-            kind = "same" if found == expected else "unknown" if unsure else "different"
-        elif key == "remaps":
-            vague = any("?" in text for pair in found.items() for text in pair)
-            kind = "same" if found == expected else "unknown" if vague else "different"
-        elif key in ("value", "default_value"):
-            blank = any(why.field in ("value", "default_value") for why in item.unknowns)
-            kind = "same" if _same(found, expected) else "unknown" if blank else "different"
-        elif found == expected or (key == "args" and _same(found, expected)):
-            kind = "same"
+        agree = _AGREE.get(key)
+        if found == expected if agree is None else agree(found, expected):
+            continue
+        if key == "traceability":
+            is_known = item.location is not None
+        elif key in ("conditions", "conditional"):
+            is_known = not unsure
         else:
-            kind = "unknown" if found is None or (isinstance(found, str) and "?" in found) else "different"
-        if kind != "same":
-            yield _described(kind, about, key, expected, found)
+            is_known = _is_known(key, found, item)
+        yield _described("different" if is_known else "unknown", about, key, expected, found)
+
+
+def _is_known(key: str, found: Any, item: Node | Endpoint | Parameter) -> bool:
+    """Whether *found*, the value of an attribute, is all that it can be."""
+    if key == "remaps":
+        return not any("?" in text for pair in found.items() for text in pair)
+    if key in ("value", "default_value"):
+        return not any(why.field in ("value", "default_value") for why in item.unknowns)
+    return found is not None and not (isinstance(found, str) and "?" in found)
 
 
 def _found(key: str, item: Node | Endpoint | Parameter) -> Any:
@@ -328,3 +331,12 @@ def _same_conditions(found: Sequence[Mapping[str, Any]], expected: Sequence[Mapp
     return len(found) == len(expected) and all(
         want.items() <= have.items() for have, want in zip(found, expected, strict=True)
     )
+
+
+#: When an attribute is as declared, where equality is not the question.
+_AGREE: dict[str, Callable[[Any, Any], bool]] = {
+    "args": _same,
+    "conditions": _same_conditions,
+    "default_value": _same,
+    "value": _same,
+}

@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any
 
 from haros_ci.haros_json.issues import Asking, Issues, asking, is_there, issues
@@ -68,17 +69,11 @@ def documents(inputs: Input) -> dict[str, str]:
     project = project_id(inputs.project)
     results = [result for result in inputs.report.results if is_there(result)]
     shown = _packages(workspace, places, results)
-    files: dict[str, list[SourceFile]] = {one.path: [] for one in shown}
-    for file in workspace.files:
-        home = places.home(file.path)
-        if home is not None and home in files:
-            files[home].append(file)
-    lengths: dict[str, int] = {}
+    files = _files(workspace, places, shown)
 
+    @cache
     def sloc(path: str) -> int:
-        if path not in lengths:
-            lengths[path] = sum(not line.isspace() for line in workspace.text(path).splitlines() if line)
-        return lengths[path]
+        return sum(not line.isspace() for line in workspace.text(path).splitlines() if line)
 
     rules = RuleTable(_rules(inputs.report, results), inputs.documented, inputs.scopes, inputs.queries)
     scenes = Scenes(inputs.architecture, workspace.files, inputs.project)
@@ -89,11 +84,7 @@ def documents(inputs: Input) -> dict[str, str]:
         system.json(found.queries.get(system.id, ()), environment.get(system.system.made.name, ()), sloc)
         for system in systems
     ]
-    measured: dict[str, list[Measurement]] = {one.path: [] for one in shown}
-    for one in sorted(inputs.measurements):
-        home = places.home(one.path) if one.path else next((p.path for p in shown if p.name == one.package), None)
-        if home in measured:
-            measured[home].append(one)
+    measured = _measured(inputs.measurements, places, shown)
     texts = {
         "packages.json": _text(
             package_json(
@@ -115,30 +106,70 @@ def documents(inputs: Input) -> dict[str, str]:
             f"metrics/{places.ids[path]}.json": _text(measurement_json(one, places) for one in every)
             for path, every in measured.items()
         },
-        SUMMARY: _indented(
-            summary_json(
-                packages=len(shown),
-                files=[(places.split(file.path)[1], file) for every in files.values() for file in every],
-                dependencies=len(frozenset().union(*map(needed, shown)) - {one.name for one in workspace.packages}),
-                nodes=nodes_of(build for key, build in inputs.builds.items() if key in {one.name for one in shown}),
-                systems=configurations,
-                tags=[rules.tags(result.full_id) for result in results],
-                violated=len({result.full_id for result in results}),
-                tools=len(inputs.report.runs),
-                rules=inputs.rules_on,
-                user_rules=inputs.user_rules,
-                measurements=[one for every in measured.values() for one in every],
-                timestamp=inputs.timestamp,
-            )
-        ),
+        SUMMARY: _indented(_summary(inputs, places, results, shown, files, rules, configurations, measured)),
     }
-    repositories = inputs.project.get("repositories")
-    entry = {
-        "id": project,
-        "packages": [places.ids[one.path] for one in shown],
+    entry = _entry(inputs.project, project, [places.ids[one.path] for one in shown])
+    return {**{f"{project}/{path}": text for path, text in sorted(texts.items())}, PROJECTS: _text([entry])}
+
+
+def _files(workspace: Workspace, places: JsonPlaces, shown: Sequence[Package]) -> dict[str, list[SourceFile]]:
+    """The files of each package, by its path."""
+    files: dict[str, list[SourceFile]] = {one.path: [] for one in shown}
+    for file in workspace.files:
+        home = places.home(file.path)
+        if home is not None and home in files:
+            files[home].append(file)
+    return files
+
+
+def _measured(
+    measurements: Iterable[Measurement], places: JsonPlaces, shown: Sequence[Package]
+) -> dict[str, list[Measurement]]:
+    """The measurements of each package, by its path."""
+    measured: dict[str, list[Measurement]] = {one.path: [] for one in shown}
+    paths = {one.name: one.path for one in reversed(shown)}
+    for one in sorted(measurements):
+        home = places.home(one.path) if one.path else paths.get(one.package or "")
+        if home in measured:
+            measured[home].append(one)
+    return measured
+
+
+def _summary(
+    inputs: Input,
+    places: JsonPlaces,
+    results: Sequence[Result],
+    shown: Sequence[Package],
+    files: Mapping[str, Sequence[SourceFile]],
+    rules: RuleTable,
+    configurations: Sequence[Mapping[str, Any]],
+    measured: Mapping[str, Sequence[Measurement]],
+) -> Mapping[str, Any]:
+    names = {one.name for one in shown}
+    return summary_json(
+        packages=len(shown),
+        files=[(places.split(file.path)[1], file) for every in files.values() for file in every],
+        dependencies=len(frozenset().union(*map(needed, shown)) - {one.name for one in inputs.workspace.packages}),
+        nodes=nodes_of(build for key, build in inputs.builds.items() if key in names),
+        systems=configurations,
+        tags=[rules.tags(result.full_id) for result in results],
+        violated=len({result.full_id for result in results}),
+        tools=len(inputs.report.runs),
+        rules=inputs.rules_on,
+        user_rules=inputs.user_rules,
+        measurements=[one for every in measured.values() for one in every],
+        timestamp=inputs.timestamp,
+    )
+
+
+def _entry(project: Mapping[str, Any], id: str, packages: Sequence[str]) -> dict[str, Any]:
+    """The project's entry in the list of projects."""
+    repositories = project.get("repositories")
+    return {
+        "id": id,
+        "packages": packages,
         "repositories": sorted(name(str(one)) for one in repositories) if isinstance(repositories, Mapping) else [],
     }
-    return {**{f"{project}/{path}": text for path, text in sorted(texts.items())}, PROJECTS: _text([entry])}
 
 
 def added(files: Mapping[str, str], before: Callable[[str], str | None]) -> dict[str, str]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import html
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from html.parser import HTMLParser
 
@@ -28,6 +28,8 @@ _NAME_COLUMN = re.compile(
     r" ?(?:names?)?|parameters? ?/.*|.{1,40} parameters?"
 )
 _TYPE_COLUMN = re.compile(r"(?:message|msg|data|service|srv|topic|action|parameter)? ?types?")
+_DEFAULT_COLUMN = re.compile(r"default( values?)?\b")
+_SAYS_WHAT = re.compile(r"type|default|desc|defin|expla|meaning|interface")
 _NOT_INTERFACE = re.compile(
     r"\bexamples?\b|\brviz|\bformats?\b|\btypes?\b|\.msg\b|::|\bfields?\b|\bmessages?\b|\boptions?\b"
 )
@@ -190,37 +192,60 @@ def _html(lines: Sequence[str], first: int, headings: tuple[str, ...], lead: str
         yield _Table(found[0][0], found[0][1], tuple(found[1:]), headings, lead)
 
 
-def _read(table: _Table) -> Iterator[TableRow]:
-    header = [plain(cell).lower() for cell in table.header]
+@dataclass(frozen=True, slots=True)
+class _Columns:
+    """Where a table has what: numbers of columns, None for those that it lacks; *names* are one or more."""
+
+    names: tuple[int, ...]
+    type: int | None
+    default: int | None
+    role: int | None
+    description: int | None
+
+
+def _columns(header: Sequence[str], of_launch: bool) -> _Columns | None:
+    """The columns of a table with this header; None if it is one of arguments of a function, or of values that someone chose."""
+
+    def first(fits: Callable[[str], object], besides: Sequence[int] = ()) -> int | None:
+        return next((n for n, cell in enumerate(header) if fits(cell) and n not in besides), None)
+
     names = [n for n, cell in enumerate(header) if cell and _NAME_COLUMN.fullmatch(cell) and cell != "interface"]
     names = names if any("global" in header[n] for n in names) else names[:1]
-    if (
-        not names
-        or "i/o" in header
-        or not re.search(r"type|default|desc|defin|expla|meaning|interface", " ".join(header))
-    ):
-        return  # a table of arguments of a function, or of values that someone chose
-    type_at = next((n for n, cell in enumerate(header) if _TYPE_COLUMN.fullmatch(cell) and n not in names), None)
-    default_at = next((n for n, cell in enumerate(header) if re.match(r"default( values?)?\b", cell)), None)
-    role_at = next((n for n, cell in enumerate(header) if cell in ("interface", "interface type", "direction")), None)
-    about = next((n for n, cell in enumerate(header) if cell == "description"), None)
-    kinds = _kinds(table, header[names[0]], type_at is not None)
-    if re.search(r"\blaunch\b", plain(table.headings[-1]).lower() if table.headings else ""):
-        default_at = None  # that of an argument of a launch file
+    if not names or "i/o" in header or not _SAYS_WHAT.search(" ".join(header)):
+        return None
+    return _Columns(
+        tuple(names),
+        first(_TYPE_COLUMN.fullmatch, names),
+        None if of_launch else first(_DEFAULT_COLUMN.match),  # that of an argument of a launch file is none
+        first(frozenset(("interface", "interface type", "direction")).__contains__),
+        first("description".__eq__),
+    )
+
+
+def _read(table: _Table) -> Iterator[TableRow]:
+    header = [plain(cell).lower() for cell in table.header]
+    title = plain(table.headings[-1]).lower() if table.headings else ""
+    at = _columns(header, re.search(r"\blaunch\b", title) is not None)
+    if at is None:
+        return
+    kinds = _kinds(table, header[at.names[0]], at.type is not None)
     for line, cells in table.rows:
-        if len(cells) <= names[0]:
+        if len(cells) <= at.names[0]:
             continue
-        here = kinds_of(cells[role_at]) or kinds if role_at is not None and len(cells) > role_at else kinds
-        type = plain(cells[type_at]) if type_at is not None and len(cells) > type_at else None
-        default = plain(cells[default_at]) if default_at is not None and len(cells) > default_at else None
-        description = cells[about] if about is not None and len(cells) > about else ""
-        provided = [split_names(cells[n]) for n in names if len(cells) > n]
+        type, default = plain(_cell(cells, at.type)) or None, plain(_cell(cells, at.default)) or None
+        about_it = (line, table.line, table.headings, _cell(cells, at.description))
+        here = kinds_of(_cell(cells, at.role)) or kinds
+        provided = [split_names(cells[n]) for n in at.names if len(cells) > n]
         for forms in zip(*provided, strict=False) if len(provided) > 1 else ((name,) for name in provided[0]):
             spelt = tuple(form for form in forms if _NAME.fullmatch(form) and re.search(r"\w", form))
-            fitting = _fitting(here, spelt, type or None)
+            fitting = _fitting(here, spelt, type)
             if fitting:
-                about_it = (line, table.line, table.headings, description)
-                yield TableRow(fitting, spelt, type or None, default or None, *about_it)
+                yield TableRow(fitting, spelt, type, default, *about_it)
+
+
+def _cell(cells: Sequence[str], column: int | None) -> str:
+    """The text in a column; "" where the row or the table has none."""
+    return cells[column] if column is not None and len(cells) > column else ""
 
 
 def _kinds(table: _Table, column: str, typed: bool) -> tuple[str, ...]:

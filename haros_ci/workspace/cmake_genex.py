@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Iterable
 
 from haros_ci.workspace.cmake_words import MAYBE, UNKNOWN, split_list, truth
 
@@ -13,6 +14,9 @@ _PIECE = re.compile(r"\$<|[>:,]|[^$>:,]+|\$")
 _CONTENT = frozenset(("BUILD_INTERFACE", "BUILD_LOCAL_INTERFACE", "1", "TARGET_NAME", "TARGET_OBJECTS", "LINK_ONLY"))
 _CONTENT |= {"TARGET_NAME_IF_EXISTS", "PATH", "SHELL_PATH"}
 _DROPPED = frozenset(("INSTALL_INTERFACE", "0"))
+_BITS = frozenset(("0", "1"))
+_LOGIC: dict[str, Callable[[Iterable[bool]], bool]] = {"NOT": lambda bits: not all(bits), "AND": all, "OR": any}
+_CHARACTERS = {"SEMICOLON": ";", "COMMA": ",", "ANGLE-R": ">"}
 
 
 def resolved(words: list[str]) -> list[str]:
@@ -53,24 +57,29 @@ def _value(inner: str) -> str:
     if head in _CONTENT:
         plain = content.replace("\ue005", ",")
         return f"\ue006{plain}\ue007" if head == "TARGET_OBJECTS" else plain
-    if head == "BOOL":
-        verdict = truth(content) if MAYBE not in content and UNKNOWN not in content else None
-        if verdict is None and (MAYBE in content or UNKNOWN in content):
-            return UNKNOWN
-        return "0" if verdict is False or not content else "1"
     arguments = content.split("\ue005")
-    if head in ("NOT", "AND", "OR") and all(argument in ("0", "1") for argument in arguments):
-        if head == "NOT":
-            return "0" if arguments == ["1"] else "1"
-        return "1" if (all if head == "AND" else any)(argument == "1" for argument in arguments) else "0"
-    if head in ("STREQUAL", "EQUAL") and len(arguments) == 2 and UNKNOWN not in content and MAYBE not in content:
-        return "1" if arguments[0] == arguments[1] else "0"
-    if head == "PLATFORM_ID":
-        return "1" if "Linux" in arguments else "0"
-    if head == "IF" and len(arguments) == 3 and arguments[0] in ("0", "1"):
+    verdict = _verdict(head, content, arguments)
+    if verdict is not None:
+        return "1" if verdict else "0"
+    if head == "IF" and len(arguments) == 3 and arguments[0] in _BITS:
         return arguments[1] if arguments[0] == "1" else arguments[2]
     if head == "JOIN" and len(arguments) == 2 and UNKNOWN not in content:
         return content.replace("\ue005", ",") if not arguments[1] else arguments[1].join(split_list(arguments[0]))
     if head == UNKNOWN and colon:  # a condition on the configuration, the compiler, or the language
         return ";".join(MAYBE + element.lstrip(MAYBE) for element in split_list(content.replace("\ue005", ",")))
-    return {"SEMICOLON": ";", "COMMA": ",", "ANGLE-R": ">"}.get(inner, UNKNOWN)
+    return _CHARACTERS.get(inner, UNKNOWN)
+
+
+def _verdict(head: str, content: str, arguments: list[str]) -> bool | None:
+    """Whether a logical expression or a comparison holds; None if it is neither, or not known."""
+    if head == "PLATFORM_ID":
+        return "Linux" in arguments
+    if UNKNOWN in content or MAYBE in content:
+        return None
+    if head == "BOOL":
+        return bool(content) and truth(content) is not False
+    if head in ("STREQUAL", "EQUAL") and len(arguments) == 2:
+        return arguments[0] == arguments[1]
+    if head not in _LOGIC or not _BITS.issuperset(arguments):
+        return None
+    return _LOGIC[head](argument == "1" for argument in arguments)

@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import operator
 import re
+from collections.abc import Callable
 
 from haros_ci.model.digits import whole_number
 from haros_ci.workspace.cmake_regex import find_all, replace, search, work
@@ -46,38 +48,72 @@ _PLACES |= dict.fromkeys(("MD5", "SHA1", "SHA224", "SHA256", "SHA384", "SHA512")
 
 
 def _value(what: str, words: list[str]) -> str | None:
-    if what in ("TOUPPER", "TOLOWER", "STRIP") and len(words) == 2:
-        text = words[0]
-        return {"TOUPPER": text.upper(), "TOLOWER": text.lower(), "STRIP": text.strip()}[what]
-    if what == "CONCAT":
-        return "".join(words[1:])
-    if what == "JOIN" and len(words) >= 2:
-        return words[0].join(words[2:])
-    if what == "REPLACE" and len(words) >= 3 and words[0]:
-        text = "".join(words[3:])
-        if text.count(words[0]) * len(words[1]) > MAX_VALUE:
-            return None
-        return text.replace(words[0], words[1])
-    if what == "LENGTH" and len(words) == 2:
-        return str(len(words[0].encode("utf-8", "replace")))
-    if what == "SUBSTRING" and len(words) == 4 and all(re.fullmatch(r"-?\d{1,9}", word) for word in words[1:3]):
-        start, length = int(words[1]), int(words[2])
-        return words[0][start:] if length < 0 else words[0][start : start + length] if start >= 0 else None
-    if what == "FIND" and len(words) >= 3:
-        return str(words[0].rfind(words[1]) if "REVERSE" in words[3:] else words[0].find(words[1]))
-    if what == "REPEAT" and len(words) == 3 and (times := whole_number(words[1])) is not None:
-        return words[0] * times if len(words[0]) * times <= MAX_VALUE else None
-    if what == "MAKE_C_IDENTIFIER" and len(words) == 2:
-        made = re.sub(r"[^A-Za-z0-9_]", "_", words[0])
-        return f"_{made}" if made[:1].isdigit() else made
-    if what == "GENEX_STRIP" and len(words) == 2:
-        return re.sub(r"\$<[^<>]*>", "", words[0])
-    if what == "COMPARE" and len(words) == 4:
-        left, right = words[1], words[2]
-        verdict = {"EQUAL": left == right, "NOTEQUAL": left != right, "LESS": left < right, "GREATER": left > right}
-        verdict |= {"LESS_EQUAL": left <= right, "GREATER_EQUAL": left >= right}
-        return None if words[0] not in verdict else "1" if verdict[words[0]] else "0"
-    return None
+    """What the subcommand makes of its words, without the name of the result for those of two words; None if it is not known."""
+    if what in _OF_TEXT:
+        return _OF_TEXT[what](words[0]) if len(words) == 2 else None
+    least, make = _OF_WORDS.get(what, (0, None))
+    return make(words) if make is not None and len(words) >= least else None
+
+
+def _identifier(text: str) -> str:
+    made = re.sub(r"[^A-Za-z0-9_]", "_", text)
+    return f"_{made}" if made[:1].isdigit() else made
+
+
+def _replaced(words: list[str]) -> str | None:
+    text = "".join(words[3:])
+    if not words[0] or text.count(words[0]) * len(words[1]) > MAX_VALUE:
+        return None
+    return text.replace(words[0], words[1])
+
+
+def _part(words: list[str]) -> str | None:
+    if len(words) > 4 or not all(re.fullmatch(r"-?\d{1,9}", word) for word in words[1:3]):
+        return None
+    start, length = int(words[1]), int(words[2])
+    return words[0][start:] if length < 0 else words[0][start : start + length] if start >= 0 else None
+
+
+def _repeated(words: list[str]) -> str | None:
+    times = whole_number(words[1])
+    if times is None or len(words) > 3 or len(words[0]) * times > MAX_VALUE:
+        return None
+    return words[0] * times
+
+
+def _compared(words: list[str]) -> str | None:
+    if words[0] not in _COMPARISONS or len(words) > 4:
+        return None
+    return "1" if _COMPARISONS[words[0]](words[1], words[2]) else "0"
+
+
+_COMPARISONS: dict[str, Callable[[str, str], bool]] = {
+    "EQUAL": operator.eq,
+    "NOTEQUAL": operator.ne,
+    "LESS": operator.lt,
+    "GREATER": operator.gt,
+    "LESS_EQUAL": operator.le,
+    "GREATER_EQUAL": operator.ge,
+}
+#: What has one text, and the name of its result.
+_OF_TEXT: dict[str, Callable[[str], str]] = {
+    "TOUPPER": str.upper,
+    "TOLOWER": str.lower,
+    "STRIP": str.strip,
+    "LENGTH": lambda text: str(len(text.encode("utf-8", "replace"))),
+    "MAKE_C_IDENTIFIER": _identifier,
+    "GENEX_STRIP": lambda text: re.sub(r"\$<[^<>]*>", "", text),
+}
+#: What has more, by the least number of words.
+_OF_WORDS: dict[str, tuple[int, Callable[[list[str]], str | None]]] = {
+    "CONCAT": (0, lambda words: "".join(words[1:])),
+    "JOIN": (2, lambda words: words[0].join(words[2:])),
+    "REPLACE": (3, _replaced),
+    "SUBSTRING": (4, _part),
+    "FIND": (3, lambda words: str(words[0].rfind(words[1]) if "REVERSE" in words[3:] else words[0].find(words[1]))),
+    "REPEAT": (3, _repeated),
+    "COMPARE": (4, _compared),
+}
 
 
 def _regex(state: CMakeState, words: list[str]) -> None:

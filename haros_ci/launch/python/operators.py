@@ -51,34 +51,46 @@ NUMBER = (bool, int, float)
 
 def binary(run: ScriptEvaluation, op: ast.operator, one: Value, other: Value, place: Location) -> Value:
     """``one op other``; Unknown if Python would raise, or if it is large."""
-    for value in (one, other):
-        if isinstance(value, Unknown) and not (isinstance(op, ast.Add) and stringy(one, other)):
-            return Unknown(value.reason, value.location)
-    if isinstance(op, ast.Div) and (isinstance(one, (PathValue, Sub)) or isinstance(other, PathValue)):
-        if isinstance(one, Sub):
-            return Sub((Substitution("join", (phrase(one), phrase(other)), place),), "PathJoinSubstitution")
-        return PathValue(joined_path([value.text if isinstance(value, PathValue) else value for value in (one, other)]))
     if isinstance(op, ast.Add) and stringy(one, other):
         return run.made(text_of(merged((*phrase(one), *phrase(other)))), place)
+    for value in (one, other):
+        if isinstance(value, Unknown):
+            return Unknown(value.reason, value.location)
+    if isinstance(op, ast.Div) and (isinstance(one, (PathValue, Sub)) or isinstance(other, PathValue)):
+        return _path(one, other, place)
     if isinstance(op, ast.Mod) and isinstance(one, (str, PartialText)):
         return percent(run, one, other, place)
+    if isinstance(op, ast.Mult) and (repeated := repeat(run, one, other, place)) is not None:
+        return repeated
+    if (made := _container(run, op, one, other, place)) is not None:
+        return made
+    if not (isinstance(one, NUMBER) and isinstance(other, NUMBER)) or type(op) not in BINARY:
+        return run.unknown(why(one if not isinstance(one, NUMBER) else other), place)
+    if isinstance(op, (ast.Pow, ast.LShift)) and not small_power(one, other):
+        return run.unknown("the number is too large", place)
+    return run.made(BINARY[type(op)](one, other), place)
+
+
+def _path(one: Value, other: Value, place: Location) -> Value:
+    """``one / other`` of paths, or of a substitution and what comes below it."""
+    if isinstance(one, Sub):
+        return Sub((Substitution("join", (phrase(one), phrase(other)), place),), "PathJoinSubstitution")
+    return PathValue(joined_path([value.text if isinstance(value, PathValue) else value for value in (one, other)]))
+
+
+def _container(run: ScriptEvaluation, op: ast.operator, one: Value, other: Value, place: Location) -> Value | None:
+    """An operator on two lists, tuples, maps or sets; None where there is none."""
     if isinstance(op, ast.Add) and isinstance(one, (list, tuple)) and type(one) is type(other):
         if len(one) + len(other) > LARGEST:
             return run.unknown("it is too large", place)
         return run.made(operator.add(one, other), place)
     if isinstance(op, ast.BitOr) and isinstance(one, dict) and isinstance(other, dict):
         return run.made({**one, **other}, place)
-    if isinstance(op, ast.Mult) and (repeated := repeat(run, one, other, place)) is not None:
-        return repeated
-    if isinstance(one, set) and isinstance(other, set) and type(op) in (ast.BitOr, ast.BitAnd, ast.Sub, ast.BitXor):
+    if isinstance(one, set) and isinstance(other, set) and isinstance(op, (ast.BitOr, ast.BitAnd, ast.Sub, ast.BitXor)):
         if (doubt := holes(one) or holes(other)) is not None:
             return Unknown(doubt.reason, doubt.location)
         return run.made(BINARY[type(op)](one, other), place)
-    if not (isinstance(one, NUMBER) and isinstance(other, NUMBER)) or type(op) not in BINARY:
-        return run.unknown(why(one if not isinstance(one, NUMBER) else other), place)
-    if isinstance(op, (ast.Pow, ast.LShift)) and not small_power(one, other):
-        return run.unknown("the number is too large", place)
-    return run.made(BINARY[type(op)](one, other), place)
+    return None
 
 
 def stringy(one: Value, other: Value) -> bool:
