@@ -114,16 +114,14 @@ class ParameterServer:
         why = f"{first.node} may set it"
         values = [setting.value if setting.name == name else Opaque(why) for setting in others]
         held = values[0]
-        is_same = all(
-            isinstance(value, Known) and isinstance(held, Known) and same(value.value, held.value) for value in values
-        )
-        if isinstance(found, Known) and any(setting.value == NONE for setting in others):
-            return SetByNode(f"{first.node} may delete it", held=found)
+        is_same = all(_are_same(value, held) for value in values)
         if found is None:
             return SetByNode(why, held=held if is_same else Opaque(why), is_default_first=not named)
-        if isinstance(found, Known) and not (is_same and isinstance(held, Known) and same(found.value, held.value)):
-            return Opaque(why) if named else found
-        return found
+        if not isinstance(found, Known):
+            return found
+        if any(setting.value == NONE for setting in others):
+            return SetByNode(f"{first.node} may delete it", held=found)
+        return Opaque(why) if named and not (is_same and _are_same(found, held)) else found
 
     def _below(self, name: str) -> Value | None:
         """What is inside a parameter that may be a map."""
@@ -203,3 +201,8 @@ def plain(value: YamlValue) -> Any:
 
 def _plain_key(key: Any) -> Any:
     return key.raw if isinstance(key, Text) else key
+
+
+def _are_same(one: Value, other: Value) -> bool:
+    """Whether both are known and equal."""
+    return isinstance(one, Known) and isinstance(other, Known) and same(one.value, other.value)

@@ -245,22 +245,24 @@ def _details(row: TableRow, found: Sequence[_End], files: Settings, *, exact: bo
         return
     coded = [item.end.value for item in found if item.end.value is not None]
     effective = [item.end.effective for item in found if item.end.effective is not None]
-    values = [*coded, *effective]
-    if (
-        not values
-        or not is_value(row.default)
-        or any(default_differs(row.default, value) is not True for value in values)
-        or any(default_differs(row.default, value) is False for value in files(_last(row.names[0])))
-    ):
+    if not _is_other_default(row.default, [*coded, *effective], files(_last(row.names[0]))):
         return
+    texts = " and ".join(sorted({_text(value) for value in coded or effective}))
+    says = f"{what} has default {row.default} in the document"
     if coded:
-        texts = " and ".join(sorted({_text(value) for value in coded}))
-        message = f"{what} has default {row.default} in the document, but {texts} in the code{at}"
-        yield "warning", "default", message
+        yield "warning", "default", f"{says}, but {texts} in the code{at}"
     else:
-        texts = " and ".join(sorted({_text(value) for value in effective}))
-        message = f"{what} has default {row.default} in the document; the code has none, launch files set {texts}{at}"
-        yield "note", "default", message
+        yield "note", "default", f"{says}; the code has none, launch files set {texts}{at}"
+
+
+def _is_other_default(default: str, values: Sequence[object], set_in_files: Iterable[object]) -> bool:
+    """Whether the documented *default* is a value that neither one of *values* nor a parameter file has."""
+    if not values or not is_value(default):
+        return False
+    differs = [default_differs(default, value) for value in values]
+    return all(verdict is True for verdict in differs) and not any(
+        default_differs(default, value) is False for value in set_in_files
+    )
 
 
 def _undocumented(path: str, documented: Sequence[TableRow], facts: KnownPackage) -> Iterator[Disagreement]:
@@ -275,24 +277,31 @@ def _undocumented(path: str, documented: Sequence[TableRow], facts: KnownPackage
             for name in end.names if end.kind == kind else ():
                 by_name.setdefault(name, []).append(end)
         for item in facts.interfaces:
-            left: list[Entry] = []
-            for entry in item.entries:
-                ends = by_name.get(entry.name, [])
-                if all(facts.home(end.location) not in (facts.name, None) for end in entry.ends):
-                    continue  # made by the code of another package, which has a README of its own
-                if entry.kind == kind and is_known(entry.name) and not _is_documented(of_kind, ends):
-                    left.append(entry)
-            if len(left) == 1:
-                type = f" ({left[0].type})" if left[0].type else ""
-                what = f"{NOUNS[kind]} {left[0].name}{type} of {item.type}"
-                message = f"{what} is in the code, but not documented{_at(left[0].ends[0].location)}"
-                yield Disagreement(path, table, "note", RULES["undocumented"], message)
-            elif left:
-                names = list(dict.fromkeys(entry.name for entry in left))
-                more = f" and {len(names) - LISTED} more" if len(names) > LISTED else ""
-                what = f"{len(left)} {NOUNS[kind]}s of {item.type}"
-                message = f"{what} are in the code, but not documented: {', '.join(names[:LISTED])}{more}"
-                yield Disagreement(path, table, "note", RULES["undocumented"], message)
+            own = [entry for entry in item.entries if entry.kind == kind and _is_made_here(entry, facts)]
+            left = [
+                entry
+                for entry in own
+                if is_known(entry.name) and not _is_documented(of_kind, by_name.get(entry.name, []))
+            ]
+            if left:
+                yield Disagreement(path, table, "note", RULES["undocumented"], _lacks(left, kind, item.type))
+
+
+def _is_made_here(entry: Entry, facts: KnownPackage) -> bool:
+    """Whether code of the package makes it; that of another package has a README of its own."""
+    return any(facts.home(end.location) in (facts.name, None) for end in entry.ends)
+
+
+def _lacks(left: Sequence[Entry], kind: str, type: str) -> str:
+    """The message on entries of a node type that no document names."""
+    if len(left) == 1:
+        typed = f" ({left[0].type})" if left[0].type else ""
+        what = f"{NOUNS[kind]} {left[0].name}{typed} of {type}"
+        return f"{what} is in the code, but not documented{_at(left[0].ends[0].location)}"
+    names = list(dict.fromkeys(entry.name for entry in left))
+    more = f" and {len(names) - LISTED} more" if len(names) > LISTED else ""
+    what = f"{len(left)} {NOUNS[kind]}s of {type}"
+    return f"{what} are in the code, but not documented: {', '.join(names[:LISTED])}{more}"
 
 
 def _is_documented(documented: Sequence[TableRow], ends: Sequence[_End]) -> bool:

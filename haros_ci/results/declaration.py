@@ -151,13 +151,20 @@ def _function(items: Sequence[Item], last: str, inside: str) -> tuple[Declaratio
     start, name, group = found[0]
     if start == 0 and "::" not in name and name != inside:
         for later_start, later_name, _later_group in found[1:]:
-            before = items[later_start - 1]
-            typed = isinstance(before, str) and before not in _QUALIFIERS and (before in "*&" or _WORD.match(before))
-            if typed or "::" in later_name or later_name == inside:
+            if _is_type(items[later_start - 1]) or "::" in later_name or later_name == inside:
                 return DeclarationKind.BODY, later_name
-        if _MACRO.match(name) and name != inside:
+        if _MACRO.match(name):
             return DeclarationKind.BODY, f"{name}({_arguments(items[group])})"
     return DeclarationKind.BODY, name
+
+
+def _is_type(item: Item) -> bool:
+    """Whether the last word of a type may be *item*."""
+    return (
+        isinstance(item, str)
+        and item not in _QUALIFIERS
+        and (item in ("*", "&", "*&") or _WORD.match(item) is not None)
+    )
 
 
 def _named(items: Sequence[Item], group: int) -> list[tuple[int, str]]:

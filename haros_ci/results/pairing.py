@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Container, Iterable, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from haros_ci.results.assignment import assign
@@ -204,28 +204,29 @@ class _Matcher:
                 olds = {key: fit for key, group in olds.items() if (fit := [t for t in group if self.fits(t, step)])}
             if not olds:
                 continue
-            news = grouped(new, pick, olds)
-            shared = list(olds)
-            if step.edited:
-                news = {key: [thing for thing in news[key] if self.is_fresh(thing)] for key in shared}
-                olds = {key: [thing for thing in olds[key] if self.is_gone(thing)] for key in shared}
-            taken_old: set[int] = set()
-            taken_new: set[int] = set()
-            for key in shared:
-                here, there = news[key], olds[key]
-                limit = NEAR if step.near else None
-                for a, b in assign([thing.place for thing in here], [thing.place for thing in there], limit):
-                    if step.near and step.edited and not self.akin(there[b], here[a]):
-                        continue
-                    if step.edited and self.is_rewritten(there[b], here[a]):
-                        continue
-                    taken_new.add(here[a].index)
-                    taken_old.add(there[b].index)
-                    self.pairs.append(MatchedPair(here[a].index, there[b].index, step.evidence))
-            if not taken_old:
+            pairs = tuple(self.of_pass(step, olds, grouped(new, pick, olds)))
+            if not pairs:
                 continue
+            self.pairs += pairs
+            taken_old, taken_new = {pair.old for pair in pairs}, {pair.new for pair in pairs}
             self.old, self.new = _without(self.old, taken_old), _without(self.new, taken_new)
             pools = {key: (_without(o, taken_old), _without(n, taken_new)) for key, (o, n) in pools.items()}
+
+    def of_pass(
+        self, step: _Pass, olds: Mapping[Key, Sequence[MatchCandidate]], news: Mapping[Key, Sequence[MatchCandidate]]
+    ) -> Iterator[MatchedPair]:
+        """What one pass pairs, of findings that have the same features."""
+        for key, there in olds.items():
+            here = news[key]
+            if step.edited:
+                here = [thing for thing in here if self.is_fresh(thing)]
+                there = [thing for thing in there if self.is_gone(thing)]
+            limit = NEAR if step.near else None
+            for a, b in assign([thing.place for thing in here], [thing.place for thing in there], limit):
+                if step.near and step.edited and not self.akin(there[b], here[a]):
+                    continue
+                if not (step.edited and self.is_rewritten(there[b], here[a])):
+                    yield MatchedPair(here[a].index, there[b].index, step.evidence)
 
     def fits(self, thing: MatchCandidate, step: _Pass) -> bool:
         """Whether a known finding may take part in a pass."""

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Container, Iterable, Iterator
 from dataclasses import replace
 
 from haros_ci.model.location import Location
@@ -37,31 +37,37 @@ def suppress(
     runs = tuple(runs)
     measured = {r.location.path for run in runs for r in run.results if r.value is not None}
     paths = {r.location.path for run in runs for r in run.results}.union(*(run.analysed for run in runs))
-    found: list[Directive] = []
-    by_line: dict[tuple[str, int | None], list[Directive]] = {}
-    for path in sorted(paths):
-        if path in measured or mentions is None or mentions(path):
-            for directive in directives(text(path), path, syntax(language(path), path), metrics=path in measured):
-                found.append(directive)
-                by_line.setdefault((path, directive.line), []).append(directive)
+    found = [
+        directive
+        for path in sorted(paths)
+        if path in measured or mentions is None or mentions(path)
+        for directive in directives(text(path), path, syntax(language(path), path), metrics=path in measured)
+    ]
     if not found:
         return runs, ()
+    by_line: dict[tuple[str, int | None], list[Directive]] = {}
+    for directive in found:
+        by_line.setdefault((directive.place.path, directive.line), []).append(directive)
     used: set[tuple[int, str]] = set()  # (id of a directive, selector)
     silenced = tuple(
         replace(run, results=tuple(_silenced(result, by_line, matches, used) for result in run.results)) for run in runs
     )
-    judge = _CommentJudge(runs, matches, enabled)
-    unused = []
+    return silenced, tuple(_idle(found, used, _CommentJudge(runs, matches, enabled), slip))
+
+
+def _idle(
+    found: Iterable[Directive], used: Container[tuple[int, str]], judge: _CommentJudge, slip: Callable[[str], str]
+) -> Iterator[Result]:
+    """A result for each comment with a name that silences nothing, and for each name that is misspelt."""
     for directive in found:
         if directive.metrics_only:
             continue
         idle = [name for name in directive.selectors or ("",) if (id(directive), name) not in used]
         known = [name for name in idle if judge.knows(name, directive.place.path)]
         if known:
-            unused.append(_unused(directive, known))
+            yield _unused(directive, known)
         misspelt = ((name, slip(name)) for name in idle if name and name not in known)
-        unused += (_misspelt(directive, name, meant) for name, meant in misspelt if meant)
-    return silenced, tuple(unused)
+        yield from (_misspelt(directive, name, meant) for name, meant in misspelt if meant)
 
 
 def _silenced(

@@ -134,24 +134,33 @@ def select(
     return chosen
 
 
+def _marked(listing: Iterable[str], standing: MarkersAtBase | None) -> dict[str, set[str]]:
+    """The names of the marker files that count, by their directory."""
+    marked: dict[str, set[str]] = {}
+
+    def mark(paths: Iterable[str], counts: Callable[[str, str], bool]) -> None:
+        for path in paths:
+            directory, _, name = path.rpartition("/")
+            if counts(name, path):
+                marked.setdefault(directory or ".", set()).add(name)
+
+    if standing is None:
+        mark(listing, lambda name, path: name in MARKERS)
+        return marked
+    mark(listing, lambda name, path: name in MARKERS and (name in IGNORED_WITHOUT or standing.counts(path)))
+    mark(standing.base, lambda name, path: name in IGNORED_WITHOUT)
+    return marked
+
+
 def output_directories(listing: Collection[str], standing: MarkersAtBase | None = None) -> frozenset[str]:
     """The directories that is_output tells, and their unmarked neighbours in a built workspace.
 
     With *standing*, only by markers that count, and not for the lack of what the base revision has.
     """
-    marked: dict[str, set[str]] = {}
-    for path in listing:
-        directory, _, name = path.rpartition("/")
-        if name in MARKERS and (standing is None or name in IGNORED_WITHOUT or standing.counts(path)):
-            marked.setdefault(directory or ".", set()).add(name)
+    marked = _marked(listing, standing)
+    stood: Collection[str] = listing
     if standing is not None:
-        for path in standing.base:
-            directory, _, name = path.rpartition("/")
-            if name in IGNORED_WITHOUT:
-                marked.setdefault(directory or ".", set()).add(name)
-    stood = (
-        listing if standing is None else [*standing.base, *(path for path in listing if path not in standing.tracked)]
-    )
+        stood = [*standing.base, *(path for path in listing if path not in standing.tracked)]
     outputs = {directory for directory, names in marked.items() if is_output(names)}
     roots = {directory for directory, names in marked.items() if ".catkin_workspace" in names}
     for directory in outputs:
