@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +12,7 @@ import pytest
 from commandline import TALKER_PACKAGE
 
 from haros_ci.cli import main
-from haros_ci.model.architecture import Configuration, Endpoint, Node
+from haros_ci.model.architecture import Configuration, Endpoint, Node, Qos
 from haros_ci.model.observed import ObservedTopic, compare
 from haros_ci.model.rates import Rate, Rates, exactly
 
@@ -124,6 +125,54 @@ AGREES = {
     "a topic of an action": ([end("action_servers", "/a")], topic("/a/_action/feedback")),
     "what ROS makes": ([], topic("/rosout")),
 }  # fmt: skip
+
+
+def offered(name: str, **options: Any) -> ObservedTopic:
+    return ObservedTopic(name, count=1, **options)
+
+
+def of_qos(qos: Qos | None, latched: bool | None = None, name: str = "/a") -> Endpoint:
+    return replace(end("publishers", name), qos=qos, latched=latched)
+
+
+BEST, SURE = Qos(reliability="best_effort", durability="volatile"), Qos(reliability="reliable", durability="volatile")
+LACKS |= {
+    "another reliability": (
+        [of_qos(SURE)],
+        offered("/a", qos=(BEST,)),
+        "a publisher of the recording has reliability best_effort, those of the model reliability reliable",
+    ),
+    "one of two publishers is another": (
+        [of_qos(SURE)],
+        offered("/a", qos=(SURE, replace(SURE, durability="transient_local"))),
+        "has durability transient_local, those of the model durability volatile",
+    ),
+    "another deadline": ([of_qos(Qos(deadline=0.5))], offered("/a", qos=(Qos(deadline=1.0),)), "deadline 1.0"),
+    "another node": ([of_qos(None)], offered("/a", nodes={"/n": None, "/m": None}), "in the recording /m publishes it, too"),
+    "it latches": ([of_qos(None, False)], offered("/a", nodes={"/n": True}), "/n latches it, in the model it does not"),
+    "it does not latch": ([of_qos(None, True)], offered("/a", nodes={"/n": False}), "/n does not latch it, in the model it does"),
+}  # fmt: skip
+AGREES |= {
+    "the same QoS": ([of_qos(SURE)], offered("/a", qos=(SURE,))),
+    "QoS of either publisher": ([of_qos(SURE), of_qos(BEST)], offered("/a", qos=(SURE, BEST))),
+    "a reliability that is not known": ([of_qos(Qos(reliability="?"))], offered("/a", qos=(BEST,))),
+    "a reliability of the system": ([of_qos(Qos(reliability=None))], offered("/a", qos=(BEST,))),
+    "the best one that there is": ([of_qos(Qos(reliability="best_available"))], offered("/a", qos=(BEST,))),
+    "a publisher without QoS": ([of_qos(SURE), of_qos(None)], offered("/a", qos=(BEST,))),
+    "a depth alone": ([of_qos(Qos(depth=1))], offered("/a", qos=(SURE,))),
+    "no deadline in the recording": ([of_qos(Qos(deadline=1.0))], offered("/a", qos=(SURE,))),
+    "the same node": ([of_qos(None, False)], offered("/a", nodes={"/n": False})),
+    "latching that is not known": ([of_qos(None)], offered("/a", nodes={"/n": True})),
+    "latching that the recording lacks": ([of_qos(None, True)], offered("/a", nodes={"/n": None})),
+    "two publishers of one node": ([of_qos(None, True), of_qos(None, False)], offered("/a", nodes={"/n": True})),
+}
+
+
+def test_a_nodelet_publishes_as_its_manager() -> None:
+    nodelet = Node(name="/n", kind="nodelet", package="p", type="n", container="/manager", endpoints=(of_qos(None),))
+    whole = Configuration(name="c", nodes=(nodelet,))
+    seen = offered("/a", nodes={"/manager": None})
+    assert [one.lacks for one in compare(whole, "run", {"/a": seen}, ()).topics] == [()]
 
 
 def compared(ends: list[Endpoint], seen: ObservedTopic) -> list[str]:

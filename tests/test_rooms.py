@@ -199,7 +199,7 @@ DOORS: dict[str, set[str]] = {
         "workspace",
     },
     # bags and lines of JSON as messages with times
-    "recordings": {"bounded_yaml", "errors", "scratch"},
+    "recordings": {"bounded_yaml", "errors", "model", "scratch"},
     "starting": {"model"},
     "streams": set(),
     "commands": {

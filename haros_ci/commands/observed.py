@@ -26,6 +26,10 @@ def compared(found: Architecture, recording: Recording, format: str) -> str:
         one.first, one.last = min(one.first, time), max(one.last, time)
     for topic, types in recording.topics.items():
         topics.setdefault(topic, ObservedTopic(topic)).types = frozenset(types)
+    for topic, found_offers in recording.offers.items():
+        one = topics[topic]
+        one.nodes = {offer.node: offer.is_latched for offer in found_offers if offer.node is not None}
+        one.qos = tuple(sorted({offer.qos for offer in found_offers if offer.qos is not None}, key=repr))
     comparison = compare(found.configurations[0], recording.name, topics, recording.notes)
     return as_json(comparison) if format == "json" else text(comparison)
 

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A recording held against a configuration: which topics, types and rates either has and the other lacks.
+"""A recording held against a configuration: which topics, types, publishers, QoS and rates either has and the other lacks.
 
 A recording does not have everything: what it lacks is no mistake of the model, and is said apart.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from haros_ci.model.architecture import Configuration
+from haros_ci.model.architecture import Configuration, Endpoint, Node, Qos
 from haros_ci.model.rates import Rate
 
 #: Topics that ROS itself makes.
@@ -18,17 +18,25 @@ OF_ROS = frozenset(("/rosout", "/rosout_agg", "/parameter_events", "/events/read
 OF_ACTIONS = ("/goal", "/cancel", "/status", "/feedback", "/result", "/_action/feedback", "/_action/status")
 #: Messages of a topic that make a mean rate, and the part by which it may lie beside the model's.
 FEWEST, TOLERANCE = 10, 0.2
+#: Policies that publishers are found to have (rmw_get_publishers_info_by_topic), and what says nothing of one.
+_POLICIES = ("reliability", "durability", "deadline", "lifespan", "liveliness", "lease")
+_UNKNOWN = (None, "?", "best_available")
 
 
 @dataclass(slots=True)
 class ObservedTopic:
-    """A topic of a recording: its *types*, *count* messages, the times of the first and last one in nanoseconds."""
+    """A topic of a recording: its *types*, *count* messages, the times of the first and last one in nanoseconds.
+
+    *nodes* are those that publish it, with whether they latch it, and *qos* what publishers offer, as far as the recording tells.
+    """
 
     name: str
     types: frozenset[str] = frozenset()
     count: int = 0
     first: int = 0
     last: int = 0
+    nodes: Mapping[str, bool | None] = field(default_factory=dict)
+    qos: tuple[Qos, ...] = ()
 
     @property
     def rate(self) -> float | None:
@@ -45,6 +53,7 @@ class ComparedTopic:
     publishers: tuple[str, ...] = ()
     subscribers: tuple[str, ...] = ()
     types: tuple[str, ...] = ()
+    qos: tuple[Qos, ...] = ()
     rate: Rate | None = None
     lacks: tuple[str, ...] = ()
 
@@ -66,6 +75,13 @@ class _Ends:
     subscribers: dict[str, set[str]] = field(default_factory=dict)
     types: dict[str, set[str]] = field(default_factory=dict)
     unknown: set[str] = field(default_factory=set)
+    #: Ends of publishers with their nodes, by topic.
+    made: dict[str, list[tuple[Node, Endpoint]]] = field(default_factory=dict)
+
+    @property
+    def doubt(self) -> str:
+        """What is said where a publisher may be one of a node of which a topic's name is not known; "" if there is none."""
+        return f"; of {', '.join(sorted(self.unknown)[:3])} the name of a topic is not known" if self.unknown else ""
 
 
 def compare(
@@ -102,8 +118,10 @@ def _ends(configuration: Configuration) -> _Ends:
                 continue
             side = found.publishers if end.kind == "publishers" else found.subscribers
             side.setdefault(end.name, set()).add(node.name)
-            if "?" in end.name and end.kind == "publishers":
-                found.unknown.add(node.name)
+            if end.kind == "publishers":
+                found.made.setdefault(end.name, []).append((node, end))
+                if "?" in end.name:
+                    found.unknown.add(node.name)
             if end.type is not None and "?" not in end.type:
                 found.types.setdefault(end.name, set()).add(plain(end.type))
             elif end.type is None:
@@ -115,12 +133,13 @@ def _compared(one: ObservedTopic, ends: _Ends, rate: Rate | None, *, is_of_actio
     publishers = tuple(sorted(ends.publishers.get(one.name, ())))
     subscribers = tuple(sorted(ends.subscribers.get(one.name, ())))
     known = ends.types.get(one.name, set())
+    made = ends.made.get(one.name, [])
     lacks = []
     if not is_of_action and not publishers:
         what = "no node of the model publishes it" if subscribers else "the model does not have it"
-        if ends.unknown:
-            what += f"; of {', '.join(sorted(ends.unknown)[:3])} the name of a topic is not known"
-        lacks.append(what)
+        lacks.append(f"{what}{ends.doubt}")
+    elif made:
+        lacks += [f"{text}{ends.doubt}" for text in (*_other_nodes(one, made), *_other_qos(one, made))]
     recorded = {plain(name) for name in one.types}
     if recorded and known and "?" not in known and not recorded & known:
         lacks.append(f"the model has the type {', '.join(sorted(known))}, the recording {', '.join(sorted(recorded))}")
@@ -128,7 +147,53 @@ def _compared(one: ObservedTopic, ends: _Ends, rate: Rate | None, *, is_of_actio
         is_within = rate.low * (1 - TOLERANCE) <= one.rate <= rate.high * (1 + TOLERANCE)
         if not is_within:
             lacks.append(f"the model has {rate}, the recording {one.rate:.3g} Hz")
-    return ComparedTopic(one, publishers, subscribers, tuple(sorted(known - {"?"})), rate, tuple(lacks))
+    qos = tuple(dict.fromkeys(end.qos for _, end in made if end.qos is not None))
+    return ComparedTopic(one, publishers, subscribers, tuple(sorted(known - {"?"})), qos, rate, tuple(lacks))
+
+
+def _other_nodes(one: ObservedTopic, made: Sequence[tuple[Node, Endpoint]]) -> Iterator[str]:
+    """What the model lacks of the nodes that a recording of ROS 1 names: publishers, and their latching.
+
+    A nodelet publishes under the name of its manager.
+    """
+    known: dict[str, set[bool | None]] = {}
+    for node, end in made:
+        for name in {node.name, node.container or node.name}:
+            known.setdefault(name, set()).add(end.latched)
+    if any("?" in name for name in known):
+        return
+    others = sorted(name for name in one.nodes if name not in known)
+    if others:
+        yield f"in the recording {', '.join(others[:5])} {'publishes' if len(others) == 1 else 'publish'} it, too"
+    for name, is_latched in sorted(one.nodes.items()):
+        if is_latched is not None and known.get(name) == {not is_latched}:
+            words = ("latches it", "does not") if is_latched else ("does not latch it", "does")
+            yield f"in the recording {name} {words[0]}, in the model it {words[1]}"
+
+
+def _other_qos(one: ObservedTopic, made: Sequence[tuple[Node, Endpoint]]) -> Iterator[str]:
+    """The QoS that a publisher of the recording offers, and none of the model can have."""
+    models = [end.qos for _, end in made]
+    for offered in one.qos:
+        if all(qos is not None and differing(offered, qos) for qos in models):
+            keys = sorted({key for qos in models if qos is not None for key in differing(offered, qos)})
+            theirs = sorted({_words(qos, keys) for qos in models if qos is not None})
+            yield f"a publisher of the recording has {_words(offered, keys)}, those of the model {' or '.join(theirs)}"
+
+
+def differing(one: Qos, other: Qos) -> tuple[str, ...]:
+    """The policies that both know, and that differ; depth and history are not compared: DDS does not tell them."""
+    return tuple(
+        key
+        for key in _POLICIES
+        if (here := getattr(one, key)) not in _UNKNOWN
+        and (there := getattr(other, key)) not in _UNKNOWN
+        and here != there
+    )
+
+
+def _words(qos: Qos, keys: Iterable[str]) -> str:
+    return ", ".join(f"{key} {getattr(qos, key)}" for key in keys)
 
 
 def plain(type: str) -> str:

@@ -11,11 +11,14 @@ from typing import Any, BinaryIO, Protocol
 
 from haros_ci.bounded_yaml import YamlFault, YamlLimits, data
 from haros_ci.errors import UserError
+from haros_ci.recordings.offered import Offer, offers
 from haros_ci.recordings.recording import Channel, Cut, Recording, Unreadable
 
 #: Files of one bag, and bytes of its metadata.yaml.
 MOST_FILES = 10_000
 LARGEST_METADATA = 4 << 20
+#: Characters of the profiles of quality of service of all topics.
+MOST_PROFILES = 1 << 19
 MAGIC_ROS1, MAGIC_MCAP, MAGIC_SQLITE, MAGIC_ZSTD = (
     b"#ROSBAG V",
     b"\x89MCAP0\r\n",
@@ -61,7 +64,26 @@ class Bag(Recording):
             yield topic, channel.decoder(raw, self.count), time, self.count
 
     def times(self) -> Iterator[tuple[str, int]]:
-        return ((channel.topic, time) for channel, time, _ in self._raw())
+        seen: set[Channel] = set()
+        known: dict[str, tuple[Offer, ...]] = {}
+        for channel, time, _ in self._raw():
+            if channel not in seen:
+                seen.add(channel)
+                self.offers.setdefault(channel.topic, set()).update(self._offers(channel, known))
+            yield channel.topic, time
+
+    def _offers(self, channel: Channel, known: dict[str, tuple[Offer, ...]]) -> tuple[Offer, ...]:
+        """The publishers of a channel; *known* are the profiles that were read so far."""
+        if channel.publisher is not None or not channel.profiles:
+            return () if channel.publisher is None else (channel.publisher,)
+        if channel.profiles not in known:
+            if sum(map(len, known)) + len(channel.profiles) > MOST_PROFILES:
+                self.notes.append(
+                    f"the quality of service of {channel.topic[:200]} is not read: there is too much of it"
+                )
+                return ()
+            known[channel.profiles] = offers(channel.profiles)
+        return known[channel.profiles]
 
     def _raw(self) -> Iterator[tuple[Channel, int, bytes]]:
         """The messages of all files, each of them counted."""

@@ -120,11 +120,23 @@ class McapFile:
         if key in self.channels:
             return
         topic, at = _text(content, 4)
-        written, _ = _text(content, at)
+        written, at = _text(content, at)
         name, encoding, definition = self.schemas.get(schema, ("", "", None))
         known = encoding if encoding not in ("ros2msg", "ros1msg", "") else written
-        self.channels[key] = channel = Channel(topic, name, definition, known)
+        self.channels[key] = channel = Channel(topic, name, definition, known, profiles=_profiles(content, at))
         channels.setdefault(channel.topic, set()).add(name)
+
+
+def _profiles(content: bytes, at: int) -> str:
+    """What the map at a place has of the quality of service (rosbag2_storage_mcap: ``offered_qos_profiles``); "" if it has nothing."""
+    end = min(at + 4 + (_U32.unpack_from(content, at)[0] if len(content) >= at + 4 else 0), len(content))
+    at += 4
+    while at < end:
+        key, at = _text(content, at)
+        value, at = _text(content, at)
+        if key == "offered_qos_profiles":
+            return value
+    return ""
 
 
 def _text(content: bytes, at: int) -> tuple[str, int]:

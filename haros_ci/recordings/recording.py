@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
+from haros_ci.recordings.offered import Offer
+
 #: Topics and types of one recording, characters of their names, of one definition and of all.
 MOST_CHANNELS, LONGEST_NAME, LONGEST_DEFINITION, MOST_TEXT = 10_000, 1_000, 300_000, 64 << 20
 #: Nanoseconds since 1970 that are taken for a time.
@@ -39,14 +41,19 @@ class Unreadable:
     reason: str
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False)
 class Channel:
-    """A topic of a bag, as a full name, with its type (``pkg/T`` or ``pkg/msg/T``), the type's *definition* (None where the bag has none), and how messages are written."""
+    """A topic of a bag, as a full name, with its type (``pkg/T`` or ``pkg/msg/T``), the type's *definition* (None where the bag has none), and how messages are written.
+
+    Of its publishers a bag of ROS 1 tells the *publisher*, one of ROS 2 the *profiles* that they offer, as text.
+    """
 
     topic: str
     type: str
     definition: str | None
     encoding: str
+    publisher: Offer | None = None
+    profiles: str = ""
     decoder: Any = None
     count: int = 0
 
@@ -80,7 +87,7 @@ def in_order(messages: Iterator[tuple[Channel, int, bytes]], is_whole: bool) -> 
 class Recording:
     """Messages with their times. *first* and *last* are those of the messages so far, in nanoseconds; *count* is how many those are.
 
-    ``topics`` are those that it has, with their types; *notes* are sentences about what could not be read.
+    ``topics`` are those that it has, with their types, and ``offers`` their publishers; *notes* are sentences about what could not be read.
     """
 
     def __init__(self, name: str) -> None:
@@ -90,13 +97,14 @@ class Recording:
         self.count = 0
         self.notes: list[str] = []
         self.topics: dict[str, set[str]] = {}
+        self.offers: dict[str, set[Offer]] = {}
 
     def messages(self, requested: frozenset[str]) -> Iterator[tuple[str, Any, int, int]]:
         """Topic, message, time and number, from 1, of the messages on the topics *requested*; a message can be ``Unreadable``."""
         raise NotImplementedError
 
     def times(self) -> Iterator[tuple[str, int]]:
-        """Topic and time of each message, none of which is decoded; ``topics`` has the types then."""
+        """Topic and time of each message, none of which is decoded; ``topics`` and ``offers`` are complete then."""
         raise NotImplementedError
 
     def share(self) -> float | None:

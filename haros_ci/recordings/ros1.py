@@ -11,8 +11,9 @@ from typing import BinaryIO
 
 from haros_ci.errors import UserError
 from haros_ci.recordings.jsonl import opened
+from haros_ci.recordings.offered import Offer
 from haros_ci.recordings.packed import LARGEST, unpacked
-from haros_ci.recordings.recording import MOST_CHANNELS, Channel, Cut, Definitions, in_order
+from haros_ci.recordings.recording import LONGEST_NAME, MOST_CHANNELS, Channel, Cut, Definitions, full_name, in_order
 
 _MESSAGE, _BAG, _CHUNK, _CONNECTION = 2, 3, 5, 7
 LARGEST_HEADER = 1 << 20
@@ -88,7 +89,7 @@ class Ros1File:
             name = header.get(b"topic", b"").decode("utf-8", "replace")
             kind_of, definition = (connection.get(part, b"").decode("utf-8", "replace") for part in _OF_CONNECTION)
             known = self.definitions.kept(definition) if _OF_CONNECTION[1] in connection else None
-            channel = Channel(name, kind_of, known, "ros1")
+            channel = Channel(name, kind_of, known, "ros1", _publisher(connection))
             self.channels[key] = channel
             channels.setdefault(channel.topic, set()).add(channel.type)
         elif kind == _MESSAGE:
@@ -97,6 +98,12 @@ class Ros1File:
                 raise Cut("a message has no connection, or no time")
             seconds, rest = _TIME.unpack(time)
             yield self.channels[key], seconds * 1_000_000_000 + rest, content
+
+
+def _publisher(connection: dict[bytes, bytes]) -> Offer | None:
+    """The publisher of a connection: ``callerid`` and ``latching`` of its header (wiki.ros.org/ROS/TCPROS)."""
+    node = connection.get(b"callerid", b"").decode("utf-8", "replace")
+    return Offer(full_name(node), connection.get(b"latching") == b"1") if 0 < len(node) <= LONGEST_NAME else None
 
 
 def _size(content: bytes, limit: int) -> int:

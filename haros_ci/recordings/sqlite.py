@@ -41,19 +41,22 @@ class SqliteFile:
         """The messages, in order of time."""
         database.execute("PRAGMA trusted_schema = OFF")
         database.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, LARGEST) if hasattr(database, "setlimit") else None
-        names = {
-            name
+        tables = {
+            name: str(sql)
             for name, sql in database.execute("SELECT name, sql FROM sqlite_master WHERE type = 'table'")
             if _is_plain(sql)
         }
-        if not {"topics", "messages"} <= names:
+        if not {"topics", "messages"} <= tables.keys():
             raise Cut("it has no tables of topics and messages")
-        definitions = dict(self.definitions(database)) if "message_definitions" in names else {}
+        definitions = dict(self.definitions(database)) if "message_definitions" in tables else {}
         known: dict[int, Channel] = {}
-        for key, topic, type, form in database.execute("SELECT id, name, type, serialization_format FROM topics"):
+        profiles = "offered_qos_profiles" if "offered_qos_profiles" in tables["topics"] else "''"
+        query = f"SELECT id, name, type, serialization_format, {profiles} FROM topics"
+        for key, topic, type, form, offered in database.execute(query):
             if len(known) >= MOST_CHANNELS:
                 raise Cut("it has too many topics")
-            known[key] = channel = Channel(str(topic), str(type), definitions.get(str(type)), str(form))
+            definition = definitions.get(str(type))
+            known[key] = channel = Channel(str(topic), str(type), definition, str(form), profiles=str(offered))
             channels.setdefault(channel.topic, set()).add(str(type))
         for key, time, content in database.execute("SELECT topic_id, timestamp, data FROM messages ORDER BY timestamp"):
             if (

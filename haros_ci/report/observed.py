@@ -4,8 +4,10 @@
 from __future__ import annotations
 
 import json
+from dataclasses import asdict
 from typing import Any
 
+from haros_ci.model.architecture import Qos
 from haros_ci.model.observed import ComparedTopic, Comparison
 from haros_ci.model.rates import Rate
 from haros_ci.report.escape import terminal
@@ -35,7 +37,13 @@ def text(found: Comparison) -> str:
 def _recorded(one: ComparedTopic) -> str:
     seen = one.observed
     parts = [*sorted(seen.types), plural(seen.count, "message")]
-    return ", ".join([*parts, f"{seen.rate:.3g} Hz"] if seen.rate is not None else parts)
+    parts += [f"{seen.rate:.3g} Hz"] if seen.rate is not None else []
+    return ", ".join([*parts, *dict.fromkeys(words for qos in seen.qos if (words := _qos(qos)))])
+
+
+def _qos(qos: Qos) -> str:
+    """Reliability and durability, as far as they are known."""
+    return " ".join(word for word in (qos.reliability, qos.durability) if word is not None)
 
 
 def _modelled(one: ComparedTopic) -> str:
@@ -68,10 +76,13 @@ def _topic(one: ComparedTopic) -> dict[str, Any]:
         "types": sorted(map(terminal, seen.types)),
         "count": seen.count,
         "rate": seen.rate,
+        "publishers": [{"node": terminal(node), "latched": latched} for node, latched in sorted(seen.nodes.items())],
+        "qos": [asdict(qos) for qos in seen.qos],
         "model": {
             "publishers": list(one.publishers),
             "subscribers": list(one.subscribers),
             "types": list(one.types),
+            "qos": [asdict(qos) for qos in one.qos],
             "rate": _rate(one.rate),
         },
         "lacks": [terminal(text) for text in one.lacks],
