@@ -11,6 +11,9 @@ fail() { # MESSAGE [CODE]
   exit "${2:-2}"
 }
 
+[[ "$INPUT_WORKING_DIRECTORY" != *$'\n'* ]] && CDPATH='' cd -- "${INPUT_WORKING_DIRECTORY:-.}" ||
+  fail "The input 'working-directory' is no directory."
+
 arguments=()
 
 option() { # NAME VALUE: give the option if there is a value
@@ -136,6 +139,7 @@ option fail-on "$INPUT_FAIL_ON"
 options allow-tool-failure "$INPUT_ALLOW_TOOL_FAILURE"
 options plugin "$INPUT_PLUGINS"
 option compile-database "$INPUT_COMPILE_DATABASE"
+! flag exact "$INPUT_EXACT" || arguments+=(--exact)
 option jobs "$INPUT_JOBS"
 option cache-dir "${INPUT_CACHE_DIR:-$RUNNER_TEMP/haros-ci-cache}"
 if [[ -n "$INPUT_SHARD" ]]; then
@@ -154,6 +158,10 @@ else
     option output "$report"
   done < <(lines "$INPUT_REPORTS")
 fi
+while IFS= read -r argument; do
+  [[ "$argument" == -* ]] || fail "A line of the input 'args' is no option; paths are for the input 'paths'."
+  arguments+=("$argument")
+done < <(lines "$INPUT_ARGS")
 command=check
 if [[ -n "$INPUT_MERGE" ]]; then
   command=merge
@@ -184,6 +192,7 @@ if [[ -n "$INPUT_SHARD" && -f "$shard" ]]; then
   printf 'shard-file=%s\n' "$shard" >> "$GITHUB_OUTPUT"
 elif [[ -f "$sarif" && -f "$counts" ]]; then
   new="$("$python" -I -c 'import json, sys; print(json.load(open(sys.argv[1], "rb"))["counts"]["open"])' "$counts")"
+  [[ "$sarif" == /* || "${INPUT_WORKING_DIRECTORY:-.}" == . ]] || sarif="$INPUT_WORKING_DIRECTORY/$sarif"
   printf 'sarif=%s\nnew-count=%d\n' "$sarif" "$new" >> "$GITHUB_OUTPUT"
 else
   printf '::error title=haros-ci::Nothing was checked, because of wrong inputs or configuration, a base revision that cannot be had, or shards that make no whole; see the log.\n'

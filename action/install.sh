@@ -18,11 +18,18 @@ case "$INPUT_INSTALL" in
   *) fail "The input 'install' is neither true nor false." ;;
 esac
 
+extra=""
 case "$INPUT_LINTERS" in
-  true) extra="[linters]" ;;
-  false) extra="" ;;
+  true) extra="linters" ;;
+  false) ;;
   *) fail "The input 'linters' is neither true nor false." ;;
 esac
+case "$INPUT_EXACT" in
+  true) extra="${extra:+$extra,}exact" ;;
+  false) ;;
+  *) fail "The input 'exact' is neither true nor false." ;;
+esac
+extra="${extra:+[$extra]}"
 
 constraint=()
 case "$INPUT_TOOL_VERSIONS" in

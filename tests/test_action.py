@@ -29,8 +29,10 @@ WORKFLOW: dict[str, Any] = yaml.safe_load((ROOT / "docs/workflows/haros-ci.yml")
 ACTION_ONLY = {
     "paths",
     "merge",
+    "args",
     "linters",
     "tool-versions",
+    "working-directory",
     "plugins",
     "plugin-packages",
     "sarif-file",
@@ -344,6 +346,35 @@ def test_a_push_has_no_baseline_and_shows_all(tmp_path: Path) -> None:
     assert (tmp_path / "workspace/out/log.sarif").is_file()
 
 
+def test_a_workspace_below_the_checkout(tmp_path: Path) -> None:
+    """Annotations name files from the root of the repository, as GitHub wants them; outputs from where the next step starts."""
+    below = {"ws/package.xml": MANIFEST, "ws/arm/joints.py": KNOWN, "other/joints.py": KNOWN}
+    request = pull_request(tmp_path, {"ws/arm/joints.py": ADDED, "other/joints.py": ADDED}, before=below)
+    checkout(request, tmp_path / "workspace")
+    inputs = {"working-directory": "ws", "sarif-file": "log.sarif", "args": "--statistics\n--exclude=none\n"}
+    job = run_action(tmp_path / "workspace", inputs, base="main")
+    assert (job.code, job.outputs["new-count"], job.outputs["sarif"]) == (1, "1", "ws/log.sarif"), job.log
+    [annotation] = [c for c in job.commands if c.startswith(("::error ", "::warning "))]
+    assert "file=ws/arm/joints.py" in annotation
+    assert (tmp_path / "workspace/ws/log.sarif").is_file()
+
+
+@pytest.mark.parametrize(
+    ("inputs", "says"),
+    [
+        ({"working-directory": "nowhere"}, "The input 'working-directory' is no directory."),
+        ({"working-directory": ".\n."}, "The input 'working-directory' is no directory."),
+        ({"args": "arm/joints.py"}, "A line of the input 'args' is no option; paths are for the input 'paths'."),
+        ({"exact": "yes"}, "The input 'exact' is neither true nor false."),
+    ],
+)
+def test_inputs_that_cannot_be_meant(tmp_path: Path, inputs: dict[str, str], says: str) -> None:
+    request = pull_request(tmp_path, {"arm/joints.py": CLEAN})
+    checkout(request, tmp_path / "workspace")
+    job = run_action(tmp_path / "workspace", inputs)
+    assert job.code == 2 and job.commands == [f"::error title=haros-ci::{says}"]
+
+
 def test_without_annotations_the_log_is_plain(tmp_path: Path) -> None:
     request = pull_request(tmp_path, {"arm/joints.py": ADDED})
     checkout(request, tmp_path / "workspace")
@@ -612,8 +643,16 @@ case "$*" in *" -m venv "*) for last; do :; done; mkdir -p "$last/bin"; cp "$0" 
 
 
 @pytest.mark.parametrize("versions", ["pinned", "newest"])
-@pytest.mark.parametrize(("linters", "what"), [("true", "/action[linters]"), ("false", "/action")])
-def test_linters_that_run_if_asked_for_are_an_extra(tmp_path: Path, linters: str, what: str, versions: str) -> None:
+@pytest.mark.parametrize(
+    ("linters", "exact", "what"),
+    [
+        ("true", "false", "/action[linters]"),
+        ("false", "true", "/action[exact]"),
+        ("true", "true", "/action[linters,exact]"),
+        ("false", "false", "/action"),
+    ],
+)
+def test_what_runs_if_asked_for_is_an_extra(tmp_path: Path, linters: str, exact: str, what: str, versions: str) -> None:
     python = tmp_path / "python"
     python.write_text(RECORDER)
     python.chmod(0o755)
@@ -625,6 +664,7 @@ def test_linters_that_run_if_asked_for_are_an_extra(tmp_path: Path, linters: str
         "INPUT_PYTHON": str(python),
         "INPUT_INSTALL": "true",
         "INPUT_LINTERS": linters,
+        "INPUT_EXACT": exact,
         "INPUT_TOOL_VERSIONS": versions,
         "INPUT_PLUGIN_PACKAGES": "",
     }

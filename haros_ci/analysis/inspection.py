@@ -91,7 +91,12 @@ class Architectures:
             parts = views(workspace)
             if parts[0].workspace is workspace:
                 self._made[key] = varied(
-                    workspace, self.settings, self.store, processes=self.settings.jobs, common=self._common
+                    workspace,
+                    self.settings,
+                    self.store,
+                    exact=self.settings.exact,
+                    processes=self.settings.jobs,
+                    common=self._common,
                 )
             else:
                 where = self.settings.project_file or "the project file"
@@ -206,7 +211,8 @@ def inspected_or_kept(
 ) -> Run:
     """*run* with what ``inspected`` finds, from the cache if all that this depends on is as it was."""
     settings, known = architectures.settings, architectures.registry
-    if settings.plugins or not is_inspected(workspace, selection, settings, known):  # nobody knows what a plug-in reads
+    if settings.plugins or settings.exact or not is_inspected(workspace, selection, settings, known):
+        # nobody knows what a plug-in reads, and headers of the machine may change
         return inspected(run, workspace, selection, architectures, progress, base)
     from haros_ci.analysis.kept_runs import kept_run
 

@@ -275,6 +275,7 @@ def settings_from(flags: Flags) -> Settings:
         "fail_on": flags.get("fail_on"),
         "jobs": flags.get("jobs") or cores(),
         "compile_database": flags.get("compile_database"),
+        "exact": flags.get("exact"),
         "imports": tuple(flags.get("imports") or ()),
         "plugins": plugins_of(flags),
         "plugin_whitelist": flatten(flags.get("plugin_whitelist")),

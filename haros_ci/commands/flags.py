@@ -51,6 +51,10 @@ plugin_option = click.option(
     "--plugin", type=CommaList(), metavar="MODULE", multiple=True, help="Take in this plug-in (docs/plugins.md)."
 )
 
+exact_option = click.option(
+    "--exact", is_flag=True, help="Let libclang fill what is unknown, where ROS headers are installed (docs/exact.md)."
+)
+
 timings_options = options(
     click.option("--timings", is_flag=True, help="Say on stderr where the time went."),
     click.option("--verbose", "-v", is_flag=True, help="Say more: --timings and, of findings, --why and --statistics."),
@@ -78,6 +82,7 @@ analysis_options = options(
     ),
     click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out."),
     click.option("--compile-database", type=click.Path(), help="compile_commands.json, or its directory."),
+    exact_option,
     plugin_option,
     click.option(
         "--plugin-whitelist", type=CommaList(), multiple=True, help="Of the HAROS plug-ins installed, run these."
@@ -286,7 +291,7 @@ system_options = options(
     click.option("--affects", metavar="NAME", multiple=True, help="All that this topic, service or action reaches."),
     click.option("--caused-by", metavar="NAME", multiple=True, help="All that reaches this topic, service or action."),
     click.option("--no-known-nodes", is_flag=True, help="Leave out what is known of nodes outside the workspace."),
-    click.option("--exact", is_flag=True, help="Let libclang fill what is unknown, where ROS headers are installed."),
+    exact_option,
 )
 
 #: What haros-ci policy has besides.

@@ -37,6 +37,7 @@ _OPTIONS = {
     "command_line": "--select or --ignore",
     "exclude": "--exclude",
     "compile_database": "--compile-database",
+    "exact": "--exact",
     "trust_config": "--trust-config",
     "plugins": "--plugin",
 }

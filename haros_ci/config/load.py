@@ -199,7 +199,7 @@ def _with_flags(settings: Settings, flags: Mapping[str, Any]) -> Settings:
         changes["baseline"] = None
     if flags.get("require_baseline") is not None:
         changes["require_baseline"] = flags["require_baseline"]
-    for name in ("baseline_rev", "jobs", "cache_dir"):
+    for name in ("baseline_rev", "exact", "jobs", "cache_dir"):
         if flags.get(name):
             changes[name] = flags[name]
     changes |= _plugins(settings, flags)

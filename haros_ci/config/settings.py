@@ -84,7 +84,7 @@ class Settings:
 
     ``root`` is absolute; ``paths`` are POSIX-style, relative to it (``.`` is all of it). ``fail_on`` None never fails.
     ``baseline`` and ``compile_database`` are absolute or relative to ``root``, so ``root / value`` is right for both.
-    ``base_missing`` says why the base revision that was asked for cannot be had, "" if it can or none was: then nothing that a change could
+    ``exact`` asks libclang for what the model does not know. ``base_missing`` says why the base revision that was asked for cannot be had, "" if it can or none was: then nothing that a change could
     have brought counts, neither project file nor settings of tools nor marker files.
     ``require_baseline`` None: a baseline need not be asked for, but one that is asked for must be had; False: it need not be had either.
     ``project`` is the project file as plain data. ``packages`` are the packages to analyse, empty for all.
@@ -120,6 +120,7 @@ class Settings:
     jobs: int = 1
     max_file_size: int = 2_000_000
     compile_database: str | None = None
+    exact: bool = False
     imports: tuple[str, ...] = ()
     baseline: str | None = None
     baseline_rev: str | None = None
