@@ -305,6 +305,7 @@ diff_options = options(
     click.option("--output", type=click.Path(), help="File to write; default: stdout."),
     click.option("--merge-base", is_flag=True, help="Compare with the commit at which HEAD's history left BASE's."),
     click.option("--exit-code", is_flag=True, help="Exit with 1 if anything has changed."),
+    click.option("--rates", is_flag=True, help="Compare rates even if no timer has another period."),
 )
 
 #: What haros-ci metrics has besides.

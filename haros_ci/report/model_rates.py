@@ -19,6 +19,7 @@ def rates_of(rates: Rates, place: Callable[[Location | None], dict[str, Any] | N
                 "node": one.node,
                 "topic": one.topic,
                 **_rate(one.rate),
+                "inputs": [terminal(name) for name in one.inputs],
                 "location": place(one.location),
                 "calls": [{**_rate(call.rate), "location": place(call.location)} for call in one.calls],
             }

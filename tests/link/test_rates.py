@@ -190,6 +190,16 @@ def test_a_cycle_ends_without_a_bound() -> None:
     assert found.startswith("at least ") and "callbacks publish what calls them again" in found
 
 
+def test_a_cycle_over_two_topics_has_no_bound_either() -> None:
+    body = (
+        "a = PUB('a')\nb = PUB('b')\ndef tick(event):\n    a.publish('')\ndef got_a(m):\n    b.publish('')\n"
+        "def got_b(m):\n    a.publish('')\nrospy.Subscriber('a', String, got_a)\nrospy.Subscriber('b', String, got_b)\n"
+        "rospy.Timer(rospy.Duration(0.1), tick)\nrospy.spin()\n"
+    )
+    found = python(body)
+    assert all("callbacks publish what calls them again" in found[topic] for topic in ("/a", "/b"))
+
+
 def test_a_cycle_that_nothing_starts_publishes_nothing() -> None:
     assert of_class('sub_ = nh.subscribe("a", 1, &A::got, this);', "send();") == "0 Hz"
 
