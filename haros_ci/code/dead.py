@@ -26,6 +26,15 @@ def is_dead(code: Codebase, routine: Routine) -> bool:
 
     Of a class with a base that is not seen the base may call it. A public function of a Python module that is no program may be for others.
     """
+    key = ("dead", id(routine))
+    if key not in code.kept:
+        code.kept[key] = _is_dead(code, routine)
+        code.kept["keep", id(routine)] = routine
+    found: bool = code.kept[key]
+    return found
+
+
+def _is_dead(code: Codebase, routine: Routine) -> bool:
     function = routine.method.function
     name = function.name.rpartition("::")[2]
     if routine.is_python:
