@@ -281,7 +281,7 @@ system_options = options(
     click.option("--env", metavar="NAME=VALUE", multiple=True, help="What $(env NAME) is in launch files."),
     click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations."),
     click.option("--as-running", is_flag=True, help="What ROS 1 nodelets make stands under their manager's name."),
-    click.option("--rates", is_flag=True, help="With how often each node publishes, in text and json (docs/rates.md)."),
+    click.option("--rates", is_flag=True, help="With how often each node publishes (docs/rates.md)."),
     click.option("--dependence", is_flag=True, help="With which inputs cause which outputs (docs/dependence.md)."),
     click.option("--affects", metavar="NAME", multiple=True, help="All that this topic, service or action reaches."),
     click.option("--caused-by", metavar="NAME", multiple=True, help="All that reaches this topic, service or action."),

@@ -291,7 +291,9 @@ def may_run(code: Codebase, where: Routine, routine: Routine, callee: Expression
     if not isinstance(callee, syntax.Member):
         return False
     if not routine.owner:
-        return where.is_python and not isinstance(callee.object, syntax.This)
+        return (
+            where.is_python and not isinstance(callee.object, syntax.This) and not _is_made(code, where, callee.object)
+        )
     owner = classes.owner_of(code, routine)
     if isinstance(callee.object, syntax.This):
         other = classes.owner_of(code, where)
@@ -303,6 +305,34 @@ def may_run(code: Codebase, where: Routine, routine: Routine, callee: Expression
         return True
     names = classes.base_names(code, other) | classes.base_names(code, owner)
     return other[1].name == owner[1].name or owner[1].name in names or other[1].name in names
+
+
+def _is_made(code: Codebase, where: Routine, value: Expression) -> bool:
+    """Whether a name in Python is a variable that is only ever given what calls of classes make: no module, whose functions it could have."""
+    if not isinstance(value, syntax.Name):
+        return False
+    around: Routine | None = where
+    while around is not None:
+        if any(one.name.lstrip("*") == value.name for one in around.function.parameters):
+            return False
+        found = _assigned(code, around, value.name)
+        if found or value.name in code.body(around).imports:
+            return bool(found) and value.name not in code.body(around).imports and all(map(_is_object, found))
+        around = around.outer
+    modules = [one for one in code.routines(where.path) if one.function.kind == "module"]
+    if len(modules) != 1 or where is modules[0]:
+        return False
+    found = _assigned(code, modules[0], value.name)
+    return bool(found) and value.name not in code.body(modules[0]).imports and all(map(_is_object, found))
+
+
+def _assigned(code: Codebase, where: Routine, name: str) -> list[Expression]:
+    return [value for target, _, value, _ in code.body(where).sets if target == syntax.Name(name)]
+
+
+def _is_object(value: Expression) -> bool:
+    """Whether a value is what a class makes, by the capital that classes have in Python; modules are given by functions."""
+    return isinstance(value, syntax.Call) and last_part(value.callee).rpartition(".")[2][:1].isupper()
 
 
 def _is_given(code: Codebase, where: Routine, routine: Routine, node: object) -> bool:

@@ -250,6 +250,15 @@ PYTHON = {
     "a timer": (
         "p = PUB('a')\ndef tick(event):\n    p.publish('')\nrospy.Timer(rospy.Duration(0.5), tick)\nrospy.spin()\n", "2 Hz"
     ),
+    "a function of the name of a publisher's method": (
+        "p = PUB('a')\ndef publish():\n    p.publish('')\nr = rospy.Rate(10)\nwhile not rospy.is_shutdown():\n    publish()\n"
+        "    r.sleep()\n",
+        "10 Hz",
+    ),
+    "the same, called through what may be a module": (
+        "p = PUB('a')\ndef publish():\n    p.publish('')\ndef other(q):\n    q.publish()\nother(choose())\npublish()\n",
+        "unknown (other may call it)",
+    ),
     "a timer for once": (
         "p = PUB('a')\ndef tick(event):\n    p.publish('')\nrospy.Timer(rospy.Duration(0.5), tick, oneshot=True)\n",
         "unknown (the timer fires once each time that it is started)",
