@@ -49,21 +49,24 @@ def _most(
 
     They have to come from nodes that do not publish *other*, by timers and loops alone.
     """
-    from haros_ci.api.rates import rates_in
+    from haros_ci.api.rates import rates_in, total
 
     if not properties.is_complete(stated.owner):
         return 0.0
     code = properties.project.code
-    names = {end.name for event in due for end in properties.ends(stated.owner, event.topic)}
-    apart = {end.name for event in other for end in properties.ends(stated.owner, event.topic)}
+    names, apart = _names(properties, stated, due), _names(properties, stated, other)
     every = rates_in(system, code).published
     nodes = {one.node for one in every if one.topic in apart}
     found = [one for one in every if one.topic in names]
-    if not found or {one.topic for one in found} != names:
+    if {one.topic for one in found} != names or any(one.inputs or one.node in nodes for one in found):
         return 0.0
-    if any(not one.rate.is_known or one.inputs or one.node in nodes for one in found):
-        return 0.0
-    return sum(one.rate.high for one in found)
+    rate = total(one.rate for one in found)
+    return rate.high if rate.is_known else 0.0
+
+
+def _names(properties: Properties, stated: Stated, events: tuple[Event, ...]) -> set[str]:
+    """What the topics of *events* are called in the systems."""
+    return {end.name for event in events for end in properties.ends(stated.owner, event.topic)}
 
 
 CHECK = Check(

@@ -46,17 +46,20 @@ def _is_dead(code: Codebase, routine: Routine) -> bool:
         class_named(code, base, owner[0]) is None for base in base_names(code, owner) - _NODES
     ):
         return False
-    word = re.compile(rf"(?<!\w){name}\b\s*(\(?)")
-    for path in sorted(code.mentioning(name)):
-        functions = code.by_path[path].program.functions
-        if any(function.is_virtual and function.name.rpartition("::")[2] == name for function in functions):
-            return False
-        text = _COMMENTS.sub(" ", code.text(path))
-        for found in word.finditer(text):
-            declared = _DECLARED.search(text, max(0, found.start() - 200), found.start())
-            if not found[1] or declared is None or declared[1] in _NO_TYPES:
-                return False
-    return True
+    return not any(_is_used(code, path, name) for path in sorted(code.mentioning(name)))
+
+
+def _is_used(code: Codebase, path: str, name: str) -> bool:
+    """Whether a C++ file has a virtual function of that name, or names one elsewhere than where it is declared or defined."""
+    functions = code.by_path[path].program.functions
+    if any(function.is_virtual and function.name.rpartition("::")[2] == name for function in functions):
+        return True
+    text = _COMMENTS.sub(" ", code.text(path))
+    for found in re.finditer(rf"(?<!\w){name}\b\s*(\(?)", text):
+        declared = _DECLARED.search(text, max(0, found.start() - 200), found.start())
+        if not found[1] or declared is None or declared[1] in _NO_TYPES:
+            return True
+    return False
 
 
 def _is_dead_in_python(code: Codebase, routine: Routine) -> bool:
