@@ -248,6 +248,7 @@ DOORS: dict[str, set[str]] = {
         "knowledge",
         "linters",
         "model",
+        "rates",
         "report",
         "results",
         "security",

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cache
 
+from haros_ci.analysis.code_of import code_of
 from haros_ci.changes.calls import Rows, by_name
 from haros_ci.changes.change import shown
 from haros_ci.changes.endpoints import WORDS
@@ -13,6 +14,7 @@ from haros_ci.changes.revision import Revision
 from haros_ci.changes.settings import ParameterValue
 from haros_ci.extract.apis.tables import rows
 from haros_ci.launch.ros2.parameter_files import SECTION, values_in
+from haros_ci.model.architecture import Architecture
 from haros_ci.model.workspace import Workspace
 from haros_ci.systems.link import Linked
 
@@ -24,7 +26,13 @@ def revision_of(workspace: Workspace, made: Linked) -> Revision:
         (interface, versions.get(name)) for name, build in made.builds.items() for interface in build.interfaces
     )
     programs = {source.path: source.program for source in made.sources}
-    return Revision(workspace, made.architecture, interfaces, read_values, programs, call_rows())
+
+    def timed() -> Architecture:
+        from haros_ci.analysis.rates import with_rates  # most changes leave rates as they are
+
+        return with_rates(made.architecture, code_of(made, workspace))
+
+    return Revision(workspace, made.architecture, interfaces, read_values, programs, call_rows(), timed)
 
 
 @cache

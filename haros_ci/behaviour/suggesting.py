@@ -55,9 +55,7 @@ def _caused(
     timer = next((cause for cause in output.causes if cause.kind == "timer" and cause.is_each), None)
     low = rates.get((one.node, output.name), 0.0)
     for cause in output.causes:
-        if cause.kind != "subscription" or "?" in cause.name or cause.name == output.name:
-            continue
-        if not _is_certain(node.endpoints, "subscribers", cause.name):
+        if cause.kind != "subscription" or not _is_other(node, cause.name, output.name):
             continue
         if cause.how == DIRECT and cause.is_each:
             yield f"globally: {cause.name} causes {output.name}", _way(one, cause)
@@ -67,6 +65,11 @@ def _caused(
                 f"globally: {cause.name} causes {output.name} within {bound}",
                 f"{_way(one, cause)}; {one.node} publishes at least {low:.6g} times a second, and the bound is {PERIODS} periods",
             )
+
+
+def _is_other(node: Node, name: str, other: str) -> bool:
+    """Whether a node surely subscribes to a topic of that name, which is not the *other* one."""
+    return "?" not in name and name != other and _is_certain(node.endpoints, "subscribers", name)
 
 
 def _is_certain(endpoints: Iterable[Endpoint], kind: str, name: str) -> bool:
@@ -80,22 +83,31 @@ def _bound(hertz: float) -> str:
 
 def _required(configuration: Configuration) -> Iterator[tuple[str, str]]:
     """Each topic whose publishers are all seen to publish in callbacks of subscriptions alone."""
-    assert configuration.dependence is not None
-    by_topic: dict[str, list[tuple[NodeDependence, Output]]] = {}
-    for one in configuration.dependence.nodes:
-        for output in _topics(one):
-            by_topic.setdefault(output.name, []).append((one, output))
-    for topic, group in sorted(by_topic.items()):
+    more = _not_known(configuration)
+    for topic, group in sorted(_by_topic(configuration).items()):
         ways = [(one, cause) for one, output in group for cause in _direct(output)]
-        is_all = all(_in_callbacks(output) for _, output in group)
         names = sorted({cause.name for _, cause in ways})
-        if not is_all or not names or topic in names or any("?" in name for name in names):
+        if not names or topic in names or "?" in "".join(names) or not all(_in_callbacks(one) for _, one in group):
             continue
         event = names[0] if len(names) == 1 else f"({' or '.join(names)})"
-        others = [node.name for node in configuration.nodes if any(why.field == "endpoints" for why in node.unknowns)]
-        more = f"; not all that {', '.join(others[:5])} may publish is known" if others else ""
         evidence = "; ".join(dict.fromkeys(_way(one, cause) for one, cause in ways))
         yield f"globally: {topic} requires {event}", f"nothing else publishes it: {evidence}{more}"
+
+
+def _not_known(configuration: Configuration) -> str:
+    """What the evidence says of nodes of which not all endpoints are known."""
+    others = [node.name for node in configuration.nodes if any(why.field == "endpoints" for why in node.unknowns)]
+    return f"; not all that {', '.join(others[:5])} may publish is known" if others else ""
+
+
+def _by_topic(configuration: Configuration) -> dict[str, list[tuple[NodeDependence, Output]]]:
+    """Who publishes each topic."""
+    assert configuration.dependence is not None
+    found: dict[str, list[tuple[NodeDependence, Output]]] = {}
+    for one in configuration.dependence.nodes:
+        for output in _topics(one):
+            found.setdefault(output.name, []).append((one, output))
+    return found
 
 
 def _direct(output: Output) -> list[Cause]:

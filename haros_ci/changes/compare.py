@@ -16,6 +16,7 @@ from haros_ci.changes.evidence import RevisionCode, TextEvidence
 from haros_ci.changes.instances import Calls, by_instance
 from haros_ci.changes.nodes import pair
 from haros_ci.changes.picture import edges
+from haros_ci.changes.rates import compare_rates
 from haros_ci.changes.settings import ParameterValue, compare_arguments, compare_files, compare_remaps, compare_values
 from haros_ci.model.architecture import Architecture, Configuration
 from haros_ci.model.changes import ADDED, REMOVED, Change, Changes
@@ -81,7 +82,7 @@ def compare(
     outcome = Compared()
     outcome.differences += matched.differences
     for old, new in matched.both:
-        if old != new:
+        if old != new or old.rates != new.rates:
             _compare_systems(old, new, moved, outcome)
     for node, other, name in matched.elsewhere:
         compare_ends(NodePair(node, other, name, moved), outcome)
@@ -129,6 +130,9 @@ def _compare_systems(base: Configuration, head: Configuration, moved: Moved, out
     )
     removed, new_ones = (frozenset(node.name for node in nodes) for nodes in (pairs.removed, pairs.added))
     outcome.differences += compare_values(base, head, renamed, removed, new_ones, moved)
+    rates = compare_rates(base, head, renamed)
+    outcome.differences += rates.differences
+    outcome.not_known += rates.not_known
 
 
 class _Ends:

@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from haros_ci.changes.calls import Rows, calls_in, is_test
 from haros_ci.changes.compare import ComparedRevision, compare
 from haros_ci.changes.definitions import interface_changes_shown
 from haros_ci.changes.evidence import RevisionCode, functions_of
 from haros_ci.changes.interfaces import Defined, containing, interface_changes
+from haros_ci.changes.rates import paces_differ
 from haros_ci.changes.settings import ParameterValue
 from haros_ci.changes.wrappers import Wrappers
 from haros_ci.model.architecture import Architecture
@@ -31,6 +32,8 @@ class Revision:
     read_values: Callable[[str, str], tuple[ParameterValue, ...]]
     programs: Mapping[str, Program]
     rows: Mapping[tuple[str, int], Rows]
+    #: The architecture with the rates of its configurations, made when it is asked for.
+    timed: Callable[[], Architecture] | None = None
 
     def side(self, moved: Callable[[str], str], same: Container[str]) -> ComparedRevision:
         """What is compared of it; parameter files and code that are the *same* on both sides are left out."""
@@ -73,8 +76,18 @@ class Revision:
         )
 
 
-def changes_of(base: Revision, head: Revision, renames: Mapping[str, str]) -> Changes:
-    """What is otherwise in *head* than in *base*; *renames* maps paths of the base to those of files that have moved."""
+def with_rates(revision: Revision) -> Revision:
+    """*revision* with the rates of its configurations, if they can be had."""
+    return revision if revision.timed is None else replace(revision, architecture=revision.timed())
+
+
+def changes_of(base: Revision, head: Revision, renames: Mapping[str, str], *, rates: bool = False) -> Changes:
+    """What is otherwise in *head* than in *base*; *renames* maps paths of the base to those of files that have moved.
+
+    Rates are compared if that is asked for, or a node has a timer or rate with a period that it did not have.
+    """
+    if rates or paces_differ(base.architecture, head.architecture):
+        base, head = with_rates(base), with_rates(head)
 
     def moved(path: str) -> str:
         return renames.get(path, path)

@@ -26,6 +26,15 @@ def is_dead(code: Codebase, routine: Routine) -> bool:
 
     Of a class with a base that is not seen the base may call it. A public function of a Python module that is no program may be for others.
     """
+    key = ("dead", id(routine))
+    if key not in code.kept:
+        code.kept[key] = _is_dead(code, routine)
+        code.kept["keep", id(routine)] = routine
+    found: bool = code.kept[key]
+    return found
+
+
+def _is_dead(code: Codebase, routine: Routine) -> bool:
     function = routine.method.function
     name = function.name.rpartition("::")[2]
     if routine.is_python:
@@ -37,17 +46,20 @@ def is_dead(code: Codebase, routine: Routine) -> bool:
         class_named(code, base, owner[0]) is None for base in base_names(code, owner) - _NODES
     ):
         return False
-    word = re.compile(rf"(?<!\w){name}\b\s*(\(?)")
-    for path in sorted(code.mentioning(name)):
-        functions = code.by_path[path].program.functions
-        if any(function.is_virtual and function.name.rpartition("::")[2] == name for function in functions):
-            return False
-        text = _COMMENTS.sub(" ", code.text(path))
-        for found in word.finditer(text):
-            declared = _DECLARED.search(text, max(0, found.start() - 200), found.start())
-            if not found[1] or declared is None or declared[1] in _NO_TYPES:
-                return False
-    return True
+    return not any(_is_used(code, path, name) for path in sorted(code.mentioning(name)))
+
+
+def _is_used(code: Codebase, path: str, name: str) -> bool:
+    """Whether a C++ file has a virtual function of that name, or names one elsewhere than where it is declared or defined."""
+    functions = code.by_path[path].program.functions
+    if any(function.is_virtual and function.name.rpartition("::")[2] == name for function in functions):
+        return True
+    text = _COMMENTS.sub(" ", code.text(path))
+    for found in re.finditer(rf"(?<!\w){name}\b\s*(\(?)", text):
+        declared = _DECLARED.search(text, max(0, found.start() - 200), found.start())
+        if not found[1] or declared is None or declared[1] in _NO_TYPES:
+            return True
+    return False
 
 
 def _is_dead_in_python(code: Codebase, routine: Routine) -> bool:

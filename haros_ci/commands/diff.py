@@ -45,7 +45,7 @@ def diff(flags: Mapping[str, Any]) -> int:
             max_file_size=settings.max_file_size,
             from_merge_base=flags["merge_base"],
         ) as found:
-            changes = compared(found, settings, store)
+            changes = compared(found, settings, store, rates=flags["rates"])
             sides = found.base_commit, found.head_commit
     except BaselineUnavailable as err:
         raise UserError(str(err), help="name commits, branches or tags of this repository: haros-ci diff main") from err
@@ -65,10 +65,10 @@ def diff(flags: Mapping[str, Any]) -> int:
     return 1 if flags["exit_code"] and changes else 0
 
 
-def compared(found: Revisions, settings: Settings, store: Store) -> Changes:
+def compared(found: Revisions, settings: Settings, store: Store, *, rates: bool = False) -> Changes:
     """The architectures of both revisions, from *store* where their files are known there, and what is otherwise.
 
-    Where no file that is analysed has changed there is nothing to look at.
+    With *rates* how often nodes publish is compared in any case. Where no file that is analysed has changed there is nothing to look at.
     """
     if {(file.path, file.digest) for file in found.base.files} == {
         (file.path, file.digest) for file in found.head.files
@@ -78,7 +78,7 @@ def compared(found: Revisions, settings: Settings, store: Store) -> Changes:
     for workspace in (found.base, found.head):
         made = varied(workspace, settings, store, processes=cores(), alternatives=False)
         sides.append(revision_of(workspace, made))
-    return changes_of(sides[0], sides[1], found.renames)
+    return changes_of(sides[0], sides[1], found.renames, rates=rates)
 
 
 @timed("render")

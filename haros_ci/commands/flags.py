@@ -286,7 +286,7 @@ system_options = options(
     click.option("--env", metavar="NAME=VALUE", multiple=True, help="What $(env NAME) is in launch files."),
     click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations."),
     click.option("--as-running", is_flag=True, help="What ROS 1 nodelets make stands under their manager's name."),
-    click.option("--rates", is_flag=True, help="With how often each node publishes, in text and json (docs/rates.md)."),
+    click.option("--rates", is_flag=True, help="With how often each node publishes (docs/rates.md)."),
     click.option("--dependence", is_flag=True, help="With which inputs cause which outputs (docs/dependence.md)."),
     click.option("--affects", metavar="NAME", multiple=True, help="All that this topic, service or action reaches."),
     click.option("--caused-by", metavar="NAME", multiple=True, help="All that reaches this topic, service or action."),
@@ -310,6 +310,7 @@ diff_options = options(
     click.option("--output", type=click.Path(), help="File to write; default: stdout."),
     click.option("--merge-base", is_flag=True, help="Compare with the commit at which HEAD's history left BASE's."),
     click.option("--exit-code", is_flag=True, help="Exit with 1 if anything has changed."),
+    click.option("--rates", is_flag=True, help="Compare rates even if no timer has another period."),
 )
 
 #: What haros-ci metrics has besides.

@@ -55,12 +55,7 @@ def _may_be_replaced(code: Codebase, routine: Routine) -> bool:
 
 def _kept(code: Codebase, routine: Routine) -> tuple[str, ...] | None:
     """What a function keeps where nobody reads it; None where it may do anything else."""
-    body = code.body(routine)
-    if body.is_partial or body.inner or body.nested or body.news or body.imports:
-        return None
-    if any(step.leaves == "throw" or step.is_static or _makes(code, routine, step) for step in steps(code, routine)):
-        return None
-    if not all(_is_harmless(code, routine, call) for call in body.calls):
+    if not _only_assigns(code, routine):
         return None
     found: dict[Held, None] = {}
     for use in uses(code, routine):
@@ -72,6 +67,16 @@ def _kept(code: Codebase, routine: Routine) -> tuple[str, ...] | None:
             return None
         found[use.what] = None
     return tuple(what.title for what in found) if all(_is_unread(code, what, routine) for what in found) else None
+
+
+def _only_assigns(code: Codebase, routine: Routine) -> bool:
+    """Whether a function makes no objects or functions, throws nothing, and calls what does nothing but what is looked at."""
+    body = code.body(routine)
+    if body.is_partial or body.inner or body.nested or body.news or body.imports:
+        return False
+    if any(step.leaves == "throw" or step.is_static or _makes(code, routine, step) for step in steps(code, routine)):
+        return False
+    return all(_is_harmless(code, routine, call) for call in body.calls)
 
 
 def _makes(code: Codebase, routine: Routine, step: Step) -> bool:

@@ -175,14 +175,22 @@ class _Search:
         if owner is None or HARMLESS - {"object"} & classes.base_names(self.code, owner):
             return
         name = owner[1].name.rpartition(owner[0].separator)[2]
-        for path in sorted(self.code.mentioning(name)):
-            for where in self.code.routines(path):
-                if where.is_python is item.routine.is_python and where is not item.routine and not where.is_test:
-                    step = _making(self.code, where, name)
-                    if step is not None:
-                        reason = item.reason or f"{where.title} makes an object of {name}"
-                        chain = (where, step), *item.chain
-                        self.push(_Item(where, step, step.values, chain, reason, item.is_registering))
+        for where, step in _makers(self.code, name, item.routine.is_python):
+            if where is not item.routine:
+                reason = item.reason or f"{where.title} makes an object of {name}"
+                chain = (where, step), *item.chain
+                self.push(_Item(where, step, step.values, chain, reason, item.is_registering))
+
+
+def _makers(code: Codebase, name: str, is_python: bool) -> Chain:
+    """The routines that make an object of the class called *name*, each with the step."""
+    key = ("makers", name, is_python)
+    if key not in code.kept:
+        every = (where for path in sorted(code.mentioning(name)) for where in code.routines(path))
+        made = ((one, _making(code, one, name)) for one in every if one.is_python is is_python and not one.is_test)
+        code.kept[key] = tuple((where, step) for where, step in made if step is not None)
+    found: Chain = code.kept[key]
+    return found
 
 
 def _making(code: Codebase, where: Routine, name: str) -> Step | None:

@@ -78,6 +78,8 @@ class _Search:
     #: What has been looked at, with "" where that was certain.
     seen: dict[Held, str] = field(default_factory=dict)
     guesses: int = 0
+    #: The fewest states on the way to what has been looked at, by its identity and whether that way was certain.
+    fewest: dict[tuple[int, bool], int] = field(default_factory=dict)
 
     def run(self, routine: Routine, step: Step) -> Found:
         first = influence(self.code, routine, step)
@@ -92,7 +94,18 @@ class _Search:
             self.item(self.sure.pop(0) if self.sure else self.unsure.pop(0))
         return self.made
 
+    def is_known(self, influence: Influence, states: int, is_sure: bool) -> bool:
+        """Whether it has been looked at already, in a way that was no longer and no less certain: it tells nothing new."""
+        for known in (True, is_sure):
+            if self.fewest.get((id(influence), known), MOST + 1) <= states:
+                return True
+        return False
+
     def item(self, item: _Item) -> None:
+        states, is_sure = len(item.state), not item.reason
+        if self.is_known(item.influence, states, is_sure):
+            return
+        self.fewest[id(item.influence), is_sure] = states
         self.made.reason = self.made.reason or item.influence.reason
         for trigger in item.influence.triggers:
             reason = item.reason or trigger.reason
@@ -123,6 +136,8 @@ class _Search:
             if not (inner.triggers or inner.reason or inner.is_transition):
                 continue  # it is done before anything comes
             why = reason or write.reason
+            if not why and self.is_known(inner, len(item.state) + 1, True):
+                continue
             place = write.routine, write.use.step
             made = _Item(inner, place, (what.title, *item.state), (item.place, *item.after), why)
             (self.unsure if why else self.sure).append(made)

@@ -38,19 +38,33 @@ class Slice:
 
 
 def slice_of(code: Codebase, routine: Routine, step: Step, values: tuple[Expression, ...]) -> Slice:
-    """What *values*, a part of *step*, and the running of the step depend on."""
-    work = _Slicer(code, routine)
-    guards = [*step.around, *exits(code, routine, step)]
-    work.made.guards = guards
-    work.expressions(step, values)
-    for guard in guards:
-        work.expressions(step, guard.test)
-    work.follow()
-    return work.made
+    """What *values*, a part of *step*, and the running of the step depend on; many effects ask for the same."""
+    key = ("slice", id(routine), step.number, tuple(map(id, values)))
+    if key not in code.kept:
+        work = _Slicer(code, routine)
+        guards = [*step.around, *exits(code, routine, step)]
+        work.made.guards = guards
+        work.expressions(step, values)
+        for guard in guards:
+            work.expressions(step, guard.test)
+        work.follow()
+        code.kept[key] = work.made
+        code.kept["keep", key] = routine, values
+    found: Slice = code.kept[key]
+    return found
 
 
-def exits(code: Codebase, routine: Routine, step: Step) -> Iterator[Guard]:
+def exits(code: Codebase, routine: Routine, step: Step) -> tuple[Guard, ...]:
     """The conditions under which the function, or the turn of a loop around it, is left before *step*."""
+    key = ("exits", id(routine), step.number)
+    if key not in code.kept:
+        code.kept[key] = tuple(_exits(code, routine, step))
+        code.kept["keep", id(routine)] = routine
+    found: tuple[Guard, ...] = code.kept[key]
+    return found
+
+
+def _exits(code: Codebase, routine: Routine, step: Step) -> Iterator[Guard]:
     seen = {id(guard) for guard in step.around}
     loops = {id(guard) for guard in step.loops}
     for other in steps(code, routine):
@@ -109,13 +123,8 @@ class _Slicer:
 
     def is_shared(self, what: Held) -> bool:
         """Whether a local keeps its value for the next call, or a function inside this one changes it."""
-        if any(step.is_static and step.name == what.name for step in steps(self.code, self.routine)):
-            return True
-        for index, _ in self.code.body(self.routine).inner:
-            inner = self.code.inner(self.routine, index)
-            if inner is not None and what in _changing(self.code, inner):
-                return True
-        return False
+        static, inner = _lasting(self.code, self.routine)
+        return what.name in static or any(what in changed for changed in inner)
 
 
 def _facts(
@@ -161,6 +170,18 @@ def _changing(code: Codebase, routine: Routine) -> dict[Held, list[Step]]:
         code.kept[key] = made
         code.kept["keep", id(routine)] = routine
     found: dict[Held, list[Step]] = code.kept[key]
+    return found
+
+
+def _lasting(code: Codebase, routine: Routine) -> tuple[frozenset[str], tuple[dict[Held, list[Step]], ...]]:
+    """The static variables of a routine, and what each function inside it changes."""
+    key = ("lasting", id(routine))
+    if key not in code.kept:
+        static = frozenset(step.name for step in steps(code, routine) if step.is_static)
+        inside = (code.inner(routine, index) for index, _ in code.body(routine).inner)
+        code.kept[key] = static, tuple(_changing(code, inner) for inner in inside if inner is not None)
+        code.kept["keep", id(routine)] = routine
+    found: tuple[frozenset[str], tuple[dict[Held, list[Step]], ...]] = code.kept[key]
     return found
 
 

@@ -125,10 +125,14 @@ def mentioned(code: Codebase, routine: Routine, values: tuple[Expression, ...]) 
             if id(one) not in registered(code):
                 found[id(one)] = one, ""
         if not found and isinstance(node, syntax.Member) and routine.is_python:
-            for other in by_name(code, name, True)[:MOST]:
-                if other.function.decorators and other.owner:
-                    found[id(other)] = other, f"{routine.title} may ask for the property {name}"
+            found.update((id(other), (other, reason)) for other, reason in _properties(code, routine, name))
     return tuple(found.values())
+
+
+def _properties(code: Codebase, routine: Routine, name: str) -> list[Target]:
+    """The properties of Python classes that a member of that name may be."""
+    reason = f"{routine.title} may ask for the property {name}"
+    return [(one, reason) for one in by_name(code, name, True)[:MOST] if one.function.decorators and one.owner]
 
 
 def closure(code: Codebase, routine: Routine) -> dict[int, Target]:

@@ -25,6 +25,14 @@ class Held:
     owner: str
     name: str
     title: str = field(compare=False, default="")
+    #: Its hash, which is asked for again and again.
+    number: int = field(init=False, compare=False, repr=False, default=0)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "number", hash((self.kind, self.owner, self.name)))
+
+    def __hash__(self) -> int:
+        return self.number
 
 
 def held(code: Codebase, routine: Routine, node: Expression) -> Held | None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from haros_ci import syntax
 from haros_ci.code import classes, kinds
-from haros_ci.code.body import last_part
+from haros_ci.code.body import Call, last_part
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.dependence.targets import targets
 from haros_ci.dependence.uses import LOG, NUMBER, Use, uses, uses_of
@@ -163,13 +163,8 @@ def _parameter_changes(code: Codebase, target: Routine, use: Use) -> str | None:
     else:
         fitting = tuple(one for one in parameters if one.name == use.argument)
     for parameter in fitting:
-        if not target.is_python:
-            marks = parameter.type.marks
-            is_pointer = "*" in marks or "Ptr" in parameter.type.name or "_ptr" in parameter.type.name
-            if not is_pointer and ("&" not in marks or "c" in marks):
-                return None
-            if NUMBER.fullmatch(parameter.type.name) and "&" not in marks and "*" not in marks:
-                return None
+        if not target.is_python and _is_copied(parameter.type):
+            return None
         key = ("parameter changes", id(target), parameter.name)
         if key not in code.kept:
             code.kept[key] = None  # while it is looked at: functions that call each other
@@ -179,6 +174,14 @@ def _parameter_changes(code: Codebase, target: Routine, use: Use) -> str | None:
         if found is not None:
             return found
     return None
+
+
+def _is_copied(kind: syntax.Type) -> bool:
+    """Whether a parameter in C++ is a copy, or may not be changed."""
+    is_pointer = "*" in kind.marks or "Ptr" in kind.name or "_ptr" in kind.name
+    if not is_pointer and ("&" not in kind.marks or "c" in kind.marks):
+        return True
+    return NUMBER.fullmatch(kind.name) is not None and not {"&", "*"} & set(kind.marks)
 
 
 def _changes(code: Codebase, target: Routine, name: str) -> str | None:
@@ -197,16 +200,10 @@ def _hidden(code: Codebase, routine: Routine, use: Use) -> str:
     if not use.is_direct or use.what.kind == "local":
         return ""
     if use.role == "returned":
-        marks = routine.function.returns.marks
-        is_shared = routine.is_python and not _is_constant(code, routine, use) or "*" in marks
-        if is_shared or ("&" in marks and "c" not in marks):
-            return f"{routine.title} gives {use.what.title} to its callers"
-        return ""
+        is_shared = _is_returned_itself(code, routine, use)
+        return f"{routine.title} gives {use.what.title} to its callers" if is_shared else ""
     call = use.call
-    is_kept = use.role == "kept" or (
-        use.role == "given" and call is not None and (call.name in MAKERS or call.name[:1].isupper())
-    )
-    if not is_kept:
+    if use.role != "kept" and not (use.role == "given" and call is not None and _keeps(call)):
         return ""
     if routine.is_python:
         shared = not _is_constant(code, routine, use) and not _is_message(code, routine, call)
@@ -214,6 +211,19 @@ def _hidden(code: Codebase, routine: Routine, use: Use) -> str:
         kind = kinds.type_of(code, routine, syntax.Name(use.what.name))
         shared = kind is None or "*" in kind.marks or "ptr" in kind.name.lower() or "&" in kind.marks
     return f"{routine.title} gives {use.what.title} to another object" if shared else ""
+
+
+def _is_returned_itself(code: Codebase, routine: Routine, use: Use) -> bool:
+    """Whether a function returns the thing itself, so that its callers can change it."""
+    marks = routine.function.returns.marks
+    if (routine.is_python and not _is_constant(code, routine, use)) or "*" in marks:
+        return True
+    return "&" in marks and "c" not in marks
+
+
+def _keeps(call: Call) -> bool:
+    """Whether a call makes an object that may keep what it is given."""
+    return call.name in MAKERS or call.name[:1].isupper()
 
 
 def _is_message(code: Codebase, routine: Routine, call: object) -> bool:

@@ -24,6 +24,7 @@ WHATS = (
     "action client",
     "remapping",
     "QoS",
+    "rate",
     "parameter",
     "value",
 )

@@ -103,13 +103,17 @@ class CallRate:
 
 @dataclass(frozen=True, slots=True)
 class TopicRate:
-    """How often a *node* publishes on a *topic*, with its *calls*; *location* is where the publisher is made."""
+    """How often a *node* publishes on a *topic*, with its *calls*; *location* is where the publisher is made.
+
+    *inputs* are the topics whose rates it inherits, by name.
+    """
 
     node: str
     topic: str
     location: Location | None
     rate: Rate
     calls: tuple[CallRate, ...]
+    inputs: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

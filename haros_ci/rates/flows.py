@@ -168,27 +168,34 @@ class NodeFlows:
             return _Context(Flow(unknown(found.reason)))
         flows = [self._of_callback(callback) for callback in found.callbacks]
         is_once = not (flows or found.perhaps or found.asked)
-        mains = {routine.path} if found.begins and not found.is_made else set()
         for where, call in found.calls:
-            outer = self.of_routine(where, depth + 1)
-            placed = turns(self.code, where, call)
-            is_once = is_once and outer.is_once and placed.paced is None and not placed.reason and placed.times == 1
+            is_once = is_once and self._runs_once(where, call, depth)
             flows.append(self.of_call(where, call, depth + 1))
-            if outer.is_once and runs(self.code, where).begins:
-                mains.add(where.path)
         flows += [self.of_call(where, call, depth + 1).sometimes() for where, call in found.perhaps]
         flows += [Flow(unknown(ASKED[kind])) for kind in found.asked]
         for where, call in found.threads:
-            outer = self.of_routine(where, depth + 1)
-            placed = turns(self.code, where, call)
-            if not outer.is_once or placed.paced is not None or placed.reason or placed.times > 1:
+            if not self._runs_once(where, call, depth):
                 is_alone = not flows and len(found.threads) == 1 and is_joined(self.code, where, call)
                 return _Context(
                     Flow(unknown("a thread begins with it whenever something else happens")), is_alone=is_alone
                 )
-        if len(mains) + len(found.threads) > 1:
+        if len(self._mains(routine, found, depth)) + len(found.threads) > 1:
             return _Context(Flow(unknown("several programs, or threads, run it")))
         return _Context(add(flows), is_once)
+
+    def _runs_once(self, where: Routine, call: Call, depth: int) -> bool:
+        """Whether a call runs once in the program, or never."""
+        placed = turns(self.code, where, call)
+        is_plain = placed.paced is None and not placed.reason and placed.times == 1
+        return is_plain and self.of_routine(where, depth + 1).is_once
+
+    def _mains(self, routine: Routine, found: Runs, depth: int) -> set[str]:
+        """The files of programs that begin with *routine*, or call it where they begin."""
+        mains = {routine.path} if found.begins and not found.is_made else set()
+        for where, _ in found.calls:
+            if runs(self.code, where).begins and self.of_routine(where, depth + 1).is_once:
+                mains.add(where.path)
+        return mains
 
     def _of_callback(self, callback: Callback) -> Flow:
         place = callback.location

@@ -179,18 +179,20 @@ def _mentions(code: Codebase, routine: Routine, holder: Holder, node: Expression
     if isinstance(node, syntax.Name):
         if routine.is_python or node.name != holder.name or kinds.is_local(code, routine, node.name):
             return False
-        own = classes.owner_of(code, routine)
-    elif isinstance(node, syntax.Member) and node.name == holder.name:
-        if isinstance(node.object, syntax.This):
-            own = classes.owner_of(code, routine)
-        else:
-            own = kinds.class_of(code, routine, node.object)
-            if own is None and kinds.type_name(code, routine, node.object):
-                return False
-            return None if own is None or related(code, own, holder.owner) else False
-    else:
+    elif not isinstance(node, syntax.Member) or node.name != holder.name:
         return False
+    elif not isinstance(node.object, syntax.This):
+        return _through(code, routine, holder.owner, node.object)
+    own = classes.owner_of(code, routine)
     return own is not None and related(code, own, holder.owner)
+
+
+def _through(code: Codebase, routine: Routine, owner: classes.Owner, value: Expression) -> bool | None:
+    """Whether a member of *value* means that of the holder's class: never for certain, as it is another object's."""
+    own = kinds.class_of(code, routine, value)
+    if own is None and kinds.type_name(code, routine, value):
+        return False
+    return None if own is None or related(code, own, owner) else False
 
 
 def related(code: Codebase, one: classes.Owner, other: classes.Owner) -> bool:

@@ -6,6 +6,7 @@ It is the same for all nodes: which of the timers and subscriptions a node makes
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from haros_ci import syntax
@@ -74,19 +75,27 @@ def _runs(code: Codebase, routine: Routine) -> Runs:
     function = routine.function
     own = _callbacks(code).get(id(routine), ())
     name = function.name.rpartition(routine.source.separator)[2]
-    if function.kind == "lambda" and own and len({(one.maker, one.call.line, one.call.column) for one in own}) == 1:
-        return Runs(own)
-    if function.kind == "module" or (name == "main" and not function.owner and not routine.is_python):
-        return Runs(begins=True)
     if function.kind == "lambda" or routine.outer is not None and not name:
-        return _unseen("it is not seen who calls the lambda")
-    if function.kind == "constructor" or (routine.is_python and name == "__init__"):
-        return Runs(begins=True, is_made=True)
+        is_one = len({(one.maker, one.call.line, one.call.column) for one in own}) == 1
+        return Runs(own) if is_one and function.kind == "lambda" else _unseen("it is not seen who calls the lambda")
+    made = _beginning(routine, name)
+    if made is not None:
+        return made
     if function.kind == "destructor":
         return _unseen("it runs when an object is gone")
     if name in FRAMEWORK and routine.function.owner:
         return Runs(asked=("transition",), hidden=TRANSITION)
     return _mentioned(code, routine, name, own, outside_caller(code, routine, name))
+
+
+def _beginning(routine: Routine, name: str) -> Runs | None:
+    """What runs where a program begins, or an object is made; None for all else."""
+    function = routine.function
+    if function.kind == "module" or (name == "main" and not function.owner and not routine.is_python):
+        return Runs(begins=True)
+    if function.kind == "constructor" or (routine.is_python and name == "__init__"):
+        return Runs(begins=True, is_made=True)
+    return None
 
 
 def _unseen(reason: str) -> Runs:
@@ -138,18 +147,12 @@ def _mentioned(code: Codebase, routine: Routine, name: str, own: tuple[Callback,
     """What runs a named function, from all mentions of its name in programs of its language."""
     seen = _Seen(reason=outside, hidden=outside)
     begins = name in STARTS or (routine.is_python and name == "main" and not routine.function.owner)
-    count = 0
-    for path in sorted(code.mentioning(name)):
-        for where in code.routines(path):
-            if name not in _names(code, where):
-                continue
-            if where.is_python is not routine.is_python or where.is_test and not routine.is_test:
-                continue
-            count += 1
-            if count > MOST:
-                return _unseen("its name is too common to look at every mention")
-            if in_one(code, where, routine):
-                _in(code, where, routine, name, own, seen)
+    every = _mentioning(code, routine, name)
+    if len(every) > MOST:
+        return _unseen("its name is too common to look at every mention")
+    for where in every:
+        if in_one(code, where, routine):
+            _in(code, where, routine, name, own, seen)
     asked = tuple(dict.fromkeys(seen.asked))
     if not (own or begins or seen.calls or seen.perhaps or seen.threads or asked):
         seen.is_hidden(UNCALLED)
@@ -165,6 +168,13 @@ def _mentioned(code: Codebase, routine: Routine, name: str, own: tuple[Callback,
     )
 
 
+def _mentioning(code: Codebase, routine: Routine, name: str) -> list[Routine]:
+    """The routines that may mean *routine* by its *name*: of tests only those that a test has."""
+    every = (where for path in sorted(code.mentioning(name)) for where in _naming(code, path, name))
+    is_test = routine.is_test
+    return [where for where in every if where.is_python is routine.is_python and (is_test or not where.is_test)]
+
+
 def _in(code: Codebase, where: Routine, routine: Routine, name: str, own: tuple[Callback, ...], seen: _Seen) -> None:
     """Add what runs *routine* in another to *seen*, and why it may be run in ways that are not seen."""
     accounted: set[int] = set()
@@ -173,23 +183,50 @@ def _in(code: Codebase, where: Routine, routine: Routine, name: str, own: tuple[
         if _last(call.callee) == name:
             _call(code, where, routine, call, seen)
             accounted.add(id(call.callee))
-        for position, argument in enumerate(call.args):
-            role, value = str(position), argument
-            if isinstance(argument, syntax.Keyword):
-                role, value = argument.name, argument.value
-            is_known = (call.line, call.column, role) in registered
-            if _given(code, where, routine, call, value, seen) or is_known:
-                accounted |= {id(node) for node in everything(value) if _last(node) == name}
-    for variable in (one for every in code.body(where).variables.values() for one in every):
-        if variable.type.name.rpartition("::")[2] in THREADS and any(
-            routine in function_meant(code, where, part) for part in variable.parts
-        ):
-            seen.is_hidden(f"{where.title} begins a thread with it")
+        for value in _handed_on(code, where, routine, call, registered, seen):
+            accounted |= {id(node) for node in everything(value) if _last(node) == name}
+    if _is_in_thread(code, where, routine):
+        seen.is_hidden(f"{where.title} begins a thread with it")
     for target, _, _, _ in code.body(where).sets:
         accounted.add(id(target))
     for node in _names(code, where)[name]:
         if id(node) not in accounted and _is_given(code, where, routine, node):
             seen.is_hidden(f"{where.title} gives it to others")
+
+
+def _is_in_thread(code: Codebase, where: Routine, routine: Routine) -> bool:
+    """Whether a local variable is a thread that runs *routine*."""
+    return any(
+        variable.type.name.rpartition("::")[2] in THREADS
+        and any(routine in function_meant(code, where, part) for part in variable.parts)
+        for every in code.body(where).variables.values()
+        for variable in every
+    )
+
+
+def _handed_on(
+    code: Codebase, where: Routine, routine: Routine, call: Call, registered: set[tuple[int, int, str]], seen: _Seen
+) -> Iterator[Expression]:
+    """The arguments of a call by which it is known to run *routine*: as a callback, in a thread, or as an action."""
+    for position, argument in enumerate(call.args):
+        role, value = str(position), argument
+        if isinstance(argument, syntax.Keyword):
+            role, value = argument.name, argument.value
+        if _given(code, where, routine, call, value, seen) or (call.line, call.column, role) in registered:
+            yield value
+
+
+def _naming(code: Codebase, path: str, name: str) -> list[Routine]:
+    """The routines of a file that mention a name."""
+    key = ("naming", path)
+    if key not in code.kept:
+        made: dict[str, list[Routine]] = {}
+        for where in code.routines(path):
+            for last in _names(code, where):
+                made.setdefault(last, []).append(where)
+        code.kept[key] = made
+    found: dict[str, list[Routine]] = code.kept[key]
+    return found.get(name, [])
 
 
 def _call(code: Codebase, where: Routine, routine: Routine, call: Call, seen: _Seen) -> None:
@@ -254,7 +291,9 @@ def may_run(code: Codebase, where: Routine, routine: Routine, callee: Expression
     if not isinstance(callee, syntax.Member):
         return False
     if not routine.owner:
-        return where.is_python and not isinstance(callee.object, syntax.This)
+        return (
+            where.is_python and not isinstance(callee.object, syntax.This) and not _is_made(code, where, callee.object)
+        )
     owner = classes.owner_of(code, routine)
     if isinstance(callee.object, syntax.This):
         other = classes.owner_of(code, where)
@@ -266,6 +305,34 @@ def may_run(code: Codebase, where: Routine, routine: Routine, callee: Expression
         return True
     names = classes.base_names(code, other) | classes.base_names(code, owner)
     return other[1].name == owner[1].name or owner[1].name in names or other[1].name in names
+
+
+def _is_made(code: Codebase, where: Routine, value: Expression) -> bool:
+    """Whether a name in Python is a variable that is only ever given what calls of classes make: no module, whose functions it could have."""
+    if not isinstance(value, syntax.Name):
+        return False
+    around: Routine | None = where
+    while around is not None:
+        if any(one.name.lstrip("*") == value.name for one in around.function.parameters):
+            return False
+        found = _assigned(code, around, value.name)
+        if found or value.name in code.body(around).imports:
+            return bool(found) and value.name not in code.body(around).imports and all(map(_is_object, found))
+        around = around.outer
+    modules = [one for one in code.routines(where.path) if one.function.kind == "module"]
+    if len(modules) != 1 or where is modules[0]:
+        return False
+    found = _assigned(code, modules[0], value.name)
+    return bool(found) and value.name not in code.body(modules[0]).imports and all(map(_is_object, found))
+
+
+def _assigned(code: Codebase, where: Routine, name: str) -> list[Expression]:
+    return [value for target, _, value, _ in code.body(where).sets if target == syntax.Name(name)]
+
+
+def _is_object(value: Expression) -> bool:
+    """Whether a value is what a class makes, by the capital that classes have in Python; modules are given by functions."""
+    return isinstance(value, syntax.Call) and last_part(value.callee).rpartition(".")[2][:1].isupper()
 
 
 def _is_given(code: Codebase, where: Routine, routine: Routine, node: object) -> bool:

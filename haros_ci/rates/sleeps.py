@@ -132,23 +132,25 @@ def _counted(loop: syntax.Loop) -> int | None:
     """The turns of ``for (int i = 0; i < 3; ++i)`` where nothing in the body sets the counter."""
     start = loop.before[0] if len(loop.before) == 1 else None
     test, step = loop.test, loop.body[-1] if loop.body else None
-    if (
-        not isinstance(start, syntax.Variable)
-        or not isinstance(test, syntax.Operation)
-        or not isinstance(step, syntax.Step)
-    ):
+    if not isinstance(start, syntax.Variable) or not isinstance(test, syntax.Operation):
         return None
-    first = next(iter(syntax.started(start.init)), None)
     if test.operator not in ("<", "<=") or len(test.operands) != 2 or test.operands[0] != syntax.Name(start.name):
         return None
-    last = test.operands[1]
+    first, last = next(iter(syntax.started(start.init)), None), test.operands[1]
     if not isinstance(first, syntax.Number) or not isinstance(last, syntax.Number):
+        return None
+    if not isinstance(step, syntax.Step) or _is_set(loop.body[:-1], start.name):
         return None
     if step.value != syntax.Assignment("+=", syntax.Name(start.name), syntax.Number(1)):
         return None
-    names = [node for node in everything(loop.body[:-1]) if isinstance(node, (syntax.Assignment, syntax.Address))]
-    if any(
-        start.name in (getattr(getattr(node, part, None), "name", "") for part in ("target", "value")) for node in names
-    ):
-        return None
     return max(0, int(last.value - first.value) + (test.operator == "<="))
+
+
+def _is_set(block: Block, name: str) -> bool:
+    """Whether a block assigns to a variable, or takes its address."""
+    for node in everything(block):
+        target = node.target if isinstance(node, syntax.Assignment) else None
+        value = node.value if isinstance(node, (syntax.Assignment, syntax.Address)) else None
+        if name in (getattr(target, "name", ""), getattr(value, "name", "")):
+            return True
+    return False

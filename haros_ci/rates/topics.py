@@ -37,7 +37,8 @@ def rates_of(configuration: Configuration, code: Codebase) -> Rates:
         calls = tuple(CallRate(location, _at(flow, topics)) for location, flow in one.calls)
         rate = total(call.rate for call in calls)
         rate = rate if not one.reason else unknown(one.reason, rate.low)
-        found.append(TopicRate(one.node, one.topic, one.location, rate, calls))
+        inputs = sorted({name for _, flow in one.calls for name, _, high in flow.topics if high})
+        found.append(TopicRate(one.node, one.topic, one.location, rate, calls, tuple(inputs)))
     order = sorted(found, key=lambda one: (one.node, one.topic, one.location.sort_key if one.location else ()))
     return Rates(tuple(order), tuple(sorted(topics.items())))
 
@@ -66,14 +67,16 @@ def _solved(published: list[_Published]) -> dict[str, Rate]:
         if now == topics:
             break
         if turn >= WIDEN:
-            now = {
-                name: Rate(topics[name].low, inf, CYCLE) if rate.high > topics[name].high else rate
-                for name, rate in now.items()
-            }
+            now = {name: _widened(topics[name], rate) for name, rate in now.items()}
         if turn >= WIDEN + len(by_topic):
             now = {name: Rate(min(rate.low, topics[name].low), rate.high, rate.reason) for name, rate in now.items()}
         topics = now
     return topics
+
+
+def _widened(before: Rate, now: Rate) -> Rate:
+    """What still grows has no bound; it stays so when what has gone around the circle has not come back yet."""
+    return Rate(before.low, inf, CYCLE) if now.high > before.high or before.reason == CYCLE else now
 
 
 def _sum(published: list[_Published], topics: Mapping[str, Rate]) -> Rate:

@@ -82,7 +82,7 @@ def _turns(code: Codebase, routine: Routine, call: Call) -> Turns:
 
 def _paced(code: Codebase, routine: Routine, loop: syntax.Loop, call: Call, inner: Turns) -> Turns:
     """The turns of a call that runs as *inner* says in each turn of a loop of unknown length."""
-    is_open = RUNNING.fullmatch(" ".join(loop.text.split())) is not None
+    is_open = _is_running(loop.text)
     calls = tuple(every_turn(loop.body))
     rate = rate_slept(calls)
     made = rate_made(code, routine, rate) if rate is not None else None
@@ -93,13 +93,25 @@ def _paced(code: Codebase, routine: Routine, loop: syntax.Loop, call: Call, inne
         return Turns(reason="it is in a loop without a rate" if is_open else OPEN)
     if _goes_on_behind(loop.body, call.whole):
         return Turns(reason="the loop may go on without the sleep of its rate")
-    leaves = any(isinstance(node, (syntax.Break, syntax.Return, syntax.Throw)) for node in _inside(loop.body))
-    leaves = leaves or any(isinstance(node, (syntax.Return, syntax.Throw)) for node in everything(loop.body))
-    sleeps = [one for one in everything(loop.body) if isinstance(one, syntax.Call) and _sleeps(one)]
-    is_endless = is_open and made is not None and not leaves and len(sleeps) == 1
+    is_endless = is_open and made is not None and _is_kept(loop.body)
     written = hertz(code, routine, rate) if rate is not None and made is not None else 1.0 / longest
     paced = Paced(made, is_endless, written)
     return Turns(inner.is_sometimes, paced, times=inner.times)
+
+
+def _is_running(condition: str) -> bool:
+    """Whether a condition holds as long as the program runs."""
+    return RUNNING.fullmatch(" ".join(condition.split())) is not None
+
+
+def _is_kept(body: Block) -> bool:
+    """Whether nothing leaves a loop with this body, and it sleeps in one place."""
+    if any(isinstance(node, (syntax.Break, syntax.Return, syntax.Throw)) for node in _inside(body)):
+        return False
+    every = list(everything(body))
+    if any(isinstance(node, (syntax.Return, syntax.Throw)) for node in every):
+        return False
+    return sum(isinstance(one, syntax.Call) and _sleeps(one) for one in every) == 1
 
 
 def _leaves_loop(statement: Statement) -> bool:
@@ -172,21 +184,9 @@ class _Search:
                 continue
             if isinstance(statement, (syntax.Loop, syntax.Each)):
                 self.loops.insert(0, statement)
-            elif isinstance(statement, syntax.If):
-                is_running = number == 0 and RUNNING.fullmatch(" ".join(statement.text.split())) is not None
-                self.is_sometimes = self.is_sometimes or not is_running
-            elif not isinstance(statement, syntax.Nested) and not (isinstance(statement, syntax.Try) and number == 0):
-                self.is_sometimes = True
+            self.is_sometimes = self.is_sometimes or _may_pass_over(statement, number)
             return True
-        own = statement.value if isinstance(statement, (syntax.Do, syntax.Return)) else None
-        if isinstance(statement, syntax.Variable):
-            own = next(iter(syntax.started(statement.init)), None)
-        if isinstance(statement, (syntax.If, syntax.Switch)):
-            own = statement.test if isinstance(statement, syntax.If) else statement.value
-        if isinstance(statement, syntax.Loop):
-            own = statement.test
-        if isinstance(own, syntax.Assignment):
-            own = own.value
+        own = _evaluated(statement)
         if own is None or not any(node is self.target for node in everything(own)):
             return False
         self.is_found = True
@@ -197,6 +197,27 @@ class _Search:
             whole = [node for node in everything(own) if isinstance(node, (syntax.Operation, syntax.Conditional))]
             self.is_sometimes = self.is_sometimes or bool(whole)
         return True
+
+
+def _may_pass_over(statement: Statement, number: int) -> bool:
+    """Whether the block of that number in a statement may not run when the statement does; loops are counted by themselves."""
+    if isinstance(statement, syntax.If):
+        return number != 0 or not _is_running(statement.text)
+    if isinstance(statement, syntax.Try):
+        return number != 0
+    return not isinstance(statement, (syntax.Loop, syntax.Each, syntax.Nested))
+
+
+def _evaluated(statement: Statement) -> Expression | None:
+    """What a statement itself evaluates; None where that is nothing that can be a call."""
+    own: Expression | None = None
+    if isinstance(statement, (syntax.Do, syntax.Return, syntax.Switch)):
+        own = statement.value
+    elif isinstance(statement, syntax.Variable):
+        own = next(iter(syntax.started(statement.init)), None)
+    elif isinstance(statement, (syntax.If, syntax.Loop)):
+        own = statement.test
+    return own.value if isinstance(own, syntax.Assignment) else own
 
 
 def _leaves(statement: Statement) -> bool:
@@ -232,18 +253,24 @@ def rate_made(code: Codebase, routine: Routine, rate: Expression) -> Location | 
 
 
 def _variable(code: Codebase, routine: Routine, name: str) -> Location | None:
-    if not routine.is_python:
-        found = kinds.variable(code, routine, name)
-        if not (isinstance(found, tuple) and len(found) == 2):
-            return None
-        where, local = found
-        if len(code.body(where).variables.get(name, ())) != 1:
-            return None
-        if any(isinstance(target, syntax.Name) and target.name == name for target, *_ in code.body(where).sets):
-            return None
-        if isinstance(local.value, syntax.Call) and local.type.name in ("", "auto"):
-            return Location(where.path, local.value.line, local.value.column)
-        return Location(where.path, local.line, local.column)
+    return _in_python(code, routine, name) if routine.is_python else _in_cpp(code, routine, name)
+
+
+def _in_cpp(code: Codebase, routine: Routine, name: str) -> Location | None:
+    found = kinds.variable(code, routine, name)
+    if not (isinstance(found, tuple) and len(found) == 2):
+        return None
+    where, local = found
+    if len(code.body(where).variables.get(name, ())) != 1:
+        return None
+    if any(_is_name(target, name) for target, *_ in code.body(where).sets):
+        return None
+    if isinstance(local.value, syntax.Call) and local.type.name in ("", "auto"):
+        return Location(where.path, local.value.line, local.value.column)
+    return Location(where.path, local.line, local.column)
+
+
+def _in_python(code: Codebase, routine: Routine, name: str) -> Location | None:
     around: Routine | None = routine
     while around is not None:
         values = [value for target, _, value, _ in code.body(around).sets if _is_name(target, name)]
@@ -254,7 +281,7 @@ def _variable(code: Codebase, routine: Routine, name: str) -> Location | None:
         around = around.outer
     modules = [other for other in code.routines(routine.path) if other.function.kind == "module"]
     if routine not in modules and len(modules) == 1:
-        return _variable(code, modules[0], name)
+        return _in_python(code, modules[0], name)
     return None
 
 

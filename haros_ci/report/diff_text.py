@@ -73,8 +73,11 @@ def value(text: str | None) -> str:
 
 
 def users(change: Change) -> str:
-    """Who else uses it, and in how many configurations it is seen."""
+    """Who else uses it, or whom a rate affects, and in how many configurations it is seen."""
     messages = [several(change.users)] if change.users else []
+    if change.what == "rate" and change.users:
+        be = "is" if len(change.users) == 1 else "are"
+        messages = [f"{plural(len(change.users), 'node')} {be} affected: {messages[0]}"]
     if len(change.configurations) > 1:
         messages.append(plural(len(change.configurations), "configuration"))
     return "; ".join(messages)
@@ -98,6 +101,6 @@ def _line(change: Change) -> str:
         f"{title(change)}: {message}",
         where,
         place(change),
-        f"used by {users(change)}" if change.users else users(change),
+        f"used by {users(change)}" if change.users and change.what != "rate" else users(change),
     ]
     return "  " + "; ".join(part for part in parts if part)

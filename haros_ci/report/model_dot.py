@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from haros_ci.model.architecture import Architecture, Configuration
 from haros_ci.report.channels import Channel, channels, is_known, nodes_of
 from haros_ci.report.escape import terminal
+from haros_ci.report.model_rates import known_rates
 
 SHAPES = {"topics": "ellipse", "services": "diamond", "actions": "hexagon"}
 #: Kinds of ends whose edge points from the node to what it connects to; the others' points to the node.
@@ -48,25 +49,32 @@ def _cluster(configuration: Configuration, prefix: str) -> Iterator[str]:
         label = f'"{_inner(node.name)}\\n{_inner(f"{node.package}/{node.type}")}"'
         unknown = not (is_known(node.name) and is_known(node.type) and is_known(node.package))
         yield f"  {ids[id(node)]} [label={label}, shape=box{_style(bool(node.conditions), unknown)}];"
+    rates = known_rates(configuration)
     shown = (channel for channel in channels(configuration) if not channel.implicit)
     for number, channel in enumerate(shown):
-        yield from _channel(channel, f"{prefix}{channel.what[0]}{number}", ids)
+        yield from _channel(channel, f"{prefix}{channel.what[0]}{number}", ids, rates)
     yield "}"
 
 
-def _channel(channel: Channel, name: str, ids: dict[int, str]) -> Iterator[str]:
+def _channel(channel: Channel, name: str, ids: dict[int, str], rates: dict[tuple[str, str], str]) -> Iterator[str]:
     types = [*channel.types, *(["?"] if any(not is_known(end.type) for _, end in channel.ends) else [])]
     label = f'"{_inner(channel.name)}\\n{_inner(", ".join(types))}"'
     style = _style(channel.conditional, not is_known(channel.name) or "?" in types)
     yield f"  {name} [label={label}, shape={SHAPES[channel.what]}{style}];"
     edges: dict[tuple[str, str], bool] = {}
+    labels: dict[tuple[str, str], str] = {}
     for node, end in channel.ends:
         if not end.implicit:
             here = ids[id(node)]
             pair = (here, name) if end.kind in OUTGOING else (name, here)
             edges[pair] = edges.get(pair, True) and bool(node.conditions or end.conditions)
-    for (tail, head), conditional in edges.items():
-        yield f"  {tail} -> {head}{' [style=dashed]' if conditional else ''};"
+            if end.kind == "publishers" and (node.name, end.name) in rates:
+                labels[pair] = rates[node.name, end.name]
+    for pair, conditional in edges.items():
+        look = ["style=dashed"] if conditional else []
+        look += [f"label={quoted(labels[pair])}"] if pair in labels else []
+        text = f" [{', '.join(look)}]" if look else ""
+        yield f"  {pair[0]} -> {pair[1]}{text};"
 
 
 def _style(conditional: bool, unknown: bool) -> str:

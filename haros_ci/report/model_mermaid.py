@@ -10,9 +10,10 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.model.architecture import Architecture, Configuration
-from haros_ci.report.channels import channels, is_known, nodes_of
+from haros_ci.report.channels import Channel, channels, is_known, nodes_of
 from haros_ci.report.escape import markdown, terminal
 from haros_ci.report.model_dot import OUTGOING
+from haros_ci.report.model_rates import known_rates
 from haros_ci.report.summary import plural
 
 #: What Mermaid draws at most by default (mermaid.js.org, maxTextSize and maxEdges).
@@ -48,7 +49,7 @@ def label(text: str) -> str:
 
 def _body(configuration: Configuration) -> str:
     text = diagram(configuration)
-    edges = sum(1 for line in text.splitlines() if " --> " in line or " -.-> " in line)
+    edges = sum(1 for line in text.splitlines() if " -->" in line or " -.->" in line)
     if edges > MAX_EDGES or len(text) > MAX_TEXT:
         size = f"{plural(len(configuration.nodes), 'node')}, {plural(edges, 'edge')}"
         return f"Too large for a diagram here ({size}): print it as DOT and draw it with GraphViz.\n"
@@ -58,6 +59,7 @@ def _body(configuration: Configuration) -> str:
 def _lines(configuration: Configuration) -> Iterator[str]:
     nodes = nodes_of(configuration)
     ids = {id(node): f"n{number}" for number, node in enumerate(nodes)}
+    rates = known_rates(configuration)
     for node in nodes:
         unknown = not (is_known(node.name) and is_known(node.type) and is_known(node.package))
         yield f"{ids[id(node)]}[{label(node.name)}]"
@@ -68,14 +70,21 @@ def _lines(configuration: Configuration) -> Iterator[str]:
         yield f"{name}{opening}{label(channel.name)}{closing}"
         known = is_known(channel.name) and all(is_known(end.type) for _, end in channel.ends)
         yield from _classes(name, channel.conditional, not known)
-        edges: dict[tuple[str, str], bool] = {}
-        for node, end in channel.ends:
-            if not end.implicit:
-                here = ids[id(node)]
-                pair = (here, name) if end.kind in OUTGOING else (name, here)
-                edges[pair] = edges.get(pair, True) and bool(node.conditions or end.conditions)
-        for (tail, head), conditional in edges.items():
-            yield f"{tail} {'-.->' if conditional else '-->'} {head}"
+        yield from _edges(channel, name, ids, rates)
+
+
+def _edges(channel: Channel, name: str, ids: dict[int, str], rates: dict[tuple[str, str], str]) -> Iterator[str]:
+    edges: dict[tuple[str, str], bool] = {}
+    labels: dict[tuple[str, str], str] = {}
+    for node, end in channel.ends:
+        if not end.implicit:
+            here = ids[id(node)]
+            pair = (here, name) if end.kind in OUTGOING else (name, here)
+            edges[pair] = edges.get(pair, True) and bool(node.conditions or end.conditions)
+            if end.kind == "publishers" and (node.name, end.name) in rates:
+                labels[pair] = f"|{label(rates[node.name, end.name])}|"
+    for (tail, head), conditional in edges.items():
+        yield f"{tail} {'-.->' if conditional else '-->'}{labels.get((tail, head), '')} {head}"
 
 
 def _classes(name: str, conditional: bool, unknown: bool) -> Iterator[str]:

@@ -6,8 +6,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
+from haros_ci.model.architecture import Configuration
 from haros_ci.model.location import Location
-from haros_ci.model.rates import Rate, Rates
+from haros_ci.model.rates import Rate, Rates, total
 from haros_ci.report.escape import terminal
 
 
@@ -19,6 +20,7 @@ def rates_of(rates: Rates, place: Callable[[Location | None], dict[str, Any] | N
                 "node": one.node,
                 "topic": one.topic,
                 **_rate(one.rate),
+                "inputs": [terminal(name) for name in one.inputs],
                 "location": place(one.location),
                 "calls": [{**_rate(call.rate), "location": place(call.location)} for call in one.calls],
             }
@@ -30,6 +32,15 @@ def rates_of(rates: Rates, place: Callable[[Location | None], dict[str, Any] | N
 
 def _rate(rate: Rate) -> dict[str, Any]:
     return {"low": rate.low, "high": rate.high if rate.is_known else None, "reason": terminal(rate.reason) or None}
+
+
+def known_rates(configuration: Configuration) -> dict[tuple[str, str], str]:
+    """By node and topic the rate at which it publishes there, in words, where that has a bound; {} without rates."""
+    every: dict[tuple[str, str], list[Rate]] = {}
+    for one in configuration.rates.published if configuration.rates is not None else ():
+        every.setdefault((one.node, one.topic), []).append(one.rate)
+    sums = {key: total(found) for key, found in every.items()}
+    return {key: str(rate) for key, rate in sums.items() if rate.is_known}
 
 
 def lines(rates: Rates) -> Iterator[str]:

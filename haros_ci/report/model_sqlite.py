@@ -12,6 +12,7 @@ from typing import Any
 
 from haros_ci.model.architecture import Architecture, Condition, Configuration, Node, Unknown
 from haros_ci.model.location import Location
+from haros_ci.model.rates import Rate, Rates
 from haros_ci.report.channels import endpoints_of, nodes_of, parameters_of
 from haros_ci.report.model_json import Places, plain
 from haros_ci.scratch import scratch_directory
@@ -19,6 +20,7 @@ from haros_ci.scratch import scratch_directory
 #: The tables. A *value* or *effective* is JSON text, null if there is none or it is unknown; booleans are 0 and 1. A
 #: policy of *qos* is null where it is the default, and ``?`` where it is unknown. A condition or an unknown belongs to
 #: one node, endpoint or parameter: the other two columns are null. Positions count from 0, conditions outermost first.
+#: With --rates ``rates`` has how often nodes publish, in hertz, and ``topic_rates`` the sums; *high* is null where there is no bound.
 #: What ``CHANNELS`` connects is found by grouping endpoints that are not *ruled_out* by configuration and name.
 TABLES = """
 CREATE TABLE packages (id INTEGER PRIMARY KEY, name TEXT NOT NULL, path TEXT NOT NULL, version TEXT NOT NULL,
@@ -50,6 +52,11 @@ CREATE TABLE conditions (id INTEGER PRIMARY KEY, node INTEGER REFERENCES nodes, 
 CREATE TABLE unknowns (id INTEGER PRIMARY KEY, node INTEGER REFERENCES nodes, endpoint INTEGER REFERENCES endpoints,
   parameter INTEGER REFERENCES parameters, field TEXT NOT NULL, reason TEXT NOT NULL,
   location INTEGER REFERENCES locations);
+CREATE TABLE rates (id INTEGER PRIMARY KEY, configuration INTEGER NOT NULL REFERENCES configurations,
+  node TEXT NOT NULL, topic TEXT NOT NULL, low REAL NOT NULL, high REAL, reason TEXT NOT NULL,
+  location INTEGER REFERENCES locations);
+CREATE TABLE topic_rates (configuration INTEGER NOT NULL REFERENCES configurations, topic TEXT NOT NULL,
+  low REAL NOT NULL, high REAL, reason TEXT NOT NULL, PRIMARY KEY (configuration, topic));
 CREATE TABLE problems (id INTEGER PRIMARY KEY, path TEXT NOT NULL, line INTEGER, message TEXT NOT NULL);
 """
 _LARGEST = 2**63
@@ -104,6 +111,20 @@ def _configuration(table: _Tables, configuration: Configuration) -> None:
         places = table.place(item.location), table.place(item.origin)
         added = table.add("parameters", None, key, item.name, item.type, _value(item.value), *places, item.source)
         table.about((None, None, added), item.conditions, item.unknowns)
+    if configuration.rates is not None:
+        _rates(table, key, configuration.rates)
+
+
+def _rates(table: _Tables, configuration: int, rates: Rates) -> None:
+    for one in rates.published:
+        named = (one.node, one.topic, *_hertz(one.rate))
+        table.add("rates", None, configuration, *named, table.place(one.location))
+    for topic, rate in rates.topics:
+        table.add("topic_rates", configuration, topic, *_hertz(rate))
+
+
+def _hertz(rate: Rate) -> tuple[float, float | None, str]:
+    return rate.low, rate.high if rate.is_known else None, rate.reason
 
 
 def _node(table: _Tables, configuration: int, node: Node) -> None:

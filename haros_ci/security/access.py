@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the rules under ``access`` of a project file let a node do (docs/configuration.md).
 
-As in ROSRV's policies an entry names who may use a topic; where no entry fits a name, everybody may. Where several fit, being in one of their lists
-is enough, so ``/**: []`` closes what nothing else opens.
+As in ROSRV's policies an entry names who may use a topic, and where several fit, being in one of their lists is enough. Other than there, where no entry
+fits a name, everybody may: ``/**: []`` closes what nothing else opens.
 """
 
 from __future__ import annotations

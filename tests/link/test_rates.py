@@ -190,6 +190,16 @@ def test_a_cycle_ends_without_a_bound() -> None:
     assert found.startswith("at least ") and "callbacks publish what calls them again" in found
 
 
+def test_a_cycle_over_two_topics_has_no_bound_either() -> None:
+    body = (
+        "a = PUB('a')\nb = PUB('b')\ndef tick(event):\n    a.publish('')\ndef got_a(m):\n    b.publish('')\n"
+        "def got_b(m):\n    a.publish('')\nrospy.Subscriber('a', String, got_a)\nrospy.Subscriber('b', String, got_b)\n"
+        "rospy.Timer(rospy.Duration(0.1), tick)\nrospy.spin()\n"
+    )
+    found = python(body)
+    assert all("callbacks publish what calls them again" in found[topic] for topic in ("/a", "/b"))
+
+
 def test_a_cycle_that_nothing_starts_publishes_nothing() -> None:
     assert of_class('sub_ = nh.subscribe("a", 1, &A::got, this);', "send();") == "0 Hz"
 
@@ -239,6 +249,15 @@ PYTHON = {
     ),
     "a timer": (
         "p = PUB('a')\ndef tick(event):\n    p.publish('')\nrospy.Timer(rospy.Duration(0.5), tick)\nrospy.spin()\n", "2 Hz"
+    ),
+    "a function of the name of a publisher's method": (
+        "p = PUB('a')\ndef publish():\n    p.publish('')\nr = rospy.Rate(10)\nwhile not rospy.is_shutdown():\n    publish()\n"
+        "    r.sleep()\n",
+        "10 Hz",
+    ),
+    "the same, called through what may be a module": (
+        "p = PUB('a')\ndef publish():\n    p.publish('')\ndef other(q):\n    q.publish()\nother(choose())\npublish()\n",
+        "unknown (other may call it)",
     ),
     "a timer for once": (
         "p = PUB('a')\ndef tick(event):\n    p.publish('')\nrospy.Timer(rospy.Duration(0.5), tick, oneshot=True)\n",
