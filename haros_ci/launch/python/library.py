@@ -34,6 +34,7 @@ from haros_ci.launch.python.values import (
     Value,
     describe,
 )
+from haros_ci.launch.python.xacro_documents import SUMMARIES as XACRO
 
 SUMMARIES: dict[str, Summary] = {
     **PYTHON,
@@ -47,6 +48,7 @@ SUMMARIES: dict[str, Summary] = {
     **CONTROLLERS,
     **GZ,
     **MODULES,
+    **XACRO,
 }
 
 
