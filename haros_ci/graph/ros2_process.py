@@ -27,6 +27,12 @@ NAMES, SPACES = frozenset(("__node", "__name")), frozenset(("__ns",))
 TAKES_ONE = frozenset(
     "-r --remap -p --param --params-file --log-level --log-config-file --log-file-name -e --enclave".split()
 )
+#: A rule as it may stand among the other arguments of a program (rcl ``rcl_parse_arguments``, "in its deprecated form"); ``?`` is not known.
+_TOKENS = r"[A-Za-z_?][\w?]*(?:/[A-Za-z_?][\w?]*)*"
+_NAME = rf"(?:rostopic://|rosservice://)?(?:/|~/)?{_TOKENS}"
+_BARE_RULE = re.compile(
+    rf"(?:[A-Za-z_?][\w?]*:)?(?:(?:__node|__name):=[A-Za-z_?][\w?]*|__ns:=(?:/|[/?]{_TOKENS})|(?!__(?:node|name|ns):=){_NAME}:={_NAME})"
+)
 #: The kind of a node that a class of a library is given by whoever uses it.
 GIVEN = "given"
 #: Why the value of a parameter is not known of which the name is not, and of one that has no default.
@@ -155,7 +161,7 @@ def rule_of(text: str) -> RemappingRule | None:
 
 
 def ros_arguments(words: Iterable[str]) -> RosArguments:
-    """A command line's words sorted: what stands between ``--ros-args`` and ``--``, and the rest."""
+    """A command line's words sorted: what stands between ``--ros-args`` and ``--``, rules that stand elsewhere, and the rest."""
     rules: list[RemappingRule] = []
     parameters: list[tuple[str, str, str]] = []
     files: list[str] = []
@@ -164,17 +170,17 @@ def ros_arguments(words: Iterable[str]) -> RosArguments:
     for word in words:
         if not is_ros:
             is_ros = word == "--ros-args"
-            if not is_ros:
+            rule = rule_of(word) if _BARE_RULE.fullmatch(word) else None
+            if rule is not None:
+                rules.append(rule)
+            elif not is_ros:
                 rest.append(word)
         elif flag:
-            if flag in ("-r", "--remap"):
-                rule = rule_of(word)
-                if rule is not None:
-                    rules.append(rule)
-            elif flag in ("-p", "--param"):
-                rule = rule_of(word)
-                if rule is not None:
-                    parameters.append((rule.node, rule.source, rule.target))
+            rule = rule_of(word)
+            if rule is not None and flag in ("-r", "--remap"):
+                rules.append(rule)
+            elif rule is not None and flag in ("-p", "--param"):
+                parameters.append((rule.node, rule.source, rule.target))
             elif flag == "--params-file":
                 files.append(word)
             flag = ""
