@@ -73,6 +73,34 @@ def test_controllers_of_a_simulated_manager(launch: str, expected: list[str]) ->
 
 
 @pytest.mark.parametrize(
+    ("kind", "more", "expected"),
+    [
+        ("effort_controllers/JointTrajectoryController", "joints: [a, b]", ["gains/a", "gains/b"]),
+        ("velocity_controllers/JointTrajectoryController", "joints: [a]", ["gains/a"]),
+        ("effort_controllers/JointPositionController", "joint: a", ["pid"]),
+        ("effort_controllers/JointGroupPositionController", "joints: [a, b]", ["a/pid", "b/pid"]),
+        ("effort_controllers/GripperActionController", "joint: a", ["gains/a"]),
+        ("position_controllers/JointTrajectoryController", "joints: [a, b]", []),
+        ("velocity_controllers/JointVelocityController", "joint: a", []),
+        ("effort_controllers/JointEffortController", "joint: a", []),
+    ],
+)
+def test_gains_that_can_be_reconfigured(kind: str, more: str, expected: list[str]) -> None:
+    node = simulator(f"<rosparam>{{arm: {{type: {kind}, {more}}}}}</rosparam>" + spawner("arm"))
+    made = [
+        end.name for end in node.endpoints if end.type == "dynamic_reconfigure/Reconfigure" and end.location is not None
+    ]
+    assert made == [f"/arm/{space}/set_parameters" for space in expected]
+    assert "?" not in "".join(end.name for end in node.endpoints)
+
+
+def test_the_state_of_a_controller_of_gains_is_published_where_that_is_set() -> None:
+    inner = "<rosparam>{{arm: {{type: effort_controllers/JointPositionController, joint: a, pid: {{p: 1.0, publish_state: {}}}}}}}</rosparam>"
+    found = [topics(simulator(inner.format(value) + spawner("arm"))) for value in ("true", "false")]
+    assert ["/arm/pid/state" in names for names in found] == [True, False]
+
+
+@pytest.mark.parametrize(
     "launch",
     [
         "",
