@@ -34,6 +34,7 @@ from haros_ci.launch.python.values import (
     Value,
     describe,
 )
+from haros_ci.launch.python.webots_actions import SUMMARIES as WEBOTS
 from haros_ci.launch.python.xacro_documents import SUMMARIES as XACRO
 
 SUMMARIES: dict[str, Summary] = {
@@ -48,6 +49,7 @@ SUMMARIES: dict[str, Summary] = {
     **CONTROLLERS,
     **GZ,
     **MODULES,
+    **WEBOTS,
     **XACRO,
 }
 
