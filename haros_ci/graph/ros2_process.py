@@ -14,7 +14,7 @@ from functools import lru_cache
 
 from haros_ci.graph.names import UNKNOWN, clean
 from haros_ci.graph.parameters import Perhaps
-from haros_ci.graph.words import scalar
+from haros_ci.graph.words import is_rule, scalar
 from haros_ci.model.architecture import Condition
 from haros_ci.model.launch import ParameterRule
 from haros_ci.model.location import Location
@@ -26,12 +26,6 @@ NAMES, SPACES = frozenset(("__node", "__name")), frozenset(("__ns",))
 #: Flags between ``--ros-args`` and ``--`` that a word follows.
 TAKES_ONE = frozenset(
     "-r --remap -p --param --params-file --log-level --log-config-file --log-file-name -e --enclave".split()
-)
-#: A rule as it may stand among the other arguments of a program (rcl ``rcl_parse_arguments``, "in its deprecated form"); ``?`` is not known.
-_TOKENS = r"[A-Za-z_?][\w?]*(?:/[A-Za-z_?][\w?]*)*"
-_NAME = rf"(?:rostopic://|rosservice://)?(?:/|~/)?{_TOKENS}"
-_BARE_RULE = re.compile(
-    rf"(?:[A-Za-z_?][\w?]*:)?(?:(?:__node|__name):=[A-Za-z_?][\w?]*|__ns:=(?:/|[/?]{_TOKENS})|(?!__(?:node|name|ns):=){_NAME}:={_NAME})"
 )
 #: The kind of a node that a class of a library is given by whoever uses it.
 GIVEN = "given"
@@ -170,7 +164,7 @@ def ros_arguments(words: Iterable[str]) -> RosArguments:
     for word in words:
         if not is_ros:
             is_ros = word == "--ros-args"
-            rule = rule_of(word) if _BARE_RULE.fullmatch(word) else None
+            rule = rule_of(word) if is_rule(word) else None
             if rule is not None:
                 rules.append(rule)
             elif not is_ros:

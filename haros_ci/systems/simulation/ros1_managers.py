@@ -10,12 +10,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from haros_ci.bounded_yaml import YamlFault, YamlLimits, data
 from haros_ci.graph.names import clean, resolve
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.graph.words import split
-from haros_ci.model.architecture import Endpoint, Node
+from haros_ci.model.architecture import Endpoint, Node, Unknown
 from haros_ci.model.launch import Started
+from haros_ci.robot.unknown import UNKNOWN, UnknownValue
+from haros_ci.robot.yaml_values import yaml_value
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.known.instantiate import instantiate
 from haros_ci.systems.outside import as_data
@@ -27,8 +28,7 @@ PACKAGE = "controller_manager"
 LIBRARY, SERVICE = "gazebo_ros_control", "controller_manager/load_controller"
 #: Options of the spawner that a value follows.
 TAKING = ("--wait-for", "--namespace", "--timeout", "--shutdown-timeout")
-#: How much a file of parameters may hold.
-LIMITS = YamlLimits(characters=200_000, depth=20, values=5_000, aliases=100)
+UNREAD = "its value in a file of the spawner is not known"
 #: Verbs of ``controller_manager/controller_manager`` that load controllers.
 LOADING = ("load", "spawn")
 
@@ -84,10 +84,7 @@ def _spawned(words: Sequence[str]) -> tuple[str, tuple[str, ...]]:
 
 def _file(text: str) -> dict[str, object] | None:
     """The controllers in a file of parameters, by name; None if it is none."""
-    try:
-        found = data(text, LIMITS) if text else None
-    except YamlFault:
-        return None
+    found = yaml_value(text, lambda number: UNKNOWN) if text else None
     if not isinstance(found, dict) or not all(isinstance(name, str) for name in found):
         return None
     return found
@@ -96,7 +93,7 @@ def _file(text: str) -> dict[str, object] | None:
 def _set(settings: dict[str, object], name: str, value: object) -> None:
     """Set the parameter *name*, or those below it, to a *value* of a file (rosparam.set_param)."""
     if not isinstance(value, dict):
-        settings[name] = value
+        settings[name] = Unknown("value", UNREAD) if isinstance(value, UnknownValue) else value
         return
     for key, item in value.items():
         _set(settings, clean(f"{name}/{key}"), item)

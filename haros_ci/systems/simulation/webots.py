@@ -88,8 +88,8 @@ def _description(launched: LaunchedNode, texts: Descriptions) -> DescriptionTree
         return texts.trees.of_file(found.value)
     if isinstance(found, Known) and isinstance(found.value, str) and found.value.endswith(".xacro"):
         mappings = provided.get(called(launched), "xacro_mappings")
-        words = mappings.value if isinstance(mappings, Known) else ()
-        if mappings is not None and not (isinstance(words, list) and all(isinstance(word, str) for word in words)):
+        words = mappings.value if isinstance(mappings, Known) else None if mappings is not None else []
+        if not isinstance(words, list) or not all(isinstance(word, str) for word in words):
             return DescriptionTree(None, f"the arguments that xacro is given for {found.value} are not known")
         return texts.trees.of_command(shlex.join(["xacro", found.value, *words]), texts.environment)
     return texts.of_parameter(found, launched.location, launched.name or DRIVER)
