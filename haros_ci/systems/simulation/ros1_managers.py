@@ -83,7 +83,7 @@ def _spawned(words: Sequence[str]) -> tuple[str, tuple[str, ...]]:
 
 
 def _file(text: str) -> dict[str, object] | None:
-    """The controllers in a file of parameters, by name; None if it is none."""
+    """The controllers in a file of parameters, by name; None if *text* has none."""
     found = yaml_value(text, lambda number: UNKNOWN) if text else None
     if not isinstance(found, dict) or not all(isinstance(name, str) for name in found):
         return None

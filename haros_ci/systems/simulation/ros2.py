@@ -48,8 +48,8 @@ def simulation(
     nodes = launched.nodes
     servers = [node for node in nodes if node.package == PACKAGE and node.type in SERVERS]
     created = [node for node in nodes if gz.is_spawner(node)]
-    drivers = [node for node in nodes if webots.is_driver(node)]
-    if not servers and not created and not drivers:
+    drivers = webots.drivers(nodes)
+    if not (servers or created or drivers):
         return None
     texts = descriptions(launched, trees, environment)
     spawners = [(node, split(node.arguments)) for node in nodes if node.package == PACKAGE and node.type in SPAWNERS]

@@ -9,7 +9,7 @@ Webots (``.wbt``, ``.proto``), which is not read: what is for a device is never 
 from __future__ import annotations
 
 import shlex
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
@@ -53,9 +53,9 @@ def _rows() -> tuple[dict[str, KnownPlugin], list[Problem]]:
     return read_rows(parse(_FILE.read_text(encoding="utf-8")), _FILE.name, 2)
 
 
-def is_driver(node: LaunchedNode) -> bool:
-    """Whether a launched node is the driver of a robot of Webots."""
-    return node.package == PACKAGE and node.type == DRIVER
+def drivers(nodes: Iterable[LaunchedNode]) -> list[LaunchedNode]:
+    """The drivers of robots of Webots among launched *nodes*."""
+    return [node for node in nodes if node.package == PACKAGE and node.type == DRIVER]
 
 
 def called(launched: LaunchedNode) -> str:
