@@ -14,7 +14,7 @@ from functools import lru_cache
 
 from haros_ci.graph.names import UNKNOWN, clean
 from haros_ci.graph.parameters import Perhaps
-from haros_ci.graph.words import scalar
+from haros_ci.graph.words import is_rule, scalar
 from haros_ci.model.architecture import Condition
 from haros_ci.model.launch import ParameterRule
 from haros_ci.model.location import Location
@@ -155,7 +155,7 @@ def rule_of(text: str) -> RemappingRule | None:
 
 
 def ros_arguments(words: Iterable[str]) -> RosArguments:
-    """A command line's words sorted: what stands between ``--ros-args`` and ``--``, and the rest."""
+    """A command line's words sorted: what stands between ``--ros-args`` and ``--``, rules that stand elsewhere, and the rest."""
     rules: list[RemappingRule] = []
     parameters: list[tuple[str, str, str]] = []
     files: list[str] = []
@@ -164,17 +164,17 @@ def ros_arguments(words: Iterable[str]) -> RosArguments:
     for word in words:
         if not is_ros:
             is_ros = word == "--ros-args"
-            if not is_ros:
+            rule = rule_of(word) if is_rule(word) else None
+            if rule is not None:
+                rules.append(rule)
+            elif not is_ros:
                 rest.append(word)
         elif flag:
-            if flag in ("-r", "--remap"):
-                rule = rule_of(word)
-                if rule is not None:
-                    rules.append(rule)
-            elif flag in ("-p", "--param"):
-                rule = rule_of(word)
-                if rule is not None:
-                    parameters.append((rule.node, rule.source, rule.target))
+            rule = rule_of(word)
+            if rule is not None and flag in ("-r", "--remap"):
+                rules.append(rule)
+            elif rule is not None and flag in ("-p", "--param"):
+                parameters.append((rule.node, rule.source, rule.target))
             elif flag == "--params-file":
                 files.append(word)
             flag = ""

@@ -19,6 +19,12 @@ class CommandLineArguments:
     rest: tuple[str, ...]
 
 
+#: A remapping rule of ROS 2 as it may stand among the other arguments of a program (rcl ``rcl_parse_arguments``, "in its deprecated form"); ``?`` is not known.
+_TOKENS = r"[A-Za-z_?][\w?]*(?:/[A-Za-z_?][\w?]*)*"
+_NAME = rf"(?:rostopic://|rosservice://)?(?:/|~/)?{_TOKENS}"
+_BARE_RULE = re.compile(
+    rf"(?:[A-Za-z_?][\w?]*:)?(?:(?:__node|__name):=[A-Za-z_?][\w?]*|__ns:=(?:/|[/?]{_TOKENS})|(?!__(?:node|name|ns):=){_NAME}:={_NAME})"
+)
 #: The path of a package, as paths in values begin with it: one word.
 _FOUND = re.compile(r"\$\([\w-]+ [\w-]+\)")
 
@@ -63,3 +69,8 @@ def scalar(text: str) -> int | float | bool | str:
                 continue
             return value if isfinite(value) else text
     return {"true": True, "false": False}.get(text.lower(), text)
+
+
+def is_rule(word: str) -> bool:
+    """Whether a *word* among the arguments of a program is a remapping rule of ROS 2."""
+    return _BARE_RULE.fullmatch(word) is not None

@@ -60,8 +60,8 @@ class Substitution:
 
     var, env, find-pkg-share, find-pkg-prefix, exec-in-pkg, find-exec, eval, command, anon, dirname, filename,
     file-content, log_dir, launch_log_dir, param, not, and, or, any, all, equals, not-equals, if; of Python alone
-    ``join`` (PathJoinSubstitution: its arguments as parts of a path), ``rewritten`` (RewrittenYaml: *data* says how) and
-    ``moveit`` (MoveItConfigsBuilder). ``?`` is one that cannot be known: *reason* says why. *arguments* are phrases.
+    ``join`` (PathJoinSubstitution: its arguments as parts of a path), ``rewritten`` (RewrittenYaml: *data* says how), ``xacro``
+    (its functions: the file, then each argument as ``name:=value``) and ``moveit`` (MoveItConfigsBuilder). ``?`` is one that cannot be known: *reason* says why. *arguments* are phrases.
     """
 
     kind: str

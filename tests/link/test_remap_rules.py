@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import pytest
 from follow_kit import ROS2_HEAD, ROS2_NODE, follow, ros2_files
 
 from haros_ci.model.architecture import Configuration, RemapRule
@@ -106,3 +107,28 @@ def test_the_order_is_that_in_which_rules_apply() -> None:
     found = launched(text)
     assert [each.target_name for each in found.nodes[0].rules] == ["/first", "/second"]
     assert dict(found.nodes[0].remaps) == {"/t": "/first"}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "expected"),
+    [
+        ("t:=u", "/u"),
+        ("m:t:=u", "/u"),
+        ("/t:=/a/u", "/a/u"),
+        ("rostopic://t:=u", "/u"),
+        ("-x t:=u --ros-args", "/u"),
+        ("other:t:=u", "/t"),
+        ("rosservice://t:=u", "/t"),
+        ("t:=1u", "/t"),
+        ("t:=", "/t"),
+        ("-t:=u", "/t"),
+        ("t:=a//u", "/t"),
+        ("t:=u v:=2.5", "/u"),
+        ("--ros-args t:=u", "/t"),
+        ("--ros-args -p a:=1 -- t:=u", "/u"),
+    ],
+)
+def test_a_rule_among_the_arguments_of_the_program(arguments: str, expected: str) -> None:
+    """rcl takes it (rcl_parse_arguments: "its deprecated form")."""
+    (node,) = launched(f'<launch><node pkg="p" exec="n" name="m" args="{arguments}"/></launch>').nodes
+    assert [end.name for end in node.endpoints if end.kind == "publishers" and not end.implicit] == [expected]

@@ -58,6 +58,8 @@ def lost(node: Node) -> list[str]:
     ("inner", "expected"),
     [
         (sensor(LASER.format("<topicName>scan</topicName>")), [("/scan", "sensor_msgs/LaserScan")]),
+        (sensor(LASER.replace("ros_laser", "ros_velodyne_laser").format("<topicName>cloud</topicName>")), [("/cloud", "sensor_msgs/PointCloud2")]),
+        (sensor(LASER.replace("ros_laser", "ros_velodyne_gpu_laser").format("<robotNamespace>a</robotNamespace>")), [("/points", "sensor_msgs/PointCloud2")]),
         (sensor(LASER.format("")), [("/world", "sensor_msgs/LaserScan")]),
         (sensor(LASER.format("<robotNamespace>front</robotNamespace><topicName>scan</topicName>")), [("/front/scan", "sensor_msgs/LaserScan")]),
         (sensor(LASER.format("<robotNamespace/><topicName>scan</topicName>")), [("/rover/scan", "sensor_msgs/LaserScan")]),
@@ -270,3 +272,26 @@ def test_the_simulator_is_known_where_its_package_is_in_the_workspace() -> None:
     node = simulator(ALL, sensor(LASER.format("")), files)
     assert made(node) == [("/world", "sensor_msgs/LaserScan")]
     assert ("/gazebo/pause_physics", "std_srvs/Empty") in [(end.name, end.type) for end in node.endpoints]
+
+
+def test_a_plugin_of_a_world_has_services() -> None:
+    world = (
+        '<sdf version="1.6"><world name="w"><plugin name="a" filename="libgazebo_ros_link_attacher.so"/></world></sdf>'
+    )
+    node = simulator(WORLD, files={"p/worlds/w.world": world})
+    assert made(node, "servers") == [
+        (f"/link_attacher_node/{verb}", "gazebo_ros_link_attacher/Attach") for verb in ("attach", "detach")
+    ]
+
+
+@pytest.mark.parametrize(
+    "inner",
+    [
+        sensor(LASER.replace("ros_laser", "ros_velodyne_laser").format("<topicName/>")),
+        f"<gazebo>{LASER.replace('ros_laser', 'ros_velodyne_laser').format('')}</gazebo>",
+        f"<gazebo>{LASER.replace('ros_laser', 'ros_link_attacher').format('')}</gazebo>",
+    ],
+)
+def test_known_plugins_that_make_nothing_there(inner: str) -> None:
+    node = simulator(ALL, inner)
+    assert (made(node), made(node, "servers"), lost(node)) == ([], [], [])

@@ -127,6 +127,19 @@ def test_a_plugin_for_sensors() -> None:
     assert of_code(simulator(code, IN_SENSOR.format(""))) == ["/ray"]
 
 
+def test_what_a_function_template_reads() -> None:
+    reader = (
+        "template <class T> void read(sdf::ElementPtr sdf, const std::string& name, T& value, const T& otherwise) {\n"
+        "  if (sdf->HasElement(name)) value = sdf->GetElement(name)->Get<T>(); else value = otherwise; }\n"
+    )
+    load = 'std::string space; std::string topic; read<std::string>(_sdf, "robotNamespace", space, space); read(_sdf, "topic", topic, std::string("scan"));'
+    code = plugin(load + "ros::NodeHandle nh(space); nh." + PUB.format("topic")).replace(
+        "namespace gazebo {\n", "namespace gazebo {\n" + reader
+    )
+    assert of_code(simulator(code, USE.format("<robotNamespace>own</robotNamespace>"))) == ["/own/scan"]
+    assert of_code(simulator(code, USE.format("<topic>front</topic>"))) == ["/front"]
+
+
 def test_two_uses_of_one_plugin() -> None:
     load = "ros::NodeHandle nh; nh." + PUB.format('_sdf->Get<std::string>("topic")')
     uses = USE.format("<topic>a</topic>") + USE.format("<topic>b</topic>")

@@ -25,12 +25,17 @@ def spawner(words: str, ns: str = "") -> str:
     return f'<node pkg="controller_manager" type="spawner" name="c" {where} args="{words}"/>'
 
 
-def simulator(launch: str, inner: str = CONTROL.format("<robotNamespace>/</robotNamespace>")) -> Node:
+def simulator(
+    launch: str,
+    inner: str = CONTROL.format("<robotNamespace>/</robotNamespace>"),
+    files: dict[str, str] | None = None,
+) -> Node:
     """The simulator of ROS 1, to which a robot is spawned that has the extensions *inner*."""
     texts = {
         "p/CMakeLists.txt": CMAKE.format("p"),
         "p/launch/l.launch": f"<launch>{EMPTY}{PARAM}{SPAWN}{TYPES}{launch}</launch>",
         "p/urdf/r.xacro": ROBOT.format(inner),
+        **(files or {}),
     }
     found = architecture(workspace(texts), Settings(root=Path("/nowhere")), Nothing(), environment={}, known_nodes=True)
     return next(each for each in only(found).nodes if each.name == "/gazebo")
@@ -73,6 +78,34 @@ def test_controllers_of_a_simulated_manager(launch: str, expected: list[str]) ->
 
 
 @pytest.mark.parametrize(
+    ("kind", "more", "expected"),
+    [
+        ("effort_controllers/JointTrajectoryController", "joints: [a, b]", ["gains/a", "gains/b"]),
+        ("velocity_controllers/JointTrajectoryController", "joints: [a]", ["gains/a"]),
+        ("effort_controllers/JointPositionController", "joint: a", ["pid"]),
+        ("effort_controllers/JointGroupPositionController", "joints: [a, b]", ["a/pid", "b/pid"]),
+        ("effort_controllers/GripperActionController", "joint: a", ["gains/a"]),
+        ("position_controllers/JointTrajectoryController", "joints: [a, b]", []),
+        ("velocity_controllers/JointVelocityController", "joint: a", []),
+        ("effort_controllers/JointEffortController", "joint: a", []),
+    ],
+)
+def test_gains_that_can_be_reconfigured(kind: str, more: str, expected: list[str]) -> None:
+    node = simulator(f"<rosparam>{{arm: {{type: {kind}, {more}}}}}</rosparam>" + spawner("arm"))
+    made = [
+        end.name for end in node.endpoints if end.type == "dynamic_reconfigure/Reconfigure" and end.location is not None
+    ]
+    assert made == [f"/arm/{space}/set_parameters" for space in expected]
+    assert "?" not in "".join(end.name for end in node.endpoints)
+
+
+def test_the_state_of_a_controller_of_gains_is_published_where_that_is_set() -> None:
+    inner = "<rosparam>{{arm: {{type: effort_controllers/JointPositionController, joint: a, pid: {{p: 1.0, publish_state: {}}}}}}}</rosparam>"
+    found = [topics(simulator(inner.format(value) + spawner("arm"))) for value in ("true", "false")]
+    assert ["/arm/pid/state" in names for names in found] == [True, False]
+
+
+@pytest.mark.parametrize(
     "launch",
     [
         "",
@@ -88,6 +121,28 @@ def test_what_no_simulated_manager_is_asked_for(launch: str) -> None:
     node = simulator(launch)
     assert topics(node) == []
     assert lost(node) == []
+
+
+FILED = "arm: {type: effort_controllers/JointTrajectoryController, joints: [a]}\nleft: {type: p/Mine}\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "words", "expected", "reasons"),
+    [
+        (FILED, "{} states", ["/arm/state", "/arm/gains/a/parameter_descriptions", "/arm/gains/a/parameter_updates", "/arm/command", "/joint_states"], ["what the controller left makes is not known: it is a p/Mine"]),
+        ("states: {type: position_controllers/JointPositionController}", "{}", ["/states/command"], []),  # it is set again
+        ("{}", "{}", [], []),
+        ("- arm\n", "{}", [], ["what the controller $(find p)/config/c.yaml makes is not known"]),
+        ("1: {type: p/Mine}", "{}", [], ["what the controller $(find p)/config/c.yaml makes is not known"]),
+        ("a: [", "{}", [], ["what the controller $(find p)/config/c.yaml makes is not known"]),
+        (FILED, "$(find p)/config/other.yaml", [], ["what the controller $(find p)/config/other.yaml makes is not known"]),
+        (FILED, "/etc/passwd", [], ["what the controller /etc/passwd makes is not known"]),
+    ],
+)  # fmt: skip
+def test_a_file_of_controllers(text: str, words: str, expected: list[str], reasons: list[str]) -> None:
+    node = simulator(spawner(words.format("$(find p)/config/c.yaml")), files={"p/config/c.yaml": text})
+    assert topics(node) == expected
+    assert lost(node) == reasons
 
 
 def test_without_the_plugin_there_is_no_manager() -> None:

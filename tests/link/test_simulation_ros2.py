@@ -58,6 +58,8 @@ SCAN = "<output_type>sensor_msgs/LaserScan</output_type>"
         (sensor(RAY.format("")), "/scanner", [("/scanner/out", "sensor_msgs/msg/PointCloud2")]),
         (sensor(RAY.format(SCAN)), "/scanner", [("/scanner/out", "sensor_msgs/msg/LaserScan")]),
         (sensor(RAY.format(f"<ros><remapping>~/out:=scan</remapping></ros>{SCAN}")), "/scanner", [("/scan", "sensor_msgs/msg/LaserScan")]),
+        (sensor(RAY.format(f"<ros><argument>~/out:=scan</argument></ros>{SCAN}")), "/scanner", [("/scan", "sensor_msgs/msg/LaserScan")]),
+        (sensor(RAY.format(f"<ros><argument>--ros-args</argument><argument>~/out:=scan</argument></ros>{SCAN}")), "/scanner", [("/scanner/out", "sensor_msgs/msg/LaserScan")]),
         (sensor(RAY.format(f"<ros><namespace>a/b</namespace><remapping>~/out:=scan</remapping></ros>{SCAN}")), "/a/b/scanner", [("/a/b/scan", "sensor_msgs/msg/LaserScan")]),
         (sensor('<plugin name="c" filename="libgazebo_ros_camera.so"/>', "camera"), "/c", [("/eye/image_raw", "sensor_msgs/msg/Image"), ("/eye/camera_info", "sensor_msgs/msg/CameraInfo")]),
         (sensor('<plugin name="c" filename="libgazebo_ros_camera.so"><camera_name>m</camera_name></plugin>', "multicamera", '<camera name="l"/>'), "/c", [("/m/l/image_raw", "sensor_msgs/msg/Image"), ("/m/l/camera_info", "sensor_msgs/msg/CameraInfo")]),

@@ -94,6 +94,7 @@ def method(
     """A method of an object of these classes; None if there is no model of it."""
     if receiver.fields.keys().isdisjoint(OWN):
         return None  # such as one of a class of that name in the workspace
+    targs = tuple(walk.type_in(targ, frame) if isinstance(targ, syntax.Type) else targ for targ in targs)
     if receiver.name == HELPER:
         value: Value | None = receiver.fields[HANDLE].value if name == "node" and not args else None
         return value

@@ -17,7 +17,7 @@ SUMMARISED = frozenset(
     """launch launch_ros launch_xml launch_yaml launch_testing launch_testing_ros launch_testing_ament_cmake nav2_common
     moveit_configs_utils launch_param_builder ament_index_python xacro os sys pathlib yaml json copy math itertools
     functools collections typing re logging tempfile time random shutil subprocess glob platform dataclasses enum abc
-    unittest pytest rclpy numpy string textwrap datetime threading socket argparse contextlib operator""".split()
+    unittest pytest rclpy numpy webots_ros2_driver string textwrap datetime threading socket argparse contextlib operator""".split()
 )
 MODULES = 40
 

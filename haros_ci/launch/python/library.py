@@ -34,6 +34,8 @@ from haros_ci.launch.python.values import (
     Value,
     describe,
 )
+from haros_ci.launch.python.webots_actions import SUMMARIES as WEBOTS
+from haros_ci.launch.python.xacro_documents import SUMMARIES as XACRO
 
 SUMMARIES: dict[str, Summary] = {
     **PYTHON,
@@ -47,6 +49,8 @@ SUMMARIES: dict[str, Summary] = {
     **CONTROLLERS,
     **GZ,
     **MODULES,
+    **WEBOTS,
+    **XACRO,
 }
 
 

@@ -7,6 +7,8 @@ from haros_ci.launch.python.contexts import executed, holds
 from haros_ci.launch.python.moveit import made_by_moveit, moveit_attribute
 from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.values import Bound, LaunchObject, LibraryCall, Native, ScriptFunction, Unknown, Value
+from haros_ci.launch.python.webots_actions import LAUNCHER
+from haros_ci.launch.python.xacro_documents import DOCUMENT, document_attribute
 from haros_ci.model.launch_actions import Test
 from haros_ci.model.location import Location
 
@@ -17,6 +19,10 @@ def made_attribute(run: ScriptEvaluation, made: LaunchObject, name: str, place: 
     """An attribute of *made*; what launch keeps for itself is not known."""
     if made_by_moveit(made):
         return moveit_attribute(run, made, name, place)
+    if made.name == LAUNCHER and name in made.fields:
+        return made.fields[name]
+    if made.name == DOCUMENT:
+        return document_attribute(run, made, name, place)
     if "entities" in made.fields:
         if name in ("add_action", "add_entity"):
             return Native(name, lambda run, call: add(run, made, call))

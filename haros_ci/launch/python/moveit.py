@@ -13,6 +13,8 @@ from haros_ci.launch.python.path_methods import package_directory
 from haros_ci.launch.python.paths import joined_path, readable
 from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.values import LaunchObject, LibraryCall, Native, PathValue, Rest, Unknown, Value, why
+from haros_ci.launch.python.xacro_documents import MADE
+from haros_ci.launch.python.xacro_documents import described as xacro_text
 from haros_ci.model.launch_actions import SHARE
 from haros_ci.model.location import Location
 
@@ -98,11 +100,15 @@ def put(run: ScriptEvaluation, made: LaunchObject, part: str, value: Value) -> N
 
 
 def described(part: str, suffix: str) -> Step:
-    """robot_description and its semantics are made by xacro, which is not run."""
+    """robot_description and its semantics are made by xacro of a file; which one, that is not named, is not looked up."""
 
     def step(run: ScriptEvaluation, made: LaunchObject, call: LibraryCall) -> None:
-        lost = Unknown("a robot description made by xacro", call.location)
-        put(run, made, part, {made.fields["word"] + suffix: lost})
+        bound = call.bind("file_path mappings")
+        text: Value = Unknown(MADE, call.location)
+        if bound.get("file_path") is not None and not call.unknown:
+            path = PathValue(joined_path([made.fields["path"], bound["file_path"]]))
+            text = xacro_text(run, path, bound.get("mappings"), call.location)
+        put(run, made, part, {made.fields["word"] + suffix: text})
 
     return step
 
@@ -301,18 +307,10 @@ def load_yaml(run: ScriptEvaluation, call: LibraryCall) -> Value:
     return yaml_file(run, call.bind("file_path").get("file_path"), call)
 
 
-def xacro(run: ScriptEvaluation, call: LibraryCall) -> Value:
-    return run.unknown("a robot description made by xacro", call.location)
-
-
 SUMMARIES: dict[str, Summary] = {
     BUILDER: builder,
     PARAMETERS: parameter_builder,
     "launch_param_builder.load_yaml": load_yaml,
-    "launch_param_builder.load_xacro": xacro,
-    "xacro.process_file": xacro,
-    "xacro.process": xacro,
-    "xacro.process_doc": xacro,
 }
 
 

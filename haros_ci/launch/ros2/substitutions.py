@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import math
 import posixpath
+import re
+import shlex
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
@@ -21,6 +23,9 @@ MAX_DEPTH = 50
 #: What performing a RewrittenYaml gives: a path that only this evaluation knows.
 REWRITTEN = "$(rewritten {})"
 
+_DIRECTORY = re.compile(r"\$\([\w-]+ [^\s()]+\)")
+#: What a shell takes for one word as it is.
+_PLAIN = re.compile(r"[^\s'\"\\;&|<>()#*$`]+")
 _TRUE = frozenset(("1", "true", "yes", "on"))
 _FALSE = frozenset(("0", "false", "no", "off"))
 
@@ -59,6 +64,8 @@ def _substitution(context: Context, part: Substitution, depth: int) -> Text:
         ros2.read(context, part)
     elif part.kind == "command" and part.arguments and part.location is not None:
         ros2.command(context, perform(context, part.arguments[0], depth), part.location)
+    elif part.kind == "xacro":
+        return _xacro(context, part, depth)
     return maker(context, tuple(perform(context, argument, depth) for argument in part.arguments))
 
 
@@ -142,6 +149,24 @@ def _content(context: Context, arguments: _Arguments) -> Text:
 
 def _command(context: Context, arguments: _Arguments) -> Text:
     return unknown(f"printed by the command {quoted(arguments[0].shown)}" if arguments else "printed by a command")
+
+
+def _xacro(context: Context, part: Substitution, depth: int) -> Text:
+    """What xacro makes of a file with arguments, as if its command printed it."""
+    words = [literal("xacro")]
+    for argument in part.arguments:
+        words += [literal(" "), _word(perform(context, argument, depth))]
+    line = join_texts(words)
+    if part.location is not None:
+        ros2.command(context, line, part.location)
+    return _command(context, (line,))
+
+
+def _word(text: Text) -> Text:
+    """*text* as a word of a command line; a blank in a marker of a package needs no quotes."""
+    if _PLAIN.fullmatch(_DIRECTORY.sub("", text.raw)) is not None:
+        return text
+    return Text(shlex.quote(text.raw), text.reasons)
 
 
 def _param(context: Context, arguments: _Arguments) -> Text:
@@ -293,6 +318,7 @@ _KINDS: Mapping[str, Callable[[Context, _Arguments], Text]] = {
     "find-exec": _find,
     "eval": _eval,
     "command": _command,
+    "xacro": _command,
     "anon": _anon,
     "dirname": _directory,
     "filename": _filename,

@@ -17,7 +17,7 @@ from haros_ci.systems.gazebo_plugins import PLUGIN, GazeboPlugin, started
 from haros_ci.systems.outside import as_data
 from haros_ci.systems.simulation.built import given, moved, under
 from haros_ci.systems.simulation.endpoints import ros1_endpoints
-from haros_ci.systems.simulation.ros1_managers import asked, controllers
+from haros_ci.systems.simulation.ros1_managers import Asked, asked, controllers
 from haros_ci.systems.simulation.simulators import (
     PACKAGE,
     SERVERS,
@@ -45,7 +45,7 @@ def simulation(
     """What is simulated of what was *launched*. *server* has the parameters that are set."""
     servers = [node for node in launched.nodes if node.package == PACKAGE and node.type in SERVERS]
     if not servers:
-        return Simulation(types, launched, server, [])
+        return Simulation(types, server, [])
     parameters: dict[str, list[Parameter]] = {}
     for parameter in launched.parameters:
         parameters.setdefault(parameter.name, []).append(parameter)
@@ -55,9 +55,9 @@ def simulation(
     models = _Models(len(servers) == 1, spawners, parameters, trees, environment)
     return Simulation(
         types,
-        launched,
         server,
         [(other_started, models.found(other_started, types.gazebo)) for other_started in servers],
+        tuple(asked(launched.nodes, trees.text_of)),
     )
 
 
@@ -66,9 +66,10 @@ class Simulation:
     """The simulators of a configuration with their plug-ins."""
 
     types: Types
-    launched: Launched
     parameters: ParameterServer
     servers: list[tuple[Started, SimulatorPlugins]]
+    #: The controllers that are asked for.
+    asked: tuple[Asked, ...] = ()
 
     def jobs(self) -> Iterator[Job]:
         """The plug-ins that the workspace builds, each to be followed in the simulator's node."""
@@ -108,7 +109,7 @@ class Simulation:
         ]
         own = [plugin for plugin in plugins if (plugin.name, plugin.location) == (node.name, node.location)]
         made += [end for plugin in own for end in moved(plugin, node)]
-        made += controllers(node, made, asked(self.launched.nodes), self.parameters, self.types.known, into)
+        made += controllers(node, made, self.asked, self.parameters, self.types.known, into)
         more = tuple(why for plugin in own for why in plugin.unknowns if why.field == "endpoints")
         return completed(replace(node, unknowns=(*node.unknowns, *more)), made, into.lost)
 

@@ -7,14 +7,16 @@ and among these its type, below the manager's namespace and *name*.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 from haros_ci.graph.names import clean, resolve
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.graph.words import split
-from haros_ci.model.architecture import Endpoint, Node
+from haros_ci.model.architecture import Endpoint, Node, Unknown
 from haros_ci.model.launch import Started
+from haros_ci.robot.unknown import UNKNOWN, UnknownValue
+from haros_ci.robot.yaml_values import yaml_value
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.known.instantiate import instantiate
 from haros_ci.systems.outside import as_data
@@ -26,30 +28,40 @@ PACKAGE = "controller_manager"
 LIBRARY, SERVICE = "gazebo_ros_control", "controller_manager/load_controller"
 #: Options of the spawner that a value follows.
 TAKING = ("--wait-for", "--namespace", "--timeout", "--shutdown-timeout")
+UNREAD = "its value in a file of the spawner is not known"
 #: Verbs of ``controller_manager/controller_manager`` that load controllers.
 LOADING = ("load", "spawn")
 
 
 @dataclass(frozen=True, slots=True)
 class Asked:
-    """The controllers that a node *by* asks for, by their *names*, of the manager in *namespace*."""
+    """The controllers that a node *by* asks for, by their *names*, of the manager in *namespace*.
+
+    *settings* are the parameters that it sets before, by their full names: of files that stand among its arguments.
+    """
 
     by: Started
     namespace: str
     names: tuple[str, ...]
+    settings: Mapping[str, object] = field(default_factory=dict)
 
 
-def asked(nodes: Iterable[Started]) -> Iterator[Asked]:
-    """What the spawners among *nodes* ask for."""
+def asked(nodes: Iterable[Started], read: Callable[[str], str]) -> Iterator[Asked]:
+    """What the spawners among *nodes* ask for; *read* gives the text of a file that a launch file names, or ""."""
     for node in nodes:
         words = split(node.arguments).rest
         if node.package != PACKAGE:
             continue
         if node.type in ("spawner", "spawner.py"):
-            space, names = _spawned(words)
-            yield Asked(
-                node, resolve(space, node.namespace, node.name) if space else clean(f"/{node.namespace}"), names
-            )
+            space, written = _spawned(words)
+            names: list[str] = []
+            settings: dict[str, object] = {}
+            for word in written:
+                file = _file(read(word)) if "/" in word else None
+                names += [word] if file is None else list(file)
+                _set(settings, "", file or {})
+            around = resolve(space, node.namespace, node.name) if space else clean(f"/{node.namespace}")
+            yield Asked(node, around, tuple(names), settings)
         elif node.type == PACKAGE and words[:1] and words[0] in LOADING:
             yield Asked(node, clean(f"/{node.namespace}"), tuple(words[1:]))
 
@@ -70,6 +82,23 @@ def _spawned(words: Sequence[str]) -> tuple[str, tuple[str, ...]]:
     return space, tuple(names)
 
 
+def _file(text: str) -> dict[str, object] | None:
+    """The controllers in a file of parameters, by name; None if *text* has none."""
+    found = yaml_value(text, lambda number: UNKNOWN) if text else None
+    if not isinstance(found, dict) or not all(isinstance(name, str) for name in found):
+        return None
+    return found
+
+
+def _set(settings: dict[str, object], name: str, value: object) -> None:
+    """Set the parameter *name*, or those below it, to a *value* of a file (rosparam.set_param)."""
+    if not isinstance(value, dict):
+        settings[name] = Unknown("value", UNREAD) if isinstance(value, UnknownValue) else value
+        return
+    for key, item in value.items():
+        _set(settings, clean(f"{name}/{key}"), item)
+
+
 def controllers(
     node: Node,
     made: Iterable[Endpoint],
@@ -86,7 +115,8 @@ def controllers(
         for name in ask.names if spaces else ():
             full = clean(f"{ask.namespace}/{name}")
             value = server.get(f"{full}/type")
-            kind = value.value if isinstance(value, Known) and isinstance(value.value, str) else "?"
+            written = ask.settings.get(f"{full}/type", value.value if isinstance(value, Known) else None)
+            kind = written if isinstance(written, str) else "?"
             found = known(kind.partition("/")[0], kind, 1) if "?" not in full else None
             if found is None:
                 message = f": it is a {kind}" if kind != "?" else ""
@@ -103,7 +133,7 @@ def _made(node: Node, found: KnownNode, full: str, ask: Asked, server: Parameter
         name=full,
         namespace=ask.namespace,
         arguments=(),
-        parameter=lambda name: as_data(server.get(name)),
+        parameter=lambda name: ask.settings[name] if name in ask.settings else as_data(server.get(name)),
         remap=lambda name: remaps.get(name, name),
     )
     for end in ends:

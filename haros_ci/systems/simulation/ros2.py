@@ -16,8 +16,8 @@ from haros_ci.model.launch import LaunchedNode, LaunchedSystem, ParameterRule
 from haros_ci.model.location import Location
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.ros2_system import started_by
-from haros_ci.systems.simulation import gz
-from haros_ci.systems.simulation.descriptions import descriptions
+from haros_ci.systems.simulation import gz, webots
+from haros_ci.systems.simulation.descriptions import Descriptions, descriptions
 from haros_ci.systems.simulation.endpoints import Spawned, by_simulated_time, on_server, ros2_nodes
 from haros_ci.systems.simulation.managers import MANAGER, manager
 from haros_ci.systems.simulation.simulators import (
@@ -48,7 +48,8 @@ def simulation(
     nodes = launched.nodes
     servers = [node for node in nodes if node.package == PACKAGE and node.type in SERVERS]
     created = [node for node in nodes if gz.is_spawner(node)]
-    if not servers and not created:
+    drivers = webots.drivers(nodes)
+    if not (servers or created or drivers):
         return None
     texts = descriptions(launched, trees, environment)
     spawners = [(node, split(node.arguments)) for node in nodes if node.package == PACKAGE and node.type in SPAWNERS]
@@ -59,6 +60,8 @@ def simulation(
         [(server, _found(trees, server, brought)) for server in servers],
         [(node, found) for node in created if (found := gz.found(texts, node)).uses],
         known,
+        drivers,
+        texts,
     )
 
 
@@ -69,6 +72,9 @@ class Simulation:
     servers: list[tuple[LaunchedNode, SimulatorPlugins]]
     created: list[tuple[LaunchedNode, SimulatorPlugins]]
     known: Callable[[str, str, int], KnownNode | None]
+    #: Drivers of robots of Webots, and the descriptions that they are given.
+    drivers: list[LaunchedNode]
+    texts: Descriptions
 
     def managers(self, rules_of: Callable[[str, Location], Iterable[ParameterRule]]) -> tuple[LaunchedNode, ...]:
         """The controller managers that plug-ins make, as if a launch file started them; *rules_of* reads a parameter file."""
@@ -82,9 +88,14 @@ class Simulation:
         """*nodes* with what plug-ins make."""
         by_place = {(server.type, server.location): (server, into) for server, into in self.servers}
         reasons = tuple(unpredictable(nodes, SPAWNERS)) if self.servers else ()
+        drivers = {(driver.location, webots.called(driver)): driver for driver in self.drivers}
         done: list[Node] = []
         for node in nodes:
             place = node.location
+            driver = drivers.get((place, node.name)) if place and node.package == webots.PACKAGE else None
+            if driver is not None and node.type == webots.DRIVER:
+                done.append(webots.completed(node, driver, self.texts))
+                continue
             started = by_place.get((node.type, place)) if place and node.package == PACKAGE and node.ros == 2 else None
             if started is None:
                 done.append(node)

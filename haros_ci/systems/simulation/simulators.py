@@ -232,7 +232,15 @@ def completed(node: Node, made: Iterable[Endpoint], lost: Mapping[str, Location 
             messages = tuple(replace(u, reason=reason) if u.reason == UNDECIDED else u for u in end.unknowns)
             ends.append(replace(end, unknowns=messages))
     unknowns = tuple(Unknown("endpoints", why, place or node.location) for why, place in lost.items())
-    return replace(node, endpoints=tuple(dict.fromkeys((*ends, *made))), unknowns=(*node.unknowns, *unknowns))
+    return replace(node, endpoints=distinct((*ends, *made)), unknowns=(*node.unknowns, *unknowns))
+
+
+def distinct(ends: Iterable[Endpoint]) -> tuple[Endpoint, ...]:
+    """*ends* in their order, topics, services and actions that are the same once; a parameter may have a list for its value."""
+    seen: dict[object, Endpoint] = {}
+    for end in ends:
+        seen.setdefault(id(end) if end.kind in ("getters", "setters", "parameters") else end, end)
+    return tuple(seen.values())
 
 
 def unpredictable(nodes: Iterable[Node], spawners: frozenset[str]) -> Iterator[str]:

@@ -89,6 +89,11 @@ class DescriptionTrees:
             return DescriptionTree(None, f"{text or 'a file'} is not in the workspace")
         return self.of_path(path)
 
+    def text_of(self, text: str) -> str:
+        """What the file has that a launch file names *text*; "" if it is not in the workspace."""
+        path = found(self.finder, text).path if text.startswith("$(") and "?" not in text else None
+        return self.sources.text(path) if path is not None else ""
+
     def of_path(self, path: str) -> DescriptionTree:
         """The file at *path* as it is."""
         root = self.sources.read(path)
