@@ -66,16 +66,17 @@ def _alike(indexes: Sequence[int], results: Sequence[Result]) -> Iterator[list[i
 def _with(first: Result, others: Sequence[Result]) -> Result:
     """*first*, which also stands for *others*."""
     names = [_different(first.message, other.message) for other in others]
-    known = [name for name in names if name is not None]
-    is_named = len(known) == len(others) and len({*known}) == len(others)
-    if is_named:
-        rest = f"the same of {_listed(known)}"
+    subjects = [_only_other(first.subject, other.subject) for other in others]
+    if _are_names(names):
+        rest = f"the same of {_listed(map(str, names))}"
+    elif _are_names(subjects):
+        rest = f"{len(others)} more like it, of {_listed(map(str, subjects))}"
     else:
         rest = f"{len(others)} more like it"
     lines = list(dict.fromkeys(str(other.location.line) for other in others))
     if lines != [str(first.location.line)]:
         rest += f" ({'lines' if len(lines) > 1 else 'line'} {_listed(lines)})"
-    related = dict.fromkeys((*first.related, *_places(others, known if is_named else None)))
+    related = dict.fromkeys((*first.related, *_places(others, names if _are_names(names) else None)))
     return replace(
         first,
         message=f"{first.message.rstrip('.')}; and {rest}",
@@ -84,7 +85,18 @@ def _with(first: Result, others: Sequence[Result]) -> Result:
     )
 
 
-def _places(others: Sequence[Result], names: Sequence[str] | None) -> Iterator[Related]:
+def _are_names(names: Sequence[str | None]) -> bool:
+    """Whether each finding has a name, and one of its own."""
+    return None not in names and len({*names}) == len(names)
+
+
+def _only_other(one: Sequence[str], other: Sequence[str]) -> str | None:
+    """The element of *other* that *one* has not, if there is one and the rest is the same."""
+    pairs = [pair for pair in zip(one, other) if pair[0] != pair[1]]
+    return pairs[0][1] if len(one) == len(other) and len(pairs) == 1 else None
+
+
+def _places(others: Sequence[Result], names: Sequence[str | None] | None) -> Iterator[Related]:
     """Where the *others* are and what each says; of those that differ in a name alone, what shows it."""
     for i, other in enumerate(others):
         if names is None:

@@ -50,6 +50,14 @@ def test_at_one_place_different_sentences_are_notes() -> None:
     assert one.related[-1] == Related(Location("package.xml", 46), other.message)
 
 
+def test_what_they_are_about_is_named_where_sentences_differ() -> None:
+    one = replace(lacking("roscpp"), subject=("demo", "roscpp"))
+    others = [replace(lacking(name), message=f"{name} is idle", subject=("demo", name)) for name in ("rospy", "tf")]
+    (whole,) = joined([one, *others])
+    assert whole.message.endswith("; and 2 more like it, of rospy and tf")
+    assert [place.message for place in whole.related[1:]] == ["rospy is idle", "tf is idle"]
+
+
 def test_many_are_counted() -> None:
     (one,) = joined([unused(f"n{number}", number) for number in range(1, 10)])
     assert f"n{NAMED + 1} and 3 more (lines 2, 3, 4, 5, 6 and 3 more)" in one.message
