@@ -58,18 +58,20 @@ def copies(workspace: Workspace) -> frozenset[str]:
     A package is one if a distribution has its name, or it lies in an archive that was downloaded, and if it names people, none of whom any
     other package names; outside of archives its name may not begin as one of those either. With nothing of its own a workspace is the original.
     """
-    candidates = {package.path: package for package in workspace.packages if _may_be_public(package)}
-    own = [package for package in workspace.packages if package.path not in candidates]
-    if not own or not candidates:
+    candidates = [package for package in workspace.packages if _may_be_public(package)]
+    own = [package for package in workspace.packages if package not in candidates]
+    if not own:
         return frozenset()
-    people = frozenset().union(*(_people(package, workspace) for package in own))
+    people = frozenset[str]().union(*(_people(package, workspace) for package in own))
     words = {_first_word(package.name) for package in own} - _COMMON
-    found: set[str] = set()
-    for path, package in candidates.items():
-        by = _people(package, workspace)
-        if by and people.isdisjoint(by) and (_is_archived(path) or _first_word(package.name) not in words):
-            found.add(path)
+    found = {package.path for package in candidates if _is_foreign(package, people, words, workspace)}
     return _outermost(found, [package.path for package in workspace.packages if package.path not in found])
+
+
+def _is_foreign(package: Package, people: frozenset[str], words: set[str], workspace: Workspace) -> bool:
+    """Whether *package* is by others than *people*, and its name begins as none of *words*, unless it lies in an archive."""
+    by = _people(package, workspace)
+    return bool(by) and people.isdisjoint(by) and (_is_archived(package.path) or _first_word(package.name) not in words)
 
 
 def _may_be_public(package: Package) -> bool:
