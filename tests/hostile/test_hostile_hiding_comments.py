@@ -157,7 +157,9 @@ def test_a_change_that_calls_a_directory_third_party(trap: Trap) -> None:
 
 def public_copies(maintainer: str = "Grete Stromberg") -> dict[str, str]:
     """A package of the workspace's own, and one that has the name of a public package, by *maintainer*."""
-    manifest = "<package format='3'><name>{}</name><version>1.2.0</version><maintainer email='{}'>{}</maintainer></package>\n"
+    manifest = (
+        "<package format='3'><name>{}</name><version>1.2.0</version><maintainer email='{}'>{}</maintainer></package>\n"
+    )
     return {
         "src/arm/package.xml": manifest.format("arm", "ada@robots.org", "Ada Lovage"),
         "src/arm/a.cpp": DEFECT,
