@@ -80,6 +80,8 @@ def _finding(
         hint = "install() does not expand patterns; list the files with file(GLOB), or install the directory"
     elif near:
         hint = f"did you mean {near[0].removeprefix(prefix)}?"
+    elif posixpath.splitext(path)[1]:
+        hint = "remove the name, or add the file"
     else:
         hint = "git does not store empty directories; remove the line, or add the missing file"
     return Finding(

@@ -52,10 +52,18 @@ def _is_global(end: End) -> bool:
     ):
         return False
     space = _namespace(end)
-    return space != "/" and any(
+    if space == "/" or _is_beside_its_own(end, space):
+        return False
+    return any(
         not (other.raw.written or "/").startswith(("/", "~", "?")) and other.original_name.startswith(f"{space}/")
         for other in end.node.of("publishers", "subscribers", "servers", "clients", "action_servers", "action_clients")
     )
+
+
+def _is_beside_its_own(end: End, space: str) -> bool:
+    """Whether the node has the same name in its namespace, too: then the global one is meant to be one for all."""
+    relative = (end.raw.written or "").lstrip("/")
+    return any(other.original_name == f"{space}/{relative}" for other in end.node.of(end.kind))
 
 
 def _are_instances(one: End, other: End) -> bool:

@@ -89,8 +89,12 @@ def _missing_module(entry_point: EntryPoint, package: ProjectPackage) -> Finding
         for path in (file.path for file in package.files if file.language == "python")
         if path.endswith(f"{folder.replace('.', '/')}/{path.rpartition('/')[2]}")
     )
-    alike = [name for name in beside if is_slip(name, last) or name.replace("_", "") == last.replace("_", "")]
-    meant = f"; write {folder}.{alike[0]}" if alike else ""
+    alike = [
+        name
+        for name in beside
+        if name != last and (is_slip(name, last) or name.replace("_", "") == last.replace("_", ""))
+    ]
+    meant = f"; write {folder}.{alike[0]}" if alike else _outside(entry_point, package)
     fixes: tuple[Fix, ...] = ()
     if len(alike) == 1:
         fixes = _replaced(entry_point, entry_point.module, f"{folder}.{alike[0]}", package)
@@ -102,6 +106,16 @@ def _missing_module(entry_point: EntryPoint, package: ProjectPackage) -> Finding
         apart=(entry_point.name,),
         fixes=fixes,
     )
+
+
+def _outside(entry_point: EntryPoint, package: ProjectPackage) -> str:
+    """Where the module's file is, if it is in the package of ROS but not in that of Python: in ``scripts`` beside it."""
+    inner = entry_point.module.partition(".")[2].replace(".", "/")
+    path = package.inside(f"{inner}.py")
+    if not inner or not package.project.exists(path):
+        return ""
+    place = f"{entry_point.module.replace('.', '/')}.py"
+    return f": {inner}.py is not in the Python package; move it to {place}"
 
 
 def _missing_name(entry_point: EntryPoint, package: ProjectPackage) -> Finding | None:
@@ -242,8 +256,8 @@ def _marker(package: ProjectPackage) -> Iterator[Finding]:
     yield Finding(
         at=here[0].location if here else Location(setup, _line_with(package.project.text(setup), "data_files")),
         message=(
-            f"{wrong or 'data_files installs no marker for the package index'}: ros2 does not find the package "
-            f"{package.name} (colcon only warns and writes a marker itself); add{there} ('{_MARKERS}', "
+            f"{wrong or 'data_files installs no marker for the package index'}: colcon warns and writes one itself, but installed in "
+            f"another way ros2 does not find the package {package.name}; add{there} ('{_MARKERS}', "
             f"['resource/{package.name}'])"
         ),
         about=(package.name, "resource"),

@@ -72,7 +72,8 @@ def _of(
             yield from _unpacked(script, package)
         elif script.path not in seen and package.project.text(script.path) and not _is_sourced(script.path, package):
             seen.add(script.path)
-            yield from _first_line(script.path, package)
+            if not _is_module(script, package, programs):
+                yield from _first_line(script.path, package)
             yield from _mode(script, package, level, programs)
     yield from _started(package, launched, seen)
     yield from _configured(package)
@@ -294,6 +295,26 @@ def _is_program(path: str, project: Project) -> bool:
         (isinstance(statement, syntax.Do) and isinstance(statement.value, syntax.Call))
         or (isinstance(statement, syntax.If) and "__name__" in statement.text)
         for statement in body
+    )
+
+
+def _is_module(script: Installed, package: ProjectPackage, programs: Programs) -> bool:
+    """Whether a file without a shebang is there to be imported: scripts beside it do, and nothing starts it by its name."""
+    if package.project.text(script.path).startswith("#!") or not script.path.endswith(".py"):
+        return False
+    if (package.name, script.name) in programs.started or programs.documented(package.name, script.name) is not None:
+        return False
+    folder, _, name = script.path.rpartition("/")
+    stem = re.escape(name.removesuffix(".py"))
+    imported = re.compile(
+        rf"^[ \t]*(?:from[ \t]+{stem}[ \t]+import\b|import[ \t]+(?:[\w.]+[ \t]*,[ \t]*)*{stem}\b)", re.M
+    )
+    return any(
+        file.language == "python"
+        and file.path != script.path
+        and file.path.rpartition("/")[0] == folder
+        and imported.search(package.project.text(file.path)) is not None
+        for file in package.files
     )
 
 

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api.code import weighed
 from haros_ci.api.launch import similar_files
 from haros_ci.api.packages import landings, may_appear
 
@@ -45,6 +46,10 @@ class _FileUse:
 
 
 def check(project: Project) -> Iterator[Finding]:
+    yield from weighed(project, _found(project))
+
+
+def _found(project: Project) -> Iterator[Finding]:
     for file in project.workspace.files:
         if file.language not in ("cpp", "python") or _ASIDE.search(file.path):
             continue

@@ -203,7 +203,7 @@ def _build_tool(package: ProjectPackage, bringing: frozenset[str]) -> Iterator[F
     if package.ros == 2 and found is not None and [word(e) for e in build_types(package)] == ["ament_cmake"]:
         if not any(_is_cmake(need.name) or need.name in bringing for need in needs(package, *BUILD)):
             name = found.arguments[0]
-            if _is_undeclared(package, name):
+            if _is_undeclared(package, name) or _is_brought(package, name):
                 return
             yield _finding(
                 package,
@@ -225,6 +225,19 @@ def _is_undeclared(package: ProjectPackage, name: str) -> bool:
     provided = provisions.of(package, tests=False)
     uses = (use for use in needs_of(package, package.project.sources) if use.what == f"find_package({name})")
     return any(provisions.lacks(provided, use.providers) for use in uses)
+
+
+def _is_brought(package: ProjectPackage, name: str) -> bool:
+    """Whether what the manifest declares brings the CMake package *name* along: rosidl_default_generators has ament_cmake."""
+    waiting, seen = [need.name for need in needs(package, *BUILD)], set[str]()
+    provisions = Provisions(package.project)
+    while waiting:
+        brought = (provisions.brought(waiting.pop(), 2) or frozenset()) - seen
+        if name in brought:
+            return True
+        seen |= brought
+        waiting += brought
+    return False
 
 
 def _bringing(project: Project) -> frozenset[str]:

@@ -10,6 +10,7 @@ from typing import Any
 
 from haros_ci import PROJECT_URL, __version__
 from haros_ci.analysis.inspection import Architectures, inspected_or_kept, is_inspected
+from haros_ci.analysis.public_copies import quiet
 from haros_ci.baselines import at_base, compare, left_out, read_input, sarif_runs, settled
 from haros_ci.brought import before, notices, silenced
 from haros_ci.config.selection import Selection
@@ -155,7 +156,7 @@ def found(settings: Settings, selection: Selection) -> Workspace:
         also=settings.claims,
         past=before(settings),
     )
-    return narrowed(workspace, settings, selection)
+    return quiet(narrowed(workspace, settings, selection), settings)
 
 
 def narrowed(workspace: Workspace, settings: Settings, selection: Selection) -> Workspace:
@@ -318,9 +319,8 @@ def selected(
 ) -> tuple[Result, ...]:
     """Those results whose rule is on for their file, at the level that the settings give them.
 
-    Where they give none, a check's finding keeps its own level: it may weigh less or more than the check as a rule. So
-    does what a tool says that weighs each finding, and a declared one, whose rules nobody has weighed. Copies of other
-    projects have none: who has the copy does not mend it. Nor does anyone what linters say of code that is *left* out.
+    Where they give none, a check's finding keeps its own level, as does what a tool says that weighs each finding, and a declared one, whose
+    rules nobody has weighed. Copies of other projects have none; nor does what linters say of code that is *left* out count.
     """
     third_party = {file.path for file in workspace.files if file.third_party}
     kept = []

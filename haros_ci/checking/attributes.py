@@ -57,8 +57,8 @@ _NODE = frozenset(
 )
 _LIFECYCLE = frozenset(
     """
-    create_lifecycle_publisher add_managed_entity trigger_configure trigger_cleanup trigger_activate trigger_deactivate
-    trigger_shutdown on_configure on_cleanup on_activate on_deactivate on_shutdown on_error track_transition_callback
+    create_lifecycle_publisher destroy_lifecycle_publisher add_managed_entity
+    trigger_configure trigger_cleanup trigger_activate trigger_deactivate trigger_shutdown on_configure on_cleanup on_activate on_deactivate on_shutdown on_error track_transition_callback
     """.split()
 )
 #: Classes of libraries, each with what they bring; of what begins with an underscore nothing is said there.

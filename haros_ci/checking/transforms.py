@@ -113,7 +113,7 @@ def _static(node: SystemNode) -> Iterator[Broadcast]:
         return
     is_static = node.package == "tf2_ros"
     yield Broadcast(
-        child.strip("/"), parent.strip("/"), is_static, node, node.location, f"{node} publishes it", topic, values
+        child.lstrip("/"), parent.lstrip("/"), is_static, node, node.location, f"{node} publishes it", topic, values
     )
 
 

@@ -109,7 +109,7 @@ def examined(flags: Flags) -> tuple[Settings, Report, ComparedFiles]:
     """Today's findings without any baseline, and the files as the matcher asks for them."""
     from haros_ci.results.known import sides
 
-    settings = settings_from({**flags, "no_baseline": True})
+    settings = replace(settings_from({**flags, "no_baseline": True}), with_copies=True)
     report, workspace = run(settings, flags)
     return settings, report, sides(workspace, report.runs, settings.paths)
 

@@ -86,6 +86,7 @@ class Settings:
     ``baseline`` and ``compile_database`` are absolute or relative to ``root``, so ``root / value`` is right for both.
     ``exact`` asks libclang for what the model does not know. ``base_missing`` says why the base revision that was asked for cannot be had, "" if it can or none was: then nothing that a change could
     have brought counts, neither project file nor settings of tools nor marker files.
+    ``with_copies``: copies of public packages have findings, too; else only where there is something to compare with.
     ``require_baseline`` None: a baseline need not be asked for, but one that is asked for must be had; False: it need not be had either.
     ``project`` is the project file as plain data. ``packages`` are the packages to analyse, empty for all.
     ``ignore_files`` are HAROS patterns on ``<package>/<path in package>`` (``Selection.ignores_file`` matches them).
@@ -125,6 +126,7 @@ class Settings:
     baseline: str | None = None
     baseline_rev: str | None = None
     base_missing: str = ""
+    with_copies: bool = False
     require_baseline: bool | None = None
     allow_tool_failure: frozenset[str] = frozenset()
     trust_config: bool = False

@@ -5,6 +5,7 @@ of which Python a package is."""
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
 from haros_ci.linters.class_methods import CLASS, method_at
 from haros_ci.linters.decorated import is_call_of_decorated
@@ -35,6 +36,9 @@ _PYTHON2 = re.compile(r"#![^\n]*\bpython2")
 _CALLEE = re.compile(r"([A-Za-z_]\w*)(?:[ \t]*\.[ \t]*\w+)*[ \t]*\(")
 #: A tab reaches to the next column of eight in Python 2 ("Indentation" in its reference); Python 3 takes no line that depends on that.
 _TABS = "inconsistent use of tabs and spaces"
+_TAB, _BLANKS = re.compile(r"^\t", re.MULTILINE), re.compile(r"^ {2,8}\S", re.MULTILINE)
+#: So many files that mix tabs and blanks are no slip.
+_MANY_MIXED = 4
 _ALL = re.compile(r"Undefined variable name '([A-Za-z_]\w*)' in __all__")
 _STARRED = re.compile(r"^[ \t]*from[ \t]+([A-Za-z_]\w*)[ \t]+import[ \t]*\*", re.MULTILINE)
 _EXPORTS = re.compile(r"^__all__\b", re.MULTILINE)
@@ -78,11 +82,13 @@ def _is_refuted_apart(result: Result, line: int, workspace: Workspace) -> bool:
 def _is_of_another_module(path: str, workspace: Workspace) -> bool:
     """Whether the import of a module with the file's own name is of another one.
 
-    A script without an ending is no module. In Python 2 ``import a`` in ``a/__init__.py`` is of ``a/a.py`` ("Intra-package References" in its tutorial).
+    A script without an ending is no module, nor is a launch file. In Python 2 ``import a`` in ``a/__init__.py`` is of ``a/a.py`` ("Intra-package References" in its tutorial).
     """
     folder, _, name = path.rpartition("/")
     if not name.endswith(".py"):
         return True
+    if "def generate_launch_description" in workspace.text(path):
+        return True  # launch loads it by its path, which brings no directory
     beside = f"{folder}/{folder.rpartition('/')[2]}.py"
     return name == "__init__.py" and beside in workspace.names and _is_python2(path, workspace)
 
@@ -108,7 +114,15 @@ def _is_python2_around(path: str, workspace: Workspace) -> bool:
     if any(package.ros == 2 for package in workspace.packages):
         return False
     texts = [workspace.text(file.path) for file in workspace.files if file.language == "python"]
-    return len(texts) <= _MOST_FILES_OF_ALL and is_of_python2(workspace.text(path), texts, "")
+    if len(texts) > _MOST_FILES_OF_ALL:
+        return False
+    return is_of_python2(workspace.text(path), texts, "") or _is_usual(workspace.text(path), texts)
+
+
+def _is_usual(text: str, texts: Iterable[str]) -> bool:
+    """Whether several files that do not ask for Python 3 mix tabs and blanks: they would have been seen to fail on it."""
+    mixed = (other for other in texts if not names_python3(other) and _TAB.search(other) and _BLANKS.search(other))
+    return not names_python3(text) and sum(1 for _ in mixed) >= _MANY_MIXED
 
 
 def _is_starred(result: Result, workspace: Workspace) -> bool:

@@ -35,7 +35,7 @@ CHANGE: tuple[tuple[tuple[str, ...], str, str], ...] = (
     ),
     (
         ("launch files, CMake, pages and scripts that name a script or module",),
-        "missing-argument, undefined-attribute, undefined-field and wrong-field-value in a script that nothing names any more are notes",
+        "missing-argument, share-file-missing, undefined-attribute, undefined-field and wrong-field-value in a script that nothing names any more are notes",
         "tests/checking/test_unstarted.py::test_scripts_of_ros1",
     ),
     (
@@ -67,6 +67,11 @@ CHANGE: tuple[tuple[tuple[str, ...], str, str], ...] = (
         (".setup_assistant",),
         "undeclared-launch-dependency in its package is a note",
         "tests/test_launch_dependencies.py::test_a_package_that_the_setup_assistant_wrote",
+    ),
+    (
+        ("a script that imports a file without a shebang beside it",),
+        "script-not-runnable of that file, which no launch file or page starts",
+        "tests/test_checks.py::test_a_page_is_true",
     ),
     (
         ("CMake files, scripts and code that give a script to an interpreter",),
@@ -107,5 +112,14 @@ CHANGE: tuple[tuple[tuple[str, ...], str, str], ...] = (
         ("conditions that do not hold as a node is started (defaults of parameters, launch files)",),
         "type and QoS findings of endpoints that are made only where these hold",
         "tests/link/test_counters.py::test_in_python",
+    ),
+)
+
+#: What is left out where neither a baseline nor a base revision is given, and never with one of them.
+FIRST_LOOK: tuple[tuple[tuple[str, ...], str, str], ...] = (
+    (
+        ("`package.xml` of a package that looks like a copy of a public one",),
+        "all findings in its directory, where neither a baseline nor a base revision is given",
+        "tests/hostile/test_hostile_hiding_comments.py::test_a_change_to_a_copy_of_a_public_package_is_seen",
     ),
 )

@@ -32,7 +32,7 @@ from haros_ci.linters import (
 )
 from haros_ci.linters import tool_switches as reading
 from haros_ci.linters.settings_files import Marks
-from haros_ci.linters.silenced_by_change import CHANGE
+from haros_ci.linters.silenced_by_change import CHANGE, FIRST_LOOK
 from haros_ci.linters.switches import Switches
 from haros_ci.model.workspace import Workspace
 
@@ -303,6 +303,7 @@ OTHERS: tuple[SilencingRow, ...] = (
         "tests/test_script_not_runnable.py::test_files_of_dynamic_reconfigure",
     ),
     *(SilencingRow(OWN, files, what, SettingOrigin.HEAD, test) for files, what, test in CHANGE),
+    *(SilencingRow("all tools", files, what, SettingOrigin.NEVER, test) for files, what, test in FIRST_LOOK),
     SilencingRow(
         OWN,
         (".gitmodules",),

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from haros_ci.report import summary
 from haros_ci.report.diff_markdown import linked
 from haros_ci.report.escape import markdown, markdown_code
+from haros_ci.report.gathered import gathered
 from haros_ci.report.message import plain, shorten
 from haros_ci.results.result import Notification, Report, Result
 from haros_ci.results.silence_words import sentences
@@ -86,7 +87,7 @@ def _coverage(report: Report, room: int) -> Iterator[str]:
 
 
 def _messages(report: Report, room: int) -> Iterator[str]:
-    notes = summary.notifications(report)
+    notes = gathered(summary.notifications(report))
     if not notes:
         return
     yield ""

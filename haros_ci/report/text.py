@@ -9,6 +9,7 @@ from itertools import groupby
 
 from haros_ci.report import summary
 from haros_ci.report.escape import terminal
+from haros_ci.report.gathered import gathered
 from haros_ci.report.message import label, plain, shorten
 from haros_ci.report.source_lines import Reader, lines_of
 from haros_ci.results.result import BaselineState, Notification, Report, Result
@@ -179,7 +180,8 @@ def _matched(report: Report, paint: Paint) -> Iterator[str]:
 
 def _problems(report: Report, paint: Paint, known: Collection[Notification] = ()) -> Iterator[str]:
     worth = (n for n in summary.notifications(report) if n.level is not Level.NOTE or not n.tool or not n.path)
-    for _, group in groupby((n for n in worth if n not in known), lambda n: (n.level, n.tool)):
+    shown = gathered(n for n in worth if n not in known)
+    for _, group in groupby(shown, lambda n: (n.level, n.tool)):
         notes = tuple(group)
         for note in notes[:MAX_TROUBLE]:
             yield f"{paint(COLORS[note.level], note.level.value)}: {_place(note)}{shorten(terminal(note.message), 500)}"

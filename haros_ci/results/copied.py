@@ -16,8 +16,9 @@ from dataclasses import dataclass, replace
 from posixpath import splitext
 
 from haros_ci.model.location import Location
+from haros_ci.results import alike as beside
 from haros_ci.results.comments import bare, lines_of, syntax
-from haros_ci.results.result import BaselineState, Related, Report, Result, Run
+from haros_ci.results.result import Related, Report, Result, Run
 from haros_ci.results.scope import LineScopes, scopes
 
 #: A finding names no more other places than this.
@@ -36,13 +37,12 @@ NAMED = 2
 _TOKEN = re.compile(r"\w+|[^\w\s]")
 _WORD = re.compile(r"\w+")
 _LEAST_NAME = 3
-_UNITED = (None, BaselineState.NEW, BaselineState.UNCHANGED)
 #: Numbers of functions are of each of them.
 _COUNTED = "metrics"
 
 
 def together(report: Report, text: Callable[[str], str], package: Callable[[str], str]) -> Report:
-    """*report* with the findings in copies joined; *text* and *package* tell those of a path."""
+    """*report* with the findings in copies joined, and then those of one file that are alike; *text* and *package* tell those of a path."""
     languages = {artifact.path: artifact.language for artifact in report.artifacts}
     texts = _Texts(text, lambda path: languages.get(path, ""), package)
     return replace(report, runs=tuple(_joined_run(run, texts) for run in report.runs))
@@ -58,7 +58,7 @@ def _joined_run(run: Run, texts: _Texts) -> Run:
         return run
     alike: dict[tuple[object, ...], list[int]] = defaultdict(list)
     for i, result in enumerate(run.results):
-        if result.state in _UNITED and not result.suppressions and result.value is None:
+        if result.state in beside.UNITED and not result.suppressions and result.value is None:
             shape = _WORD.sub("_", result.message)
             ending = splitext(result.location.path)[1]
             alike[result.rule, result.level, result.state, shape, ending, result.location.line is None].append(i)
@@ -69,10 +69,8 @@ def _joined_run(run: Run, texts: _Texts) -> Run:
             for first, *others in _groups([(i, run.results[i]) for i in indexes], texts):
                 copies[first] = [run.results[i] for i in others]
                 dropped.update(others)
-    if not copies:
-        return run
-    results = (_joined(one, copies[i]) if i in copies else one for i, one in enumerate(run.results) if i not in dropped)
-    return replace(run, results=tuple(results))
+    results = [_joined(one, copies[i]) if i in copies else one for i, one in enumerate(run.results) if i not in dropped]
+    return replace(run, results=beside.joined(results))
 
 
 def _groups(results: Sequence[tuple[int, Result]], texts: _Texts) -> Iterable[list[int]]:

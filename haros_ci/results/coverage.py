@@ -49,12 +49,16 @@ def coverage(
     )
 
 
+#: How to see them all the same.
+_ASK = "A run that is given their directories (haros-ci check DIRECTORY) reports on them."
+
+
 def _third_party(directories: Sequence[str]) -> str:
     """The sentence on files in *directories*, one item for each file."""
     named = _named(sorted(set(directories)))
     if len(directories) == 1:
-        return f"1 file has no findings, because it is in a copy of another project: {named}."
-    return f"{len(directories)} files have no findings, because they are in copies of other projects: {named}."
+        return f"1 file has no findings, because it is in a copy of another project: {named}. {_ASK}"
+    return f"{len(directories)} files have no findings, because they are in copies of other projects: {named}. {_ASK}"
 
 
 def _single(paths: Sequence[str]) -> str:

@@ -138,7 +138,7 @@ def test_third_party_code_has_no_findings(trap: Trap) -> None:
     paths, unseen = found(trap)
     assert {"demo/c.cpp", "vendors/d.cpp"} <= paths and not copies.keys() & paths
     said = "2 files have no findings, because they are in copies of other projects: demo/lib, vendor."
-    assert said in unseen
+    assert f"{said} A run that is given their directories (haros-ci check DIRECTORY) reports on them." in unseen
 
 
 def test_a_change_that_calls_a_directory_third_party(trap: Trap) -> None:
@@ -153,6 +153,49 @@ def test_a_change_that_calls_a_directory_third_party(trap: Trap) -> None:
     assert {"demo/lib/a.cpp", "third_party/d.cpp"} <= paths
     assert not {"vendor/new.cpp", "demo/old/c.cpp"} & paths
     assert any("copies of other projects: demo/old, vendor." in each for each in unseen), unseen
+
+
+def public_copies(maintainer: str = "Grete Stromberg") -> dict[str, str]:
+    """A package of the workspace's own, and one that has the name of a public package, by *maintainer*."""
+    manifest = (
+        "<package format='3'><name>{}</name><version>1.2.0</version><maintainer email='{}'>{}</maintainer></package>\n"
+    )
+    return {
+        "src/arm/package.xml": manifest.format("arm", "ada@robots.org", "Ada Lovage"),
+        "src/arm/a.cpp": DEFECT,
+        "src/amcl/package.xml": manifest.format("amcl", "m@robots.org", maintainer),
+        "src/amcl/b.cpp": DEFECT,
+    }
+
+
+def test_a_copy_of_a_public_package_has_no_findings_in_a_first_look(trap: Trap) -> None:
+    pull_request(trap, {}, public_copies())
+    paths, unseen = found(trap)
+    assert "src/arm/a.cpp" in paths and "src/amcl/b.cpp" not in paths
+    assert any("copies of other projects: src/amcl." in each for each in unseen), unseen
+
+
+def test_a_run_that_is_asked_about_a_copy_of_a_public_package(trap: Trap) -> None:
+    pull_request(trap, {}, public_copies())
+    assert "src/amcl/b.cpp" in found(trap, "src/amcl")[0]
+
+
+def test_a_change_to_a_copy_of_a_public_package_is_seen(trap: Trap) -> None:
+    """Where there is a base revision no package is quiet for its name, neither one that was there nor one that comes."""
+    whole = public_copies()
+    pull_request(trap, {**whole, "src/amcl/b.cpp": "int b;\n"}, {**whole, "src/amcl/c.cpp": DEFECT})
+    assert {"src/amcl/b.cpp", "src/amcl/c.cpp"} <= found(trap, "--baseline-rev=main")[0]
+
+
+def test_a_baseline_file_has_the_findings_of_copies_of_public_packages(trap: Trap) -> None:
+    whole = public_copies()
+    pull_request(trap, {}, whole)
+    trap.command("baseline", "create", *QUICK)
+    assert "src/amcl/b.cpp" in (trap.root / ".haros-ci-baseline.jsonl").read_text("utf-8")
+    trap.write("src/amcl/c.cpp", DEFECT)
+    trap.commit()
+    results = trap.run("--baseline=.haros-ci-baseline.jsonl", *QUICK, "--fail-on=never").report["results"]
+    assert {r["path"] for r in results if r["open"] and r["rule"] == "nullPointer"} == {"src/amcl/c.cpp"}
 
 
 def test_without_the_base_revision_nothing_is_third_party(trap: Trap) -> None:

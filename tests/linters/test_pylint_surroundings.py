@@ -365,6 +365,7 @@ def of_tabs(root: Path, text: str, keys: str, more: dict[str, str], message: str
         (MIXED, "", PRINTING),
         (MIXED, "", {"b/b.py": "try:\n    go()\nexcept ValueError, e:\n    pass\n"}),
         (MIXED.replace("env python", "env python2"), "", {}),
+        (MIXED, "", {**{f"b/{name}.py": MIXED for name in "bcd"}, "b/e.py": "#!/usr/bin/env python3\n"}),
     ],
 )
 def test_tabs_of_python_2(tmp_path: Path, text: str, keys: str, more: dict[str, str]) -> None:
@@ -379,6 +380,10 @@ def test_tabs_of_python_2(tmp_path: Path, text: str, keys: str, more: dict[str, 
         (MIXED.replace("env python", "env python3"), KEY, PRINTING),
         (MIXED, "", {"b/b.py": 'print "b"\n', "b/c.py": "#!/usr/bin/env python3\n"}),
         (MIXED, "<export><build_type>ament_python</build_type></export>", PRINTING),
+        (MIXED, "", {f"b/{name}.py": MIXED for name in "bc"}),
+        (MIXED, "", {f"b/{name}.py": MIXED.replace("env python", "env python3") for name in "bcde"}),
+        (MIXED, "", {f"b/{name}.py": "def f():\n\tgo()\n" for name in "bcde"}),
+        (MIXED.replace("env python", "env python3"), "", {f"b/{name}.py": MIXED for name in "bcde"}),
     ],
 )
 def test_tabs_of_what_may_be_python_3(tmp_path: Path, text: str, keys: str, more: dict[str, str]) -> None:
@@ -449,6 +454,7 @@ def imports_another(root: Path, files: dict[str, str], path: str) -> bool:
         ("a/bin/one", {"a/bin/one": "#!/usr/bin/env python\n" + OF_ITSELF}),
         ("a/bin/one", {"a/bin/one": "#!/usr/bin/env python3\n" + OF_ITSELF}),
         ("a/src/one/__init__.py", {"a/src/one/__init__.py": OF_ITSELF, **WITH_ITS_NAME}),
+        ("a/launch/one.py", {"a/launch/one.py": OF_ITSELF + "def generate_launch_description():\n    return one()\n"}),
     ],
 )
 def test_an_import_of_another_module_of_that_name(tmp_path: Path, path: str, files: dict[str, str]) -> None:

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Copies of public packages that a workspace keeps among its own: who has the copy does not mend its code.
+
+Many workspaces hold what others wrote beside what they are about: ``src/amcl``, ``src/navigation2-humble``. Such packages are read, as
+nodes are in them, and have no findings in a first look. Where there is anything to compare with (a baseline, a base revision) they have, as
+only what is new is shown then: a change to a copy, or one that makes a package look like one, hides nothing.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import replace
+
+from haros_ci.config.settings import Settings
+from haros_ci.knowledge.knowledge import knowledge
+from haros_ci.model.package import Package
+from haros_ci.model.workspace import Workspace
+from haros_ci.workspace.third_party import around
+
+_PERSON = re.compile(r"<(?:maintainer|author)\b([^<>]{0,300})>([^<>]{0,300})<")
+_MAIL = re.compile(r"email\s*=\s*[\"']([^\"'<>]{1,200})[\"']")
+#: What templates put in the place of a name or an address.
+_NOBODY = re.compile(
+    r"to-?do|example\.|\byou(?:r|@)|^(?:user|root|ubuntu|ros|pi|robot|admin|maintainer)\b|localhost", re.IGNORECASE
+)
+#: The version of templates: nothing that was released has it.
+_UNRELEASED = ("", "0.0.0")
+#: A downloaded archive: the name of the repository and that of a branch.
+_ARCHIVE = re.compile(
+    r".+-(?:master|main|devel|develop|ros[12]|[a-z]+-devel|groovy|hydro|indigo|jade|kinetic|lunar|melodic|noetic|dashing|eloquent|foxy"
+    r"|galactic|humble|iron|jazzy|kilted|rolling)"
+)
+#: First words that names of packages have by chance.
+_COMMON = frozenset(
+    "robot ros ros2 my map move nav navigation simple image camera laser joint joy teleop sensor rviz".split()
+)
+
+
+def quiet(workspace: Workspace, settings: Settings) -> Workspace:
+    """*workspace* with the copies of public packages marked as copies of other projects, unless something is compared or asked for."""
+    is_compared = settings.baseline or settings.baseline_rev or settings.base_missing
+    if is_compared or settings.with_copies or workspace.targets is not None:
+        return workspace
+    directories = copies(workspace)
+    if not directories:
+        return workspace
+    files = (
+        file if file.third_party else replace(file, third_party=around(file.path, directories))
+        for file in workspace.files
+    )
+    return replace(workspace, files=tuple(files))
+
+
+def copies(workspace: Workspace) -> frozenset[str]:
+    """The outermost directories in which all packages are copies of public ones.
+
+    A package is one if a distribution has its name, or it lies in an archive that was downloaded, and if it names people, none of whom any
+    other package names; outside of archives its name may not begin as one of those either. With nothing of its own a workspace is the original.
+    """
+    candidates = [package for package in workspace.packages if _may_be_public(package)]
+    own = [package for package in workspace.packages if package not in candidates]
+    if not own:
+        return frozenset()
+    people = frozenset[str]().union(*(_people(package, workspace) for package in own))
+    words = {_first_word(package.name) for package in own} - _COMMON
+    found = {package.path for package in candidates if _is_foreign(package, people, words, workspace)}
+    return _outermost(found, [package.path for package in workspace.packages if package.path not in found])
+
+
+def _is_foreign(package: Package, people: frozenset[str], words: set[str], workspace: Workspace) -> bool:
+    """Whether *package* is by others than *people*, and its name begins as none of *words*, unless it lies in an archive."""
+    by = _people(package, workspace)
+    return bool(by) and people.isdisjoint(by) and (_is_archived(package.path) or _first_word(package.name) not in words)
+
+
+def _may_be_public(package: Package) -> bool:
+    if package.version in _UNRELEASED or package.path == ".":
+        return False
+    return knowledge().is_package(package.name) is True or _is_archived(package.path)
+
+
+def _is_archived(path: str) -> bool:
+    return any(map(_ARCHIVE.fullmatch, path.split("/")))
+
+
+def _people(package: Package, workspace: Workspace) -> frozenset[str]:
+    """Names and addresses of who maintains or wrote a package, without those of templates."""
+    text = workspace.text("package.xml" if package.path == "." else f"{package.path}/package.xml")
+    found: set[str] = set()
+    for attributes, name in _PERSON.findall(text):
+        mail = _MAIL.search(attributes)
+        found.update(part.strip().lower() for part in (name, mail[1] if mail else ""))
+    return frozenset(word for word in found if word and not _NOBODY.search(word))
+
+
+def _first_word(name: str) -> str:
+    return name.lower().replace("-", "_").partition("_")[0]
+
+
+def _outermost(found: Iterable[str], others: Iterable[str]) -> frozenset[str]:
+    """The *found* directories, and those around them that have none of the *others* in them instead."""
+    around_others = {"."}
+    for path in others:
+        parts = path.split("/")
+        around_others.update("/".join(parts[: i + 1]) for i in range(len(parts)))
+    outer: set[str] = set()
+    for path in found:
+        parts = path.split("/")
+        ways = ("/".join(parts[: i + 1]) for i in range(len(parts)))
+        outer.add(next((way for way in ways if way not in around_others), path))
+    return frozenset(outer)

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Files that tools could not analyse, for a person: each file once, and one reason of many files once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from haros_ci.results.result import Notification
+
+#: So many files are named for one reason.
+NAMED = 5
+_GAVE_UP = " could not analyse this file: "
+
+
+def gathered(notes: Iterable[Notification]) -> tuple[Notification, ...]:
+    """*notes* in their order, in which several tools that could not analyse a file are one note, with the first one's reason; so are several
+    files that the same tools could not analyse for the same reason (a header that all of them include, Python 2).
+    """
+    by_file: dict[object, list[Notification]] = {}
+    for note in notes:
+        is_of_file = note.tool and note.path and note.message.startswith(f"{note.tool}{_GAVE_UP}")
+        by_file.setdefault((note.path, note.level) if is_of_file else id(note), []).append(note)
+    by_reason: dict[object, list[Notification]] = {}
+    for group in by_file.values():
+        first = group[0]
+        tools = list(dict.fromkeys(note.tool or "" for note in group))
+        reason = first.message.partition(_GAVE_UP)[2]
+        if reason:
+            by_reason.setdefault((tuple(tools), reason, first.level), []).append(first)
+        else:
+            by_reason[id(first)] = group
+    return tuple(_one(key, group) for key, group in by_reason.items())
+
+
+def _one(key: object, group: list[Notification]) -> Notification:
+    first = group[0]
+    if not isinstance(key, tuple):
+        return first
+    tools, reason, _ = key
+    who = tools[0] if len(tools) == 1 else f"{', '.join(tools[:-1])} and {tools[-1]}"
+    if len(group) == 1:
+        return first if len(tools) == 1 else replace(first, tool=None, message=f"{who}{_GAVE_UP}{reason}")
+    places = [f"{note.path}:{note.line}" if note.line else f"{note.path}" for note in group]
+    named = ", ".join(places[:NAMED])
+    if len(places) > NAMED:
+        named += f" and {len(places) - NAMED} more"
+    message = f"{who} could not analyse {len(group)} files: {reason.rstrip('.')}: {named}"
+    return replace(first, tool=tools[0] if len(tools) == 1 else None, path=None, line=None, message=message)

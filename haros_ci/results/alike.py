@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Findings of one rule that say the same of one place or of one file: one finding, which names the others.
+
+A launch file with six arguments that nothing reads, and a manifest that lacks three dependencies, are each mended at once. As with
+copies (``haros_ci.results.copied``) only reports that a person reads join them, and what is new and what is known are never joined.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+
+from haros_ci.results.result import BaselineState, Related, Result
+from haros_ci.results.rule import Level
+
+#: A finding names no more other places than this.
+MOST = 40
+#: Names, and lines, that the message lists.
+NAMED = 5
+#: States of findings that are joined, each with its like.
+UNITED = (None, BaselineState.NEW, BaselineState.UNCHANGED)
+
+_WORD = re.compile(r"\w+")
+_TOKEN = re.compile(r"[\w./:-]*\w|[^\w\s]")
+
+
+def joined(results: Sequence[Result]) -> tuple[Result, ...]:
+    """*results* with those that are alike as one, at the place of the first.
+
+    Those of one rule, level, state and line are alike whatever they say; warnings and notes also if they say the same, but for
+    names, of one file. Errors at two lines stay two: each is mended by itself. Those that stand for others already stay, too.
+    """
+    groups: dict[tuple[object, ...], list[int]] = defaultdict(list)
+    for i, result in enumerate(results):
+        if result.state in UNITED and not result.suppressions and not result.copies and result.value is None:
+            key = (result.tool, result.rule, result.level, result.state, result.location.path)
+            groups[key].append(i)
+    heads: dict[int, list[Result]] = {}
+    dropped: set[int] = set()
+    for indexes in groups.values():
+        for first, *others in _alike(indexes, results):
+            heads[first] = [results[i] for i in others]
+            dropped.update(others)
+    kept = (i for i in range(len(results)) if i not in dropped)
+    return tuple(_with(results[i], heads[i]) if i in heads else results[i] for i in kept)
+
+
+def _alike(indexes: Sequence[int], results: Sequence[Result]) -> Iterator[list[int]]:
+    """The groups of two findings or more among those of one rule and file."""
+    by_line: dict[int, list[int]] = defaultdict(list)
+    for i in indexes:
+        line = results[i].location.line
+        if line is not None:
+            by_line[line].append(i)
+    by_shape: dict[str, list[int]] = defaultdict(list)
+    for found in by_line.values():
+        if len(found) > 1:
+            yield found
+        elif results[found[0]].level is not Level.ERROR:
+            by_shape[_WORD.sub("_", results[found[0]].message)].append(found[0])
+    yield from (found for found in by_shape.values() if len(found) > 1)
+
+
+def _with(first: Result, others: Sequence[Result]) -> Result:
+    """*first*, which also stands for *others*."""
+    names = [_different(first.message, other.message) for other in others]
+    subjects = [_only_other(first.subject, other.subject) for other in others]
+    if _are_names(names):
+        rest = f"the same of {_listed(map(str, names))}"
+    elif _are_names(subjects):
+        rest = f"{len(others)} more like it, of {_listed(map(str, subjects))}"
+    else:
+        rest = f"{len(others)} more like it"
+    lines = list(dict.fromkeys(str(other.location.line) for other in others))
+    if lines != [str(first.location.line)]:
+        rest += f" ({'lines' if len(lines) > 1 else 'line'} {_listed(lines)})"
+    related = dict.fromkeys((*first.related, *_places(others, names if _are_names(names) else None)))
+    return replace(
+        first,
+        message=f"{first.message.rstrip('.')}; and {rest}",
+        related=(*first.related, *[place for place in related if place not in first.related][:MOST]),
+        copies=tuple(others),
+    )
+
+
+def _are_names(names: Sequence[str | None]) -> bool:
+    """Whether each finding has a name, and one of its own."""
+    return None not in names and len({*names}) == len(names)
+
+
+def _only_other(one: Sequence[str], other: Sequence[str]) -> str | None:
+    """The element of *other* that *one* has not, if there is one and the rest is the same."""
+    pairs = [pair for pair in zip(one, other) if pair[0] != pair[1]]
+    return pairs[0][1] if len(one) == len(other) and len(pairs) == 1 else None
+
+
+def _places(others: Sequence[Result], names: Sequence[str | None] | None) -> Iterator[Related]:
+    """Where the *others* are and what each says; of those that differ in a name alone, what shows it."""
+    for i, other in enumerate(others):
+        if names is None:
+            yield Related(other.location, other.message)
+        else:
+            yield from other.related or (Related(other.location, f"The same of {names[i]}."),)
+
+
+def _different(one: str, other: str) -> str | None:
+    """The word of *other* in whose place *one* has another one, everywhere; None if they differ in more, or in nothing."""
+    here, there = _TOKEN.findall(one), _TOKEN.findall(other)
+    if len(here) != len(there):
+        return None
+    pairs = {pair for pair in zip(here, there) if pair[0] != pair[1]}
+    return pairs.pop()[1] if len(pairs) == 1 else None
+
+
+def _listed(items: Iterable[str]) -> str:
+    words = [*items]
+    if len(words) > NAMED:
+        return f"{', '.join(words[:NAMED])} and {len(words) - NAMED} more"
+    return " and ".join(filter(None, (", ".join(words[:-1]), words[-1])))

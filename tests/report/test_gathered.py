@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A file that tools cannot analyse is named once, and so is a reason of several files."""
+
+from __future__ import annotations
+
+import pytest
+
+from haros_ci.report.gathered import NAMED, gathered
+from haros_ci.results.result import Notification
+from haros_ci.results.rule import Level
+
+
+def note(tool: str, path: str, why: str, line: int | None = None) -> Notification:
+    return Notification(Level.WARNING, f"{tool} could not analyse this file: {why}", tool, path, line)
+
+
+def test_one_file_of_two_tools() -> None:
+    (one,) = gathered([note("pylint", "a.py", "it is Python 2", 3), note("radon", "a.py", "Missing parentheses", 3)])
+    assert one == Notification(
+        Level.WARNING, "pylint and radon could not analyse this file: it is Python 2", None, "a.py", 3
+    )
+
+
+def test_one_header_of_several_files() -> None:
+    why = "#endif without #if (timer.h:33)"
+    (one,) = gathered([note("cppcheck", f"{name}.cpp", why) for name in "abcdefg"])
+    assert one.message == (
+        f"cppcheck could not analyse 7 files: {why}: a.cpp, b.cpp, c.cpp, d.cpp, e.cpp and {7 - NAMED} more"
+    )
+    assert (one.tool, one.path) == ("cppcheck", None)
+
+
+def test_files_of_python_2_of_two_tools() -> None:
+    notes = [note("pylint", path, "it is Python 2", 4) for path in ("a.py", "b.py")]
+    notes += [note("radon", path, f"Missing parentheses in {path}", 4) for path in ("a.py", "b.py")]
+    (one,) = gathered(notes)
+    assert one.message == "pylint and radon could not analyse 2 files: it is Python 2: a.py:4, b.py:4"
+
+
+QUIET = [
+    [note("pylint", "a.py", "it is Python 2")],
+    [note("pylint", "a.py", "it is Python 2"), note("pylint", "b.py", "a null byte")],
+    [note("pylint", "a.py", "it is Python 2"), note("cppcheck", "b.cpp", "it is Python 2")],
+    [Notification(Level.WARNING, "two packages of one name", path="a/package.xml")] * 1,
+    [Notification(Level.ERROR, "pylint crashed", "pylint"), Notification(Level.ERROR, "pylint crashed", "ruff")],
+    [Notification(Level.WARNING, "what it includes is unknown", "architecture", "a.launch", n) for n in (1, 2)],
+    [],
+]
+
+
+@pytest.mark.parametrize("notes", QUIET)
+def test_others_stay(notes: list[Notification]) -> None:
+    assert list(gathered(notes)) == notes

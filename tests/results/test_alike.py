@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Findings of one rule that say the same of one place or file are one for who reads, and every one of them is named."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from haros_ci.model.location import Location
+from haros_ci.results.alike import NAMED, joined
+from haros_ci.results.result import BaselineState, Related, Result, Suppression
+from haros_ci.results.rule import Level
+
+
+def unused(name: str, line: int, path: str = "a.launch") -> Result:
+    message = f"launch argument {name!r} is declared, but never read: setting it has no effect."
+    return Result("haros-ci", "unused-launch-argument", Level.WARNING, message, Location(path, line))
+
+
+def lacking(name: str, line: int = 46) -> Result:
+    message = f"demo needs {name} to build, but package.xml does not declare it."
+    related = (Related(Location("CMakeLists.txt", 10), f"needs {name}: find_package({name})"),)
+    return Result("haros-ci", "undeclared-dependency", Level.ERROR, message, Location("package.xml", line), related)
+
+
+def test_arguments_of_one_file() -> None:
+    one, other = joined([unused("debug", 3), unused("mode", 4), unused("gps", 7), unused("debug", 2, "b.launch")])
+    assert one.message.endswith("setting it has no effect; and the same of mode and gps (lines 4 and 7)")
+    assert [(place.location.line, place.message) for place in one.related] == [
+        (4, "The same of mode."),
+        (7, "The same of gps."),
+    ]
+    assert [copy.location.line for copy in one.copies] == [4, 7]
+    assert other == unused("debug", 2, "b.launch")
+
+
+def test_errors_at_one_place_keep_what_shows_them() -> None:
+    (one,) = joined([lacking("roscpp"), lacking("rospy"), lacking("std_msgs")])
+    assert one.message.endswith("; and the same of rospy and std_msgs")
+    assert [place.message for place in one.related] == [
+        f"needs {name}: find_package({name})" for name in ("roscpp", "rospy", "std_msgs")
+    ]
+
+
+def test_at_one_place_different_sentences_are_notes() -> None:
+    other = replace(lacking("rospy"), message="demo needs rospy; nothing else here uses it: remove it.")
+    (one,) = joined([lacking("roscpp"), other])
+    assert one.message.endswith("; and 1 more like it")
+    assert one.related[-1] == Related(Location("package.xml", 46), other.message)
+
+
+def test_what_they_are_about_is_named_where_sentences_differ() -> None:
+    one = replace(lacking("roscpp"), subject=("demo", "roscpp"))
+    others = [replace(lacking(name), message=f"{name} is idle", subject=("demo", name)) for name in ("rospy", "tf")]
+    (whole,) = joined([one, *others])
+    assert whole.message.endswith("; and 2 more like it, of rospy and tf")
+    assert [place.message for place in whole.related[1:]] == ["rospy is idle", "tf is idle"]
+
+
+def test_many_are_counted() -> None:
+    (one,) = joined([unused(f"n{number}", number) for number in range(1, 10)])
+    assert f"n{NAMED + 1} and 3 more (lines 2, 3, 4, 5, 6 and 3 more)" in one.message
+    assert len(one.copies) == 8
+
+
+QUIET = [
+    pytest.param([lacking("rospy", 3), lacking("roscpp", 4)], id="errors at two lines: each is mended by itself"),
+    pytest.param([unused("a", 1), unused("b", 1, "b.launch")], id="two files"),
+    pytest.param([unused("a", 1), replace(unused("b", 2), message="another sentence of it")], id="other words"),
+    pytest.param([unused("a", 1), replace(unused("b", 2), rule="other")], id="two rules"),
+    pytest.param([unused("a", 1), replace(unused("b", 2), tool="pylint")], id="two tools"),
+    pytest.param([unused("a", 1), replace(unused("b", 2), level=Level.NOTE)], id="two levels"),
+    pytest.param(
+        [replace(unused("a", 1), state=BaselineState.UNCHANGED), replace(unused("b", 2), state=BaselineState.NEW)],
+        id="a known one and a new one",
+    ),
+    pytest.param([replace(unused(name, 1), state=BaselineState.ABSENT) for name in "ab"], id="what is gone"),
+    pytest.param([unused("a", 1), replace(unused("b", 2), suppressions=(Suppression("inSource"),))], id="suppressed"),
+    pytest.param([unused("a", 1), replace(unused("b", 2), copies=(unused("c", 3),))], id="stands for others already"),
+    pytest.param([replace(unused(name, 1), value=1.0) for name in "ab"], id="numbers"),
+    pytest.param([replace(unused(name, 1), location=Location("a")) for name in "ab"], id="no line"),
+]
+
+
+@pytest.mark.parametrize("results", QUIET)
+def test_others_stay(results: list[Result]) -> None:
+    assert list(joined(results)) == results

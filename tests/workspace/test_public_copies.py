@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which directories of a workspace hold copies of public packages."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from haros_ci.analysis.public_copies import copies
+from haros_ci.workspace.discover import discover
+
+ADA, GRETE = ("Ada Lovage", "ada@robots.org"), ("Grete Stromberg", "grete@lasers.org")
+TODO = ("todo", "user@todo.todo")
+
+
+def manifest(name: str, people: tuple[tuple[str, str], ...], version: str = "1.2.0") -> str:
+    who = "".join(f'<maintainer email="{mail}">{person}</maintainer>' for person, mail in people)
+    return f'<package format="3"><name>{name}</name><version>{version}</version><description>d</description>{who}<license>BSD</license></package>\n'
+
+
+def found(root: Path, packages: dict[str, tuple[str, tuple[tuple[str, str], ...], str]]) -> set[str]:
+    for path, (name, people, version) in packages.items():
+        directory = root / path
+        directory.mkdir(parents=True, exist_ok=True)
+        (directory / "package.xml").write_text(manifest(name, people, version))
+    return set(copies(discover(root, (".",))))
+
+
+OWN = {"src/arm_of_ours": ("arm_of_ours", (ADA,), "0.0.0")}
+LASER = ("urg_node", (GRETE,), "1.2.0")
+
+FIRES = [
+    ({**OWN, "src/urg_node": LASER}, {"src/urg_node"}),
+    ({**OWN, "src/urg/urg_node": LASER, "src/urg/msgs": ("urg_c", (GRETE,), "1.0.0")}, {"src/urg"}),
+    ({**OWN, "src/urg-humble/urg_of_ours": ("urg_of_ours", (GRETE,), "1.0.0")}, {"src/urg-humble"}),
+    ({**OWN, "src/arm-master/arm_more": ("arm_more", (GRETE,), "1.0.0")}, {"src/arm-master"}),
+    ({"src/mine": ("mine_of_ours", (TODO,), "0.0.0"), "src/urg_node": LASER}, {"src/urg_node"}),
+    ({**OWN, "src/a": LASER, "src/b": ("amcl", (GRETE, TODO), "1.0.0")}, {"src/a", "src/b"}),
+]
+QUIET = [
+    {"src/urg_node": LASER, "src/amcl": ("amcl", (ADA,), "1.0.0")},  # nothing of its own: the original
+    {**OWN, "src/urg_node": ("urg_node", (ADA,), "1.2.0")},  # by the same people
+    {**OWN, "src/urg_node": ("urg_node", (GRETE, ADA), "1.2.0")},
+    {**OWN, "src/urg_node": ("urg_node", (TODO,), "1.2.0")},  # by nobody
+    {**OWN, "src/urg_node": ("urg_node", (), "1.2.0")},
+    {**OWN, "src/urg_node": ("urg_node", (GRETE,), "0.0.0")},  # never released
+    {**OWN, "src/urg_of_ours": ("urg_of_ours", (GRETE,), "1.0.0")},  # not public
+    {"src/urg_more": ("urg_more_of_ours", (ADA,), "1.0.0"), "src/urg_node": LASER},  # a family of names
+    {".": LASER},
+    {"src-master/arm_of_ours": ("arm_of_ours", (ADA,), "1.0.0")},  # all of it is an archive
+    {"src-master/arm_of_ours": ("arm_of_ours", (ADA,), "1.0.0"), "src-master/leg": ("leg_of_ours", (ADA,), "1.0.0")},
+    {},
+]
+
+
+@pytest.mark.parametrize(("packages", "expected"), FIRES)
+def test_copies(
+    tmp_path: Path, packages: dict[str, tuple[str, tuple[tuple[str, str], ...], str]], expected: set[str]
+) -> None:
+    assert found(tmp_path, packages) == expected
+
+
+@pytest.mark.parametrize("packages", QUIET)
+def test_no_copies(tmp_path: Path, packages: dict[str, tuple[str, tuple[tuple[str, str], ...], str]]) -> None:
+    assert found(tmp_path, packages) == set()
