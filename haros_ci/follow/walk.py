@@ -103,6 +103,8 @@ class Walk:
     modules: dict[str, Frame] = field(default_factory=dict)
     #: Look-ups that hold something of this node.
     own: dict[tuple[str, str, str], Value] = field(default_factory=dict)
+    #: What click makes of functions, what is added to its groups, and the context of the command that runs (``follow.commands``).
+    commands: dict[object, Any] = field(default_factory=dict)
     #: What the classes of nodes of behaviour trees declare, and whether that is all, by the identity of the class (``ros.behavior_tree_ports``).
     ports: dict[int, tuple[dict[str, tuple[Frame, syntax.Expression] | None], bool, Class]] = field(
         default_factory=dict

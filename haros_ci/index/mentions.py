@@ -30,6 +30,12 @@ CONTAINERS = (
 COUNTED = frozenset(("publish",))
 #: Stands for an assignment to an element among the names of a block.
 ELEMENT = "[]="
+#: Decorators of methods that are called where their name is read, by the last part of their names.
+PROPERTIES = frozenset(("property", "cached_property", "abstractproperty"))
+#: Decorators of click and Typer that make commands, groups, and what runs before the commands of a group; methods that add one; and their modules.
+GROUPING = frozenset(("command", "group", "callback"))
+ADDING = frozenset(("add_command", "add_typer"))
+MODULES = frozenset(("click", "rich_click", "typer"))
 #: What an entry of a map is made of: who calls it calls what the map holds.
 PAIR = frozenset(("first", "second"))
 #: Stands for the call of a variable: what it holds may make something.
@@ -94,6 +100,22 @@ def called_in(item: Part, found: set[str], mentioned: set[str], source: Source) 
         waiting += below(node)
 
 
+def grouped(program: syntax.Program) -> list[tuple[str, str]]:
+    """What of a Python file runs where a group of commands does: the name of the group, and of the function or class that is added to it."""
+    found: list[tuple[str, str]] = []
+    for function in program.functions:
+        for decorator in function.decorators:
+            callee = decorator.callee if isinstance(decorator, syntax.Call) else decorator
+            if isinstance(callee, syntax.Member) and callee.name in GROUPING:
+                found.append((syntax.name_of(callee.object), last(function.name)))
+    if any(alias.type.name.partition(".")[0] in MODULES for alias in program.aliases):
+        bodies = [function.body or () for function in program.functions if function.kind == "module"]
+        for node in everything(bodies):
+            if isinstance(node, syntax.Call) and isinstance(node.callee, syntax.Member) and node.callee.name in ADDING:
+                found += [(syntax.name_of(node.callee.object), syntax.name_of(item)) for item in node.arguments[:1]]
+    return found
+
+
 def may_be_called(kind: syntax.Type, source: Source, kinds: frozenset[str] = FUNCTIONS) -> bool:
     """Whether a parameter of the type may be a function, which those of *kinds* are; Python does not say."""
     return kind.name in kinds or kind.name == "auto" or (kind.name == "" and source.program.language == "python")
@@ -112,6 +134,16 @@ def function_types(index: Index) -> frozenset[str]:
 def functors(index: Index) -> frozenset[str]:
     """The last names of the C++ classes whose objects can be called."""
     return frozenset(last(name.removesuffix(f"::{CALL}")) for name in index.functions if name.endswith(f"::{CALL}"))
+
+
+def properties(index: Index) -> frozenset[str]:
+    """The last names of methods of Python that are called where their name is read."""
+    return frozenset(
+        last(function.name)
+        for source in index.by_place.values()
+        for function in source.program.functions
+        if any(syntax.name_of(decorator) in PROPERTIES for decorator in function.decorators)
+    )
 
 
 def members_of(index: Index, kinds: frozenset[str]) -> frozenset[str]:

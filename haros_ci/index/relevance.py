@@ -20,10 +20,12 @@ from haros_ci.index.mentions import (
     called_in,
     function_types,
     functors,
+    grouped,
     holding,
     last,
     may_be_called,
     members_of,
+    properties,
     shared,
     targets,
     type_names,
@@ -55,6 +57,9 @@ class Relevance:
         for table in (index.functions, index.classes):
             for name, found in table.items():
                 self._by_name.setdefault(last(name), []).extend(found)
+        for source in index.by_place.values():
+            for group, name in grouped(source.program):
+                self._by_name.setdefault(group, []).extend(self._by_name.get(name, ()) if name != group else ())
         self._blocks: dict[tuple[int, int], tuple[Part, frozenset[str]]] = {}
         self._known: dict[str, bool] = {}
         #: The files whose functions and classes count; None for all.
@@ -76,6 +81,7 @@ class Relevance:
         self.holding = holding(index)
         self._function_types = function_types(index)
         self._functors = functors(index)
+        self._properties = properties(index)
         self._functor_members = members_of(index, self._functors)
         self._held = self.holding | {f".{name}" for name in self.holding}
 
@@ -174,6 +180,8 @@ class Relevance:
                 found.add(CALLED)
             if not self._functor_members.isdisjoint(found):
                 found.add(CALL)
+            if source.separator == ".":
+                found |= self._properties if "getattr" in found else mentioned & self._properties  # called where they are read
             if not self._registering.isdisjoint(found):
                 found |= mentioned  # any of them may be what is called back
             known = self._blocks[key] = (block, frozenset(found))
@@ -274,6 +282,7 @@ class Relevance:
     def rules(self) -> tuple[tuple[str, ...], ...]:
         """What is relevant by itself, whatever is called: a change of it voids all that was followed."""
         sets = (self._api, self._registering, self.shared, self.holding, self._function_types, self._functors)
+        sets = (*sets, self._properties)
         return tuple(tuple(sorted(group)) for group in (*sets, self._functor_members))
 
     def _assigned(self, block: Part) -> frozenset[str]:
