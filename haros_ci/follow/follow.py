@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 from haros_ci import syntax
-from haros_ci.follow import activation, alternatives, call_arguments, commands, construct, counters, inert, lookup
+from haros_ci.follow import activation, alternatives, call_arguments, commands, construct, counters, inert, lookup, uncalled
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.made import Root, forget_again, forget_unowned, is_set_in_time, not_ruled_out
 from haros_ci.follow.ros import registration, ros2_nodes
@@ -126,7 +126,7 @@ def _call_back(walk: Walk, frame: Frame) -> None:
     walk.is_called_back = True
     done = 0
     effects: list[Writes] = []
-    while done < min(len(walk.roots), ROOTS):
+    while done < min(len(walk.roots), ROOTS) or uncalled.register(walk):
         batch = walk.roots[done:ROOTS]
         _rehearse_all(walk, frame)
         effects = list(walk.effects)
@@ -137,7 +137,7 @@ def _call_back(walk: Walk, frame: Frame) -> None:
         for number, root in sorted(enumerate(batch, start=done), key=lambda item: _rank(walk, item[1])):
             if root.is_setup or not inert.may_make(walk, root.function, ()):
                 continue
-            mark, known, made = walk.state.mark(), len(walk.roots), len(walk.made)
+            mark, known, made, held = walk.state.mark(), len(walk.roots), len(walk.made), len(walk.held)
             _disturb_all(walk, effects, number, together)
             walk.called.add(number)
             _invoke(walk, frame, walk.roots[number])
@@ -145,7 +145,9 @@ def _call_back(walk: Walk, frame: Frame) -> None:
                 not_ruled_out(
                     walk, partial(_invoke, walk, frame, walk.roots[number])
                 )  # it finds the object that it has made
-            _hand_on(walk, known, walk.state.undo(mark))
+            writes = walk.state.undo(mark)
+            _hand_on(walk, known, writes)
+            uncalled.hand_on(walk, held, writes)
             if root.is_update:
                 forget_again(walk, made)
         done += len(batch)
