@@ -139,9 +139,9 @@ def method_call(
         if "::" in name and receiver.definition is not None:
             return _of_base(walk, frame, receiver, name, args, targs, location)
         if frame.source.separator == ".":
-            held = members.of_class(walk, receiver, name, frame) or members.given(walk, receiver, name, frame)
-            if held is not None:
-                return apply(walk, frame, held, args, targs, location, syntax.Name(name))
+            of_class = members.of_class(walk, receiver, name, frame) or members.given(walk, receiver, name, frame)
+            if of_class is not None:
+                return apply(walk, frame, of_class, args, targs, location, syntax.Name(name))
         for owner in library_objects.owners(walk, receiver):
             if (called := f"{owner}{frame.source.separator}{name}") not in walk.rows:
                 continue

@@ -8,32 +8,31 @@ program may run: what it makes stands under the condition ``command`` with its n
 from __future__ import annotations
 
 from collections.abc import Callable as Function_
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 
 from haros_ci import syntax
-from haros_ci.follow import activation, call_arguments, calls, construct, expressions, lookup, members
+from haros_ci.follow import activation, call_arguments, calls, expressions, lookup, members
+from haros_ci.follow.command_contexts import CONTEXT, DEEP, PASSING, UNKNOWN, context_of, of_class, passed
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.libraries import python_modules
+from haros_ci.follow.libraries import argparse, python_modules
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.index.mentions import GROUPING, MODULES, grouped
 from haros_ci.model.architecture import Condition
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression, Function
-from haros_ci.values.abstract import NONE, Callable, Cell, ClassValue, Known, Library, Object, Opaque, Value
+from haros_ci.values.abstract import NONE, Callable, Cell, Known, Library, Object, Value
 
-CONTEXT, PASSING = "click.Context", "click.make_pass_decorator"
 #: Classes whose objects are groups without a function.
-GROUPS = frozenset(("click.Group", "typer.Typer", "rich_click.Group"))
+TYPER = "typer.Typer"
+GROUPS = frozenset(("click.Group", "rich_click.Group", TYPER))
 #: The kinds of values that may be one.
 KINDS = frozenset((Callable, Object))
-#: Groups in groups, commands of one group, and objects of contexts that are looked for.
-DEEP, MOST = 8, 200
+#: Commands of one group.
+MOST = 200
 FUNCTIONS = GROUPS | {PASSING, "click.get_current_context", "typer.run"}
-#: Why what an option says is not known.
-UNKNOWN = "the command line is not known"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -46,13 +45,15 @@ class Command:
     within: int | None = None
     is_callback: bool = False
     group: int | None = None
+    #: Whether it is a group that runs its only command without a name.
+    is_typer: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Way:
-    """A command that may be run: its name, where it stands, and how it runs."""
+    """A command that may be run: its name, below those of the commands around it, where it stands, and how it runs."""
 
-    name: str
+    names: tuple[str, ...]
     location: Location
     run: Function_[[], object]
 
@@ -62,14 +63,14 @@ def either(walk: Walk, ways: Sequence[Way], taken: str | None) -> None:
     mark = walk.state.mark()
     branches = []
     for way in ways:
-        can_be = taken is None or way.name == taken
-        walk.conditions.append(Condition("command", way.name, way.location))
+        can_be = taken is None or way.names[0] == taken
+        walk.conditions += [Condition("command", name, way.location) for name in way.names]
         walk.dead += not can_be
         try:
             way.run()
         finally:
             walk.dead -= not can_be
-            walk.conditions.pop()
+            del walk.conditions[len(walk.conditions) - len(way.names) :]
         writes = walk.state.undo(mark)
         if can_be:
             branches.append(writes)
@@ -80,7 +81,7 @@ def either(walk: Walk, ways: Sequence[Way], taken: str | None) -> None:
 def command(walk: Walk, value: Value) -> Command | None:
     """What the decorators of click or Typer make of a function, or a group that is an object; None if they do not."""
     if isinstance(value, Object):
-        return Command("", None, group=id(value)) if value.name in GROUPS else None
+        return Command("", None, group=id(value), is_typer=value.name == TYPER) if value.name in GROUPS else None
     if not isinstance(value, Callable) or not value.function.decorators or value.source.separator != ".":
         return None
     function = value.function
@@ -137,44 +138,70 @@ def _name(function: Function, arguments: tuple[Expression, ...]) -> str:
 
 
 def run(walk: Walk, frame: Frame, value: Value, args: tuple[call_arguments.PassedArgument, ...] = ()) -> Value | None:
-    """A program of commands is started by calling one of them; None if *value* is none."""
+    """A program of commands is started by calling one of them, or what argparse has for one of several; None if *value* is none."""
+    if isinstance(value, Object) and value.name == argparse.CHOSEN:
+        return _chosen(walk, frame, value, args)
     found = command(walk, value)
     if found is None:
         return None
     given = next((argument.value for argument in args if argument.keyword == "obj"), NONE)
     words = walk.context.arguments
-    _run(walk, frame, found, _context(NONE, given), tuple(words or ()))
+    _run(walk, frame, found, context_of(NONE, given), tuple(words or ()))
     return walk.opaque("what a command returns is not known", frame)
 
 
-def _context(parent: Value, obj: Value) -> Object:
-    fields = {"obj": Cell(obj), "parent": Cell(parent), "invoked_subcommand": Cell[Value](Opaque(UNKNOWN))}
-    return Object(CONTEXT, fields=fields)
+def begin(walk: Walk, frame: Frame, function: Callable) -> None:
+    """A program begins with a call of *function*, which may be a command."""
+    if run(walk, frame, function) is None:
+        activation.invoke(walk, frame, function, ())
+
+
+def _chosen(walk: Walk, frame: Frame, value: Object, args: tuple[call_arguments.PassedArgument, ...]) -> Value:
+    """The function that the command of argparse has set which the command line names."""
+    ways = []
+    for cell in value.fields.values():
+        assert isinstance(cell.value, Object)
+        names, called = cell.value.fields[argparse.NAMES].value, cell.value.fields[argparse.FUNCTION].value
+        assert isinstance(called, Callable) and isinstance(names, Known)
+        place = Location(called.source.path, called.function.line, called.function.column)
+        ways.append(Way(tuple(names.of(list)), place, partial(activation.invoke, walk, frame, called, args)))
+    either(walk, ways, None)
+    return walk.opaque("what a command returns is not known", frame)
+
+
+def start(name: str, source: Source, walk: Walk, frame: Frame) -> None:
+    """A program is started by calling what the variable *name* of a module holds, which is a group of commands."""
+    lookup.module_frame(walk, source)
+    run(walk, frame, expressions.evaluate(walk, lookup.module_frame(walk, source), syntax.Name(name)))
 
 
 def _run(walk: Walk, frame: Frame, found: Command, context: Object, words: tuple[str, ...], depth: int = 0) -> None:
-    if depth > DEEP:
-        return
-    inside = _commands(walk, found.group) if found.group is not None else []
-    before = [found, *(item for item in inside if item.is_callback)]
-    for item in before:
-        if item.function is not None:
+    """A command runs, or a group with one of its commands, which the first of the *words* names where it is the name of one."""
+    every = _commands(walk, found.group) if found.group is not None and depth < DEEP else []
+    for item in (found, *every):
+        if item.function is not None and (item is found or item.is_callback):
             _callback(walk, frame, item.function, context)
-    inside = [item for item in inside if not item.is_callback]
-    if not inside:
-        return
-    if found.function is None and len(inside) == 1 and len(before) == 1:  # Typer's only command has no name
+    inside = [item for item in every if not item.is_callback]
+    if found.is_typer and len(every) == len(inside) == 1 and inside[0].function is not None:
         _run(walk, frame, inside[0], context, words, depth + 1)
-        return
-    taken = words[0] if words and any(item.name == words[0] for item in inside) else None
-    ways = []
-    for item in inside:
-        child = _context(context, context.fields["obj"].value)
-        go = partial(_run, walk, frame, item, child, words[1:] if taken else (), depth + 1)
-        place = item.function
-        where = Location(place.source.path, place.function.line, place.function.column) if place else Location("")
-        ways.append(Way(item.name, where, go))
-    either(walk, ways, taken)
+    elif inside:
+        _one_of(walk, frame, inside, context, words, depth + 1)
+
+
+def _one_of(
+    walk: Walk, frame: Frame, commands: list[Command], context: Object, words: tuple[str, ...], depth: int
+) -> None:
+    taken = next((item.name for item in commands if words[:1] == (item.name,)), None)
+    rest = words[1:] if taken else ()
+    either(walk, [_way(walk, frame, item, context, rest, depth) for item in commands], taken)
+
+
+def _way(walk: Walk, frame: Frame, found: Command, around: Object, words: tuple[str, ...], depth: int) -> Way:
+    """A command of a group as one that may run."""
+    context = context_of(around, around.fields["obj"].value)
+    source, function = (found.function.source, found.function.function) if found.function else (frame.source, None)
+    place = Location(source.path, function.line, function.column) if function is not None else Location(source.path)
+    return Way((found.name,), place, partial(_run, walk, frame, found, context, words, depth))
 
 
 def _callback(
@@ -185,14 +212,14 @@ def _callback(
     more: tuple[call_arguments.PassedArgument, ...] = (),
 ) -> Value:
     """The function of a command is called: with what its decorators pass, and options that are not known."""
-    passed = [
+    first = [
         call_arguments.PassedArgument(item)
         for decorator in reversed(function.function.decorators)
-        for item in _passed(walk, frame, function.source, decorator, context)
+        for item in passed(walk, frame, function.source, decorator, context)
     ]
     named = {argument.keyword: argument for argument in more if argument.keyword}
     inner = Frame(function.source, "")
-    for parameter in function.function.parameters[len(passed) :]:
+    for parameter in function.function.parameters[len(first) :]:
         if parameter.name.startswith("*") or parameter.name in named:
             continue
         kind = walk.type_in(parameter.type, inner)
@@ -202,46 +229,12 @@ def _callback(
     before = walk.commands.get("context")
     walk.commands["context"] = context
     try:
-        return activation.invoke(walk, frame, function, (*passed, *named.values()))
+        return activation.invoke(walk, frame, function, (*first, *named.values()))
     finally:
         walk.commands["context"] = before
 
 
-def _passed(walk: Walk, frame: Frame, source: Source, decorator: Expression, context: Object) -> Iterable[Value]:
-    """What a decorator passes as an argument of its own: the context, its object, or an object of a class."""
-    if not members.dotted(decorator):
-        return
-    value = expressions.evaluate(walk, lookup.module_frame(walk, source), decorator)
-    if isinstance(value, Library) and value.name.partition(".")[0] in MODULES:
-        word = value.name.rpartition(".")[2]
-        if word == "pass_context":
-            yield context
-        elif word == "pass_obj":
-            yield context.fields["obj"].value
-    elif isinstance(value, Object) and value.name == PASSING:
-        yield _of_class(walk, frame, context, value.fields["of"].value, value.fields["ensure"].value == Known(True))
-
-
-def _of_class(walk: Walk, frame: Frame, context: Object, kind: Value, is_made: bool) -> Value:
-    """The nearest object of a context that is of a class (``Context.find_object``); *is_made* where there is none yet."""
-    here: Value = context
-    for _ in range(DEEP):
-        if not isinstance(here, Object):
-            break
-        held = here.fields["obj"].value
-        is_it = isinstance(held, Object) and isinstance(kind, ClassValue) and held.definition is not None
-        if is_it or not (isinstance(held, Known) and held.value is None):
-            return held
-        here = here.fields["parent"].value
-    if is_made and isinstance(kind, ClassValue):
-        owner = (kind.source, kind.definition)
-        made = construct.instance(walk, frame, owner, (), (), Location(kind.source.path, kind.definition.line))
-        walk.state.write(context.fields["obj"], made)
-        return made
-    return walk.opaque("the object of the context is not known", frame)
-
-
-def _commands(walk: Walk, group: int) -> list[Command]:
+def _commands(walk: Walk, group: int, depth: int = 0) -> list[Command]:
     """The commands of a group, by name: those of modules that the program has imported, and those that are added to it."""
     found: dict[str, Command] = {}
     for source in _imported(walk):
@@ -249,7 +242,9 @@ def _commands(walk: Walk, group: int) -> list[Command]:
             item = command(walk, Callable(source, function)) if function.decorators else None
             if item is not None and item.within == group:
                 found[f"{item.name} {source.path}"] = item
-    found |= {f"{item.name} +": item for item in walk.commands.get(("added", group), ())}
+    for item in walk.commands.get(("added", group), ()):
+        inside = _commands(walk, item.group, depth + 1) if not item.name and item.group and depth < DEEP else [item]
+        found |= {f"{one.name} +": one for one in inside}
     return [item for _, item in sorted(found.items())][:MOST]
 
 
@@ -282,7 +277,7 @@ def method(
     named = next((a.value for a in args[1:] if a.keyword in ("", "name")), NONE)
     other = named.of(str) if isinstance(named, Known) and issubclass(named.kind, str) else added.name
     key = ("added", found.group)
-    item = Command(other, added.function, found.group, group=added.group)
+    item = Command(other, added.function, found.group, False, added.group)
     walk.commands[key] = (*walk.commands.get(key, ()), item)[:MOST]
     return NONE
 
@@ -295,7 +290,7 @@ def _of_context(
     if name in ("ensure_object", "find_object") and args:
         held = context.fields["obj"].value
         if name == "find_object" or held != NONE:
-            return _of_class(walk, frame, context, args[0].value, False)
+            return of_class(walk, frame, context, args[0].value, False)
         made = calls.apply(walk, frame, args[0].value, (), (), Location(frame.source.path), syntax.Name("object"))
         walk.state.write(context.fields["obj"], made)
         return made
@@ -319,5 +314,5 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[call_arguments.Pas
         context: Value | None = walk.commands.get("context")
         return context
     if name == "typer.run" and args and isinstance(args[0].value, Callable):
-        return _callback(walk, frame, args[0].value, _context(NONE, NONE))
+        return _callback(walk, frame, args[0].value, context_of(NONE, NONE))
     return None

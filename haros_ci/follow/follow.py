@@ -10,7 +10,17 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 from haros_ci import syntax
-from haros_ci.follow import activation, alternatives, call_arguments, commands, construct, counters, inert, lookup, uncalled
+from haros_ci.follow import (
+    activation,
+    alternatives,
+    call_arguments,
+    commands,
+    construct,
+    counters,
+    inert,
+    lookup,
+    uncalled,
+)
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.made import Root, forget_again, forget_unowned, is_set_in_time, not_ruled_out
 from haros_ci.follow.ros import registration, ros2_nodes
@@ -94,9 +104,7 @@ def _start(walk: Walk, frame: Frame, entry: Entry) -> None:
             activation.invoke(walk, frame, root.function, _arguments(walk, root, frame))
     elif entry.function is not None and entry.source.separator == ".":
         lookup.module_frame(walk, entry.source)
-        called = Callable(entry.source, entry.function)
-        if commands.run(walk, frame, called) is None:
-            activation.invoke(walk, frame, called, ())
+        commands.begin(walk, frame, Callable(entry.source, entry.function))
     elif entry.function is not None:
         words = walk.context.arguments
         args = ()

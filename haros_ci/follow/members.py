@@ -8,8 +8,8 @@ from dataclasses import replace
 from haros_ci import syntax
 from haros_ci.follow import activation, call_arguments, enums, expressions, linear, lookup, methods, properties
 from haros_ci.follow.frames import Frame
+from haros_ci.follow.libraries import argparse, python_modules
 from haros_ci.follow.libraries import python as library_python
-from haros_ci.follow.libraries import python_modules
 from haros_ci.follow.ros import ros2_parameters
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
@@ -189,6 +189,8 @@ def attribute(walk: Walk, value: Value, name: str, frame: Frame) -> Value:
             held = of_class(walk, value, name, frame) or given(walk, value, name, frame)
             if held is not None:
                 return held
+            if argparse.UNREAD in value.fields:
+                return value.fields[argparse.UNREAD].value
         return Library(f"{value.name}{frame.source.separator}{name}", value)
     if isinstance(value, ClassValue):
         found = methods.field_of(walk, value.source, value.definition, name, {})

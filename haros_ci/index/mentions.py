@@ -68,6 +68,12 @@ def called_in(item: Part, found: set[str], mentioned: set[str], source: Source) 
             if isinstance(callee, syntax.Name):
                 found.add(last(callee.name))
                 found.add("::".join(callee.name.split("::")[-2:]))
+                if last(callee.name) == "bind":  # what is bound may be kept, and called later
+                    found.update(
+                        last(argument.value.name)
+                        for argument in node.arguments[:1]
+                        if isinstance(argument, syntax.Address) and isinstance(argument.value, syntax.Name)
+                    )
                 if callee.name.endswith(("::make_shared", "::make_unique")):
                     found.add(callee.name.split("::")[-2])
             elif isinstance(callee, syntax.Member):
@@ -109,11 +115,22 @@ def grouped(program: syntax.Program) -> list[tuple[str, str]]:
             if isinstance(callee, syntax.Member) and callee.name in GROUPING:
                 found.append((syntax.name_of(callee.object), last(function.name)))
     if any(alias.type.name.partition(".")[0] in MODULES for alias in program.aliases):
-        bodies = [function.body or () for function in program.functions if function.kind == "module"]
-        for node in everything(bodies):
-            if isinstance(node, syntax.Call) and isinstance(node.callee, syntax.Member) and node.callee.name in ADDING:
-                found += [(syntax.name_of(node.callee.object), syntax.name_of(item)) for item in node.arguments[:1]]
+        bodies = tuple(function.body or () for function in program.functions if function.kind == "module")
+        found += [pair for node in everything(bodies) for pair in _added(node)]
     return found
+
+
+def commands(index: Index) -> list[tuple[str, str]]:
+    """What ``grouped`` finds in all files of Python, twice: so are the commands of groups that are in groups."""
+    return [pair for source in index.by_place.values() for pair in grouped(source.program)] * 2
+
+
+def _added(node: object) -> list[tuple[str, str]]:
+    """The group and the command of a call that adds it."""
+    callee = node.callee if isinstance(node, syntax.Call) else None
+    if not isinstance(node, syntax.Call) or not isinstance(callee, syntax.Member) or callee.name not in ADDING:
+        return []
+    return [(syntax.name_of(callee.object), syntax.name_of(item)) for item in node.arguments[:1]]
 
 
 def may_be_called(kind: syntax.Type, source: Source, kinds: frozenset[str] = FUNCTIONS) -> bool:

@@ -242,6 +242,8 @@ def method(walk: Walk, frame: Frame, receiver: Value, name: str, args: tuple[Pas
         return Sequence(Cell(tuple(Cell(subclass) for subclass in dispatch.subclasses(walk, receiver))))
     if isinstance(receiver, Object) and receiver.name == command_lines.PARSER:
         return command_lines.method(walk, frame, receiver, name, args)
+    if isinstance(receiver, Object) and receiver.name == command_lines.COMMANDS:
+        return command_lines.added(walk, receiver, name, args)
     if isinstance(receiver, Object) and receiver.name == "rospkg.RosPack" and name == "get_path":
         return Known(f"$(find {args[0].value.value})") if args and isinstance(args[0].value, Known) else None
     if isinstance(receiver, Object) and receiver.name == "file" and name in ("read", "__enter__"):
