@@ -63,12 +63,19 @@ def _meet_and_differ(giver: End, taker: End, differs: Callable[[End, End], bool]
 
 
 def _on_branches(one: End, other: End) -> bool:
-    """Whether the code makes either the one or the other: below ``if`` and ``else`` of one statement, in one process."""
+    """Whether the code makes either the one or the other: below ``if`` and ``else`` of one statement, or in two commands, in one process."""
     first, second = one.node.raw, other.node.raw
     if first.process != second.process or one.node.type != other.node.type:
         return bool(first.conditions and second.conditions) and first.conditions != second.conditions
     mine, theirs = ((*end.node.raw.conditions, *end.conditions) for end in (one, other))
-    return any(_branches(a, b) for a in mine for b in theirs)
+    return any(_branches(a, b) for a in mine for b in theirs) or any(
+        a.condition != b.condition for a, b in zip(_commands(mine), _commands(theirs), strict=False)
+    )
+
+
+def _commands(conditions: Iterable[Condition]) -> list[Condition]:
+    """The commands of a program that must run, those of groups before what is in them; of a group's commands one runs."""
+    return [condition for condition in conditions if condition.statement == "command"]
 
 
 def _branches(one: Condition, other: Condition) -> bool:

@@ -269,6 +269,8 @@ def follow_body(walk: Walk, inner: Frame, function: Function) -> Value:
     if trace is not None:
         trace.bodies.add((inner.source.path, function.name))
     walk.active.append(function)
+    if not walk.quiet:
+        walk.invoked.add(id(function))
     mark = inner.mark
     path = inner.source.path
     guards = [Condition("#if", text, Location(path, line, column)) for line, column, text in function.guards]

@@ -11,6 +11,7 @@ from haros_ci.follow import (
     alternatives,
     call_arguments,
     callbacks,
+    commands,
     construct,
     dynamic,
     expressions,
@@ -138,7 +139,7 @@ def method_call(
         if "::" in name and receiver.definition is not None:
             return _of_base(walk, frame, receiver, name, args, targs, location)
         if frame.source.separator == ".":
-            of_class = members.of_class(walk, receiver, name, frame)
+            of_class = members.of_class(walk, receiver, name, frame) or members.given(walk, receiver, name, frame)
             if of_class is not None:
                 return apply(walk, frame, of_class, args, targs, location, syntax.Name(name))
         for owner in library_objects.owners(walk, receiver):
@@ -255,6 +256,10 @@ def apply(
     callee: Expression,
 ) -> Value:
     """Call *function*, whatever kind of value it is."""
+    if function.__class__ in commands.KINDS and frame.source.separator == ".":
+        started = commands.run(walk, frame, function, args)
+        if started is not None:
+            return started
     if isinstance(function, Callable):
         if function.function.body is None and function.function.kind != "constructor":
             source, definition = methods.with_body(walk, [(function.source, function.function)])

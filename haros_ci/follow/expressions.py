@@ -21,6 +21,7 @@ from haros_ci.follow import (
     operators,
     properties,
     static_types,
+    uncalled,
     uncertain,
 )
 from haros_ci.follow.frames import Frame
@@ -169,7 +170,8 @@ def _lambda(walk: Walk, frame: Frame, expression: syntax.Lambda) -> Value:
         around.scopes = [*around.scopes, {variable.name: Cell(held, kind)}]
     if function.captures:
         around.scopes = [*around.scopes, copies.by_value(walk, frame, function.captures)]
-    return Callable(frame.source, function, here(frame), frame=around)
+    made = Callable(frame.source, function, here(frame), frame=around)
+    return uncalled.keep(walk, made) if frame.source.separator == "::" else made
 
 
 def kept(frame: Frame) -> Frame:

@@ -10,7 +10,17 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 from haros_ci import syntax
-from haros_ci.follow import activation, alternatives, call_arguments, construct, counters, inert, lookup
+from haros_ci.follow import (
+    activation,
+    alternatives,
+    call_arguments,
+    commands,
+    construct,
+    counters,
+    inert,
+    lookup,
+    uncalled,
+)
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.made import Root, forget_again, forget_unowned, is_set_in_time, not_ruled_out
 from haros_ci.follow.ros import registration, ros2_nodes
@@ -94,7 +104,7 @@ def _start(walk: Walk, frame: Frame, entry: Entry) -> None:
             activation.invoke(walk, frame, root.function, _arguments(walk, root, frame))
     elif entry.function is not None and entry.source.separator == ".":
         lookup.module_frame(walk, entry.source)
-        activation.invoke(walk, frame, Callable(entry.source, entry.function), ())
+        commands.begin(walk, frame, Callable(entry.source, entry.function))
     elif entry.function is not None:
         words = walk.context.arguments
         args = ()
@@ -124,7 +134,7 @@ def _call_back(walk: Walk, frame: Frame) -> None:
     walk.is_called_back = True
     done = 0
     effects: list[Writes] = []
-    while done < min(len(walk.roots), ROOTS):
+    while done < min(len(walk.roots), ROOTS) or uncalled.register(walk):
         batch = walk.roots[done:ROOTS]
         _rehearse_all(walk, frame)
         effects = list(walk.effects)
@@ -135,7 +145,7 @@ def _call_back(walk: Walk, frame: Frame) -> None:
         for number, root in sorted(enumerate(batch, start=done), key=lambda item: _rank(walk, item[1])):
             if root.is_setup or not inert.may_make(walk, root.function, ()):
                 continue
-            mark, known, made = walk.state.mark(), len(walk.roots), len(walk.made)
+            mark, known, made, held = walk.state.mark(), len(walk.roots), len(walk.made), len(walk.held)
             _disturb_all(walk, effects, number, together)
             walk.called.add(number)
             _invoke(walk, frame, walk.roots[number])
@@ -143,7 +153,9 @@ def _call_back(walk: Walk, frame: Frame) -> None:
                 not_ruled_out(
                     walk, partial(_invoke, walk, frame, walk.roots[number])
                 )  # it finds the object that it has made
-            _hand_on(walk, known, walk.state.undo(mark))
+            writes = walk.state.undo(mark)
+            _hand_on(walk, known, writes)
+            uncalled.hand_on(walk, held, writes)
             if root.is_update:
                 forget_again(walk, made)
         done += len(batch)

@@ -83,8 +83,8 @@ class Kept:
 
     made: Mapping[Key, MadeEntity]
     gaps: Mapping[str, Location]
-    #: Of nodes, names, alternatives, and of timers and rates.
-    counts: tuple[int, int, int, int]
+    #: Of nodes, names, alternatives, of timers and rates, and of functions that were made.
+    counts: tuple[int, int, int, int, int]
     #: The static variables and plug-ins that there were.
     sets: tuple[frozenset[tuple[str, str]], frozenset[Key]]
     #: The callbacks, and the number of each.
@@ -182,7 +182,7 @@ def _both(
 
 def keep(walk: Walk) -> Kept:
     """A snapshot of what the walk has recorded so far, to go back to."""
-    counts = len(walk.nodes), len(walk.names), len(walk.alternatives), len(walk.paces)
+    counts = len(walk.nodes), len(walk.names), len(walk.alternatives), len(walk.paces), len(walk.held)
     sets = frozenset(walk.statics), frozenset(walk.offered)
     return Kept(dict(walk.made), dict(walk.gaps), counts, sets, (tuple(walk.roots), dict(walk.known_roots)))
 
@@ -193,7 +193,9 @@ def go_back(walk: Walk, kept: Kept) -> None:
     walk.made.update(kept.made)
     walk.gaps.clear()
     walk.gaps.update(kept.gaps)
-    nodes, names, alternatives, paces = kept.counts
+    nodes, names, alternatives, paces, held = kept.counts
+    for function in list(walk.held)[held:]:
+        del walk.held[function]
     for key in list(walk.paces)[paces:]:
         del walk.paces[key]
     del walk.nodes[nodes:], walk.names[names:], walk.alternatives[alternatives:]

@@ -6,10 +6,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from haros_ci import syntax
-from haros_ci.follow import activation, enums, expressions, linear, lookup, methods, properties
+from haros_ci.follow import activation, call_arguments, enums, expressions, linear, lookup, methods, properties
 from haros_ci.follow.frames import Frame
+from haros_ci.follow.libraries import argparse, python_modules
 from haros_ci.follow.libraries import python as library_python
-from haros_ci.follow.libraries import python_modules
 from haros_ci.follow.ros import ros2_parameters
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
@@ -186,9 +186,11 @@ def attribute(walk: Walk, value: Value, name: str, frame: Frame) -> Value:
         if method is not None:
             return activation.invoke(walk, frame, method, ()) if properties.is_property(method.function) else method
         if frame.source.separator == ".":
-            held = of_class(walk, value, name, frame)
+            held = of_class(walk, value, name, frame) or given(walk, value, name, frame)
             if held is not None:
                 return held
+            if argparse.UNREAD in value.fields:
+                return value.fields[argparse.UNREAD].value
         return Library(f"{value.name}{frame.source.separator}{name}", value)
     if isinstance(value, ClassValue):
         found = methods.field_of(walk, value.source, value.definition, name, {})
@@ -249,6 +251,16 @@ def of_class(walk: Walk, value: Object, name: str, frame: Frame) -> Value | None
         if not held.function.is_static:
             return replace(held, this=value)
     return held
+
+
+def given(walk: Walk, value: Object, name: str, frame: Frame) -> Value | None:
+    """What ``__getattr__`` of a Python object's class gives for a name that the object does not have, if all of its bases are here."""
+    if value.definition is None or name.startswith("__"):
+        return None
+    method = methods.method_of(walk, value, "__getattr__")
+    if method is None or methods.library_bases(walk, *value.definition):
+        return None
+    return activation.invoke(walk, frame, method, (call_arguments.PassedArgument(Known(name)),))
 
 
 def class_inside(walk: Walk, source: Source, definition: Class, name: str, depth: int = 0) -> ClassValue | None:

@@ -8,11 +8,9 @@ from haros_ci.follow import activation, call_arguments, expressions, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
+from haros_ci.index.mentions import PROPERTIES
 from haros_ci.syntax import Function
 from haros_ci.values.abstract import Callable, ClassValue, Object, Value
-
-#: Decorators of methods that are called where their name is read, by the last part of their names.
-PROPERTIES = frozenset(("property", "cached_property", "abstractproperty"))
 
 #: Decorators of methods that are called on the class.
 OF_CLASS = frozenset(("classmethod", "abstractclassmethod"))

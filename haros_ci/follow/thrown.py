@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 
 #: What Python raises where a list has no such element, a dictionary no such key, a text is no number.
 INDEX, KEY, NUMBER = ("IndexError", "LookupError"), ("KeyError", "LookupError"), ("ValueError",)
+#: What Python raises where an object has no such attribute.
+ATTRIBUTE = ("AttributeError",)
 #: What is thrown where a parameter is read that ROS 2 has not declared.
 UNDECLARED = ("ParameterNotDeclared", "runtime_error", "std::exception")
 #: Places where one block may be left that are kept; the last one stands for all after it.

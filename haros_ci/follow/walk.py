@@ -84,6 +84,9 @@ class Walk:
     roots: list[Root] = field(default_factory=list)
     #: The number of each root by what is called back; of a root that is gone it is that of none or another.
     known_roots: dict[Key, int] = field(default_factory=dict)
+    #: Functions that were made, each as it would be called back, and by identity those whose bodies have been followed (``follow.uncalled``).
+    held: dict[tuple[int, Object | None], Root] = field(default_factory=dict)
+    invoked: set[int] = field(default_factory=set)
     #: The numbers of those that have been called back, not in rehearsal.
     called: set[int] = field(default_factory=set)
     #: The places where every plug-in of a base class has been loaded, or a behaviour tree created, with which objects.
@@ -103,6 +106,8 @@ class Walk:
     modules: dict[str, Frame] = field(default_factory=dict)
     #: Look-ups that hold something of this node.
     own: dict[tuple[str, str, str], Value] = field(default_factory=dict)
+    #: What click makes of functions, what is added to its groups, and the context of the command that runs (``follow.commands``).
+    commands: dict[object, Any] = field(default_factory=dict)
     #: What the classes of nodes of behaviour trees declare, and whether that is all, by the identity of the class (``ros.behavior_tree_ports``).
     ports: dict[int, tuple[dict[str, tuple[Frame, syntax.Expression] | None], bool, Class]] = field(
         default_factory=dict

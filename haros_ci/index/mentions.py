@@ -30,6 +30,12 @@ CONTAINERS = (
 COUNTED = frozenset(("publish",))
 #: Stands for an assignment to an element among the names of a block.
 ELEMENT = "[]="
+#: Decorators of methods that are called where their name is read, by the last part of their names.
+PROPERTIES = frozenset(("property", "cached_property", "abstractproperty"))
+#: Decorators of click and Typer that make commands, groups, and what runs before the commands of a group; methods that add one; and their modules.
+GROUPING = frozenset(("command", "group", "callback"))
+ADDING = frozenset(("add_command", "add_typer"))
+MODULES = frozenset(("click", "rich_click", "typer"))
 #: What an entry of a map is made of: who calls it calls what the map holds.
 PAIR = frozenset(("first", "second"))
 #: Stands for the call of a variable: what it holds may make something.
@@ -62,6 +68,12 @@ def called_in(item: Part, found: set[str], mentioned: set[str], source: Source) 
             if isinstance(callee, syntax.Name):
                 found.add(last(callee.name))
                 found.add("::".join(callee.name.split("::")[-2:]))
+                if last(callee.name) == "bind":  # what is bound may be kept, and called later
+                    found.update(
+                        last(argument.value.name)
+                        for argument in node.arguments[:1]
+                        if isinstance(argument, syntax.Address) and isinstance(argument.value, syntax.Name)
+                    )
                 if callee.name.endswith(("::make_shared", "::make_unique")):
                     found.add(callee.name.split("::")[-2])
             elif isinstance(callee, syntax.Member):
@@ -94,6 +106,33 @@ def called_in(item: Part, found: set[str], mentioned: set[str], source: Source) 
         waiting += below(node)
 
 
+def grouped(program: syntax.Program) -> list[tuple[str, str]]:
+    """What of a Python file runs where a group of commands does: the name of the group, and of the function or class that is added to it."""
+    found: list[tuple[str, str]] = []
+    for function in program.functions:
+        for decorator in function.decorators:
+            callee = decorator.callee if isinstance(decorator, syntax.Call) else decorator
+            if isinstance(callee, syntax.Member) and callee.name in GROUPING:
+                found.append((syntax.name_of(callee.object), last(function.name)))
+    if any(alias.type.name.partition(".")[0] in MODULES for alias in program.aliases):
+        bodies = tuple(function.body or () for function in program.functions if function.kind == "module")
+        found += [pair for node in everything(bodies) for pair in _added(node)]
+    return found
+
+
+def commands(index: Index) -> list[tuple[str, str]]:
+    """What ``grouped`` finds in all files of Python, twice: so are the commands of groups that are in groups."""
+    return [pair for source in index.by_place.values() for pair in grouped(source.program)] * 2
+
+
+def _added(node: object) -> list[tuple[str, str]]:
+    """The group and the command of a call that adds it."""
+    callee = node.callee if isinstance(node, syntax.Call) else None
+    if not isinstance(node, syntax.Call) or not isinstance(callee, syntax.Member) or callee.name not in ADDING:
+        return []
+    return [(syntax.name_of(callee.object), syntax.name_of(item)) for item in node.arguments[:1]]
+
+
 def may_be_called(kind: syntax.Type, source: Source, kinds: frozenset[str] = FUNCTIONS) -> bool:
     """Whether a parameter of the type may be a function, which those of *kinds* are; Python does not say."""
     return kind.name in kinds or kind.name == "auto" or (kind.name == "" and source.program.language == "python")
@@ -112,6 +151,16 @@ def function_types(index: Index) -> frozenset[str]:
 def functors(index: Index) -> frozenset[str]:
     """The last names of the C++ classes whose objects can be called."""
     return frozenset(last(name.removesuffix(f"::{CALL}")) for name in index.functions if name.endswith(f"::{CALL}"))
+
+
+def properties(index: Index) -> frozenset[str]:
+    """The last names of methods of Python that are called where their name is read."""
+    return frozenset(
+        last(function.name)
+        for source in index.by_place.values()
+        for function in source.program.functions
+        if any(syntax.name_of(decorator) in PROPERTIES for decorator in function.decorators)
+    )
 
 
 def members_of(index: Index, kinds: frozenset[str]) -> frozenset[str]:

@@ -18,12 +18,14 @@ from haros_ci.index.mentions import (
     LOADERS,
     callable_variables,
     called_in,
+    commands,
     function_types,
     functors,
     holding,
     last,
     may_be_called,
     members_of,
+    properties,
     shared,
     targets,
     type_names,
@@ -37,7 +39,6 @@ GIVEN = "(given)"
 
 #: Stands for the view for which loading plug-ins matters.
 _LOADING = frozenset((0,))
-
 
 #: Names that matter and names that do not, and the same where loading plug-ins is what matters.
 Answers = tuple[tuple[str, ...], ...]
@@ -55,6 +56,8 @@ class Relevance:
         for table in (index.functions, index.classes):
             for name, found in table.items():
                 self._by_name.setdefault(last(name), []).extend(found)
+        for group, name in commands(index):
+            self._by_name.setdefault(group, []).extend(self._by_name.get(name, ()) if name != group else ())
         self._blocks: dict[tuple[int, int], tuple[Part, frozenset[str]]] = {}
         self._known: dict[str, bool] = {}
         #: The files whose functions and classes count; None for all.
@@ -76,6 +79,7 @@ class Relevance:
         self.holding = holding(index)
         self._function_types = function_types(index)
         self._functors = functors(index)
+        self._properties = properties(index)
         self._functor_members = members_of(index, self._functors)
         self._held = self.holding | {f".{name}" for name in self.holding}
 
@@ -174,10 +178,16 @@ class Relevance:
                 found.add(CALLED)
             if not self._functor_members.isdisjoint(found):
                 found.add(CALL)
+            found.update(self._read(found, mentioned, source))
             if not self._registering.isdisjoint(found):
                 found |= mentioned  # any of them may be what is called back
             known = self._blocks[key] = (block, frozenset(found))
         return known[1]
+
+    def _read(self, found: set[str], mentioned: set[str], source: Source) -> Iterable[str]:
+        """The properties of Python that are read where these names are called and mentioned."""
+        read = self._properties if "getattr" in found else mentioned & self._properties
+        return read if source.separator == "." else ()
 
     def _variables_of(self, function: Function, source: Source) -> frozenset[str]:
         """The names of a function's variables that hold, or may hold, a function or class."""
@@ -274,7 +284,7 @@ class Relevance:
     def rules(self) -> tuple[tuple[str, ...], ...]:
         """What is relevant by itself, whatever is called: a change of it voids all that was followed."""
         sets = (self._api, self._registering, self.shared, self.holding, self._function_types, self._functors)
-        return tuple(tuple(sorted(group)) for group in (*sets, self._functor_members))
+        return tuple(tuple(sorted(group)) for group in (*sets, self._functor_members, self._properties))
 
     def _assigned(self, block: Part) -> frozenset[str]:
         known = self._targets.get(id(block))

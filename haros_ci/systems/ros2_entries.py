@@ -5,7 +5,9 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator, Mapping
+from functools import partial
 
+from haros_ci.follow import commands
 from haros_ci.follow.follow import Entry
 from haros_ci.index.index import Source, aliased
 from haros_ci.model.api import Row
@@ -105,6 +107,9 @@ def programs_of(programs: Programs, components: Mapping[tuple[str, str], Found])
             function = next((f for f in source.program.functions if f.name == name and f.body is not None), None)
             if function is not None:
                 found[package, point.name] = Entry(source, function), frozenset[str]()
+            elif any(variable.name == name for variable in source.program.variables):
+                begin = partial(commands.start, name, source)
+                found[package, point.name] = Entry(source, begin=begin, label=name), frozenset[str]()
         for path in build.scripts:
             if path.endswith(".launch.py") or posixpath.basename(path).endswith("_launch.py"):
                 found.pop((package, posixpath.basename(path)), None)

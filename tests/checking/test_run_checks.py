@@ -151,6 +151,27 @@ def test_stays_quiet_where_two_never_exist_together() -> None:
     assert len(messages(system(node("/one", mine), node("/two", yours)))) == 1, "each process decides for itself"
 
 
+@pytest.mark.parametrize(
+    ("one", "other", "count"),
+    [
+        ("talk", "hear", 0),
+        ("sub talk", "sub hear", 0),
+        ("sub talk", "hear", 0),
+        ("talk", "talk", 1),
+        ("sub", "sub hear", 1),
+        ("", "hear", 1),
+    ],
+)
+def test_two_commands_of_a_program_never_run_together(one: str, other: str, count: int) -> None:
+    def made(kind: str, names: str) -> Endpoint:
+        found = tuple(Condition("command", name, Location("tool.py", 3)) for name in names.split())
+        return end(kind, "/chat", 7, conditions=found)
+
+    mine, yours = made("publishers", one), made("subscribers", other)
+    assert len(messages(system(node("/both", mine, yours)))) == count
+    assert len(messages(system(node("/one", mine), node("/two", yours)))) == 1
+
+
 class TestOtherArguments:
     """A finding that the default arguments do not show."""
 

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import construct, conversions, methods
+from haros_ci.follow import construct, conversions, methods, uncalled
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import (
     algorithms,
@@ -123,7 +123,7 @@ def function(
     if name == "ros::names::getRemappings" and not args:
         return loaders.remappings(walk)
     if name in BINDERS and args:
-        return library_bind.bind(args)
+        return uncalled.keep(walk, library_bind.bind(args))
     if name.startswith(LIMITS) and len(targs) == 1 and isinstance(targs[0], syntax.Type) and not args:
         return library_numbers.limit(name.removeprefix(LIMITS), walk.type_in(targs[0], frame))
     if name.endswith("::directory_iterator") and args:

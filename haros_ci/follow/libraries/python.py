@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import comprehensions, dispatch, dynamic, members, partials, thrown
+from haros_ci.follow import commands, comprehensions, dispatch, dynamic, members, methods, partials, thrown
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import (
     argparse as command_lines,
@@ -146,11 +146,24 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
         return dynamic.module(walk, frame, name, args)
     if name == "getattr" and len(args) >= 2 and isinstance(first, Opaque) and first.reason == dynamic.IMPORTED:
         return dynamic.of_module(walk, first, args[1].value, frame)
+    if name == "object.__getattribute__" and len(args) == 2:
+        return _own_attribute(walk, frame, args[0].value, args[1].value)
     if name == "getattr" and len(args) >= 2 and isinstance(args[1].value, Known):
         return members.attribute(walk, args[0].value, str(args[1].value.value), frame)
     if name == "super":
         return Library("super")
-    return None
+    return commands.function(walk, frame, name, args) if name in commands.FUNCTIONS else None
+
+
+def _own_attribute(walk: Walk, frame: Frame, this: Value, name: Value) -> Value | None:
+    """``object.__getattribute__``: what an object has without ``__getattr__``, else an exception."""
+    if not isinstance(this, Object) or not isinstance(name, Known):
+        return None
+    cell = members.member(walk, this, str(name.value), frame)
+    found: Value | None = cell.value if cell is not None else methods.method_of(walk, this, str(name.value))
+    if found is None:
+        thrown.throws(walk, thrown.ATTRIBUTE)
+    return found
 
 
 def argv(walk: Walk, is_own: bool = False) -> Value:
@@ -176,6 +189,8 @@ def _may_be_text(value: Value) -> bool:
 
 def method(walk: Walk, frame: Frame, receiver: Value, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """A modelled method."""
+    if receiver.__class__ in commands.KINDS and (found := commands.method(walk, frame, receiver, name, args)):
+        return found
     if isinstance(receiver, Known) and issubclass(receiver.kind, str):
         if name == "format":
             return formats.braces(walk, frame, receiver.of(str), args)
@@ -227,6 +242,8 @@ def method(walk: Walk, frame: Frame, receiver: Value, name: str, args: tuple[Pas
         return Sequence(Cell(tuple(Cell(subclass) for subclass in dispatch.subclasses(walk, receiver))))
     if isinstance(receiver, Object) and receiver.name == command_lines.PARSER:
         return command_lines.method(walk, frame, receiver, name, args)
+    if isinstance(receiver, Object) and receiver.name == command_lines.COMMANDS:
+        return command_lines.added(walk, receiver, name, args)
     if isinstance(receiver, Object) and receiver.name == "rospkg.RosPack" and name == "get_path":
         return Known(f"$(find {args[0].value.value})") if args and isinstance(args[0].value, Known) else None
     if isinstance(receiver, Object) and receiver.name == "file" and name in ("read", "__enter__"):

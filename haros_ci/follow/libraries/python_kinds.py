@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from haros_ci.values.abstract import NONE, Known, Library, Mapped, Sequence, Value
+from haros_ci.values.abstract import NONE, Callable, ClassValue, Known, Library, Mapped, Module, Object, Sequence, Value
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
@@ -24,6 +24,9 @@ KINDS = {
 }
 #: The types that ``isinstance`` tests can distinguish.
 TOLD = frozenset(KINDS) | {"basestring", "object"}
+
+#: The kinds of values that are objects, none of which is ``None``.
+OBJECTS = frozenset((Object, Sequence, Mapped, Callable, ClassValue, Module))
 
 
 def is_instance(args: tuple[PassedArgument, ...]) -> Value | None:
@@ -44,7 +47,9 @@ def type_of(value: Value) -> Value | None:
 
 
 def same(left: Value, right: Value) -> bool | None:
-    """Whether two built-in types are the same one; None if they are no such types."""
+    """Whether two built-in types are the same one, or an object is ``None``, which it is not; None if it is about nothing of this."""
+    if (left == NONE or right == NONE) and {left.__class__, right.__class__} & OBJECTS:
+        return False
     if isinstance(left, Library) and isinstance(right, Library) and {left.name, right.name} <= KINDS.keys():
         return left.name == right.name
     return None

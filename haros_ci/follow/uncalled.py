@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Functions that a C++ program keeps, in containers before all, and that it is not seen to call: which is called there is not known.
+
+Lambdas and bound functions that could make something, and have neither been called nor registered once all callbacks have been followed,
+are called back after these. A doubt says of what they make that this is not certain.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from haros_ci.follow.made import Root
+from haros_ci.follow.walk import ROOTS, Walk
+from haros_ci.values.abstract import Callable, Value
+from haros_ci.values.state import Writes
+
+#: Why what they make may not be made.
+KEPT = "the function around it is kept, and it is not seen which of those that are kept is called"
+
+
+def keep(walk: Walk, value: Value) -> Value:
+    """Note a function that the program has made, and give it."""
+    if isinstance(value, Callable) and not walk.quiet and not walk.is_raised and not walk.setting:
+        key = (id(value.function), value.this)
+        if key not in walk.held and len(walk.held) < ROOTS:
+            walk.held[key] = Root(value, tuple(walk.conditions), doubt=KEPT, dead=walk.ruled_out())
+    return value
+
+
+def hand_on(walk: Walk, known: int, writes: Writes) -> None:
+    """The functions that were kept after the first *known* ones begin with the *writes* of the callback that did it."""
+    for key in list(walk.held)[known:] if len(walk.held) > known else ():
+        walk.held[key] = replace(walk.held[key], writes=writes)
+
+
+def register(walk: Walk) -> bool:
+    """Whether some that are kept have not been called: they are called back now, each once."""
+    registered = {id(root.function.function) for root in walk.roots}
+    waiting = []
+    for key, root in walk.held.items():
+        function = root.function
+        is_new = key not in walk.offered and not registered & {key[0]} and key[0] not in walk.invoked
+        if is_new and walk.relevance.makes(function.function, function.source):
+            walk.offered.add(key)
+            waiting.append(root)
+    walk.roots += waiting
+    return bool(waiting)
