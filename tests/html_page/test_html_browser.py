@@ -171,9 +171,9 @@ def test_the_picture_has_what_connects_nodes_and_switches_for_the_rest(page: Pag
     every = shown(page)
     assert {"n0", "c topics /image", "c services /arm/stop", "c actions /go"} <= every
     assert "c topics /rosout" not in every
-    page.click(".switches input", "")
+    page.click(".switches label", "rosout")
     assert "c topics /rosout" in shown(page)
-    page.click(".switches input", "")
+    page.click(".switches label", "rosout")
     assert "c topics /rosout" not in shown(page)
 
 
@@ -261,7 +261,7 @@ def test_details_of_a_node_and_of_a_topic(page: Page) -> None:
     assert "differ" in text  # the finding about it
     page.go("system?element=%2Fimage")
     text = page.text(".detail")
-    assert "offers best_effort" in text and "depth 5" in text
+    assert "best effort offered" in text and "keep last 5" in text
     page.go("system?element=%2Fgo")
     assert "int32 goal" in page.text(".detail")
     page.go("system?element=%2Fodd")
@@ -332,7 +332,7 @@ def test_parameters(page: Page) -> None:
         for name in ("/box/filter/rate", "/camera/unread")
     )
     assert "base/config/p.yaml:4" in rate and "no reader" not in rate
-    assert "no reader seen" in unread
+    assert "no reader found" in unread
 
 
 def test_packages_stand_in_circles(page: Page) -> None:

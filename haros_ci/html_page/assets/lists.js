@@ -3,24 +3,7 @@ function parametersView(parameters) {
   const which = chosenConfiguration(parameters.configuration);
   if (!which) return { content: [h("h1", null, "Parameters"), h("p", null, "No node was found.")] };
   const made = system(which.index);
-  const rows = new Map();
-  const of = (name) => rows.get(name) || rows.set(name, { name, set: [], read: [], value: null, fallback: null }).get(name);
-  for (const one of made.parameters) { const entry = of(one.name); entry.set.push(one); entry.value = one.value ?? "?"; }
-  for (const one of made.nodes)
-    for (const each of one.ends) {
-      if (CHANNELS[each.kind] || each.implicit) continue;
-      const entry = of(each.name);
-      if (each.kind === "setters") entry.set.push({ place: each.place, origin: null, value: each.value, node: one });
-      else { entry.read.push({ node: one, end: each }); if (each.default !== null) entry.fallback = each.default; if (each.kind === "parameters" && each.value !== null) entry.value ??= each.value; }
-    }
-  const opaque = new Set(made.nodes.filter((one) => one.unknowns.some((each) => each.field === "endpoints") || !one.ends.length).map((one) => one.name));
-  const list = [...rows.values()].sort((a, b) => compare(a.name, b.name));
-  for (const one of list) {
-    const owner = made.nodes.find((each) => one.name.startsWith(`${each.name}/`));
-    one.mark = !one.set.length && one.fallback === null && one.value === null ? "has no value" : !one.read.length ? (!owner || opaque.has(owner.name) || owner.source === "known-node" ? "no reader known" : "no reader seen") : "";
-    one.setAt = one.set.map((each) => (each.origin || each.place ? (each.origin || each.place).text : each.node ? each.node.name : "")).filter(Boolean).join(", ");
-    one.readBy = one.read.map((each) => each.node.name).join(", ");
-  }
+  const list = [...parameterTable(made).values()];
   const columns = [
     { key: "name", title: "name", width: "minmax(12rem, 2fr)", compare: (a, b) => compare(a.name, b.name), cell: (one) => h("span", { title: one.name }, one.name) },
     { key: "value", title: "value", width: "minmax(8rem, 1.5fr)", compare: (a, b) => compare(String(a.value ?? ""), String(b.value ?? "")), cell: (one) => (one.value !== null ? h("code", { title: one.value }, one.value) : one.fallback !== null ? h("span", { class: "quiet" }, `${one.fallback} (default)`) : "") },
@@ -34,9 +17,7 @@ function parametersView(parameters) {
   const detail = h("aside", { class: "detail", "aria-label": "parameter", "aria-live": "polite" });
   const close = () => { clear(detail); detail.classList.remove("open"); };
   const table = virtualTable({ label: "parameters", columns, rows: list, sort: { column: key, down: direction === "down" }, sorted: (column, down) => { remember({ sort: `${column}-${down ? "down" : "up"}` }); show(); },
-    select: (one) => { detail.classList.add("open"); clear(detail, h("div", { class: "detail-head" }, h("strong", null, one.name), h("button", { class: "close", "aria-label": "close", onclick: close }, "✕")), h("dl", null, row("value", one.value !== null ? h("code", null, one.value) : "none is set"), row("default", one.fallback !== null ? h("code", null, one.fallback) : ""), row("remark", one.mark)),
-      h("section", null, h("h3", null, `set (${one.set.length})`), h("ul", { class: "plain-list" }, one.set.map((each) => h("li", null, h("code", null, each.value ?? "?"), " ", whereIs(each.origin || each.place), each.node ? [" by ", element(made, each.node.name)] : null, frame(each.origin || each.place, 0, 0, 1))))),
-      h("section", null, h("h3", null, `declared or read (${one.read.length})`), h("ul", { class: "plain-list" }, one.read.map((each) => h("li", null, element(made, each.node.name), ` ${WORDS[each.end.kind]} `, each.end.type ? `${each.end.type} ` : "", whereIs(each.end.place), each.end.readOnly ? " read-only" : "", each.end.range.length ? ` range ${each.end.range.map((one) => one ?? "…").join(" ")}` : "", conditionList(each.end.conditions)))))); } });
+    select: (one) => { detail.classList.add("open"); clear(detail, h("div", { class: "detail-head" }, h("strong", null, one.name), h("button", { class: "close", "aria-label": "close", onclick: close }, "✕")), parameterDetail(made, one)); } });
   const apply = (words) => { const wanted = words.toLowerCase(); const found = list.filter((one) => !wanted || `${one.name} ${one.value} ${one.setAt} ${one.readBy} ${one.mark}`.toLowerCase().includes(wanted)); table.set(found); total.textContent = `${found.length.toLocaleString("en")} of ${count(list.length, "parameter")}`; };
   apply(parameters.q || "");
   return { wide: true, escape: close, content: [h("div", { class: "bar-of-filters" }, configurationChooser(made.name, (name) => { location.hash = address("parameters", { configuration: name }); }), searchField("Search parameters", parameters.q || "", (words) => { remember({ q: words }); apply(words); }), total), h("div", { class: "split" }, table.element, detail)] };

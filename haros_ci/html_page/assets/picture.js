@@ -38,7 +38,27 @@ function polyline(points) {
   return made;
 }
 
-function makePicture({ label, select, folded }) {
+// Room for nodes that are taller than the layout knew: what is below moves down with all of its row, so that nothing overlaps and the order stays.
+function stretched(scene) {
+  const cuts = []; // [height from which on things move, by how much], ascending
+  const down = (y) => y + cuts.reduce((sum, [at, more]) => (at <= y ? sum + more : sum), 0);
+  const nodes = scene.elements.filter((one) => one.tall).sort((a, b) => a.rectangle[1] + a.rectangle[3] - b.rectangle[1] - b.rectangle[3]);
+  for (const one of nodes) {
+    const [, y, , height] = one.rectangle;
+    const missing = one.tall - (down(y + height) - down(y));
+    if (missing > 0) cuts.push([y + height, missing]);
+  }
+  if (!cuts.length) return scene;
+  const between = ([x, y, width, height]) => [x, down(y), width, down(y + height) - down(y)];
+  return {
+    ...scene, size: [scene.size[0], down(scene.size[1])],
+    boxes: scene.boxes.map((one) => ({ ...one, rectangle: between(one.rectangle) })),
+    elements: scene.elements.map((one) => { const [x, y, width, height] = one.rectangle; return { ...one, rectangle: [x, down(y), width, one.tall || height] }; }),
+    edges: scene.edges.map((one) => ({ ...one, points: one.points.map((value, at) => (at % 2 ? down(value) : value)) })),
+  };
+}
+
+function makePicture({ label, select, folded, pick }) {
   const view = { x: 0, y: 0, scale: 1 };
   const layer = s("g", {});
   const arrow = (id, kind) => s("marker", { id, class: kind, viewBox: "0 0 8 8", refX: 7, refY: 4, markerWidth: 9, markerHeight: 9, markerUnits: "userSpaceOnUse", orient: "auto" }, s("path", { d: "M0 0.5L7.5 4L0 7.5Z" }));
@@ -48,6 +68,11 @@ function makePicture({ label, select, folded }) {
   const drawn = new Map();
   let paths = [];
   let chosen = null;
+  // Edges that were clicked, and elements that belong together without an edge.
+  let picked = null;
+  let together = null;
+  const moved = new Map();
+  const edgeKey = (one) => `${one.from}>${one.to}`;
 
   const place = () => layer.setAttribute("transform", `translate(${view.x} ${view.y}) scale(${view.scale})`);
   const around = (box) => (box < 0 ? [] : [box, ...around(scene.boxes[box].parent)]);
@@ -86,6 +111,7 @@ function makePicture({ label, select, folded }) {
     for (const one of scene.elements) {
       if (representative(one.id) !== undefined) continue;
       const [x, y, width] = one.rectangle;
+      one.drawnAt = [x, y];
       const group = s("g", { class: `element ${one.what} ${one.classes.join(" ")}`, "data-id": one.id });
       group.append(shape(one.what, one.rectangle), s("title", {}, one.tip));
       if (one.isNode) {
@@ -96,7 +122,7 @@ function makePicture({ label, select, folded }) {
       elements.push(group);
     }
     clear(layer, boxes.filter((one) => !one.classList.contains("closed")), edges(), boxes.filter((one) => one.classList.contains("closed")), elements);
-    mark();
+    remark();
     place();
   }
 
@@ -131,32 +157,39 @@ function makePicture({ label, select, folded }) {
         s("path", { class: "hit", d: path }), s("path", { class: "line", d: path, "marker-end": "url(#arrow)", "stroke-width": isBundle && many > 1 ? Math.min(6, 1 + Math.log2(many)) : null }),
         s("title", {}, bundle.members.slice(0, 12).map((one) => one.tip).join("\n") + (many > 12 ? `\nand ${many - 12} more` : "")));
       if (isBundle && many > 1) element.append(s("text", { class: "many", "font-size": 11 * Math.max(1, ...[bundle.from, bundle.to].filter((one) => one !== undefined).map((one) => foldedScale(scene.boxes[one]))), x: (from[0] + from[2] + to[0]) / 2, y: (from[1] + to[1] + from[3]) / 2 - 4 }, `×${many}`));
-      paths.push({ element, members: bundle.members });
-      element.addEventListener("click", (event) => { event.stopPropagation(); choose(bundle.members[0].channel); });
+      paths.push({ element, members: bundle.members, bundle });
+      element.addEventListener("click", (event) => { event.stopPropagation(); if (pick) { mark(null, bundle.members); pick(bundle.members); } else choose(bundle.members[0].channel); });
       made.push(element);
     }
     return made;
   }
 
-  function mark() {
-    const near = new Set([chosen]);
+  // Mark an element with its edges, or some edges, or some elements.
+  function mark(id, edges, elements) {
+    chosen = id;
+    picked = edges ? new Set(edges.map(edgeKey)) : null;
+    together = elements || null;
+    remark();
+  }
+
+  function remark() {
+    const near = new Set(together || [chosen]);
     for (const { element, members } of paths) {
-      const touches = chosen !== null && members.some((one) => one.from === chosen || one.to === chosen);
+      const touches = picked ? members.some((one) => picked.has(edgeKey(one))) : chosen !== null && members.some((one) => one.from === chosen || one.to === chosen);
       element.classList.toggle("chosen", touches);
       element.querySelector(".line").setAttribute("marker-end", touches ? "url(#arrow-strong)" : "url(#arrow)");
       if (touches) for (const one of members) near.add(one.from).add(one.to);
     }
-    const isOne = chosen !== null && drawn.has(chosen);
+    const isOne = (chosen !== null && drawn.has(chosen)) || picked !== null || together !== null;
     layer.classList.toggle("has-choice", isOne && !scene.isPart);
     for (const [id, element] of drawn) {
-      element.classList.toggle("chosen", id === chosen);
+      element.classList.toggle("chosen", id === chosen || Boolean(together && together.has(id)));
       element.classList.toggle("near", near.has(id));
     }
   }
 
   function choose(id, quiet) {
-    chosen = id;
-    mark();
+    mark(id);
     if (!quiet) select(id);
   }
 
@@ -194,6 +227,32 @@ function makePicture({ label, select, folded }) {
     place();
   }
 
+  // Put an element elsewhere; its edges follow.
+  function shift(id, dx, dy) {
+    const one = byId.get(id);
+    const [x, y] = moved.get(id) || [0, 0];
+    moved.set(id, [x + dx, y + dy]);
+    moveTo(one, dx, dy);
+    const [left, top] = one.drawnAt;
+    drawn.get(id).setAttribute("transform", `translate(${one.rectangle[0] - left} ${one.rectangle[1] - top})`);
+    for (const { element, members, bundle } of paths) {
+      if (!members.some((each) => each.from === id || each.to === id)) continue;
+      const path = curve(...bundle.ends.map(rectangleOf), bundle.members.length);
+      for (const each of element.querySelectorAll("path")) each.setAttribute("d", path);
+    }
+  }
+
+  function moveTo(one, dx, dy) {
+    one.rectangle = [one.rectangle[0] + dx, one.rectangle[1] + dy, one.rectangle[2], one.rectangle[3]];
+    for (const each of scene.edges) if (each.from === one.id || each.to === one.id) each.points = [];
+    scene.size = [Math.max(scene.size[0], one.rectangle[0] + one.rectangle[2] + 14), Math.max(scene.size[1], one.rectangle[1] + one.rectangle[3] + 14)];
+  }
+
+  svg.addEventListener("dblclick", () => {
+    if (!moved.size || scene.isPart) return;
+    moved.clear();
+    show(given[0], given[1]);
+  });
   svg.addEventListener("wheel", (event) => {
     event.preventDefault();
     const corner = svg.getBoundingClientRect();
@@ -203,14 +262,19 @@ function makePicture({ label, select, folded }) {
   let wasDragged = false;
   svg.addEventListener("pointerdown", (event) => {
     wasDragged = false;
-    if (event.button === 0) drag = { x: event.clientX, y: event.clientY, moved: false };
+    const element = event.target.closest ? event.target.closest(".element") : null;
+    if (event.button === 0) drag = { x: event.clientX, y: event.clientY, moved: false, id: element && byId.has(element.dataset.id) ? element.dataset.id : null };
   });
   svg.addEventListener("pointermove", (event) => {
     if (!drag) return;
     const [dx, dy] = [event.clientX - drag.x, event.clientY - drag.y];
     if (!drag.moved && Math.abs(dx) + Math.abs(dy) < 4) return;
     if (!drag.moved) svg.setPointerCapture(event.pointerId);
-    drag = { x: event.clientX, y: event.clientY, moved: true };
+    drag = { x: event.clientX, y: event.clientY, moved: true, id: drag.id };
+    if (drag.id !== null) {
+      shift(drag.id, dx / view.scale, dy / view.scale);
+      return;
+    }
     view.x += dx;
     view.y += dy;
     place();
@@ -239,15 +303,21 @@ function makePicture({ label, select, folded }) {
     event.preventDefault();
   });
 
+  let given = [];
+  function show(next, closedLabels) {
+    given = [next, closedLabels];
+    scene = { ...stretched(next) };
+    scene.elements = scene.elements.map((one) => ({ ...one }));
+    scene.edges = scene.edges.map((one) => ({ ...one }));
+    byId = new Map(scene.elements.map((one) => [one.id, one]));
+    closed = new Set(scene.boxes.map((one, index) => index).filter((index) => closedLabels && closedLabels.includes(scene.boxes[index].label)));
+    if (!scene.isPart) for (const [id, [dx, dy]] of moved) if (byId.has(id)) moveTo(byId.get(id), dx, dy);
+    [chosen, picked, together] = [null, null, null];
+    draw();
+  }
+
   return {
-    element: svg, fit, zoom, centre, choose, fold,
-    show(next, closedLabels) {
-      scene = next;
-      byId = new Map(scene.elements.map((one) => [one.id, one]));
-      closed = new Set(scene.boxes.map((one, index) => index).filter((index) => closedLabels && closedLabels.includes(scene.boxes[index].label)));
-      chosen = null;
-      draw();
-    },
+    element: svg, fit, zoom, centre, choose, fold, show, mark,
     foldAll(isClosed) {
       closed = new Set(isClosed ? scene.boxes.keys() : []);
       draw();
@@ -255,5 +325,6 @@ function makePicture({ label, select, folded }) {
     },
     has: (id) => byId.has(id),
     get boxes() { return scene.boxes.length; },
+    get edges() { return scene.edges; },
   };
 }
