@@ -11,11 +11,12 @@ from typing import Any
 
 import pytest
 from browser_kit import Page, browser
-from page_kit import given, written
+from page_kit import configuration, end, given, node, written
 
 from haros_ci.checking.compatibility import refuses
 from haros_ci.html_page.document import asset
-from haros_ci.model.architecture import Qos
+from haros_ci.model.architecture import Configuration, Parameter, Qos
+from haros_ci.model.location import Location
 
 #: What may stand for a value that is not known, by policy.
 POSSIBLE: dict[str, tuple[Any, ...]] = {
@@ -190,3 +191,58 @@ def test_an_element_is_dragged_and_put_back(page: Page) -> None:
     page.run("document.querySelector('.picture').dispatchEvent(new MouseEvent('dblclick', { bubbles: true }))")
     page.settled()
     assert abs(page.run(box) - first) < 30
+
+
+def test_parameters_of_ros_2_nodes_stand_in_them(driver: Any, tmp_path: Path) -> None:
+    """Their names are /node:name."""
+    one = configuration()
+    rate = Parameter(
+        name="/arm/driver:rate", type="double", value=5.0, location=Location("base/launch/base.launch.py", 3)
+    )
+    nothing = Parameter(name="/arm/driver:word", type="str", value="", location=rate.location)
+    path = tmp_path / "page.html"
+    path.write_text(
+        written(replace(given(), configurations=(replace(one, parameters=(rate, nothing)),))), encoding="utf-8"
+    )
+    page = Page(driver, path)
+    page.go("system?element=%2Farm%2Fdriver")
+    assert "parameters (2)" in page.text(".detail") and "base/launch/base.launch.py:3" in page.text(".detail")
+    page.click(".switches label", "parameters")
+    lines = page.text("[data-id=n2] .own.parameter, .element .own.parameter").split("\n")
+    assert "rate = 5.0" in lines and 'word = ""' in lines
+    page.go("parameters")
+    assert "no reader found" in page.text(".rows")
+    assert page.complaints() == []
+
+
+def test_a_large_picture_begins_folded_and_squeezed(driver: Any, tmp_path: Path) -> None:
+    """What is not in a box around most of it can be read, and unfolds where it is."""
+    nodes = tuple(
+        node(f"/{space}/n{number}", *([end("subscribers", f"/{space}/t{number}")] if number else []), end("publishers", f"/{space}/t{number + 1}"))
+        for space in ("front", "middle", "rear")
+        for number in range(30)
+    )  # fmt: skip
+    path = tmp_path / "page.html"
+    path.write_text(
+        written(replace(given(), configurations=(Configuration(name="x", launch=("x",), nodes=nodes),))),
+        encoding="utf-8",
+    )
+    page = Page(driver, path)
+    page.go("system")
+    page.settled()
+    assert len(page.all(".box.closed")) == 3 and "folded, as it is large" in page.text("[role=status]")
+    sizes = page.run(
+        "return [...document.querySelectorAll('.box.closed text')].map((one) => one.getBoundingClientRect().height)"
+    )
+    assert min(sizes) > 9
+    before = page.run("return document.querySelectorAll('.box.closed .shape')[1].getBoundingClientRect().y")
+    page.click(".handle", "/middle")
+    assert overlaps(page) == 0 and len(page.all(".box.closed")) == 2
+    after = page.run("return [...document.querySelectorAll('.box:not(.closed) > .shape')][0].getBoundingClientRect().y")
+    assert abs(after - before) < 3
+    page.type(".search-box input", "rear/n12")
+    page.click(".result", "/rear/n12")
+    assert len(page.all(".box.closed")) == 1 and page.all(".element.chosen")
+    page.click("button", "Unfold all")
+    assert not page.all(".box.closed") and overlaps(page) == 0
+    assert page.complaints() == []

@@ -44,24 +44,29 @@ function endItem(made, each) {
     each.place ? [" ", whereIs(each.place)] : null, conditionList(each.conditions), unknownList(each.unknowns));
 }
 
+// Whether a parameter is one of a node's own: /node:name in ROS 2, /node/name in ROS 1. And its name without the node's.
+const isOwn = (name, one) => name.startsWith(one.name) && (name[one.name.length] === ":" || name[one.name.length] === "/");
+const shortName = (name, one) => (isOwn(name, one) ? name.slice(one.name.length + 1) : name);
+const valueWords = (value) => (value === null || value === undefined ? "?" : value === "" ? '""' : value);
+
 // The parameters of a node: what it declares or reads and writes, and what is set for it, with value and origin.
 function parametersOf(made, one) {
   if (one.parameterRows) return one.parameterRows;
-  const own = made.parameters.filter((each) => each.name.startsWith(`${one.name}/`));
+  const own = made.parameters.filter((each) => isOwn(each.name, one));
   const given = new Map(made.parameters.map((each) => [each.name, each]));
   const rest = new Set(own);
   one.parameterRows = one.ends.filter((each) => !CHANNELS[each.kind] && !each.implicit).map((each) => {
     const set = given.get(each.name);
     rest.delete(set);
     const value = each.kind === "parameters" ? each.value : set ? set.value : each.kind === "setters" ? each.value : null;
-    return { name: each.name, short: last(each.name) === each.name ? each.name : each.name.replace(`${one.name}/`, ""), value: value ?? each.value ?? each.default, set, end: each };
+    return { name: each.name, short: shortName(each.name, one), value: value ?? each.value ?? each.default, set, end: each };
   });
-  for (const each of rest) one.parameterRows.push({ name: each.name, short: each.name.replace(`${one.name}/`, ""), value: each.value, set: each, end: null });
+  for (const each of rest) one.parameterRows.push({ name: each.name, short: shortName(each.name, one), value: each.value, set: each, end: null });
   return one.parameterRows;
 }
 
 function parameterSection(made, one) {
-  const rows = parametersOf(made, one).map(({ name, short, value, set, end: each }) => [element(made, name, short), value ?? "?", set && (set.origin || set.place) ? whereIs(set.origin || set.place) : each && each.default !== null ? "default in the code" : "",
+  const rows = parametersOf(made, one).map(({ name, short, value, set, end: each }) => [element(made, name, short), valueWords(value), set && (set.origin || set.place) ? whereIs(set.origin || set.place) : each && each.default !== null ? "default in the code" : "",
     each ? `${WORDS[each.kind]}${each.place ? ` at ${each.place.text}` : ""}` : one.source === "known-node" || one.unknowns.length ? "no reader known" : "no reader found"]);
   return rows.length ? h("details", { open: rows.length < 12 }, h("summary", null, `parameters (${rows.length})`), smallTable(["name", "value", "set at", "read"], rows, `parameters of ${one.name}`)) : null;
 }
@@ -81,7 +86,12 @@ function parameterTable(made) {
     }
   const opaque = new Set(made.nodes.filter((one) => one.unknowns.some((each) => each.field === "endpoints") || !one.ends.length).map((one) => one.name));
   const owners = new Map(made.nodes.map((one) => [one.name, one]));
-  const ownerOf = (name) => { for (let at = name.lastIndexOf("/"); at > 0; at = name.lastIndexOf("/", at - 1)) if (owners.has(name.slice(0, at))) return owners.get(name.slice(0, at)); return null; };
+  const ownerOf = (name) => {
+    const colon = name.indexOf(":");
+    if (colon > 0 && owners.has(name.slice(0, colon))) return owners.get(name.slice(0, colon));
+    for (let at = name.lastIndexOf("/"); at > 0; at = name.lastIndexOf("/", at - 1)) if (owners.has(name.slice(0, at))) return owners.get(name.slice(0, at));
+    return null;
+  };
   for (const one of rows.values()) {
     const owner = ownerOf(one.name);
     one.mark = !one.set.length && one.fallback === null && one.value === null ? "has no value" : !one.read.length ? (!owner || opaque.has(owner.name) || owner.source === "known-node" ? "no reader known" : "no reader found") : "";

@@ -33,7 +33,7 @@ function systemView(parameters) {
   const state = { element: parameters.element || "", hops: parameters.hops || "", way: parameters.way || "", to: parameters.to || "", node: parameters.node || "", folded: (parameters.folded || "").split(" ").filter(Boolean) };
   const detail = h("aside", { class: "detail", "aria-label": "details", "aria-live": "polite" });
   const status = h("span", { class: "quiet", role: "status" });
-  const picture = makePicture({ label: `nodes and topics of ${made.name}`, select: (id) => chooseId(id), pick: (edges) => chooseEdges(edges), folded: (labels) => remember({ folded: labels.join(" ") }) });
+  const picture = makePicture({ label: `nodes and topics of ${made.name}`, select: (id) => chooseId(id), pick: (edges) => chooseEdges(edges), folded: (labels) => { Object.assign(state, { folded: labels, isArranged: true }); remember({ folded: labels.join(" ") }); } });
   const shown = (channel) => !channel.switch || shownSwitches.has(channel.switch);
   const idOf = (name) => { const one = made.nodes.find((each) => each.name === name); if (one) return nodeId(one); const channel = [...made.channels.values()].find((each) => each.name === name); return channel ? channelId(channel) : parameterTable(made).has(name) ? `p ${name}` : null; };
   const byId = (id) => (id === null ? null : id.startsWith("n") ? made.numbered.get(Number(id.slice(1))) : id.startsWith("p ") ? parameterTable(made).get(id.slice(2)) || null : made.channels.get(id.slice(2)) || null);
@@ -74,7 +74,7 @@ function systemView(parameters) {
   function parameterLines(one, most) {
     if (!shownSwitches.has(PARAMETERS)) return [];
     const every = parametersOf(made, one);
-    const listed = every.slice(0, most).map(({ name, short, value }) => ({ id: `p ${name}`, text: `${short} = ${value ?? "?"}`, classes: `parameter${isRed(name) ? " red" : ""}` }));
+    const listed = every.slice(0, most).map(({ name, short, value }) => ({ id: `p ${name}`, text: `${short} = ${valueWords(value)}`, classes: `parameter${isRed(name) ? " red" : ""}` }));
     if (every.length > most) listed.push({ id: nodeId(one), text: `and ${every.length - most} more parameters`, classes: "parameter" });
     return listed;
   }
@@ -175,6 +175,9 @@ function systemView(parameters) {
     stage.replaceChildren(picture.element);
     if (!isPart) status.textContent = `${count(made.nodes.length, "node")}, ${count([...made.channels.values()].filter(shown).length, "topic")} and others`.replace("topics and others", "topics, services and actions").replace("topic and others", "topic, service or action");
     picture.show(isPart ? part(id) : whole(), isPart ? [] : state.folded);
+    // What is too large to be read at once begins folded.
+    const isFolded = !isPart && !state.isArranged && !state.folded.length && id === null && picture.isTiny && picture.foldMost();
+    if (isFolded) status.textContent += ": folded, as it is large; click a box to unfold it";
     foldButtons.hidden = isPart || picture.boxes === 0;
     picture.fit();
     const edges = id !== null && id.startsWith("c ") && state.node ? picture.edges.filter((one) => one.channel === id && one.list[0].node.name === state.node) : [];
@@ -197,6 +200,7 @@ function systemView(parameters) {
     }
     const at = item && !picture.has(id) && item.ends && item.what ? nodeId(item.ends[0].node) : id;
     if (at === null || !picture.has(at)) return;
+    picture.reveal(at);
     picture.choose(at, true);
     if (isCentred) picture.centre(at);
   }
@@ -277,7 +281,7 @@ function systemView(parameters) {
   }
 
   const results = h("div", { class: "results", role: "listbox", "aria-label": "found" });
-  const field = searchField("Search nodes, topics, parameters", "", search);
+  const field = searchField("Search the system", "", search);
   field.addEventListener("keydown", (event) => {
     if (event.key === "Enter" && results.firstChild && results.firstChild.click) results.firstChild.click();
     if (event.key === "ArrowDown" && results.firstChild) { event.preventDefault(); results.firstChild.focus(); }
