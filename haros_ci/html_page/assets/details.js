@@ -20,7 +20,7 @@ function nodeDetail(made, one) {
     h("h2", null, one.name),
     h("dl", null,
       row("program", `${one.package}/${one.type}`), row("kind", one.kind), row("class", one.class), row("container", one.container ? element(made, one.container) : ""), row("arguments", one.args ? h("code", null, one.args) : ""),
-      row("started at", whereIs(one.place)), row("known from", sourceWords[one.source] || ""), row("there if", one.presence ? h("code", null, one.presence) : ""), row("conditions", conditionList(one.conditions)),
+      row("started at", whereIs(one.place)), row("known from", sourceWords[one.source] || ""), row("present if", one.presence ? h("code", null, one.presence) : ""), row("conditions", conditionList(one.conditions)),
       row("remappings", one.remaps.length ? h("ul", { class: "plain-list" }, one.remaps.map(([from, to]) => h("li", null, h("code", null, `${from} → ${to}`)))) : "")),
     unknownList(one.unknowns), findingsOf(made, one.name),
     kinds.map((kind) => {
@@ -34,11 +34,11 @@ function nodeDetail(made, one) {
 
 function implicitSection(one) {
   const ends = one.ends.filter((each) => each.implicit);
-  return ends.length ? h("details", null, h("summary", null, `made by the client library (${ends.length})`), h("ul", { class: "plain-list" }, ends.map((each) => h("li", null, `${WORDS[each.kind]} ${each.name}`, each.type ? ` (${each.type})` : "")))) : null;
+  return ends.length ? h("details", null, h("summary", null, `created by the client library (${ends.length})`), h("ul", { class: "plain-list" }, ends.map((each) => h("li", null, `${WORDS[each.kind]} ${each.name}`, each.type ? ` (${each.type})` : "")))) : null;
 }
 
 function endItem(made, each) {
-  const marks = [each.ruledOut ? "not made as things are" : "", each.latched ? "latched" : "", each.queue !== null && each.queue !== undefined && !each.qos ? `queue ${each.queue}` : "", qosWords(each.qos)].filter(Boolean);
+  const marks = [each.ruledOut ? "not created: its condition is false" : "", each.latched ? "latched" : "", each.queue !== null && each.queue !== undefined && !each.qos ? `queue ${each.queue}` : "", qosWords(each.qos)].filter(Boolean);
   return h("li", { class: each.ruledOut ? "ruled-out" : null }, element(made, each.name), each.type ? h("span", { class: "type" }, ` ${each.type}`) : h("span", { class: "type unknown" }, " type not known"),
     each.original && each.original !== each.name ? h("span", { class: "quiet" }, ` remapped from ${each.original}`) : null, marks.length ? h("span", { class: "quiet" }, ` · ${marks.join(", ")}`) : null,
     each.place ? [" ", whereIs(each.place)] : null, conditionList(each.conditions), unknownList(each.unknowns));
@@ -119,7 +119,7 @@ function channelDetail(made, channel) {
   const names = { topics: ["publishers", "subscribers"], services: ["servers", "clients"], actions: ["servers", "clients"] }[channel.what];
   return [
     h("h2", null, channel.name, " ", h("span", { class: "quiet" }, word)),
-    h("dl", null, row(channel.types.length > 1 ? "types" : "type", channel.types.length ? channel.types.map((one, index) => [index ? ", " : "", h("code", null, one)]) : "not known"), row("there if", channel.conditional ? "a condition holds (see below)" : "")),
+    h("dl", null, row(channel.types.length > 1 ? "types" : "type", channel.types.length ? channel.types.map((one, index) => [index ? ", " : "", h("code", null, one)]) : "not known"), row("present if", channel.conditional ? "a condition holds (see below)" : "")),
     channel.problems.map((one) => h("p", { class: "warning" }, `${one[0].toUpperCase()}${one.slice(1)}.`)),
     isKnown(channel.name) ? null : candidates(made, channel), findingsOf(made, channel.name),
     [[names[0], offered], [names[1], taken]].map(([title, list]) => h("section", null, h("h3", null, `${title} (${list.length})`), list.length ? h("ul", { class: "plain-list ends" }, list.map(({ node: one, end: each }) =>

@@ -7,7 +7,7 @@ function parametersView(parameters) {
   const columns = [
     { key: "name", title: "name", width: "minmax(12rem, 2fr)", compare: (a, b) => compare(a.name, b.name), cell: (one) => h("span", { title: one.name }, one.name) },
     { key: "value", title: "value", width: "minmax(8rem, 1.5fr)", compare: (a, b) => compare(String(a.value ?? ""), String(b.value ?? "")), cell: (one) => (one.value !== null ? h("code", { title: one.value }, one.value) : one.fallback !== null ? h("span", { class: "quiet" }, `${one.fallback} (default)`) : "") },
-    { key: "default", title: "default in the code", width: "minmax(6rem, 1fr)", cell: (one) => one.fallback ?? "" },
+    { key: "default", title: "default", width: "minmax(6rem, 1fr)", cell: (one) => one.fallback ?? "" },
     { key: "set", title: "set at", width: "minmax(10rem, 2fr)", class: "path", compare: (a, b) => compare(a.setAt, b.setAt), cell: (one) => h("span", { title: one.setAt }, h("bdi", null, one.setAt)) },
     { key: "read", title: "declared or read by", width: "minmax(9rem, 1.4fr)", compare: (a, b) => compare(a.readBy, b.readBy), cell: (one) => h("span", { title: one.readBy }, one.readBy) },
     { key: "mark", title: "remark", width: "9rem", compare: (a, b) => compare(a.mark, b.mark), cell: (one) => (one.mark ? h("span", { class: "remark" }, one.mark) : "") },
@@ -33,10 +33,10 @@ function packagesView(parameters) {
   const most = Math.max(1, ...list.map((one) => one.ratio));
   const number = (title, key, get, width) => ({ key, title, width: width || "5.5rem", class: "number", down: true, compare: (a, b) => get(a) - get(b), cell: (one) => (get(one) ? get(one).toLocaleString("en") : "") });
   const columns = [
-    { key: "name", title: "package", width: "minmax(11rem, 2fr)", compare: (a, b) => compare(a.name, b.name), cell: (one) => h("span", { title: one.path }, one.name, one.circle >= 0 ? h("span", { class: "remark" }, ` circle ${one.circle + 1}`) : "") },
+    { key: "name", title: "package", width: "minmax(11rem, 2fr)", compare: (a, b) => compare(a.name, b.name), cell: (one) => h("span", { title: one.path }, one.name, one.circle >= 0 ? h("span", { class: "remark" }, ` cycle ${one.circle + 1}`) : "") },
     number("files", "files", (one) => one.files, "4rem"), ...D.languages.slice(0, 4).map((name, index) => number(LANGUAGE_NAMES[name].replace(" files (XML)", ""), name, (one) => one.lines[index], "5rem")),
     number("findings", "findings", (one) => one.findings), number("per 1,000 lines", "ratio", (one) => Math.round(one.ratio * 10) / 10, "7.5rem"),
-    { key: "bar", title: "", width: "5rem", cell: (one) => bar(one.ratio / most, "fill heat") }, number("needs", "needs", (one) => one.inner.length, "4.5rem"), number("needed by", "users", (one) => one.users.length, "6rem"),
+    { key: "bar", title: "", width: "5rem", cell: (one) => bar(one.ratio / most, "fill heat") }, number("depends on", "needs", (one) => one.inner.length, "4.5rem"), number("needed by", "users", (one) => one.users.length, "6rem"),
   ];
   const [key, direction] = (parameters.sort || "").split("-");
   const detail = h("aside", { class: "detail", "aria-label": "package", "aria-live": "polite" });
@@ -47,9 +47,9 @@ function packagesView(parameters) {
     const circle = one.circle >= 0 ? list.filter((each) => each.circle === one.circle).map((each) => each.name) : [];
     detail.classList.add("open");
     clear(detail, h("div", { class: "detail-head" }, h("strong", null, one.name), h("button", { class: "close", "aria-label": "close", onclick: close }, "✕")),
-      circle.length ? h("p", { class: "warning" }, "These need each other to be built: ", names(circle)) : null,
+      circle.length ? h("p", { class: "warning" }, "A dependency cycle, these need each other to be built: ", names(circle)) : null,
       h("dl", null, row("directory", h("code", null, one.path)), row("version", one.version), row("build type", one.build), row("findings", one.findings ? link("findings", { package: one.name }, String(one.findings)) : "0"), row("lines", D.languages.map((name, index) => (one.lines[index] ? `${LANGUAGE_NAMES[name]} ${one.lines[index].toLocaleString("en")}` : "")).filter(Boolean).join(", ")),
-        row("needs, of this workspace", names(one.inner)), row("needed by", names(one.users)), row("needs besides", [...new Set(one.needs.filter((each) => !each.here).map((each) => each.name))].join(", "))));
+        row("depends on, in this workspace", names(one.inner)), row("needed by", names(one.users)), row("depends on, elsewhere", [...new Set(one.needs.filter((each) => !each.here).map((each) => each.name))].join(", "))));
   }
   const asPicture = parameters.as === "picture" && D.package_picture;
   const drawn = asPicture ? packagePicture(list, most, (one) => { if (one) { remember({ package: one.name }); describe(one); } else close(); }) : null;
@@ -58,14 +58,14 @@ function packagesView(parameters) {
   const start = list.find((one) => one.name === parameters.package);
   if (start) requestAnimationFrame(() => { if (drawn) drawn.show(start); else { table.chooseRow(start, false); describe(start); } });
   const other = D.package_picture ? h("button", { onclick: () => { remember({ as: asPicture ? "" : "picture" }); show(); } }, asPicture ? "Table" : "Picture") : null;
-  return { wide: true, escape: close, content: [h("div", { class: "bar-of-filters" }, searchField("Search packages", "", apply), other, h("span", { class: "quiet" }, count(list.length, "package"), drawn ? ": from what is built first to what is built last; what follows from other needs is left out" : "")), h("div", { class: "split" }, drawn ? h("div", { class: "stage" }, drawn.element) : table.element, detail)] };
+  return { wide: true, escape: close, content: [h("div", { class: "bar-of-filters" }, searchField("Search packages", "", apply), other, h("span", { class: "quiet" }, count(list.length, "package"), drawn ? ": from what is built first to what is built last; dependencies that follow from others are left out. The taller, the more lines; the darker, the more findings per line" : "")), h("div", { class: "split" }, drawn ? h("div", { class: "stage" }, drawn.element) : table.element, detail)] };
 }
 
 // What packages need of each other, the warmer the more findings a package has for its lines.
 function packagePicture(list, most, select) {
   const { size, places, edges } = D.package_picture;
   const heat = (one) => (one.findings ? Math.min(3, 1 + Math.floor((3 * one.ratio) / (most + 0.001))) : 0);
-  const elements = list.map((one, index) => ({ id: `p${index}`, isNode: true, what: "node", box: -1, rectangle: places[index], title: one.name, lines: [], sub: one.findings ? `${count(one.findings, "finding")}, ${count(one.all, "line")}` : count(one.all, "line"), classes: [`heat-${heat(one)}`, one.circle >= 0 ? "red" : ""].filter(Boolean), tip: [one.name, count(one.findings, "finding"), one.circle >= 0 ? `in circle ${one.circle + 1}` : ""].filter(Boolean).join("\n") }));
+  const elements = list.map((one, index) => ({ id: `p${index}`, isNode: true, isCentred: true, what: "node", box: -1, rectangle: places[index], title: one.name, lines: [], sub: one.findings ? `${count(one.findings, "finding")}, ${count(one.all, "line")}` : count(one.all, "line"), classes: [`heat-${heat(one)}`, one.circle >= 0 ? "red" : ""].filter(Boolean), tip: [one.name, count(one.findings, "finding"), one.circle >= 0 ? `in cycle ${one.circle + 1}` : ""].filter(Boolean).join("\n") }));
   const made = makePicture({ label: "what packages need of each other", select: (id) => select(id ? list[Number(id.slice(1))] : null) });
   made.show({ size, boxes: [], elements, edges: edges.map(([from, to, points]) => ({ from: `p${from}`, to: `p${to}`, channel: `p${to}`, points, classes: [], tip: `${list[to].name} needs ${list[from].name}` })) });
   requestAnimationFrame(made.fit);
@@ -93,8 +93,8 @@ function interfacesView(parameters) {
     { key: "name", title: "interface", width: "minmax(14rem, 3fr)", compare: (a, b) => compare(a.name, b.name), cell: (one) => h("span", { title: one.name }, one.name) },
     { key: "kind", title: "kind", width: "6rem", compare: (a, b) => compare(a.kind, b.kind), cell: (one) => one.kind },
     { key: "here", title: "defined", width: "9rem", compare: (a, b) => Number(Boolean(b.known)) - Number(Boolean(a.known)), cell: (one) => (one.known ? "in the workspace" : "elsewhere") },
-    { key: "gives", title: "given by", width: "6rem", class: "number", down: true, compare: (a, b) => a.gives - b.gives, cell: (one) => one.gives || "" },
-    { key: "takes", title: "taken by", width: "6rem", class: "number", down: true, compare: (a, b) => a.takes - b.takes, cell: (one) => one.takes || "" },
+    { key: "gives", title: "offered by", width: "6rem", class: "number", down: true, compare: (a, b) => a.gives - b.gives, cell: (one) => one.gives || "" },
+    { key: "takes", title: "used by", width: "6rem", class: "number", down: true, compare: (a, b) => a.takes - b.takes, cell: (one) => one.takes || "" },
   ];
   const [key, direction] = (parameters.sort || "").split("-");
   const detail = h("aside", { class: "detail", "aria-label": "interface", "aria-live": "polite" });

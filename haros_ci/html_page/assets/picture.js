@@ -152,7 +152,8 @@ function makePicture({ label, select, folded, pick }) {
       const group = s("g", { class: `element ${one.what} ${one.classes.join(" ")}`, "data-id": one.id });
       group.append(shape(one.what, [x, y, width, height]), s("title", {}, one.tip));
       if (one.isNode) {
-        group.append(s("text", { class: "name", x: x + width / 2, y: y + 16 }, fitted(one.title, width, 7.4)), s("text", { class: "sub", x: x + width / 2, y: y + 30 }, fitted(one.sub, width * 1.12)));
+        const top = one.isCentred ? y + (height - HEAD) / 2 : y;
+        group.append(s("text", { class: "name", x: x + width / 2, y: top + 16 }, fitted(one.title, width, 7.4)), s("text", { class: "sub", x: x + width / 2, y: top + 30 }, fitted(one.sub, width * 1.12)));
         one.lines.forEach((each, number) => group.append(s("text", { class: `own ${each.classes || ""}`, x: x + 8, y: y + HEAD + 8 + number * LINE, "data-id": each.id }, fitted(each.text, width * 1.1))));
       } else group.append(s("text", { class: "name", x: x + width / 2, y: y + 16 }, fitted(one.title, width - 14)));
       drawn.set(one.id, group);
@@ -361,6 +362,13 @@ function makePicture({ label, select, folded, pick }) {
     else return;
     event.preventDefault();
   });
+
+  // On paper all of it is shown, as large as the paper is wide.
+  whenPrinted(() => {
+    const [width, height] = [across(scene.size[0]), down(scene.size[1])];
+    svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    layer.removeAttribute("transform");
+  }, () => { svg.removeAttribute("viewBox"); place(); });
 
   let given = [];
   function show(next, closedLabels) {

@@ -158,7 +158,7 @@ function systemView(parameters) {
     const elements = [...places].map(([one, rectangle]) => (one.startsWith("n") ? nodeElement(byId(one), rectangle, -1, own.get(one)) : channelElement(byId(one), rectangle, -1)));
     const edges = [...made.channels.values()].filter((channel) => places.has(channelId(channel))).flatMap(edgesOf).filter((one) => places.has(one.from) && places.has(one.to));
     const isCut = goal !== null && goal !== id && !edges.length;
-    status.textContent = isCut ? `There is no way from ${start.name} to ${state.to}.` : `${count(found.size, "element")}${tooMany ? " (the nearest)" : ""}${goal !== null ? ` on the ways to ${state.to}` : ""}`;
+    status.textContent = isCut ? `There is no path from ${start.name} to ${state.to}.` : `${count(found.size, "element")}${tooMany ? " (the nearest)" : ""}${goal !== null ? ` on the paths to ${state.to}` : ""}`;
     return { size: whole, boxes: [], elements, edges, isPart: true };
   }
 
@@ -232,15 +232,15 @@ function systemView(parameters) {
     const go = (change) => () => { Object.assign(state, { hops: "", way: "", to: "" }, change); remember({ hops: state.hops, way: state.way, to: state.to, element: byId(id).name, node: "" }); state.node = ""; draw(); };
     const button = (words, change, title) => { const on = state.hops === (change.hops || "") && state.way === (change.way || ""); return h("button", { onclick: go(change), "aria-pressed": String(on), title }, words); };
     return h("div", { class: "buttons", role: "group", "aria-label": "what is shown" }, button("whole system", {}, "everything"), button("1 hop", { hops: "1" }, "what it is connected with"), button("2 hops", { hops: "2" }), button("3 hops", { hops: "3" }),
-      button("reaches →", { way: "behind" }, "everything that what it gives can reach: a node is taken to pass on all that it receives"), button("← depends on", { way: "before" }, "everything that can reach it"), wayTo(id, go));
+      button("reaches →", { way: "behind" }, "everything that its output can reach; a node is assumed to pass on all that it receives"), button("← depends on", { way: "before" }, "everything that can reach it"), wayTo(id, go));
   }
 
   // From here to another element, such as from a sensor to an actuator.
   function wayTo(id, go) {
     const names = [...new Set([...made.nodes.map((one) => one.name), ...[...made.channels.values()].filter((one) => shown(one) && isKnown(one.name)).map((one) => one.name)])].sort(compare);
-    const input = h("input", { type: "text", list: "goals", value: state.way === "to" ? state.to : "", placeholder: "node or topic", "aria-label": "show the ways to" });
+    const input = h("input", { type: "text", list: "goals", value: state.way === "to" ? state.to : "", placeholder: "node or topic", "aria-label": "show the paths to" });
     input.addEventListener("change", () => { if (idOf(input.value) !== null && idOf(input.value) !== id) go({ way: "to", to: input.value })(); else if (input.value) status.textContent = `There is no other ${input.value} in this configuration.`; });
-    return h("label", { class: "choice" }, h("span", null, "way to"), input, h("datalist", { id: "goals" }, names.slice(0, 3000).map((name) => h("option", { value: name }))));
+    return h("label", { class: "choice" }, h("span", null, "path to"), input, h("datalist", { id: "goals" }, names.slice(0, 3000).map((name) => h("option", { value: name }))));
   }
 
   function chooseId(id) {
@@ -310,5 +310,5 @@ function systemView(parameters) {
 function legend() {
   const one = (what, words, classes) => h("li", null, s("svg", { class: "picture legend", width: 64, height: 26, viewBox: "0 0 64 26", "aria-hidden": "true" }, s("g", { class: `element ${what} ${classes || ""}` }, shape(what, [2, 3, 60, 20]))), words);
   return h("details", { open: true }, h("summary", null, "Legend"), h("ul", { class: "legend-list" }, one("node", "node"), one("topics", "topic"), one("services", "service"), one("actions", "action"), one("node", "dashed: under a condition, or other launch arguments", "conditional"), one("topics", "dotted with ?: name or type not known", "unknown"), one("node", "red and bold: a finding is about it", "red")),
-    h("p", { class: "quiet" }, "Arrows go from who publishes or calls, and from a service or action to its server. Lines in a node are topics and services that only it has. Drag to move, wheel or + and − to enlarge, 0 to fit, arrows to move."));
+    h("p", { class: "quiet" }, "Arrows lead from a publisher or client to its topic, service or action, and from there to the subscriber or server. Lines in a node are topics and services that no other node has: → published or called, ← subscribed to or served. Click an arrow for its quality of service. Drag the picture or an element, wheel or + and − to zoom, 0 to fit, arrow keys to move."));
 }
