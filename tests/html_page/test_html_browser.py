@@ -337,7 +337,7 @@ def test_parameters(page: Page) -> None:
 
 def test_packages_stand_in_circles(page: Page) -> None:
     page.go("packages?package=base")
-    assert "These need each other to be built" in page.text(".detail")
+    assert "A dependency cycle, these need each other to be built" in page.text(".detail")
     assert "cycle 1" in page.text(".rows")
     page.click("button", "Picture")
     assert shown(page) == {"p0", "p1", "p2"} and len(page.all(".stage .edge")) == 3

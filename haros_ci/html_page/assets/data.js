@@ -113,6 +113,8 @@ function system(index, words) {
     others: others.filter((_, number) => !variant || !variant.come.includes(number)), variant: variant ? words : "", numbered: new Map(nodes.map((one) => [one.index, one])),
     picture: row.picture < 0 ? null : TABLES.pictures[row.picture], tree: row.tree,
   };
+  // Nodes that bear one name, and one is a topic's besides: HAROS calls these collisions.
+  made.twins = [...new Set(nodes.filter((one, at) => isKnown(one.name) && nodes.findIndex((each) => each.name === one.name) !== at).map((one) => one.name))].sort(compare);
   made.findings = findingsIn(made);
   systems.set(kept, made);
   return made;

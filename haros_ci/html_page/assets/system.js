@@ -262,6 +262,8 @@ function systemView(parameters) {
         made.variant ? row("with", h("code", null, made.variant), h("p", { class: "quiet" }, "Nodes come and go; parameters and names are those of the default arguments.")) : null,
         row("nodes", String(made.nodes.length)), ...["topics", "services", "actions"].map((what) => row(what, String(every.filter((one) => one.what === what).length))),
         row("parameters", made.parameters.length ? link("parameters", { configuration: made.name }, String(made.parameters.length)) : "0"),
+        row("remappings", String(made.nodes.reduce((sum, one) => sum + one.remaps.length, 0))),
+        row("same name twice", made.twins.length ? made.twins.join(", ") : ""),
         row("conditional", String(made.nodes.filter((one) => one.conditions.length || one.presence).length), " nodes")),
       problems.size ? h("section", null, h("h3", null, `Findings (${problems.size})`), h("ul", { class: "plain-list" }, [...problems].slice(0, 60).map((one) => h("li", null, h("span", { class: `level ${one.level}` }, one.level), " ", link("findings", { id: one.id, state: "any" }, one.message), " ", texts(one.row[13]).map((name) => [element(made, name), " "]))))) : null,
       unknown.length ? h("section", null, h("h3", null, `Names not known (${unknown.length})`), h("ul", { class: "plain-list" }, unknown.slice(0, 60).map((one) => h("li", null, `${one.ends[0].node.name} ${WORDS[one.ends[0].end.kind]} `, h("button", { class: "plain linked", onclick: () => describe(channelId(one)) }, one.name))))) : null,
