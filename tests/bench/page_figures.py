@@ -127,7 +127,10 @@ def figures(driver: Any, path: Path) -> str:
         f"{shown} of {elements}, {edges}",
         f"{overlaps}, {crowded}, {names}",
         f"{crossings}",
-        *(f"{each[0]:.0f} ({each[1]:.0f})" if each is not None else "–" for each in (search, table, fold, trace, edge, parameters)),
+        *(
+            f"{each[0]:.0f} ({each[1]:.0f})" if each is not None else "–"
+            for each in (search, table, fold, trace, edge, parameters)
+        ),
         str(len(page.complaints())),
     ]
     return f"| {path.stem} | {' | '.join(said)} |"
