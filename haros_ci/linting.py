@@ -13,6 +13,7 @@ from haros_ci.analysis.inspection import asks
 from haros_ci.config.selection import Selection
 from haros_ci.config.selector import is_glob
 from haros_ci.config.settings import Settings
+from haros_ci.linters import values
 from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.in_default import IN_TESTS, is_idle, is_of_linter, is_test
 from haros_ci.linters.linter import LintOptions, When
@@ -48,6 +49,7 @@ def lint_options(settings: Settings, known: Registry) -> LintOptions:
         arguments={name: s.arguments for name, s in chosen.items() if s.arguments},
         compile_database=settings.compile_database,
         root=settings.root,
+        beside={one.of.NAME: one for one in values.ADAPTERS} if settings.is_measured else {},
     )
 
 

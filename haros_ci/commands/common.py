@@ -68,6 +68,7 @@ def checked(flags: Flags) -> int:
         click.echo(describe(settings), nl=False)
         return 0
     demand_base(settings)
+    settings = replace(settings, is_measured=any(format in (*PAGES, *FOLDERS) for format, _ in outputs))
     report, workspace, known = run_with_systems(settings, flags)
     demand_baseline(report, settings)
     if flags["diff"] or flags["fix"]:

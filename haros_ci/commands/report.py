@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -43,7 +44,7 @@ FILE = "haros-ci-report.html"
 @with_timings
 def report(flags: Flags) -> int:
     """Analyse, write the page; exit code 3 if a tool failed, else 0: findings are there to be looked at."""
-    settings = settings_from({**flags, "baseline_rev": flags["base"]})
+    settings = replace(settings_from({**flags, "baseline_rev": flags["base"]}), is_measured=True)
     demand_base(settings)
     recordings = tuple(verdicts_in(Path(name)) for name in flags["verdicts"])
     found, workspace, known = run_with_systems(settings, flags)

@@ -27,6 +27,7 @@ _REPORTING = frozenset(
         "cache_dir",
         "notes",
         "origins",
+        "is_measured",
     }
 )
 

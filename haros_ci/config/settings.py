@@ -99,7 +99,8 @@ class Settings:
     ``command line``, by key (``fail-on``), ``selector <text>``, ``haros <text>`` (a selector of a HAROS ignore list) or
     ``linter <tool>``; what it does not name is a default.
     ``notes`` are sentences on how the configuration was read (what was accepted but has no effect, what differs at
-    the head of a pull request), which the report repeats as notifications.
+    the head of a pull request), which the report repeats as notifications. ``is_measured`` says that an output wants all values of metrics,
+    not only those beyond a limit.
     """
 
     root: Path
@@ -140,6 +141,7 @@ class Settings:
     plugin_blacklist: tuple[str, ...] = ()
     plugin_export: str | None = None
     origins: tuple[tuple[str, str], ...] = ()
+    is_measured: bool = False
 
     @property
     def without_base(self) -> str:

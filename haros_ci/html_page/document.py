@@ -29,6 +29,7 @@ SCRIPTS = (
     "overview.js",
     "findings.js",
     "details.js",
+    "quality.js",
     "system.js",
     "programs.js",
     "launch.js",

@@ -17,14 +17,14 @@ WELL_KNOWN: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("clock", ("clock",)),
     ("diagnostics", ("diagnostics", "diagnostics_agg", "bond")),
     (
-        "parameters",
+        "parameter services",
         (
             "parameter_events", "describe_parameters", "get_parameter_types", "get_parameters", "list_parameters",
             "set_parameters", "set_parameters_atomically", "get_type_description", "get_loggers", "set_logger_level",
         ),
     ),
     (
-        "life cycle",
+        "life cycle services",
         ("change_state", "get_state", "get_available_states", "get_available_transitions", "get_transition_graph", "transition_event"),
     ),
 )  # fmt: skip
@@ -40,7 +40,7 @@ MOST_ELEMENTS, MOST_EDGES = 1_200, 4_000
 def switch_of(channel: Channel) -> str:
     """The switch that shows *channel*, "" for what is always shown."""
     known = _SWITCH.get(channel.name.rpartition("/")[2], "")
-    return known or ("parameters" if channel.implicit else "")
+    return known or ("parameter services" if channel.implicit else "")
 
 
 @dataclass(frozen=True, slots=True)

@@ -34,13 +34,8 @@ MOST_INTERFACES = 3_000
 def packages(pool: Pool, workspace: Workspace) -> list[dict[str, Any]]:
     """Each package by name: place, version, build type, lines by language, the packages that it needs, whether it is in a circle."""
     ordered = sorted(workspace.packages, key=lambda one: (one.name, one.path))
-    lines: dict[str, Counter[str]] = {}
-    files: Counter[str] = Counter()
-    for file in workspace.files:
-        name = file.package or ""
-        files[name] += 1
-        if not file.third_party:
-            lines.setdefault(name, Counter())[file.language] += file.lines
+    lines = _lines(workspace)
+    files = Counter(file.package or "" for file in workspace.files)
     names = {one.name for one in ordered}
     circles = in_circles({one.name: _needed(one, names) for one in ordered})
     return [
@@ -71,7 +66,17 @@ def picture(workspace: Workspace) -> dict[str, Any] | None:
     if len(names) != len(workspace.packages):
         return None
     needs = {one.name: _needed(one, names) - {one.name} for one in workspace.packages}
-    return package_picture(needs, in_circles(needs))
+    lines = {name: sum(counts[language] for language in LANGUAGES) for name, counts in _lines(workspace).items()}
+    return package_picture(needs, in_circles(needs), lines)
+
+
+def _lines(workspace: Workspace) -> dict[str, Counter[str]]:
+    """Lines by package and language, without what third parties have written."""
+    found: dict[str, Counter[str]] = {}
+    for file in workspace.files:
+        if not file.third_party:
+            found.setdefault(file.package or "", Counter())[file.language] += file.lines
+    return found
 
 
 def _needed(package: Package, names: set[str]) -> set[str]:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from haros_ci.linters import footing
 from haros_ci.linters.gate import Gate
-from haros_ci.linters.linter import Batch, Finding, GaveUp, Linter, LintOptions, Program, Unit, Unread
+from haros_ci.linters.linter import Batch, Finding, GaveUp, Linter, LintOptions, Output, Program, Unit, Unread
 from haros_ci.linters.process import Processes, Stalled, TimedOut, Unstartable
 from haros_ci.linters.rows import MOST, Answer
 from haros_ci.linters.sandbox import Confinement
@@ -48,9 +48,10 @@ class Task:
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What became of one batch: answers by path, sentences on what failed with the paths concerned, CPU seconds by path."""
+    """What became of one batch: answers by path, those of the adapter beside it, sentences on what failed with the paths concerned, CPU seconds by path."""
 
     answers: tuple[tuple[str, Answer], ...] = ()
+    beside: tuple[tuple[str, Answer], ...] = ()
     failures: tuple[tuple[str, tuple[str, ...]], ...] = ()
     seconds: tuple[tuple[str, float], ...] = ()
 
@@ -61,6 +62,7 @@ def execute(task: Task, processes: Processes, scratch: Path) -> Outcome:
     *scratch* is a directory of our own.
     """
     answers: list[tuple[str, Answer]] = []
+    beside: list[tuple[str, Answer]] = []
     seconds: list[tuple[str, float]] = []
     failures: list[tuple[str, tuple[str, ...]]] = []
     waiting, stalled = [task.units], list[str]()
@@ -70,8 +72,9 @@ def execute(task: Task, processes: Processes, scratch: Path) -> Outcome:
         part = waiting.pop()
         paths = tuple(unit.file.path for unit in part)
         try:
-            new_answers, spent = _ask(task, part, processes, scratch / str(attempt))
+            new_answers, more, spent = _ask(task, part, processes, scratch / str(attempt))
             answers += new_answers
+            beside += more
             seconds += _shared(spent, part)
         except Unstartable as err:
             failures.append((_sentence(task, err, paths), paths))
@@ -90,7 +93,7 @@ def execute(task: Task, processes: Processes, scratch: Path) -> Outcome:
     for part in waiting:
         paths = tuple(unit.file.path for unit in part)
         failures.append((_sentence(task, _Failed("not tried again"), paths), paths))
-    return Outcome(tuple(answers), tuple(failures), tuple(seconds))
+    return Outcome(tuple(answers), tuple(beside), tuple(failures), tuple(seconds))
 
 
 def _lost_with(stalled: list[str], units: tuple[Unit, ...], every: tuple[Unit, ...]) -> tuple[Unit, ...]:
@@ -120,8 +123,8 @@ class _Failed(Exception):
 
 def _ask(
     task: Task, units: tuple[Unit, ...], processes: Processes, scratch: Path
-) -> tuple[list[tuple[str, Answer]], float]:
-    """The answers, and the CPU seconds that they took."""
+) -> tuple[list[tuple[str, Answer]], list[tuple[str, Answer]], float]:
+    """The answers, those of the adapter beside it, and the CPU seconds that they took."""
     workspace = task.workspace
     own, working = scratch / "own", scratch / "home"
     own.mkdir(parents=True)
@@ -141,10 +144,19 @@ def _ask(
     if output.code < 0:
         raise _Failed(f"was ended by signal {-output.code}")
     clean = _Cleaner(_here(own, working, workspace.root), task.gate)
+    answers = _answers(task.linter, output, batch, units, clean)
+    other = task.options.beside.get(task.linter.NAME)
+    return answers, _answers(other, output, batch, units, clean) if other is not None else [], output.seconds
+
+
+def _answers(
+    linter: Linter, output: Output, batch: Batch, units: tuple[Unit, ...], clean: _Cleaner
+) -> list[tuple[str, Answer]]:
+    """What *linter* reads out of an output, by path."""
     by_path = {unit.file.path: unit for unit in units}
     collected: dict[str, tuple[list[Result], list[GaveUp]]] = {path: ([], []) for path in by_path}
     try:
-        for answer in task.linter.parse(output, batch):
+        for answer in linter.parse(output, batch):
             results, gave_up = collected[answer.unit]
             if isinstance(answer, Finding):
                 if len(results) == MOST:
@@ -157,8 +169,7 @@ def _ask(
     except (ValueError, KeyError, TypeError, IndexError, AttributeError, RecursionError) as err:
         words = clean.text(_last_words(output.stderr), units[0])
         raise _Failed(words or f"its output cannot be parsed ({err})") from err
-    answers = [(path, Answer(tuple(found), tuple(reasons))) for path, (found, reasons) in sorted(collected.items())]
-    return answers, output.seconds
+    return [(path, Answer(tuple(found), tuple(reasons))) for path, (found, reasons) in sorted(collected.items())]
 
 
 def _here(*directories: Path) -> re.Pattern[str]:

@@ -30,7 +30,8 @@ class LintOptions:
 
     ``enabled`` are the tools asked for by name, ``disabled`` those switched off; of any other its ``WHEN`` tells
     whether it runs. ``root`` is the user's checkout, from which no program is ever taken (the workspace under
-    analysis may be a copy of a base revision). ``timeout`` is in seconds for one process.
+    analysis may be a copy of a base revision). ``timeout`` is in seconds for one process. ``beside`` are, by the name of an adapter, further ones
+    that read something else out of what its process writes: their answers are kept, so that no second process asks for them.
     """
 
     enabled: frozenset[str] = frozenset()
@@ -42,6 +43,7 @@ class LintOptions:
     arguments: dict[str, tuple[str, ...]] = field(default_factory=dict)
     compile_database: str | None = None
     root: Path | None = None
+    beside: dict[str, Linter] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)

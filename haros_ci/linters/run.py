@@ -150,6 +150,7 @@ def _analyse(
                 # What is reported now and what a warm run will report come from the same bytes.
                 store.put(name, path, work.keys[path], value)
                 work.take(by_path[path], decoded)
+            keep_beside(work, outcome.beside, workspace, options, store, digests)
             for message, paths in outcome.failures:
                 work.fail(message, paths)
             work.seconds.update(outcome.seconds)
@@ -157,6 +158,26 @@ def _analyse(
             done += len(units)
             if progress is not None:
                 progress(f"{done}/{total} {work.linter.NAME}")
+
+
+def keep_beside(
+    work: Work,
+    answers: Iterable[tuple[str, Answer]],
+    workspace: Workspace,
+    options: LintOptions,
+    store: Store,
+    digests: Digests,
+) -> None:
+    """Put where the adapter beside that of *work* looks for them what it has read out of the same process; what it gave up on is asked again."""
+    other = options.beside.get(work.linter.NAME)
+    if other is None:
+        return
+    fingerprint = other.fingerprint(workspace, options)
+    units = {unit.file.path: unit for unit in work.units}
+    for path, answer in answers:
+        if not answer.gave_up:
+            key = digests.key(other.NAME, work.program.version, fingerprint, units[path])
+            store.put(other.NAME, path, key, rows.encode(answer))
 
 
 def _in_parallel(run_batch: Callable[[int], T], count: int, jobs: int, processes: Processes) -> Iterable[tuple[int, T]]:

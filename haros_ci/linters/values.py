@@ -79,4 +79,4 @@ def _value(metric: str, place: Location, value: float, scope: str = "") -> Findi
     return Finding(place.path, Result(TOOL, metric, Level.NOTE, "", place, scope=scope, value=value))
 
 
-ADAPTERS: tuple[Linter, ...] = (ValuesLinter(lizard), ValuesLinter(radon))
+ADAPTERS: tuple[ValuesLinter, ...] = (ValuesLinter(lizard), ValuesLinter(radon))

@@ -30,11 +30,12 @@ _INITS = kinds("field_initializer_list")
 _TRAILING = kinds("trailing_return_type")
 #: Tokens in a syntax error that mean that a branch or a function may be missing.
 _LOST = kinds("{ } if for while switch case else try catch compound_statement if_statement for_statement")
-#: Macros that the grammar does not know where they stand: for inlining, and behind the parameters of a function.
-_MACROS = re.compile(
-    r"\b[A-Z][A-Z0-9_]{0,80}INLINE\b(?=\s{1,40}[A-Za-z_~:])"
-    r"|(?<=\))\s{0,40}(?:const\b\s{0,40})?\b[A-Z][A-Z0-9_]{3,80}(?=\s{0,40}(?:\{|=\s{0,9}(?:default|delete|0)\b))"
+#: Macros that the grammar does not know where they stand: behind the parameters of a function, and for inlining. The first begins with a bracket, which is
+#: found much faster than what would look back for one.
+_BEHIND = re.compile(
+    r"\)(\s{0,40}(?:const\b\s{0,40})?\b[A-Z][A-Z0-9_]{3,80})(?=\s{0,40}(?:\{|=\s{0,9}(?:default|delete|0)\b))"
 )
+_INLINING = re.compile(r"\b[A-Z][A-Z0-9_]{0,80}INLINE\b(?=\s{1,40}[A-Za-z_~:])")
 _VISIBLE = re.compile(r"\S")
 _OPERATOR = re.compile(r"\boperator\s+(?=\W)")
 _ERRORS = 20
@@ -89,7 +90,7 @@ def read_cpp(text: str) -> FileFacts:
     if len(text) > LARGEST:
         return FileFacts(problems=((1, f"larger than {LARGEST} characters: the file is not measured"),))
     text = branches.first(text.removeprefix("\ufeff"))
-    data, root = tree_of(_MACROS.sub(lambda match: _VISIBLE.sub(" ", match.group()), blanks.readable(text)))
+    data, root = tree_of(_without_macros(blanks.readable(text)))
     if root is None:
         return FileFacts(problems=((1, "too unlike C++ to parse in reasonable time: the file is not measured"),))
     file = _CppFile(unit_of(data))
@@ -97,6 +98,12 @@ def read_cpp(text: str) -> FileFacts:
     functions = sorted(file.functions, key=lambda f: (f.line, f.column))
     classes = sorted(file.classes, key=lambda c: (c.line, c.column))
     return FileFacts(tuple(functions), tuple(classes), tuple(file.problems))
+
+
+def _without_macros(text: str) -> str:
+    """*text* with blanks where macros stand that the grammar does not know."""
+    text = _BEHIND.sub(lambda match: ")" + _VISIBLE.sub(" ", match[1]), text)
+    return _INLINING.sub(lambda match: _VISIBLE.sub(" ", match.group()), text) if "INLINE" in text else text
 
 
 def _visit(file: _CppFile, nodes: Iterable[Node], scope: _Scope, depth: int) -> None:

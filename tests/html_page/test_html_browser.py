@@ -171,9 +171,9 @@ def test_the_picture_has_what_connects_nodes_and_switches_for_the_rest(page: Pag
     every = shown(page)
     assert {"n0", "c topics /image", "c services /arm/stop", "c actions /go"} <= every
     assert "c topics /rosout" not in every
-    page.click(".switches input", "")
+    page.click(".switches label", "rosout")
     assert "c topics /rosout" in shown(page)
-    page.click(".switches input", "")
+    page.click(".switches label", "rosout")
     assert "c topics /rosout" not in shown(page)
 
 
@@ -225,9 +225,9 @@ def test_traces(page: Page, element: str, way: str, inside: set[str], outside: s
 @pytest.mark.parametrize(
     ("start", "goal", "inside", "said"),
     [
-        ("/camera", "/arm/state", {"/camera", "/image", "/box/filter", "/box/found", "/arm/driver", "/arm/state"}, "6 elements on the ways to /arm/state"),
-        ("/image", "/box/filter", {"/image", "/box/filter"}, "2 elements on the ways"),
-        ("/arm/state", "/camera", {"/arm/state", "/camera"}, "There is no way from /arm/state to /camera."),
+        ("/camera", "/arm/state", {"/camera", "/image", "/box/filter", "/box/found", "/arm/driver", "/arm/state"}, "6 elements on the paths to /arm/state"),
+        ("/image", "/box/filter", {"/image", "/box/filter"}, "2 elements on the paths"),
+        ("/arm/state", "/camera", {"/arm/state", "/camera"}, "There is no path from /arm/state to /camera."),
     ],
 )  # fmt: skip
 def test_the_way_from_one_element_to_another(page: Page, start: str, goal: str, inside: set[str], said: str) -> None:
@@ -261,7 +261,7 @@ def test_details_of_a_node_and_of_a_topic(page: Page) -> None:
     assert "differ" in text  # the finding about it
     page.go("system?element=%2Fimage")
     text = page.text(".detail")
-    assert "offers best_effort" in text and "depth 5" in text
+    assert "best effort offered" in text and "keep last 5" in text
     page.go("system?element=%2Fgo")
     assert "int32 goal" in page.text(".detail")
     page.go("system?element=%2Fodd")
@@ -332,13 +332,13 @@ def test_parameters(page: Page) -> None:
         for name in ("/box/filter/rate", "/camera/unread")
     )
     assert "base/config/p.yaml:4" in rate and "no reader" not in rate
-    assert "no reader seen" in unread
+    assert "no reader found" in unread
 
 
 def test_packages_stand_in_circles(page: Page) -> None:
     page.go("packages?package=base")
-    assert "These need each other to be built" in page.text(".detail")
-    assert "circle 1" in page.text(".rows")
+    assert "A dependency cycle, these need each other to be built" in page.text(".detail")
+    assert "cycle 1" in page.text(".rows")
     page.click("button", "Picture")
     assert shown(page) == {"p0", "p1", "p2"} and len(page.all(".stage .edge")) == 3
     page.click(".element", "toolsx")
@@ -347,7 +347,7 @@ def test_packages_stand_in_circles(page: Page) -> None:
 
 def test_metrics_and_interfaces_and_changes(page: Page) -> None:
     page.go("metrics")
-    assert len(page.all(".histogram .column")) == 17 and "beyond" in page.text()
+    assert len(page.all(".histogram .column")) == 17 and "are above" in page.text()
     page.go("interfaces")
     page.click(".rows .row", "base/Go")
     assert "/odd" in page.text(".detail") and "int32 goal" in page.text(".detail")
@@ -409,7 +409,7 @@ def test_everything_that_can_be_clicked_can_be_reached_by_keyboard(page: Page) -
 def test_the_tree_of_frames(page: Page) -> None:
     page.go("transforms")
     page.settled(50)
-    assert "7 frames, 3 trees, 1 at odds" in page.text("[role=status]")
+    assert "7 frames, 3 trees, 1 in conflict" in page.text("[role=status]")
     assert page.run("return document.querySelectorAll('.stage .element').length") == 7
     assert page.text(".picture .red .name") == "base_link" and len(page.all(".picture .edge.red")) == 2
     assert "tf_static" not in page.text(".detail") and "base_link map, odom" in page.text(".detail")
@@ -556,3 +556,36 @@ def test_a_page_of_a_change_alone(driver: Any, tmp_path: Path, word: str) -> Non
     assert page.text("nav") == "Changes" and f"/image{word}" in page.text("main table")
     assert "new findings" not in page.text() and "since abababababab" in page.text()
     assert page.complaints() == [] and page.run("return window.hacked") is None
+
+
+def test_on_paper_every_row_is_whole(driver: Any, tmp_path: Path) -> None:
+    path = tmp_path / "page.html"
+    path.write_text(written(given(results=300)), encoding="utf-8")
+    page = Page(driver, path, "findings?rule=cppcheck%3Auninit")
+    page.settled()
+    seen = len(page.all(".rows .row"))
+    page.run("window.dispatchEvent(new Event('beforeprint'))")
+    assert len(page.all(".printed tbody tr")) > 250 > seen
+    assert "Findings · rule: cppcheck:uninit" in page.text(".print-title")
+    page.run("window.dispatchEvent(new Event('afterprint'))")
+    assert not page.all(".printed, .print-title") and len(page.all(".rows .row")) == seen
+    assert page.complaints() == []
+
+
+def test_on_paper_a_picture_is_whole(page: Page) -> None:
+    page.go("system")
+    before = page.run("return document.querySelector('.picture > g').getAttribute('transform')")
+    page.run("window.dispatchEvent(new Event('beforeprint'))")
+    assert page.run("return document.querySelector('.picture').getAttribute('viewBox')").startswith("0 0 ")
+    assert NAME in page.text(".print-title")
+    page.run("window.dispatchEvent(new Event('afterprint'))")
+    assert page.run("return document.querySelector('.picture > g').getAttribute('transform')") == before
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_each_view_prints_on_few_pages(page: Page, view: str) -> None:
+    import base64
+
+    page.go(view)
+    document = base64.b64decode(page.driver.print_page())
+    assert document.startswith(b"%PDF") and document.count(b"/Type /Page\n") + document.count(b"/Type /Page ") < 12

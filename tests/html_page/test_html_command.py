@@ -202,3 +202,20 @@ def test_the_format_goes_to_stdout_alone() -> None:
     assert parse_outputs(("html",)) == (("html", None),)
     with pytest.raises(Exception, match="cannot share stdout"):
         parse_outputs(("html", "text"))
+
+
+@pytest.mark.parametrize(
+    "command",
+    [("report", ".", "--output", "OUT"), ("check", ".", "--output", "html=OUT"), ("check", ".", "--output", "haros-json=DIR")],
+)  # fmt: skip
+def test_what_a_check_measures_is_not_measured_again(tmp_path: Path, command: tuple[str, ...]) -> None:
+    pytest.importorskip("lizard")
+    root = write(tmp_path / "ws", {**FILES, "robot/src/x.cpp": "int f() { return 1; }\n"})
+    names = [
+        word.replace("OUT", str(tmp_path / "page.html")).replace("DIR", str(tmp_path / "data")) for word in command
+    ]
+    (tmp_path / "data").mkdir()
+    only = ("--isolated", "--profile", "architecture", "--select", "metrics:max-cyclomatic-complexity-15", "--cache-dir", str(tmp_path / "cache"))  # fmt: skip
+    done = haros(*names, *only, "--timings", "--allow-tool-failure", "radon", cwd=root)
+    assert done.returncode in (0, 1), done.stderr
+    assert " lizard\n" in done.stderr and "lizard values" not in done.stderr

@@ -14,7 +14,7 @@ from haros_ci.html_page.findings import chosen, standing
 from haros_ci.html_page.frames import Frames
 from haros_ci.html_page.launches import launch_tree
 from haros_ci.html_page.measured import bars
-from haros_ci.html_page.package_picture import direct
+from haros_ci.html_page.package_picture import direct, package_picture
 from haros_ci.html_page.pool import Pool, presence_text
 from haros_ci.html_page.properties import Held, held, properties
 from haros_ci.html_page.transforms import transforms
@@ -251,3 +251,12 @@ BLOCK = """configurations:
 def test_a_property_ends_before_the_next_begins() -> None:
     stated = tuple(Held(one) for one in in_project(BLOCK, "haros.yaml", lambda name: None))
     assert [row["until"] for row in properties(Pool(), stated)] == [8, 10, 11]
+
+
+def test_packages_with_more_lines_are_taller() -> None:
+    needs: dict[str, list[str]] = {"small": [], "large": ["small"], "empty": [], "middle": []}
+    made = package_picture(needs, {}, {"small": 10, "large": 4000, "middle": 1000})
+    assert made is not None
+    heights = dict(zip(sorted(needs), (place[3] for place in made["places"]), strict=True))
+    assert heights["empty"] < heights["small"] < heights["middle"] < heights["large"]
+    assert heights["large"] - heights["empty"] == 2 * (heights["middle"] - heights["empty"])

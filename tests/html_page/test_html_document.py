@@ -15,6 +15,7 @@ import pytest
 from page_kit import HOSTILE, Parts, checked, given, samples, written
 
 from haros_ci.html_page.document import SCRIPTS, STYLE, asset, code, escaped
+from haros_ci.measuring.totals import METRICS
 
 REPORTS = samples()
 TAGS = [
@@ -123,4 +124,10 @@ def test_our_own_parts_fetch_nothing_and_write_no_markup(name: str) -> None:
 
 
 def test_the_page_is_small() -> None:
-    assert len(code()) + len(asset(STYLE)) < 170_000
+    assert len(code()) + len(asset(STYLE)) < 200_000
+
+
+def test_each_metric_is_explained() -> None:
+    words = asset("metrics.js").partition("const METRIC_WORDS = {")[2].partition("};")[0]
+    named = set(re.findall(r'(?:^|,)\s*"?([a-z]+(?:-[a-z]+)*)"?: "', words))
+    assert named == set(METRICS)

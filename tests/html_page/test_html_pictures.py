@@ -100,7 +100,7 @@ def test_a_name_that_is_not_known_meets_no_other() -> None:
 
 @pytest.mark.parametrize(
     ("name", "switch"),
-    [("/rosout", "rosout"), ("/robot/tf", "tf"), ("/tf_static", "tf"), ("/clock", "clock"), ("/a/get_parameters", "parameters"), ("/a/change_state", "life cycle"),
+    [("/rosout", "rosout"), ("/robot/tf", "tf"), ("/tf_static", "tf"), ("/clock", "clock"), ("/a/get_parameters", "parameter services"), ("/a/change_state", "life cycle services"),
      ("/image", ""), ("/tf2", ""), ("/clock/now", ""), ("/my_rosout", "")],
 )  # fmt: skip
 def test_switches(name: str, switch: str) -> None:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import shutil
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import pytest
@@ -295,3 +295,44 @@ def test_progress_counts_files(tmp_path: Path) -> None:
     told: list[str] = []
     lint(workspace(tmp_path, CLEAN), [FakeLinter()], LintOptions(), MemoryStore(), everything, told.append)
     assert told == ["3/3 fake"]
+
+
+@dataclass
+class Beside(FakeLinter):
+    """Reads the same output as another adapter, under a name of its own."""
+
+    NAME: str = "fake beside"
+
+
+@pytest.mark.parametrize(
+    ("files", "asked_again"),
+    [
+        ({"a.py": "# say W1\n", "b.py": ""}, []),
+        ({"a.py": "# say W1\n", "b.py": "# refuse\n"}, [("b.py",)]),
+        ({"a.py": "# crash\n"}, [("a.py",)]),
+    ],
+)
+def test_an_adapter_beside_another_starts_no_second_process(
+    tmp_path: Path, files: dict[str, str], asked_again: list[tuple[str, ...]]
+) -> None:
+    store, linter, beside = MemoryStore(), FakeLinter(), Beside()
+    space = workspace(tmp_path, files)
+    lint(space, [linter], LintOptions(beside={"fake": beside}), store, everything)
+    (found,) = lint(space, [beside], LintOptions(), store, everything)
+    (alone,) = lint(space, [Beside()], LintOptions(), MemoryStore(), everything)
+    assert beside.asked == asked_again and found == alone
+
+
+@pytest.mark.parametrize("other", [Beside(version="2.0"), Beside(settings="strict")])
+def test_an_adapter_beside_another_with_another_program_asks_for_itself(tmp_path: Path, other: Beside) -> None:
+    store = MemoryStore()
+    space = workspace(tmp_path, {"a.py": "# say W1\n"})
+    lint(space, [FakeLinter()], LintOptions(beside={"fake": Beside()}), store, everything)
+    lint(space, [other], LintOptions(), store, everything)
+    assert other.asked == [("a.py",)]
+
+
+def test_nothing_is_kept_for_an_adapter_that_nobody_wants(tmp_path: Path) -> None:
+    store = MemoryStore()
+    lint(workspace(tmp_path, {"a.py": ""}), [FakeLinter()], LintOptions(), store, everything)
+    assert {name for name, _, _ in store.values} == {"fake"}

@@ -17,7 +17,7 @@ function changesView(parameters) {
   return {
     content: [
       h("h1", null, "Changes"), h("p", { class: "lead" }, found.headline >= 0 ? text(found.headline) : "No change to interfaces, nodes, topics, services, actions or parameters", base ? ` since ${base}` : "", "."),
-      h("div", { class: "figures" }, figure(rows.length, "changes", "changes"), D.only ? null : figure(fresh, "new findings", "findings", { state: "open" }), gone ? figure(gone, "findings gone", "findings", { state: "gone" }) : null, found.not_known ? figure(found.not_known, "not said, as one side is not known") : null),
+      h("div", { class: "figures" }, figure(rows.length, "changes", "changes"), D.only ? null : figure(fresh, "new findings", "findings", { state: "open" }), gone ? figure(gone, "findings gone", "findings", { state: "gone" }) : null, found.not_known ? figure(found.not_known, "left out, as one side is not known") : null),
       found.picture ? h("section", { class: "card" }, h("h2", null, "The part of the graph that has changed"), changePicture(found.picture), h("p", { class: "quiet" }, "Green with + is added, red with − is removed, amber with ~ is changed; thin lines were there before.")) : null,
       rows.length ? h("section", { class: "card" }, h("h2", null, "All changes"), kinds.length > 1 ? chooser("kind", [["", "every kind"], ...kinds.map((one) => [one, one])], filter, (value) => { remember({ what: value }); show(); }) : null, table) : null,
     ],

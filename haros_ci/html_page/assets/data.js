@@ -60,7 +60,7 @@ const isKnown = (name) => name !== "" && !name.includes("?");
 
 // The switch that shows a channel, "" for what is always shown.
 function switchOf(channel) {
-  return D.well_known[last(channel.name)] || (channel.implicit ? "parameters" : "");
+  return D.well_known[last(channel.name)] || (channel.implicit ? "parameter services" : "");
 }
 
 const CONFIGURATIONS = D.configurations.map((one, index) => ({ index, name: text(one.name), launch: texts(one.launch), row: one }));
@@ -105,7 +105,7 @@ function system(index, words) {
     channel.switch = switchOf(channel);
     const certain = channel.ends.filter(isCertain);
     const sure = [...new Set(certain.map((each) => each.end.type).filter(isKnown))].sort(compare);
-    channel.problems = [...(sure.length > 1 ? [`different types: ${sure.join(", ")}`] : []), ...(channel.what === "topics" ? incompatible(certain) : [])];
+    channel.problems = [...(sure.length > 1 ? [`different types: ${sure.join(", ")}`] : []), ...incompatible(certain, channel.ends, channel.what)];
   }
   const made = {
     index, name, launch, nodes, channels, parameters: row.parameters.map(parameter),
@@ -113,6 +113,8 @@ function system(index, words) {
     others: others.filter((_, number) => !variant || !variant.come.includes(number)), variant: variant ? words : "", numbered: new Map(nodes.map((one) => [one.index, one])),
     picture: row.picture < 0 ? null : TABLES.pictures[row.picture], tree: row.tree,
   };
+  // Nodes that bear one name, and one is a topic's besides: HAROS calls these collisions.
+  made.twins = [...new Set(nodes.filter((one, at) => isKnown(one.name) && nodes.findIndex((each) => each.name === one.name) !== at).map((one) => one.name))].sort(compare);
   made.findings = findingsIn(made);
   systems.set(kept, made);
   return made;
@@ -120,24 +122,6 @@ function system(index, words) {
 
 // Whether an end is there whatever the conditions and launch arguments are.
 const isCertain = ({ node: one, end: each }) => !each.ruledOut && !each.conditions.length && !each.unknowns.length && !one.conditions.length && !one.presence;
-
-// Pairs of a publisher and a subscriber whose quality of service does not fit (ROS 2, request against offer), where both say it.
-function incompatible(ends) {
-  const found = [];
-  for (const giver of ends) {
-    if (!giver.offers || !giver.end.qos) continue;
-    for (const taker of ends) {
-      if (taker.offers || !taker.end.qos) continue;
-      const [offer, request] = [giver.end.qos, taker.end.qos];
-      if (offer.reliability === "best_effort" && request.reliability === "reliable")
-        found.push(`the quality of service does not fit: ${giver.node.name} offers best_effort, ${taker.node.name} asks for reliable`);
-      if (offer.durability === "volatile" && request.durability === "transient_local")
-        found.push(`the quality of service does not fit: ${giver.node.name} offers volatile, ${taker.node.name} asks for transient_local`);
-    }
-    if (found.length > 20) break;
-  }
-  return found;
-}
 
 const RULES = new Map(D.rules.map((one) => [`${text(one.tool)}:${text(one.id)}`, one]));
 

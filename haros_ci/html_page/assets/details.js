@@ -1,6 +1,7 @@
 // What is known of a node or of what connects nodes, beside the picture.
 const sourceWords = { source: "the source", launch: "a launch file", hint: "the project file", "known-node": "data on nodes outside the workspace", "exact-tier": "libclang" };
 
+const CHANNEL_WORDS = { topics: "topic", services: "service", actions: "action" };
 const whereIs = (at) => (at ? h("code", null, at.text) : "");
 const conditionList = (list) => (list.length ? h("ul", { class: "conditions" }, list.map((one) => h("li", null, h("code", null, condition(one)), " at ", whereIs(one.place)))) : null);
 const unknownList = (list) => (list.length ? h("ul", { class: "unknowns" }, list.map((one) => h("li", null, h("strong", null, `${one.field} not known: `), one.reason, one.place ? [" at ", whereIs(one.place)] : ""))) : null);
@@ -14,64 +15,117 @@ function findingsOf(made, name) {
 }
 
 function nodeDetail(made, one) {
-  const own = made.parameters.filter((each) => each.name.startsWith(`${one.name}/`));
   const kinds = D.kinds.filter((kind) => CHANNELS[kind]);
   return [
     h("h2", null, one.name),
     h("dl", null,
       row("program", `${one.package}/${one.type}`), row("kind", one.kind), row("class", one.class), row("container", one.container ? element(made, one.container) : ""), row("arguments", one.args ? h("code", null, one.args) : ""),
-      row("started at", whereIs(one.place)), row("known from", sourceWords[one.source] || ""), row("there if", one.presence ? h("code", null, one.presence) : ""), row("conditions", conditionList(one.conditions)),
+      row("started at", whereIs(one.place)), row("known from", sourceWords[one.source] || ""), row("present if", one.presence ? h("code", null, one.presence) : ""), row("conditions", conditionList(one.conditions)),
       row("remappings", one.remaps.length ? h("ul", { class: "plain-list" }, one.remaps.map(([from, to]) => h("li", null, h("code", null, `${from} → ${to}`)))) : "")),
     unknownList(one.unknowns), findingsOf(made, one.name),
     kinds.map((kind) => {
       const ends = one.ends.filter((each) => each.kind === kind && !each.implicit);
       return ends.length ? h("section", null, h("h3", null, `${WORDS[kind]} (${ends.length})`), h("ul", { class: "plain-list ends" }, ends.map((each) => endItem(made, each)))) : null;
     }),
-    parameterSection(one, own),
+    parameterSection(made, one),
     implicitSection(one),
   ];
 }
 
 function implicitSection(one) {
   const ends = one.ends.filter((each) => each.implicit);
-  return ends.length ? h("details", null, h("summary", null, `made by the client library (${ends.length})`), h("ul", { class: "plain-list" }, ends.map((each) => h("li", null, `${WORDS[each.kind]} ${each.name}`, each.type ? ` (${each.type})` : "")))) : null;
+  return ends.length ? h("details", null, h("summary", null, `created by the client library (${ends.length})`), h("ul", { class: "plain-list" }, ends.map((each) => h("li", null, `${WORDS[each.kind]} ${each.name}`, each.type ? ` (${each.type})` : "")))) : null;
 }
 
 function endItem(made, each) {
-  const marks = [each.ruledOut ? "not made as things are" : "", each.latched ? "latched" : "", each.queue !== null && each.queue !== undefined ? `queue ${each.queue}` : "", qosWords(each.qos)].filter(Boolean);
+  const marks = [each.ruledOut ? "not created: its condition is false" : "", each.latched ? "latched" : "", each.queue !== null && each.queue !== undefined && !each.qos ? `queue ${each.queue}` : "", qosWords(each.qos)].filter(Boolean);
   return h("li", { class: each.ruledOut ? "ruled-out" : null }, element(made, each.name), each.type ? h("span", { class: "type" }, ` ${each.type}`) : h("span", { class: "type unknown" }, " type not known"),
     each.original && each.original !== each.name ? h("span", { class: "quiet" }, ` remapped from ${each.original}`) : null, marks.length ? h("span", { class: "quiet" }, ` · ${marks.join(", ")}`) : null,
     each.place ? [" ", whereIs(each.place)] : null, conditionList(each.conditions), unknownList(each.unknowns));
 }
 
-const qosWords = (qos) => (qos ? Object.entries(qos).map(([name, value]) => `${name} ${value}`).join(", ") : "");
+// Whether a parameter is one of a node's own: /node:name in ROS 2, /node/name in ROS 1. And its name without the node's.
+const isOwn = (name, one) => name.startsWith(one.name) && (name[one.name.length] === ":" || name[one.name.length] === "/");
+const shortName = (name, one) => (isOwn(name, one) ? name.slice(one.name.length + 1) : name);
+const valueWords = (value) => (value === null || value === undefined ? "?" : value === "" ? '""' : value);
 
-function parameterSection(one, own) {
-  const read = one.ends.filter((each) => !CHANNELS[each.kind] && !each.implicit);
-  const set = new Map(own.map((each) => [each.name, each]));
-  const rows = read.map((each) => {
-    const given = set.get(each.name);
-    set.delete(each.name);
-    const value = each.kind === "parameters" ? each.value : given ? given.value : each.value;
-    return [last(each.name) === each.name ? each.name : each.name.replace(`${one.name}/`, ""), value ?? each.value ?? "?", given && (given.origin || given.place) ? whereIs(given.origin || given.place) : each.default !== null ? "default in the code" : "", `${WORDS[each.kind]}${each.place ? ` at ${each.place.text}` : ""}`];
+// The parameters of a node: what it declares or reads and writes, and what is set for it, with value and origin.
+function parametersOf(made, one) {
+  if (one.parameterRows) return one.parameterRows;
+  const own = made.parameters.filter((each) => isOwn(each.name, one));
+  const given = new Map(made.parameters.map((each) => [each.name, each]));
+  const rest = new Set(own);
+  one.parameterRows = one.ends.filter((each) => !CHANNELS[each.kind] && !each.implicit).map((each) => {
+    const set = given.get(each.name);
+    rest.delete(set);
+    const value = each.kind === "parameters" ? each.value : set ? set.value : each.kind === "setters" ? each.value : null;
+    return { name: each.name, short: shortName(each.name, one), value: value ?? each.value ?? each.default, set, end: each };
   });
-  for (const each of set.values()) rows.push([each.name.replace(`${one.name}/`, ""), each.value ?? "?", whereIs(each.origin || each.place), one.source === "known-node" || one.unknowns.length ? "no reader known" : "no reader seen"]);
+  for (const each of rest) one.parameterRows.push({ name: each.name, short: shortName(each.name, one), value: each.value, set: each, end: null });
+  return one.parameterRows;
+}
+
+function parameterSection(made, one) {
+  const rows = parametersOf(made, one).map(({ name, short, value, set, end: each }) => [element(made, name, short), valueWords(value), set && (set.origin || set.place) ? whereIs(set.origin || set.place) : each && each.default !== null ? "default in the code" : "",
+    each ? `${WORDS[each.kind]}${each.place ? ` at ${each.place.text}` : ""}` : one.source === "known-node" || one.unknowns.length ? "no reader known" : "no reader found"]);
   return rows.length ? h("details", { open: rows.length < 12 }, h("summary", null, `parameters (${rows.length})`), smallTable(["name", "value", "set at", "read"], rows, `parameters of ${one.name}`)) : null;
 }
 
+// Every parameter of a configuration by name: who sets it, who declares or reads it, its value and default.
+function parameterTable(made) {
+  if (made.parameterTable) return made.parameterTable;
+  const rows = new Map();
+  const of = (name) => rows.get(name) || rows.set(name, { name, set: [], read: [], value: null, fallback: null }).get(name);
+  for (const one of made.parameters) { const entry = of(one.name); entry.set.push(one); entry.value = one.value ?? "?"; }
+  for (const one of made.nodes)
+    for (const each of one.ends) {
+      if (CHANNELS[each.kind] || each.implicit) continue;
+      const entry = of(each.name);
+      if (each.kind === "setters") entry.set.push({ place: each.place, origin: null, value: each.value, node: one });
+      else { entry.read.push({ node: one, end: each }); if (each.default !== null) entry.fallback = each.default; if (each.kind === "parameters" && each.value !== null) entry.value ??= each.value; }
+    }
+  const opaque = new Set(made.nodes.filter((one) => one.unknowns.some((each) => each.field === "endpoints") || !one.ends.length).map((one) => one.name));
+  const owners = new Map(made.nodes.map((one) => [one.name, one]));
+  const ownerOf = (name) => {
+    const colon = name.indexOf(":");
+    if (colon > 0 && owners.has(name.slice(0, colon))) return owners.get(name.slice(0, colon));
+    for (let at = name.lastIndexOf("/"); at > 0; at = name.lastIndexOf("/", at - 1)) if (owners.has(name.slice(0, at))) return owners.get(name.slice(0, at));
+    return null;
+  };
+  for (const one of rows.values()) {
+    const owner = ownerOf(one.name);
+    one.mark = !one.set.length && one.fallback === null && one.value === null ? "has no value" : !one.read.length ? (!owner || opaque.has(owner.name) || owner.source === "known-node" ? "no reader known" : "no reader found") : "";
+    one.setAt = one.set.map((each) => (each.origin || each.place ? (each.origin || each.place).text : each.node ? each.node.name : "")).filter(Boolean).join(", ");
+    one.readBy = one.read.map((each) => each.node.name).join(", ");
+    // The nodes that have to do with it: those that read or write it, or the one that it is set for.
+    one.nodes = new Set([...one.read.map((each) => each.node), ...one.set.map((each) => each.node), owner].filter(Boolean));
+  }
+  made.parameterTable = new Map([...rows].sort((a, b) => compare(a[0], b[0])));
+  return made.parameterTable;
+}
+
+function parameterDetail(made, one) {
+  return [
+    h("dl", null, row("value", one.value !== null ? h("code", null, one.value) : "none is set"), row("default", one.fallback !== null ? h("code", null, one.fallback) : ""), row("remark", one.mark)),
+    h("section", null, h("h3", null, `set (${one.set.length})`), h("ul", { class: "plain-list" }, one.set.map((each) => h("li", null, h("code", null, each.value ?? "?"), " ", whereIs(each.origin || each.place), each.node ? [" by ", element(made, each.node.name)] : null, frame(each.origin || each.place, 0, 0, 1))))),
+    h("section", null, h("h3", null, `declared or read (${one.read.length})`), h("ul", { class: "plain-list" }, one.read.map((each) => h("li", null, element(made, each.node.name), ` ${WORDS[each.end.kind]} `, each.end.type ? `${each.end.type} ` : "", whereIs(each.end.place), each.end.readOnly ? " read-only" : "", each.end.range.length ? ` range ${each.end.range.map((one) => one ?? "…").join(" ")}` : "", conditionList(each.end.conditions))))),
+  ];
+}
+
 function channelDetail(made, channel) {
-  const word = { topics: "topic", services: "service", actions: "action" }[channel.what];
+  const word = CHANNEL_WORDS[channel.what];
   const offered = channel.ends.filter((each) => each.offers);
   const taken = channel.ends.filter((each) => !each.offers);
   const names = { topics: ["publishers", "subscribers"], services: ["servers", "clients"], actions: ["servers", "clients"] }[channel.what];
   return [
     h("h2", null, channel.name, " ", h("span", { class: "quiet" }, word)),
-    h("dl", null, row(channel.types.length > 1 ? "types" : "type", channel.types.length ? channel.types.map((one, index) => [index ? ", " : "", h("code", null, one)]) : "not known"), row("there if", channel.conditional ? "a condition holds (see below)" : "")),
+    h("dl", null, row(channel.types.length > 1 ? "types" : "type", channel.types.length ? channel.types.map((one, index) => [index ? ", " : "", h("code", null, one)]) : "not known"), row("present if", channel.conditional ? "a condition holds (see below)" : "")),
     channel.problems.map((one) => h("p", { class: "warning" }, `${one[0].toUpperCase()}${one.slice(1)}.`)),
     isKnown(channel.name) ? null : candidates(made, channel), findingsOf(made, channel.name),
     [[names[0], offered], [names[1], taken]].map(([title, list]) => h("section", null, h("h3", null, `${title} (${list.length})`), list.length ? h("ul", { class: "plain-list ends" }, list.map(({ node: one, end: each }) =>
-      h("li", null, element(made, one.name), each.type && channel.types.length > 1 ? ` ${each.type}` : "", each.qos || each.latched || each.queue !== null ? h("span", { class: "quiet" }, ` · ${[qosWords(each.qos), each.latched ? "latched" : "", each.queue !== null ? `queue ${each.queue}` : ""].filter(Boolean).join(", ")}`) : null, each.place ? [" ", whereIs(each.place)] : null,
+      h("li", null, element(made, one.name), each.type && channel.types.length > 1 ? ` ${each.type}` : "", each.qos || each.latched || each.queue !== null ? h("span", { class: "quiet" }, ` · ${[qosWords(each.qos), each.latched ? "latched" : "", each.queue !== null && !each.qos ? `queue ${each.queue}` : ""].filter(Boolean).join(", ")}`) : null, each.place ? [" ", whereIs(each.place)] : null,
         conditionList([...one.conditions, ...each.conditions]), unknownList(each.unknowns)))) : h("p", { class: "quiet" }, "none in this configuration"))),
+    connectionSection(made, channel),
     channel.types.map((type) => typeDetail(type)),
   ];
 }

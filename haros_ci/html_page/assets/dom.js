@@ -52,6 +52,10 @@ function current() {
   return { view, parameters };
 }
 
+// What the view that is shown does before and after it is printed.
+const printing = [];
+const whenPrinted = (before, after) => printing.push([before, after]);
+
 const link = (view, parameters, ...children) => h("a", { href: address(view, parameters) }, ...children);
 
 // Change parameters of the address without a step in the history.

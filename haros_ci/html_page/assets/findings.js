@@ -71,6 +71,8 @@ function findingsView(parameters) {
   };
 }
 
+const STATE_WORDS = { open: "to be looked at; in a run with a base revision, new", known: "was there at the base revision, or is in the baseline", gone: "was there at the base revision and is no more", suppressed: "silenced by a comment or the project file", counted: "only counted, by the settings" };
+
 const tagsOf = (one) => { const rule = RULES.get(one.full); return rule ? (rule.words ??= texts(rule.tags)) : []; };
 
 // The tags of the rules that have findings, with how many, the most frequent first.
@@ -159,12 +161,12 @@ function findingDetail(one, close) {
     frame(one.place, one.endLine, one.endColumn, 3),
     h("div", { class: "buttons" }, markdownButton, placeButton, link("findings", { id: one.id, state: "any" }, "Link to this finding")),
     h("dl", null,
-      h("dt", null, "state"), h("dd", null, one.state, detail.reason ? `: ${detail.reason}` : "", detail.suppressions.length ? ` (${detail.suppressions.join("; ")})` : ""),
+      h("dt", null, "state"), h("dd", null, one.state, detail.reason ? `: ${detail.reason}` : STATE_WORDS[one.state] ? ` (${STATE_WORDS[one.state]})` : "", detail.suppressions.length ? ` (${detail.suppressions.join("; ")})` : ""),
       detail.value !== null ? [h("dt", null, "value"), h("dd", null, `${detail.value}${detail.limit !== null ? `, limit ${detail.limit}` : ""}`)] : null,
       detail.subject.length ? [h("dt", null, "about"), h("dd", null, detail.subject.map((name, index) => [index ? ", " : "", known.has(name) ? link("system", { configuration, element: name }, name) : name]), configuration ? [" in ", link("system", { configuration }, configuration)] : null)] : null,
-      detail.also.length ? [h("dt", null, "also found as"), h("dd", null, detail.also.join(", "))] : null,
-      detail.fixes.length ? [h("dt", null, "--fix can"), h("dd", null, detail.fixes.join("; "))] : null),
-    steps(detail.flow, "How it comes to this", true), steps(detail.related, "Related places", false), steps(detail.copies, "The same in copies", false),
+      detail.also.length ? [h("dt", null, "also reported as"), h("dd", null, detail.also.join(", "))] : null,
+      detail.fixes.length ? [h("dt", null, "check --fix can"), h("dd", null, detail.fixes.join("; "))] : null),
+    steps(detail.flow, "How it comes to this", true), steps(detail.related, "Related places", false), steps(detail.copies, "The same in copies of the file", false),
     rule ? h("details", { open: true }, h("summary", null, "The rule"), h("p", null, text(rule.summary)), h("div", { class: "page-of-rule" }, markdown(rule.help)), text(rule.address) ? h("p", { class: "quiet" }, h("code", null, text(rule.address))) : null) : null,
     h("details", null, h("summary", null, "How to suppress it"), h("p", null, "On the line, or the line before, with the reason:"), h("pre", { tabindex: "0" }, suppression(one)), h("p", null, "For the project, in .haros-ci.yaml:"), h("pre", { tabindex: "0" }, `ignore: ["${one.full}"]`)),
   ];

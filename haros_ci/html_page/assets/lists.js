@@ -3,28 +3,11 @@ function parametersView(parameters) {
   const which = chosenConfiguration(parameters.configuration);
   if (!which) return { content: [h("h1", null, "Parameters"), h("p", null, "No node was found.")] };
   const made = system(which.index);
-  const rows = new Map();
-  const of = (name) => rows.get(name) || rows.set(name, { name, set: [], read: [], value: null, fallback: null }).get(name);
-  for (const one of made.parameters) { const entry = of(one.name); entry.set.push(one); entry.value = one.value ?? "?"; }
-  for (const one of made.nodes)
-    for (const each of one.ends) {
-      if (CHANNELS[each.kind] || each.implicit) continue;
-      const entry = of(each.name);
-      if (each.kind === "setters") entry.set.push({ place: each.place, origin: null, value: each.value, node: one });
-      else { entry.read.push({ node: one, end: each }); if (each.default !== null) entry.fallback = each.default; if (each.kind === "parameters" && each.value !== null) entry.value ??= each.value; }
-    }
-  const opaque = new Set(made.nodes.filter((one) => one.unknowns.some((each) => each.field === "endpoints") || !one.ends.length).map((one) => one.name));
-  const list = [...rows.values()].sort((a, b) => compare(a.name, b.name));
-  for (const one of list) {
-    const owner = made.nodes.find((each) => one.name.startsWith(`${each.name}/`));
-    one.mark = !one.set.length && one.fallback === null && one.value === null ? "has no value" : !one.read.length ? (!owner || opaque.has(owner.name) || owner.source === "known-node" ? "no reader known" : "no reader seen") : "";
-    one.setAt = one.set.map((each) => (each.origin || each.place ? (each.origin || each.place).text : each.node ? each.node.name : "")).filter(Boolean).join(", ");
-    one.readBy = one.read.map((each) => each.node.name).join(", ");
-  }
+  const list = [...parameterTable(made).values()];
   const columns = [
     { key: "name", title: "name", width: "minmax(12rem, 2fr)", compare: (a, b) => compare(a.name, b.name), cell: (one) => h("span", { title: one.name }, one.name) },
     { key: "value", title: "value", width: "minmax(8rem, 1.5fr)", compare: (a, b) => compare(String(a.value ?? ""), String(b.value ?? "")), cell: (one) => (one.value !== null ? h("code", { title: one.value }, one.value) : one.fallback !== null ? h("span", { class: "quiet" }, `${one.fallback} (default)`) : "") },
-    { key: "default", title: "default in the code", width: "minmax(6rem, 1fr)", cell: (one) => one.fallback ?? "" },
+    { key: "default", title: "default", width: "minmax(6rem, 1fr)", cell: (one) => one.fallback ?? "" },
     { key: "set", title: "set at", width: "minmax(10rem, 2fr)", class: "path", compare: (a, b) => compare(a.setAt, b.setAt), cell: (one) => h("span", { title: one.setAt }, h("bdi", null, one.setAt)) },
     { key: "read", title: "declared or read by", width: "minmax(9rem, 1.4fr)", compare: (a, b) => compare(a.readBy, b.readBy), cell: (one) => h("span", { title: one.readBy }, one.readBy) },
     { key: "mark", title: "remark", width: "9rem", compare: (a, b) => compare(a.mark, b.mark), cell: (one) => (one.mark ? h("span", { class: "remark" }, one.mark) : "") },
@@ -34,9 +17,7 @@ function parametersView(parameters) {
   const detail = h("aside", { class: "detail", "aria-label": "parameter", "aria-live": "polite" });
   const close = () => { clear(detail); detail.classList.remove("open"); };
   const table = virtualTable({ label: "parameters", columns, rows: list, sort: { column: key, down: direction === "down" }, sorted: (column, down) => { remember({ sort: `${column}-${down ? "down" : "up"}` }); show(); },
-    select: (one) => { detail.classList.add("open"); clear(detail, h("div", { class: "detail-head" }, h("strong", null, one.name), h("button", { class: "close", "aria-label": "close", onclick: close }, "✕")), h("dl", null, row("value", one.value !== null ? h("code", null, one.value) : "none is set"), row("default", one.fallback !== null ? h("code", null, one.fallback) : ""), row("remark", one.mark)),
-      h("section", null, h("h3", null, `set (${one.set.length})`), h("ul", { class: "plain-list" }, one.set.map((each) => h("li", null, h("code", null, each.value ?? "?"), " ", whereIs(each.origin || each.place), each.node ? [" by ", element(made, each.node.name)] : null, frame(each.origin || each.place, 0, 0, 1))))),
-      h("section", null, h("h3", null, `declared or read (${one.read.length})`), h("ul", { class: "plain-list" }, one.read.map((each) => h("li", null, element(made, each.node.name), ` ${WORDS[each.end.kind]} `, each.end.type ? `${each.end.type} ` : "", whereIs(each.end.place), each.end.readOnly ? " read-only" : "", each.end.range.length ? ` range ${each.end.range.map((one) => one ?? "…").join(" ")}` : "", conditionList(each.end.conditions)))))); } });
+    select: (one) => { detail.classList.add("open"); clear(detail, h("div", { class: "detail-head" }, h("strong", null, one.name), h("button", { class: "close", "aria-label": "close", onclick: close }, "✕")), parameterDetail(made, one)); } });
   const apply = (words) => { const wanted = words.toLowerCase(); const found = list.filter((one) => !wanted || `${one.name} ${one.value} ${one.setAt} ${one.readBy} ${one.mark}`.toLowerCase().includes(wanted)); table.set(found); total.textContent = `${found.length.toLocaleString("en")} of ${count(list.length, "parameter")}`; };
   apply(parameters.q || "");
   return { wide: true, escape: close, content: [h("div", { class: "bar-of-filters" }, configurationChooser(made.name, (name) => { location.hash = address("parameters", { configuration: name }); }), searchField("Search parameters", parameters.q || "", (words) => { remember({ q: words }); apply(words); }), total), h("div", { class: "split" }, table.element, detail)] };
@@ -52,10 +33,10 @@ function packagesView(parameters) {
   const most = Math.max(1, ...list.map((one) => one.ratio));
   const number = (title, key, get, width) => ({ key, title, width: width || "5.5rem", class: "number", down: true, compare: (a, b) => get(a) - get(b), cell: (one) => (get(one) ? get(one).toLocaleString("en") : "") });
   const columns = [
-    { key: "name", title: "package", width: "minmax(11rem, 2fr)", compare: (a, b) => compare(a.name, b.name), cell: (one) => h("span", { title: one.path }, one.name, one.circle >= 0 ? h("span", { class: "remark" }, ` circle ${one.circle + 1}`) : "") },
+    { key: "name", title: "package", width: "minmax(11rem, 2fr)", compare: (a, b) => compare(a.name, b.name), cell: (one) => h("span", { title: one.path }, one.name, one.circle >= 0 ? h("span", { class: "remark" }, ` cycle ${one.circle + 1}`) : "") },
     number("files", "files", (one) => one.files, "4rem"), ...D.languages.slice(0, 4).map((name, index) => number(LANGUAGE_NAMES[name].replace(" files (XML)", ""), name, (one) => one.lines[index], "5rem")),
     number("findings", "findings", (one) => one.findings), number("per 1,000 lines", "ratio", (one) => Math.round(one.ratio * 10) / 10, "7.5rem"),
-    { key: "bar", title: "", width: "5rem", cell: (one) => bar(one.ratio / most, "fill heat") }, number("needs", "needs", (one) => one.inner.length, "4.5rem"), number("needed by", "users", (one) => one.users.length, "6rem"),
+    { key: "bar", title: "", width: "5rem", cell: (one) => bar(one.ratio / most, "fill heat") }, number("depends on", "needs", (one) => one.inner.length, "4.5rem"), number("needed by", "users", (one) => one.users.length, "6rem"),
   ];
   const [key, direction] = (parameters.sort || "").split("-");
   const detail = h("aside", { class: "detail", "aria-label": "package", "aria-live": "polite" });
@@ -66,9 +47,9 @@ function packagesView(parameters) {
     const circle = one.circle >= 0 ? list.filter((each) => each.circle === one.circle).map((each) => each.name) : [];
     detail.classList.add("open");
     clear(detail, h("div", { class: "detail-head" }, h("strong", null, one.name), h("button", { class: "close", "aria-label": "close", onclick: close }, "✕")),
-      circle.length ? h("p", { class: "warning" }, "These need each other to be built: ", names(circle)) : null,
+      circle.length ? h("p", { class: "warning" }, "A dependency cycle, these need each other to be built: ", names(circle)) : null,
       h("dl", null, row("directory", h("code", null, one.path)), row("version", one.version), row("build type", one.build), row("findings", one.findings ? link("findings", { package: one.name }, String(one.findings)) : "0"), row("lines", D.languages.map((name, index) => (one.lines[index] ? `${LANGUAGE_NAMES[name]} ${one.lines[index].toLocaleString("en")}` : "")).filter(Boolean).join(", ")),
-        row("needs, of this workspace", names(one.inner)), row("needed by", names(one.users)), row("needs besides", [...new Set(one.needs.filter((each) => !each.here).map((each) => each.name))].join(", "))));
+        row("depends on, in this workspace", names(one.inner)), row("needed by", names(one.users)), row("depends on, elsewhere", [...new Set(one.needs.filter((each) => !each.here).map((each) => each.name))].join(", "))));
   }
   const asPicture = parameters.as === "picture" && D.package_picture;
   const drawn = asPicture ? packagePicture(list, most, (one) => { if (one) { remember({ package: one.name }); describe(one); } else close(); }) : null;
@@ -77,14 +58,14 @@ function packagesView(parameters) {
   const start = list.find((one) => one.name === parameters.package);
   if (start) requestAnimationFrame(() => { if (drawn) drawn.show(start); else { table.chooseRow(start, false); describe(start); } });
   const other = D.package_picture ? h("button", { onclick: () => { remember({ as: asPicture ? "" : "picture" }); show(); } }, asPicture ? "Table" : "Picture") : null;
-  return { wide: true, escape: close, content: [h("div", { class: "bar-of-filters" }, searchField("Search packages", "", apply), other, h("span", { class: "quiet" }, count(list.length, "package"), drawn ? ": from what is built first to what is built last; what follows from other needs is left out" : "")), h("div", { class: "split" }, drawn ? h("div", { class: "stage" }, drawn.element) : table.element, detail)] };
+  return { wide: true, escape: close, content: [h("div", { class: "bar-of-filters" }, searchField("Search packages", "", apply), other, h("span", { class: "quiet" }, count(list.length, "package"), drawn ? ": from what is built first to what is built last; dependencies that follow from others are left out. The taller, the more lines; the darker, the more findings per line" : "")), h("div", { class: "split" }, drawn ? h("div", { class: "stage" }, drawn.element) : table.element, detail)] };
 }
 
 // What packages need of each other, the warmer the more findings a package has for its lines.
 function packagePicture(list, most, select) {
   const { size, places, edges } = D.package_picture;
   const heat = (one) => (one.findings ? Math.min(3, 1 + Math.floor((3 * one.ratio) / (most + 0.001))) : 0);
-  const elements = list.map((one, index) => ({ id: `p${index}`, isNode: true, what: "node", box: -1, rectangle: places[index], title: one.name, lines: [], sub: one.findings ? `${count(one.findings, "finding")}, ${count(one.all, "line")}` : count(one.all, "line"), classes: [`heat-${heat(one)}`, one.circle >= 0 ? "red" : ""].filter(Boolean), tip: [one.name, count(one.findings, "finding"), one.circle >= 0 ? `in circle ${one.circle + 1}` : ""].filter(Boolean).join("\n") }));
+  const elements = list.map((one, index) => ({ id: `p${index}`, isNode: true, isCentred: true, what: "node", box: -1, rectangle: places[index], title: one.name, lines: [], sub: one.findings ? `${count(one.findings, "finding")}, ${count(one.all, "line")}` : count(one.all, "line"), classes: [`heat-${heat(one)}`, one.circle >= 0 ? "red" : ""].filter(Boolean), tip: [one.name, count(one.findings, "finding"), one.circle >= 0 ? `in cycle ${one.circle + 1}` : ""].filter(Boolean).join("\n") }));
   const made = makePicture({ label: "what packages need of each other", select: (id) => select(id ? list[Number(id.slice(1))] : null) });
   made.show({ size, boxes: [], elements, edges: edges.map(([from, to, points]) => ({ from: `p${from}`, to: `p${to}`, channel: `p${to}`, points, classes: [], tip: `${list[to].name} needs ${list[from].name}` })) });
   requestAnimationFrame(made.fit);
@@ -112,8 +93,8 @@ function interfacesView(parameters) {
     { key: "name", title: "interface", width: "minmax(14rem, 3fr)", compare: (a, b) => compare(a.name, b.name), cell: (one) => h("span", { title: one.name }, one.name) },
     { key: "kind", title: "kind", width: "6rem", compare: (a, b) => compare(a.kind, b.kind), cell: (one) => one.kind },
     { key: "here", title: "defined", width: "9rem", compare: (a, b) => Number(Boolean(b.known)) - Number(Boolean(a.known)), cell: (one) => (one.known ? "in the workspace" : "elsewhere") },
-    { key: "gives", title: "given by", width: "6rem", class: "number", down: true, compare: (a, b) => a.gives - b.gives, cell: (one) => one.gives || "" },
-    { key: "takes", title: "taken by", width: "6rem", class: "number", down: true, compare: (a, b) => a.takes - b.takes, cell: (one) => one.takes || "" },
+    { key: "gives", title: "offered by", width: "6rem", class: "number", down: true, compare: (a, b) => a.gives - b.gives, cell: (one) => one.gives || "" },
+    { key: "takes", title: "used by", width: "6rem", class: "number", down: true, compare: (a, b) => a.takes - b.takes, cell: (one) => one.takes || "" },
   ];
   const [key, direction] = (parameters.sort || "").split("-");
   const detail = h("aside", { class: "detail", "aria-label": "interface", "aria-live": "polite" });

@@ -26,6 +26,7 @@ function show() {
     if (one.dataset.view === name) one.setAttribute("aria-current", "page");
     else one.removeAttribute("aria-current");
   }
+  printing.length = 0;
   const made = VIEWS[name][1](parameters);
   escape = made.escape || null;
   main.className = made.wide ? "wide" : "";
@@ -52,6 +53,16 @@ document.getElementById("page").replaceChildren(
   h("header", null, h("span", { class: "brand" }, "haros-ci"), navigation, h("span", { class: "quiet version" }, `${text(D.name)} · ${D.tool}`)),
   main,
 );
+// On paper there are no filters to see, so it is said what is shown.
+function printTitle() {
+  const { view, parameters } = current();
+  const said = Object.entries(parameters).filter(([key, value]) => value && !["folded", "sort", "id"].includes(key)).map(([key, value]) => `${key === "q" ? "search" : key}: ${value}`);
+  const configuration = main.querySelector("select.wide-choice");
+  if (configuration && !parameters.configuration) said.unshift(configuration.value);
+  return h("p", { class: "print-title" }, [text(D.name), VIEWS[offered.includes(view) ? view : offered[0]][0], ...said].join(" · "));
+}
+window.addEventListener("beforeprint", () => { main.prepend(printTitle()); for (const [before] of printing) before(); });
+window.addEventListener("afterprint", () => { for (const one of main.querySelectorAll(".print-title")) one.remove(); for (const [, after] of printing) after(); });
 window.addEventListener("hashchange", show);
 document.addEventListener("keydown", keys);
 show();

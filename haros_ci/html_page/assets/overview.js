@@ -48,7 +48,7 @@ function overview() {
         smallTable(["language", "lines", ""], D.languages.map((one, index) => [link("packages", { sort: one }, LANGUAGE_NAMES[one]), lineSums[index], bar(lineSums[index] / (allLines || 1))]).filter((row) => row[1]), "lines by language"))),
     D.history.length ? qualityOverTime() : null,
     h("section", { class: "card" }, h("h2", null, "Configurations of launch files"), launched.length ? configurationTable(launched) : h("p", null, "No launch file starts a node that is known here.")),
-    h("section", { class: "card" }, h("h2", null, "How this was found out"), h("p", null, text(summary.covered)),
+    h("section", { class: "card" }, h("h2", null, "About this run"), h("p", null, text(summary.covered)),
       summary.notes.length ? h("details", null, h("summary", null, `${count(summary.notes.length + summary.more_notes, "note")} of the run`), h("ul", { class: "notes" }, summary.notes.map(([rank, message, tool, path, line]) =>
         h("li", null, h("span", { class: `level ${LEVELS[rank]}` }, LEVELS[rank]), " ", text(tool) ? `${text(tool)}: ` : "", text(path) ? `${text(path)}${line ? `:${line}` : ""}: ` : "", text(message))),
         summary.more_notes ? h("li", null, `and ${summary.more_notes} more`) : null)) : null),
@@ -91,5 +91,5 @@ function configurationTable(list) {
     const [unknown, all] = one.row.unknown;
     return [link("system", { configuration: one.name }, one.name), link("system", { configuration: one.name }, one.row.nodes.length.toLocaleString("en")), link("parameters", { configuration: one.name }, one.row.parameters.length.toLocaleString("en")), all, percent(unknown, all), bar(all ? unknown / all : 0, "fill unknown")];
   });
-  return smallTable(["configuration", "nodes", "parameters set", "ends", "names not known", ""], rows, "configurations");
+  return smallTable(["configuration", "nodes", "parameters set", "endpoints", "names not known", ""], rows, "configurations");
 }

@@ -27,7 +27,7 @@ function programsView(parameters) {
     { key: "package", title: "package", width: "minmax(7rem, 1.5fr)", compare: (a, b) => compare(a.package, b.package), cell: (one) => one.package },
     { key: "names", title: "nodes", width: "minmax(9rem, 3fr)", compare: (a, b) => compare(names(a), names(b)), cell: (one) => h("span", { title: names(one) }, names(one)) },
     { key: "configurations", title: "configurations", width: "8rem", class: "number", down: true, compare: (a, b) => a.configurations.size - b.configurations.size, cell: (one) => one.configurations.size.toLocaleString("en") },
-    { key: "ends", title: "ends", width: "4rem", class: "number", down: true, compare: (a, b) => a.ends - b.ends, cell: (one) => one.ends.toLocaleString("en") },
+    { key: "ends", title: "endpoints", width: "6rem", class: "number", down: true, compare: (a, b) => a.ends - b.ends, cell: (one) => one.ends.toLocaleString("en") },
   ];
   const [key, direction] = (parameters.sort || "").split("-");
   const table = virtualTable({ label: "programs", columns, rows: list, sort: { column: key, down: direction === "down" }, sorted: (column, down) => { remember({ sort: `${column}-${down ? "down" : "up"}` }); show(); },

@@ -23,18 +23,20 @@ function chosenConfiguration(name) {
 }
 
 const shownSwitches = new Set();
+// Switches of what is part of no picture by default, besides those of names that nearly every node has.
+const PARAMETERS = "parameters";
 
 function systemView(parameters) {
   const which = chosenConfiguration(parameters.configuration);
   if (!which) return { content: [h("h1", null, "System"), h("p", null, "No node was found.")] };
   const made = system(which.index, parameters.with);
-  const state = { element: parameters.element || "", hops: parameters.hops || "", way: parameters.way || "", to: parameters.to || "", folded: (parameters.folded || "").split(" ").filter(Boolean) };
+  const state = { element: parameters.element || "", hops: parameters.hops || "", way: parameters.way || "", to: parameters.to || "", node: parameters.node || "", folded: (parameters.folded || "").split(" ").filter(Boolean) };
   const detail = h("aside", { class: "detail", "aria-label": "details", "aria-live": "polite" });
   const status = h("span", { class: "quiet", role: "status" });
-  const picture = makePicture({ label: `nodes and topics of ${made.name}`, select: (id) => chooseId(id), folded: (labels) => remember({ folded: labels.join(" ") }) });
+  const picture = makePicture({ label: `nodes and topics of ${made.name}`, select: (id) => chooseId(id), pick: (edges) => chooseEdges(edges), folded: (labels) => { Object.assign(state, { folded: labels, isArranged: true }); remember({ folded: labels.join(" ") }); } });
   const shown = (channel) => !channel.switch || shownSwitches.has(channel.switch);
-  const idOf = (name) => { const one = made.nodes.find((each) => each.name === name); if (one) return nodeId(one); const channel = [...made.channels.values()].find((each) => each.name === name); return channel ? channelId(channel) : null; };
-  const byId = (id) => (id === null ? null : id.startsWith("n") ? made.numbered.get(Number(id.slice(1))) : made.channels.get(id.slice(2)) || null);
+  const idOf = (name) => { const one = made.nodes.find((each) => each.name === name); if (one) return nodeId(one); const channel = [...made.channels.values()].find((each) => each.name === name); return channel ? channelId(channel) : parameterTable(made).has(name) ? `p ${name}` : null; };
+  const byId = (id) => (id === null ? null : id.startsWith("n") ? made.numbered.get(Number(id.slice(1))) : id.startsWith("p ") ? parameterTable(made).get(id.slice(2)) || null : made.channels.get(id.slice(2)) || null);
 
   const isRed = (name) => made.findings.has(name);
   const nodeElement = (one, rectangle, box, lines) => ({ id: nodeId(one), isNode: true, what: "node", box, rectangle, title: last(one.name), sub: one.package ? `${one.package}/${one.type}` : one.type, lines,
@@ -67,6 +69,18 @@ function systemView(parameters) {
     if (own.length > most) listed.push({ id: nodeId(one), text: `and ${own.length - most} more` });
     return listed;
   }
+
+  // Its parameters with their values, where they are asked for.
+  function parameterLines(one, most) {
+    if (!shownSwitches.has(PARAMETERS)) return [];
+    const every = parametersOf(made, one);
+    const listed = every.slice(0, most).map(({ name, short, value }) => ({ id: `p ${name}`, text: `${short} = ${valueWords(value)}`, classes: `parameter${isRed(name) ? " red" : ""}` }));
+    if (every.length > most) listed.push({ id: nodeId(one), text: `and ${every.length - most} more parameters`, classes: "parameter" });
+    return listed;
+  }
+
+  const linesOf = (one) => [...ownLines(one, 7), ...parameterLines(one, 12)];
+  const heightOf = (lines) => HEAD + lines.length * LINE + (lines.length ? 4 : 0);
   const placed = new Map();
 
   function whole() {
@@ -78,7 +92,7 @@ function systemView(parameters) {
     const added = made.nodes.filter((one) => one.isAdded);
     const more = addedChannels(added);
     for (const channel of more) placed.set(channel.key, true);
-    const elements = made.nodes.filter((one) => !one.isAdded).map((one) => nodeElement(one, nodes[one.index].slice(1), nodes[one.index][0], ownLines(one, 7)));
+    const elements = made.nodes.filter((one) => !one.isAdded).map((one) => { const lines = linesOf(one); const made = nodeElement(one, nodes[one.index].slice(1), nodes[one.index][0], lines); return heightOf(lines) > made.rectangle[3] ? { ...made, tall: heightOf(lines) } : made; });
     const byKey = new Map();
     channels.forEach((row, index) => { if (visible[index]) { const channel = made.channels.get(keys[index]); elements.push(channelElement(channel, row.slice(4), row[3])); byKey.set(channelId(channel), edgesOf(channel)); } });
     const all = [];
@@ -112,7 +126,7 @@ function systemView(parameters) {
       [x, tall] = [x + w + 16, Math.max(tall, high)];
       return at;
     };
-    const found = added.map((one) => { const lines = ownLines(one, 7); return nodeElement(one, put(Math.min(280, Math.max(100, Math.max(last(one.name).length, one.type.length + one.package.length, ...lines.map((each) => each.text.length)) * 6.6 + 26)), HEAD + lines.length * LINE + (lines.length ? 4 : 0)), -1, lines); });
+    const found = added.map((one) => { const lines = linesOf(one); return nodeElement(one, put(Math.min(280, Math.max(100, Math.max(last(one.name).length, one.type.length + one.package.length, ...lines.map((each) => each.text.length)) * 6.6 + 26)), heightOf(lines)), -1, lines); });
     if (found.length) [x, y, tall] = [14, y + tall + 16, 0];
     for (const channel of more) found.push(channelElement(channel, put(Math.min(280, Math.max(100, channel.name.length * 6.6 + 34)), 24), -1));
     return [found.length ? y + tall + 14 : height, found];
@@ -133,25 +147,25 @@ function systemView(parameters) {
     const tooMany = found.size > 900;
     if (tooMany) for (const one of [...found].sort((a, b) => Math.abs(a[1]) - Math.abs(b[1])).slice(900)) found.delete(one[0]);
     for (const one of found.keys()) if (!one.startsWith("n")) placed.set(byId(one).key, true);
-    const own = new Map([...found.keys()].filter((one) => one.startsWith("n")).map((one) => [one, ownLines(byId(one), 7)]));
+    const own = new Map([...found.keys()].filter((one) => one.startsWith("n")).map((one) => [one, linesOf(byId(one))]));
     const size = (one) => {
       const item = byId(one);
       const inside = own.get(one) || [];
       const words = one.startsWith("n") ? Math.max(last(item.name).length, item.type.length, ...inside.map((each) => each.text.length)) : item.name.length;
-      return [Math.min(280, Math.max(100, words * 6.6 + 34)), one.startsWith("n") ? HEAD + inside.length * LINE + (inside.length ? 4 : 0) : 24];
+      return [Math.min(280, Math.max(100, words * 6.6 + 34)), one.startsWith("n") ? heightOf(inside) : 24];
     };
     const { places, size: whole } = columns(found, size, neighbours(made, every));
     const elements = [...places].map(([one, rectangle]) => (one.startsWith("n") ? nodeElement(byId(one), rectangle, -1, own.get(one)) : channelElement(byId(one), rectangle, -1)));
     const edges = [...made.channels.values()].filter((channel) => places.has(channelId(channel))).flatMap(edgesOf).filter((one) => places.has(one.from) && places.has(one.to));
     const isCut = goal !== null && goal !== id && !edges.length;
-    status.textContent = isCut ? `There is no way from ${start.name} to ${state.to}.` : `${count(found.size, "element")}${tooMany ? " (the nearest)" : ""}${goal !== null ? ` on the ways to ${state.to}` : ""}`;
+    status.textContent = isCut ? `There is no path from ${start.name} to ${state.to}.` : `${count(found.size, "element")}${tooMany ? " (the nearest)" : ""}${goal !== null ? ` on the paths to ${state.to}` : ""}`;
     return { size: whole, boxes: [], elements, edges, isPart: true };
   }
 
   function draw() {
     const id = state.element ? idOf(state.element) : null;
     if (state.way === "to" && idOf(state.to) === null) state.way = "";
-    const isPart = id !== null && (state.hops || state.way);
+    const isPart = id !== null && !id.startsWith("p ") && (state.hops || state.way);
     back.hidden = !isPart;
     if (!isPart && !made.picture) {
       status.textContent = "Too large for a picture: choose an element of the list.";
@@ -161,19 +175,32 @@ function systemView(parameters) {
     stage.replaceChildren(picture.element);
     if (!isPart) status.textContent = `${count(made.nodes.length, "node")}, ${count([...made.channels.values()].filter(shown).length, "topic")} and others`.replace("topics and others", "topics, services and actions").replace("topic and others", "topic, service or action");
     picture.show(isPart ? part(id) : whole(), isPart ? [] : state.folded);
+    // What is too large to be read at once begins folded.
+    const isFolded = !isPart && !state.isArranged && !state.folded.length && id === null && picture.isTiny && picture.foldMost();
+    if (isFolded) status.textContent += ": folded, as it is large; click a box to unfold it";
     foldButtons.hidden = isPart || picture.boxes === 0;
     picture.fit();
-    choosePicture(id, !isPart && made.nodes.length > 12);
+    const edges = id !== null && id.startsWith("c ") && state.node ? picture.edges.filter((one) => one.channel === id && one.list[0].node.name === state.node) : [];
+    if (edges.length) picture.mark(null, edges);
+    else choosePicture(id, !isPart && made.nodes.length > 12);
     if (state.element && id === null) status.textContent = `There is no ${state.element} in this configuration.`;
     if (parameters.configuration && parameters.configuration !== made.name) status.textContent = `There is no configuration ${parameters.configuration}.`;
-    describe(id);
+    if (edges.length) describeEdge(edges[0]);
+    else describe(id);
   }
 
   // Mark an element; of what stands as a line in a node, that node.
   function choosePicture(id, isCentred) {
     const item = byId(id);
+    if (item && id.startsWith("p ")) {
+      const ids = [...item.nodes].map(nodeId).filter(picture.has);
+      if (ids.length) picture.mark(null, null, new Set(ids));
+      if (ids.length && isCentred) picture.centre(ids[0]);
+      return;
+    }
     const at = item && !picture.has(id) && item.ends && item.what ? nodeId(item.ends[0].node) : id;
     if (at === null || !picture.has(at)) return;
+    picture.reveal(at);
     picture.choose(at, true);
     if (isCentred) picture.centre(at);
   }
@@ -183,30 +210,46 @@ function systemView(parameters) {
   function describe(id) {
     const item = byId(id);
     detail.classList.toggle("open", Boolean(item));
-    clear(detail, item ? [focusButtons(id), id.startsWith("n") ? nodeDetail(made, item) : channelDetail(made, item)] : configurationDetail());
+    clear(detail, !item ? configurationDetail() : id.startsWith("p ") ? [h("h2", null, item.name, " ", h("span", { class: "quiet" }, "parameter")), parameterDetail(made, item), findingsOf(made, item.name), h("p", null, link("parameters", { configuration: made.name, q: item.name }, "all parameters"))] : [focusButtons(id), id.startsWith("n") ? nodeDetail(made, item) : channelDetail(made, item)]);
+  }
+
+  function describeEdge(edge) {
+    const { node: one } = edge.list[0];
+    Object.assign(state, { element: made.channels.get(edge.channel.slice(2)).name, node: one.name });
+    remember({ element: state.element, node: state.node });
+    detail.classList.add("open");
+    clear(detail, edgeDetail(made, made.channels.get(edge.channel.slice(2)), one));
+  }
+
+  // An edge, or all that are drawn as one.
+  function chooseEdges(edges) {
+    if (edges.length === 1) { describeEdge(edges[0]); return; }
+    detail.classList.add("open");
+    clear(detail, bundleDetail(edges, (one) => { picture.mark(null, [one]); describeEdge(one); }));
   }
 
   function focusButtons(id) {
-    const go = (change) => () => { Object.assign(state, { hops: "", way: "", to: "" }, change); remember({ hops: state.hops, way: state.way, to: state.to, element: byId(id).name }); draw(); };
+    const go = (change) => () => { Object.assign(state, { hops: "", way: "", to: "" }, change); remember({ hops: state.hops, way: state.way, to: state.to, element: byId(id).name, node: "" }); state.node = ""; draw(); };
     const button = (words, change, title) => { const on = state.hops === (change.hops || "") && state.way === (change.way || ""); return h("button", { onclick: go(change), "aria-pressed": String(on), title }, words); };
     return h("div", { class: "buttons", role: "group", "aria-label": "what is shown" }, button("whole system", {}, "everything"), button("1 hop", { hops: "1" }, "what it is connected with"), button("2 hops", { hops: "2" }), button("3 hops", { hops: "3" }),
-      button("reaches →", { way: "behind" }, "everything that what it gives can reach: a node is taken to pass on all that it receives"), button("← depends on", { way: "before" }, "everything that can reach it"), wayTo(id, go));
+      button("reaches →", { way: "behind" }, "everything that its output can reach; a node is assumed to pass on all that it receives"), button("← depends on", { way: "before" }, "everything that can reach it"), wayTo(id, go));
   }
 
   // From here to another element, such as from a sensor to an actuator.
   function wayTo(id, go) {
     const names = [...new Set([...made.nodes.map((one) => one.name), ...[...made.channels.values()].filter((one) => shown(one) && isKnown(one.name)).map((one) => one.name)])].sort(compare);
-    const input = h("input", { type: "text", list: "goals", value: state.way === "to" ? state.to : "", placeholder: "node or topic", "aria-label": "show the ways to" });
+    const input = h("input", { type: "text", list: "goals", value: state.way === "to" ? state.to : "", placeholder: "node or topic", "aria-label": "show the paths to" });
     input.addEventListener("change", () => { if (idOf(input.value) !== null && idOf(input.value) !== id) go({ way: "to", to: input.value })(); else if (input.value) status.textContent = `There is no other ${input.value} in this configuration.`; });
-    return h("label", { class: "choice" }, h("span", null, "way to"), input, h("datalist", { id: "goals" }, names.slice(0, 3000).map((name) => h("option", { value: name }))));
+    return h("label", { class: "choice" }, h("span", null, "path to"), input, h("datalist", { id: "goals" }, names.slice(0, 3000).map((name) => h("option", { value: name }))));
   }
 
   function chooseId(id) {
     const item = byId(id);
-    state.element = item ? item.name : "";
-    remember({ element: state.element });
+    Object.assign(state, { element: item ? item.name : "", node: "" });
+    remember({ element: state.element, node: "" });
     describe(id);
     if (!item) picture.choose(null, true);
+    if (item && id.startsWith("p ")) choosePicture(id, false);
   }
 
   function configurationDetail() {
@@ -219,6 +262,8 @@ function systemView(parameters) {
         made.variant ? row("with", h("code", null, made.variant), h("p", { class: "quiet" }, "Nodes come and go; parameters and names are those of the default arguments.")) : null,
         row("nodes", String(made.nodes.length)), ...["topics", "services", "actions"].map((what) => row(what, String(every.filter((one) => one.what === what).length))),
         row("parameters", made.parameters.length ? link("parameters", { configuration: made.name }, String(made.parameters.length)) : "0"),
+        row("remappings", String(made.nodes.reduce((sum, one) => sum + one.remaps.length, 0))),
+        row("same name twice", made.twins.length ? made.twins.join(", ") : ""),
         row("conditional", String(made.nodes.filter((one) => one.conditions.length || one.presence).length), " nodes")),
       problems.size ? h("section", null, h("h3", null, `Findings (${problems.size})`), h("ul", { class: "plain-list" }, [...problems].slice(0, 60).map((one) => h("li", null, h("span", { class: `level ${one.level}` }, one.level), " ", link("findings", { id: one.id, state: "any" }, one.message), " ", texts(one.row[13]).map((name) => [element(made, name), " "]))))) : null,
       unknown.length ? h("section", null, h("h3", null, `Names not known (${unknown.length})`), h("ul", { class: "plain-list" }, unknown.slice(0, 60).map((one) => h("li", null, `${one.ends[0].node.name} ${WORDS[one.ends[0].end.kind]} `, h("button", { class: "plain linked", onclick: () => describe(channelId(one)) }, one.name))))) : null,
@@ -231,14 +276,14 @@ function systemView(parameters) {
     const wanted = words.trim().toLowerCase();
     clear(results);
     if (!wanted) return;
-    const found = [...made.nodes.map((one) => [one.name, "node"]), ...[...made.channels.values()].map((one) => [one.name, one.what.slice(0, -1)])].filter(([name]) => name.toLowerCase().includes(wanted));
+    const found = [...made.nodes.map((one) => [one.name, "node"]), ...[...made.channels.values()].map((one) => [one.name, one.what.slice(0, -1)]), ...[...parameterTable(made).keys()].map((name) => [name, "parameter"])].filter(([name]) => name.toLowerCase().includes(wanted));
     found.sort((a, b) => a[0].toLowerCase().indexOf(wanted) - b[0].toLowerCase().indexOf(wanted) || a[0].length - b[0].length || compare(a[0], b[0]));
-    const go = (name) => { clear(results); state.element = name; remember({ element: name }); const id = idOf(name); if ((state.hops || state.way) && !picture.has(id)) draw(); else { choosePicture(id, true); describe(id); } };
+    const go = (name) => { clear(results); Object.assign(state, { element: name, node: "" }); remember({ element: name, node: "" }); const id = idOf(name); if ((state.hops || state.way) && !picture.has(id)) draw(); else { choosePicture(id, true); describe(id); } };
     clear(results, found.slice(0, 30).map(([name, kind]) => h("button", { class: "result", role: "option", onclick: () => go(name) }, h("bdi", null, name), " ", h("span", { class: "quiet" }, kind))), found.length ? null : h("p", { class: "quiet" }, "nothing of this name"));
   }
 
   const results = h("div", { class: "results", role: "listbox", "aria-label": "found" });
-  const field = searchField("Search nodes and topics", "", search);
+  const field = searchField("Search the system", "", search);
   field.addEventListener("keydown", (event) => {
     if (event.key === "Enter" && results.firstChild && results.firstChild.click) results.firstChild.click();
     if (event.key === "ArrowDown" && results.firstChild) { event.preventDefault(); results.firstChild.focus(); }
@@ -249,7 +294,7 @@ function systemView(parameters) {
   });
   const back = h("button", { onclick: () => { Object.assign(state, { hops: "", way: "", to: "" }); remember({ hops: "", way: "", to: "" }); draw(); } }, "Whole system");
   const foldButtons = h("span", { class: "buttons" }, h("button", { onclick: () => picture.foldAll(true) }, "Fold all"), h("button", { onclick: () => picture.foldAll(false) }, "Unfold all"));
-  const present = D.switches.filter((one) => [...made.channels.values()].some((channel) => channel.switch === one));
+  const present = [...(made.nodes.some((one) => parametersOf(made, one).length) ? [PARAMETERS] : []), ...D.switches.filter((one) => [...made.channels.values()].some((channel) => channel.switch === one))];
   const stage = h("div", { class: "stage" });
   requestAnimationFrame(draw);
   return {
@@ -267,5 +312,5 @@ function systemView(parameters) {
 function legend() {
   const one = (what, words, classes) => h("li", null, s("svg", { class: "picture legend", width: 64, height: 26, viewBox: "0 0 64 26", "aria-hidden": "true" }, s("g", { class: `element ${what} ${classes || ""}` }, shape(what, [2, 3, 60, 20]))), words);
   return h("details", { open: true }, h("summary", null, "Legend"), h("ul", { class: "legend-list" }, one("node", "node"), one("topics", "topic"), one("services", "service"), one("actions", "action"), one("node", "dashed: under a condition, or other launch arguments", "conditional"), one("topics", "dotted with ?: name or type not known", "unknown"), one("node", "red and bold: a finding is about it", "red")),
-    h("p", { class: "quiet" }, "Arrows go from who publishes or calls, and from a service or action to its server. Lines in a node are topics and services that only it has. Drag to move, wheel or + and − to enlarge, 0 to fit, arrows to move."));
+    h("p", { class: "quiet" }, "Arrows lead from a publisher or client to its topic, service or action, and from there to the subscriber or server. Lines in a node are topics and services that no other node has: → published or called, ← subscribed to or served. Click an arrow for its quality of service. Drag the picture or an element, wheel or + and − to zoom, 0 to fit, arrow keys to move."));
 }

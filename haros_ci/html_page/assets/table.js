@@ -1,6 +1,9 @@
 // A table of which only the rows in sight are in the page, so that any number of rows scrolls smoothly.
 const ROW = 30;
 
+// Rows that are printed.
+const MOST_PRINTED = 1000;
+
 function virtualTable({ columns, rows, select, label, sort, sorted }) {
   const state = { rows, chosen: -1, first: -1, last: -1 };
   const head = h("div", { class: "row head", role: "row" });
@@ -71,6 +74,13 @@ function virtualTable({ columns, rows, select, label, sort, sorted }) {
     draw(true);
   };
   set(rows);
+  // On paper every row is there, with all of its text.
+  const printed = h("div", { class: "printed" });
+  whenPrinted(() => {
+    const shown = state.rows.slice(0, MOST_PRINTED);
+    clear(printed, smallTable(columns.map((one) => one.title), shown.map((row) => columns.map((one) => one.cell(row))), label), state.rows.length > shown.length ? h("p", null, `and ${count(state.rows.length - shown.length, "row")} more`) : null);
+    outer.after(printed);
+  }, () => printed.remove());
   requestAnimationFrame(() => draw(true));
   if (window.ResizeObserver) new ResizeObserver(() => draw(true)).observe(outer);
   return { element: outer, set, order, chooseRow: (row, tell) => choose(state.rows.indexOf(row), tell), has: (row) => state.rows.includes(row) };

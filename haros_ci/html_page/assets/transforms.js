@@ -43,7 +43,7 @@ function transformsView(parameters) {
   const isOdd = (one) => one.inCircle || one.said.some((each) => each.isOdd);
   const odd = known.frames.filter(isOdd);
   const roots = known.frames.filter((one) => !one.parents.length);
-  const sub = (one) => (one.said.length ? [...new Set(one.said.map((each) => `${each.isStatic ? "static" : "dynamic"}, ${isKnown(each.node) ? last(each.node) : ORIGINS[each.origin]}`))].join("; ") : "nobody says where it is");
+  const sub = (one) => (one.said.length ? [...new Set(one.said.map((each) => `${each.isStatic ? "static" : "dynamic"}, ${isKnown(each.node) ? last(each.node) : ORIGINS[each.origin]}`))].join("; ") : "no parent known");
   const elements = known.picture ? known.frames.map((one) => ({ id: `f${one.number}`, isNode: true, what: "node", box: -1, rectangle: known.picture[1][one.number], title: one.name, sub: sub(one), lines: [], classes: [one.said.length ? "" : "root", isOdd(one) ? "red" : ""].filter(Boolean), tip: [one.name, ...one.said.map((each) => `${each.parent ? `in ${each.parent.name}, ` : ""}${each.what}`)].join("\n") })) : [];
   const picture = makePicture({ label: `frames of ${made.name}`, select: (id) => describe(id ? known.frames[Number(id.slice(1))] : null) });
   const names = new Set([...known.frames.map((one) => one.name), ...made.nodes.map((one) => one.name)]);
@@ -57,16 +57,16 @@ function transformsView(parameters) {
   const frameLink = (one, words) => h("button", { class: "plain linked", onclick: () => choose(one) }, words || one.name);
   const frameDetail = (one) => [
     h("h2", null, one.name, " ", h("span", { class: "quiet" }, one.topic === "/tf" ? "frame" : `frame on ${one.topic}`)),
-    isOdd(one) ? h("p", { class: "warning" }, one.inCircle ? "It hangs on itself through others: every look-up in the circle fails." : one.parents.length > 1 ? `It has ${one.parents.length} parents: tf allows one.` : "Several nodes say where it is, each in its own way.") : null,
-    h("dl", null, row(one.parents.length > 1 ? "parents" : "parent", one.parents.map((each, index) => [index ? ", " : "", frameLink(each)])), row("children", one.children.map((each, index) => [index ? ", " : "", frameLink(each)])), row("way to the root", wayUp(one).length > 1 ? wayUp(one).map((each) => each.name).join(" → ") : "")),
-    h("section", null, h("h3", null, `broadcast (${one.said.length})`), one.said.length ? h("ul", { class: "plain-list" }, one.said.map((each) => h("li", null, element(made, each.node), " ", h("span", { class: "quiet" }, broadcastWords(each)), each.isOdd ? h("span", { class: "remark" }, " at odds") : null, h("div", null, each.what, " ", whereIs(each.place)), frame(each.place, 0, 0, 2)))) : h("p", { class: "quiet" }, "Nobody that is known says where it is: it is the root of its tree, or what it hangs on is not known.")),
+    isOdd(one) ? h("p", { class: "warning" }, one.inCircle ? "It is its own ancestor: every lookup through this cycle fails." : one.parents.length > 1 ? `It has ${one.parents.length} parents: tf allows one.` : "Several nodes broadcast it, with different transforms.") : null,
+    h("dl", null, row(one.parents.length > 1 ? "parents" : "parent", one.parents.map((each, index) => [index ? ", " : "", frameLink(each)])), row("children", one.children.map((each, index) => [index ? ", " : "", frameLink(each)])), row("path to the root", wayUp(one).length > 1 ? wayUp(one).map((each) => each.name).join(" → ") : "")),
+    h("section", null, h("h3", null, `broadcast (${one.said.length})`), one.said.length ? h("ul", { class: "plain-list" }, one.said.map((each) => h("li", null, element(made, each.node), " ", h("span", { class: "quiet" }, broadcastWords(each)), each.isOdd ? h("span", { class: "remark" }, " conflict") : null, h("div", null, each.what, " ", whereIs(each.place)), frame(each.place, 0, 0, 2)))) : h("p", { class: "quiet" }, "No known node broadcasts it as a child: it is the root of its tree, or its parent is not known.")),
   ];
   const wholeDetail = () => [
     h("h2", null, made.name),
     h("dl", null, row("frames", String(known.frames.length)), row(roots.length > 1 ? "roots" : "root", roots.map((one, index) => [index ? ", " : "", frameLink(one)])),
       ...Object.entries(ORIGINS).map(([key, words]) => row(`by ${words}`, String(known.frames.filter((one) => one.said.some((each) => each.origin === key)).length)))),
     roots.length > 1 ? h("p", { class: "quiet" }, `${roots.length} trees: what joins them may come from outside, or from a node whose frames are not known.`) : null,
-    odd.length ? h("section", null, h("h3", null, `At odds (${odd.length})`), h("ul", { class: "plain-list" }, odd.map((one) => h("li", null, frameLink(one), one.parents.length > 1 ? h("span", { class: "remark" }, ` ${one.parents.map((each) => each.name).join(", ")}`) : "")))) : null,
+    odd.length ? h("section", null, h("h3", null, `In conflict (${odd.length})`), h("ul", { class: "plain-list" }, odd.map((one) => h("li", null, frameLink(one), one.parents.length > 1 ? h("span", { class: "remark" }, ` ${one.parents.map((each) => each.name).join(", ")}`) : "")))) : null,
     findings.length ? h("section", null, h("h3", null, "Findings"), h("ul", { class: "plain-list" }, findings.map((one) => h("li", null, h("span", { class: `level ${one.level}` }, one.level), " ", link("findings", { id: one.id, state: "any" }, one.message))))) : null,
     silentList,
   ];
@@ -99,7 +99,7 @@ function transformsView(parameters) {
     wide: true,
     escape: () => { picture.choose(null, true); describe(null); },
     content: [
-      h("div", { class: "bar-of-filters" }, chooserOf, searchField("Search frames", "", (words) => { const one = find(words); if (one) choose(one); }), h("span", { class: "quiet", role: "status" }, `${count(known.frames.length, "frame")}, ${count(roots.length, "tree")}${odd.length ? `, ${odd.length} at odds` : ""}`), link("system", { configuration: made.name }, "its system")),
+      h("div", { class: "bar-of-filters" }, chooserOf, searchField("Search frames", "", (words) => { const one = find(words); if (one) choose(one); }), h("span", { class: "quiet", role: "status" }, `${count(known.frames.length, "frame")}, ${count(roots.length, "tree")}${odd.length ? `, ${odd.length} in conflict` : ""}`), link("system", { configuration: made.name }, "its system")),
       h("div", { class: "split system" }, stage, detail),
     ],
   };
