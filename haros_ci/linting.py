@@ -56,12 +56,14 @@ def lint_options(settings: Settings, known: Registry) -> LintOptions:
 def with_names(results: Iterable[Result], workspace: Workspace, selection: Selection) -> tuple[Result, ...]:
     """*results*, undefined names weighed; see :func:`haros_ci.linters.undefined_names.weighed_names`."""
     versions = {package.name: package.ros for package in workspace.packages}
+    every = set(versions.values())
+    of_all = 1 if every == {1} else 0  # what lies in no package of a workspace of ROS 1 alone
     package_of = workspace.package_finder()
     loaded = cache(lambda: loaded_files(workspace))
     return weighed_names(
         results,
         workspace.text,
-        is_ros1=lambda path: versions.get(package_of(path) or "") == 1,
+        is_ros1=lambda path: versions.get(package_of(path) or "", of_all) == 1,
         is_given=lambda result: selection.given_level(result.tool, result.rule, result.location.path) is not None,
         is_loaded=lambda path: path.rpartition("/")[2] in loaded(),
     )

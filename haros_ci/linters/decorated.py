@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Functions of Python that a decorator gives other parameters than stand in their definition, which pylint does not see."""
+"""Functions and classes of Python that a decorator gives other parameters than stand in their definition, which pylint does not see."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ from haros_ci.linters.pylint_statements import called_at
 from haros_ci.model.workspace import Workspace
 from haros_ci.results.result import Result
 
-#: Decorators that leave a function's parameters as they are, by their last name.
+#: Decorators that leave the parameters of a function, or of a class's constructor, as pylint knows them, by their last name.
 TRANSPARENT = frozenset(
     "staticmethod classmethod property abstractmethod override final overload cache cached_property lru_cache wraps contextmanager"
-    " asynccontextmanager total_ordering deprecated".split()
+    " asynccontextmanager total_ordering deprecated dataclass s attrs define frozen mutable unique runtime_checkable add_metaclass"
+    " python_2_unicode_compatible".split()
 )
 _DECORATED = re.compile(r"^[ \t]*@[ \t]*([\w.]+)")
-_DEFINITION = re.compile(r"^[ \t]*(?:async[ \t]+)?def[ \t]+(\w+)")
-_CLASS = re.compile(r"^[ \t]*class[ \t]")
+_DEFINITION = re.compile(r"^[ \t]*(?:(?:async[ \t]+)?def|class)[ \t]+(\w+)")
 
 
 def decorators(text: str, name: str) -> list[list[str]]:
-    """The last names of the decorators of each function called *name* that *text* defines."""
+    """The last names of the decorators of each function or class called *name* that *text* defines."""
     found: list[list[str]] = []
     waiting: list[str] = []
     for line in text.split("\n"):
@@ -31,18 +31,16 @@ def decorators(text: str, name: str) -> list[list[str]]:
             if definition[1] == name:
                 found.append(waiting)
             waiting = []
-        elif _CLASS.match(line):
-            waiting = []
     return found
 
 
 def is_decorated(text: str, name: str) -> bool:
-    """Whether *text* defines a function called *name* with a decorator that may change its parameters (click, hydra, mock)."""
+    """Whether *text* defines a function or class called *name* with a decorator that may change its parameters (click, hydra, mock, a singleton)."""
     return any(not TRANSPARENT.issuperset(decorator) for decorator in decorators(text, name))
 
 
 def is_call_of_decorated(result: Result, workspace: Workspace) -> bool:
-    """Whether the call at *result* is of a function of the workspace with a decorator that may change its parameters.
+    """Whether the call at *result* is of a function or class of the workspace with a decorator that may change its parameters.
 
     A function that is called by its plain name or on ``self``, and that the file defines itself, is that one; else any of the name may be meant.
     """
@@ -59,5 +57,9 @@ def is_call_of_decorated(result: Result, workspace: Workspace) -> bool:
     if own and before.startswith((name, f"self.{name}", f"cls.{name}")):
         return any(not TRANSPARENT.issuperset(group) for group in own)
     sources = (file.path for file in workspace.files if file.language == "python")
-    needle = f"def {name}"
-    return any(is_decorated(whole, name) for whole in map(workspace.text, sources) if needle in whole)
+    needles = f"def {name}", f"class {name}"
+    return any(
+        is_decorated(whole, name)
+        for whole in map(workspace.text, sources)
+        if any(needle in whole for needle in needles)
+    )

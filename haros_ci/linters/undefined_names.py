@@ -59,7 +59,7 @@ def weighed_names(
     of ROS 1, all of whose distributions but the last have Python 2 (REP 3); may be, where the first line asks for Python 3. So may be a name
     in a string, where annotations stand that are not evaluated; any name where the file makes names of strings, and one whose import
     is in a comment: what uses it may be switched off like it. *text* reads
-    a path, *is_ros1* tells of one whether it is of a package of ROS 1; where the level *is_given* by the settings it stands.
+    a path, *is_ros1* tells of one whether it is of a package, or a workspace, of ROS 1; where the level *is_given* by the settings it stands.
     In a file that another one loads by its path (*is_loaded*) any name may have been put there. Below an ``exit()`` of the module nothing
     is evaluated.
     """

@@ -275,6 +275,8 @@ def test_a_decorator_of_methods(tmp_path: Path, text: str, expected: bool) -> No
 
 
 WRAPPED = "class Line:\n    @needs_length\n    def bend(self, *, length):\n        return length\n"
+#: A class whose constructor a decorator calls, with what it has.
+SINGLE = "@singleton\nclass Arm:\n    def __init__(self, node):\n        pass\n"
 OF_CALLS = ["missing-kwoa", "no-value-for-parameter", "unexpected-keyword-arg", "too-many-function-args"]
 
 
@@ -286,6 +288,9 @@ OF_CALLS = ["missing-kwoa", "no-value-for-parameter", "unexpected-keyword-arg", 
         ({"line.py": WRAPPED.replace("needs_length", "house.needs(\n        1)")}, "Line(1).bend(2)"),
         ({"line.py": "@click.command()\n@wraps(f)\nasync def bend(a):\n    pass\n"}, "bend()"),
         ({"line.py": WRAPPED, "other.py": "def bend(a):\n    pass\n"}, "line.Line.bend(1)"),
+        ({"line.py": SINGLE}, "Arm()"),
+        ({"line.py": SINGLE}, "line.Arm()"),
+        ({"line.py": SINGLE.replace("@singleton", "@tools.singleton(1)")}, "Arm()"),
     ],
 )
 def test_a_function_that_a_decorator_changes(tmp_path: Path, rule: str, files: dict[str, str], call: str) -> None:
@@ -305,6 +310,11 @@ def test_a_function_that_a_decorator_changes(tmp_path: Path, rule: str, files: d
         ({"line.py": WRAPPED}, "Line(a.bend)"),
         ({"line.py": WRAPPED + "class Other:\n    def __init__(self, a):\n        pass\n"}, "Other()"),
         ({"line.md": WRAPPED}, "a.bend(1)"),
+        ({"line.py": SINGLE.replace("singleton", "dataclass")}, "Arm()"),
+        ({"line.py": SINGLE.replace("singleton", "functools.total_ordering")}, "Arm()"),
+        ({"line.py": SINGLE.replace("@singleton", "# @singleton")}, "Arm()"),
+        ({"line.py": SINGLE.replace("\nclass", "\ndef make(): pass\n\nclass")}, "Arm()"),
+        ({"line.py": SINGLE}, "Leg()"),
     ],
 )
 def test_a_function_as_it_is_defined(tmp_path: Path, rule: str, files: dict[str, str], call: str) -> None:
