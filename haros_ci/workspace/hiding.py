@@ -12,7 +12,7 @@ from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
 
-from haros_ci.model.package import OTHER
+from haros_ci.model.package import OTHER, Package
 from haros_ci.model.workspace import Hiding, Problem, Workspace
 from haros_ci.workspace.excludes import Excludes
 from haros_ci.workspace.files import FileTree
@@ -27,6 +27,7 @@ from haros_ci.workspace.selection import (
     is_never_source,
     output_directories,
 )
+from haros_ci.workspace.views import doubles
 
 #: Files that a message names; the rest is counted.
 MAX_NAMED = 3
@@ -108,8 +109,26 @@ class TrackedChange:
             warnings=(*self._warnings(candidates, scope), *self._enclosing(candidates, workspace)),
             notes=(*self._notes(candidates, scope, excludes), *self._included(workspace, scope, excludes)),
             unread=(*workspace.hiding.unread, *away),
+            later=tuple(sorted(package.path for package in workspace.packages if self._is_new(package))),
         )
-        return replace(workspace, hiding=hiding)
+        return replace(workspace, hiding=hiding, problems=tuple(self._problems(workspace, hiding.later)))
+
+    def _is_new(self, package: Package) -> bool:
+        """Whether the change brings the package: a manifest that is not in the base revision, or differs there."""
+        manifest = _manifest(package.path)
+        if manifest not in self.tracked:
+            return False
+        before = self.base.get(manifest)
+        return before is None or before not in (self.tracked[manifest], self._object_name(manifest))
+
+    def _problems(self, workspace: Workspace, later: Collection[str]) -> Iterable[Problem]:
+        """The problems of *workspace*, with those packages left out of several of one name that the change brings."""
+        before = frozenset(doubles(workspace.packages, workspace.files))
+        if not before:
+            return workspace.problems
+        kept = (problem for problem in workspace.problems if problem not in before)
+        every = (*kept, *doubles(workspace.packages, workspace.files, later))
+        return sorted(every, key=lambda problem: (problem.path, problem.line or 0, problem.message))
 
     def _warnings(self, chosen: Iterable[CandidatePath], scope: AnalysedPaths) -> Iterator[Problem]:
         """One for each directory that would be left out but for the base revision."""

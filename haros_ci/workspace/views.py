@@ -8,7 +8,7 @@ for ament are never built together, so both count, each with its version of ROS.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
 from haros_ci.model.package import Package, SourceFile
@@ -57,7 +57,7 @@ def views(workspace: Workspace) -> tuple[View, ...]:
         return (View(workspace),)
     groups = _groups(workspace.packages)
     first = {file.path: file for file in workspace.files}
-    chosen = {name: _chosen(group, first) for name, group in groups.items()}
+    chosen = {name: _chosen(group, first, workspace.hiding.later) for name, group in groups.items()}
     doubled = frozenset(name for name, found in chosen.items() if len(found) > 1)
     if not doubled:
         return (View(_without(workspace, {package.path for found in chosen.values() for package in found.values()})),)
@@ -83,11 +83,11 @@ def _paths(
     )
 
 
-def doubles(packages: Iterable[Package], files: Iterable[SourceFile]) -> Iterable[Problem]:
-    """A problem for each package that does not count, because another one of its name does."""
+def doubles(packages: Iterable[Package], files: Iterable[SourceFile], later: Collection[str] = ()) -> Iterable[Problem]:
+    """A problem for each package that does not count, because another one of its name does; *later* are the paths of those that a change brings."""
     by_path = {file.path: file for file in files}
     for name, group in _groups(packages).items():
-        kept = _chosen(group, by_path)
+        kept = _chosen(group, by_path, later)
         taken = {package.path for package in kept.values()}
         for package in group:
             if package.path not in taken:
@@ -107,10 +107,11 @@ def _groups(packages: Iterable[Package]) -> dict[str, list[Package]]:
     return {name: group for name, group in groups.items() if len(group) > 1}
 
 
-def _chosen(group: list[Package], files: Mapping[str, SourceFile]) -> dict[int, Package]:
+def _chosen(group: list[Package], files: Mapping[str, SourceFile], later: Collection[str]) -> dict[int, Package]:
     """The packages of one name that count, by version of ROS.
 
-    Of one version it is the first by path, one's own before copies of other projects; one whose manifest does not tell the version counts
+    Of one version it is the first by path, those of the base revision before those that a change brings (*later*), one's own before copies
+    of other projects; one whose manifest does not tell the version counts
     where no other does, as version 0.
     """
 
@@ -119,7 +120,7 @@ def _chosen(group: list[Package], files: Mapping[str, SourceFile]) -> dict[int, 
         return file is not None and bool(file.third_party)
 
     found: dict[int, Package] = {}
-    for package in sorted(group, key=lambda package: (is_copy(package), package.path)):
+    for package in sorted(group, key=lambda package: (package.path in later, is_copy(package), package.path)):
         found.setdefault(package.ros or 0, package)
     known = {ros: package for ros, package in found.items() if ros}
     return known or found

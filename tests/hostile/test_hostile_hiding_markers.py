@@ -451,3 +451,68 @@ def test_unchanged_and_excluded_files_are_not_named(trap: Trap) -> None:
     )
     outcome = trap.run("--baseline-rev=main", *QUICK)
     assert outcome.notes() == []
+
+
+NODE = """#!/usr/bin/env python3
+import rospy
+from std_msgs.msg import Int32, String
+
+rospy.init_node('talker')
+rospy.Publisher('chat', String, queue_size=1)
+rospy.Subscriber('chat', {}, print)
+"""
+
+
+def robot(trap: Trap, directory: str, type: str, name: str = "robot") -> None:
+    """A package with a node whose two ends agree if *type* is String."""
+    depends = "".join(f"<exec_depend>{other}</exec_depend>" for other in ("rospy", "std_msgs"))
+    trap.write(
+        f"{directory}/package.xml",
+        f'<package format="2"><name>{name}</name><version>1.0.0</version><description>x</description>'
+        f'<maintainer email="a@b.cd">a</maintainer><license>BSD</license><buildtool_depend>catkin</buildtool_depend>{depends}</package>\n',
+    )
+    trap.write(
+        f"{directory}/CMakeLists.txt",
+        f"cmake_minimum_required(VERSION 3.0.2)\nproject({name})\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+        "catkin_install_python(PROGRAMS node.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n",
+    )
+    trap.write(f"{directory}/node.py", NODE.format(type))
+    (trap.root / directory / "node.py").chmod(0o755)
+
+
+@pytest.mark.parametrize(
+    "case", ["a package is added", "a package is renamed", "a manifest is copied", "the other one is a copy of others"]
+)
+def test_another_package_of_the_name_does_not_take_its_place(case: str, trap: Trap) -> None:
+    """Of several packages of one name one counts: that of the base revision, not one that the change puts before it."""
+
+    def base(t: Trap) -> None:
+        robot(t, "robot", "String")
+        if case == "a package is renamed":
+            robot(t, "arm", "String", "arm")
+
+    def head(t: Trap) -> None:
+        robot(t, "robot", "Int32")
+        place = "arm" if case != "the other one is a copy of others" else "alpha/arm"
+        if case == "a manifest is copied":
+            t.write(f"{place}/package.xml", (t.root / "robot/package.xml").read_text())
+        else:
+            robot(t, place, "String")
+
+    pull_request(trap, base, head)
+    outcome = trap.run("--baseline-rev=main", "--profile=architecture")
+    found = [(result["path"], result["rule"]) for result in outcome.report["results"] if result["state"] == "new"]
+    assert ("robot/node.py", "topic-type-mismatch") in found
+    assert outcome.code == 1
+    assert outcome.says("is also that of robot, which the model has"), outcome.notes()
+
+
+def test_of_two_packages_of_the_base_the_first_counts(trap: Trap) -> None:
+    def base(t: Trap) -> None:
+        robot(t, "arm", "String")
+        robot(t, "robot", "String")
+
+    pull_request(trap, base, lambda t: robot(t, "robot", "Int32"))
+    outcome = trap.run("--baseline-rev=main", "--profile=architecture")
+    assert outcome.says("is also that of arm, which the model has"), outcome.notes()
+    assert "topic-type-mismatch" not in {result["rule"] for result in outcome.report["results"]}
