@@ -183,6 +183,7 @@ def method_call(
                 found = api_rows.call(walk, frame, qualified, stand_in, args, targs, location)
                 if found is not None:
                     return found
+        walk.calls_unknown |= name == "second"  # a function of a map
         return library.unknown_call(walk, frame, name, args, receiver)
     if isinstance(receiver, Library) and receiver.this is None and _is_of_a_handle(frame, name, args):
         space = walk.opaque(f"what {receiver.name} is is not known", frame, location.line)

@@ -14,6 +14,7 @@ from functools import partial
 
 from haros_ci import syntax
 from haros_ci.follow import activation, call_arguments, calls, expressions, lookup, members
+from haros_ci.follow.command import Command
 from haros_ci.follow.command_contexts import CONTEXT, DEEP, PASSING, UNKNOWN, context_of, of_class, passed
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import argparse, python_modules
@@ -33,20 +34,6 @@ KINDS = frozenset((Callable, Object))
 #: Commands of one group.
 MOST = 200
 FUNCTIONS = GROUPS | {PASSING, "click.get_current_context", "typer.run"}
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Command:
-    """A command: its name, its function (None of a group that is an object), and what it is as a group."""
-
-    name: str
-    function: Callable | None
-    #: The group that it belongs to, the callback of a group, and what is a group itself: by identity.
-    within: int | None = None
-    is_callback: bool = False
-    group: int | None = None
-    #: Whether it is a group that runs its only command without a name.
-    is_typer: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -85,12 +72,12 @@ def command(walk: Walk, value: Value) -> Command | None:
     if not isinstance(value, Callable) or not value.function.decorators or value.source.separator != ".":
         return None
     function = value.function
-    key = ("command", function.line, function.name, value.source.path)
-    if key not in walk.commands:
-        walk.commands[key] = None  # as long as it is looked for
-        walk.commands[key] = _decorated(walk, value.source, function)
-    found: Command | None = walk.commands[key]
-    return found
+    key = (function.line, function.name, value.source.path)
+    known = walk.commands.known
+    if key not in known:
+        known[key] = None  # as long as it is looked for
+        known[key] = _decorated(walk, value.source, function)
+    return known[key]
 
 
 def _decorated(walk: Walk, source: Source, function: Function) -> Command | None:
@@ -226,12 +213,12 @@ def _callback(
         is_context = kind.name.rpartition(".")[2] == "Context"
         value: Value = context if is_context else walk.opaque(UNKNOWN, inner, function.function.line, kind)
         named[parameter.name] = call_arguments.PassedArgument(value, keyword=parameter.name)
-    before = walk.commands.get("context")
-    walk.commands["context"] = context
+    before = walk.commands.context
+    walk.commands.context = context
     try:
         return activation.invoke(walk, frame, function, (*first, *named.values()))
     finally:
-        walk.commands["context"] = before
+        walk.commands.context = before
 
 
 def _commands(walk: Walk, group: int, depth: int = 0) -> list[Command]:
@@ -242,7 +229,7 @@ def _commands(walk: Walk, group: int, depth: int = 0) -> list[Command]:
             item = command(walk, Callable(source, function)) if function.decorators else None
             if item is not None and item.within == group:
                 found[f"{item.name} {source.path}"] = item
-    for item in walk.commands.get(("added", group), ()):
+    for item in walk.commands.added.get(group, ()):
         inside = _commands(walk, item.group, depth + 1) if not item.name and item.group and depth < DEEP else [item]
         found |= {f"{one.name} +": one for one in inside}
     return [item for _, item in sorted(found.items())][:MOST]
@@ -276,9 +263,8 @@ def method(
         return None
     named = next((a.value for a in args[1:] if a.keyword in ("", "name")), NONE)
     other = named.of(str) if isinstance(named, Known) and issubclass(named.kind, str) else added.name
-    key = ("added", found.group)
     item = Command(other, added.function, found.group, False, added.group)
-    walk.commands[key] = (*walk.commands.get(key, ()), item)[:MOST]
+    walk.commands.added[found.group] = (*walk.commands.added.get(found.group, ()), item)[:MOST]
     return NONE
 
 
@@ -311,8 +297,7 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[call_arguments.Pas
     if name in GROUPS:
         return Object(name)
     if name == "click.get_current_context":
-        context: Value | None = walk.commands.get("context")
-        return context
+        return walk.commands.context
     if name == "typer.run" and args and isinstance(args[0].value, Callable):
         return _callback(walk, frame, args[0].value, context_of(NONE, NONE))
     return None

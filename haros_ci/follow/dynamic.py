@@ -80,6 +80,7 @@ def function(walk: Walk, called: Opaque, name: str, location: Location) -> None:
     """A function object or pointer that is not known is called: what it makes is not known."""
     if called.reason == IMPORTED:
         walk.gaps.setdefault(f"{name or 'a function'} is called: {IMPORTED}", location)
+    walk.calls_unknown = True
     if called.type is not None and called.type.name in FUNCTIONS and "not set" not in called.reason:
         walk.gaps.setdefault(f"{name or 'a function'} is called, which is not known: {called.reason}", location)
 

@@ -2,7 +2,7 @@
 """Functions that a C++ program keeps, in containers before all, and that it is not seen to call: which is called there is not known.
 
 Lambdas and bound functions that could make something, and have neither been called nor registered once all callbacks have been followed,
-are called back after these. A doubt says of what they make that this is not certain.
+are called back after these, where the program calls a function that is not known. A doubt says of what they make that this is not certain.
 """
 
 from __future__ import annotations
@@ -34,7 +34,9 @@ def hand_on(walk: Walk, known: int, writes: Writes) -> None:
 
 
 def register(walk: Walk) -> bool:
-    """Whether some that are kept have not been called: they are called back now, each once."""
+    """Whether some that are kept have not been called, and a call may be of them: they are called back now, each once."""
+    if not walk.calls_unknown:
+        return False
     registered = {id(root.function.function) for root in walk.roots}
     waiting = []
     for key, root in walk.held.items():

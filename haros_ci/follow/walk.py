@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci import syntax
+from haros_ci.follow.command import Commands
 from haros_ci.follow.context import Context, Exact
 from haros_ci.follow.frames import Frame, Loop
 from haros_ci.follow.made import Key, MadeEntity, Root
@@ -87,6 +88,8 @@ class Walk:
     #: Functions that were made, each as it would be called back, and by identity those whose bodies have been followed (``follow.uncalled``).
     held: dict[tuple[int, Object | None], Root] = field(default_factory=dict)
     invoked: set[int] = field(default_factory=set)
+    #: Whether a function is called that is not known: it may be any of those.
+    calls_unknown: bool = False
     #: The numbers of those that have been called back, not in rehearsal.
     called: set[int] = field(default_factory=set)
     #: The places where every plug-in of a base class has been loaded, or a behaviour tree created, with which objects.
@@ -107,7 +110,7 @@ class Walk:
     #: Look-ups that hold something of this node.
     own: dict[tuple[str, str, str], Value] = field(default_factory=dict)
     #: What click makes of functions, what is added to its groups, and the context of the command that runs (``follow.commands``).
-    commands: dict[object, Any] = field(default_factory=dict)
+    commands: Commands = field(default_factory=Commands)
     #: What the classes of nodes of behaviour trees declare, and whether that is all, by the identity of the class (``ros.behavior_tree_ports``).
     ports: dict[int, tuple[dict[str, tuple[Frame, syntax.Expression] | None], bool, Class]] = field(
         default_factory=dict

@@ -124,8 +124,10 @@ def test_rules_of_the_command_line(said: str, expected: dict[str, list[str]]) ->
         assert published(program(TWO, NODE_XML.format(f' args="--ros-args {said}"', ""))) == expected
 
 
-def test_words_before_ros_args_are_the_programs_own() -> None:
-    assert published(program(TWO, NODE_XML.format(' args="-r t:=u"', ""))) == {"/a": ["/t"], "/x/b": ["/x/t"]}
+def test_rules_among_the_programs_own_words_count() -> None:
+    """rcl takes them, with a warning (rcl/arguments.c: a remap rule in its deprecated form)."""
+    assert published(program(TWO, NODE_XML.format(' args="-r t:=u"', ""))) == {"/a": ["/u"], "/x/b": ["/x/u"]}
+    assert published(program(TWO, NODE_XML.format(' args="-p t -f t=u"', "")))["/a"] == ["/t"]
     assert published(program(TWO, NODE_XML.format(' args="--ros-args -r t:=u -- -r x:=y"', "")))["/a"] == ["/u"]
 
 
@@ -160,7 +162,8 @@ def test_rules_for_topics_or_services_alone(call: str, kind: str, rule: str, exp
         (".use_global_arguments(false)", "-r t:=v -r __node:=d", {"/a": ["/t"]}),
         (".use_global_arguments(true)", "-r t:=v -r __node:=d", {"/d": ["/v"]}),
         ('.use_global_arguments(false).arguments({"--ros-args", "-r", "t:=u"})', "-r t:=v", {"/a": ["/u"]}),
-        ('.arguments({"-r", "t:=u"})', "", {"/a": ["/t"]}),
+        ('.arguments({"-r", "t:=u"})', "", {"/a": ["/u"]}),
+        ('.arguments({"-p", "t=u"})', "", {"/a": ["/t"]}),
         ('.arguments({"--ros-args", "-r", "other:t:=u"})', "-r t:=v", {"/a": ["/v"]}),
         (".allow_undeclared_parameters(true)", "", {"/a": ["/t"]}),
     ),

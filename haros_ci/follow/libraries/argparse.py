@@ -28,7 +28,7 @@ from haros_ci.values.abstract import (
 )
 
 if TYPE_CHECKING:
-    from argparse import ArgumentParser
+    from argparse import ArgumentParser, _SubParsersAction
 
     from haros_ci.follow.call_arguments import PassedArgument
 
@@ -245,7 +245,8 @@ def _fill(reader: ArgumentParser, this: Object, kept: dict[int, Value], left: li
     for option in _elements(this):
         if option.name == COMMANDS:
             asked = {key: _data(option.fields[key].value) for key in ("dest", "required") if key in option.fields}
-            commands: Any = reader.add_subparsers(**asked)  # type: ignore[call-overload]  # argparse looks at them itself
+            commands: _SubParsersAction[ArgumentParser]
+            commands = reader.add_subparsers(**asked)  # type: ignore[call-overload]  # argparse looks at them itself
             for command in _elements(option):
                 name, *others = _names(command)
                 inner = commands.add_parser(name, aliases=others, add_help=False, conflict_handler="resolve")
