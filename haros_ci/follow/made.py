@@ -103,7 +103,8 @@ def either(
         if left != right:
             if left.statement == "else":
                 left, right = right, left
-            both = left.statement == "if" and right.statement == "else" and pairs.get(right.location) == left.location
+            both = left.statement == "if" and right.statement == "else" and left.condition == right.condition
+            both = both and pairs.get(right.location) == left.location
             return one[:number], both and number == len(one) - 1 == len(other) - 1
     return (other if len(other) < len(one) else one), True
 

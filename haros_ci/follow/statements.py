@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import TypeVar, cast
 
 from haros_ci import syntax
-from haros_ci.follow import attempts, construct, expressions, guarded, library_calls, lookup, loops, members, thrown
+from haros_ci.follow import attempts, construct, early, expressions, guarded, library_calls, lookup, loops, members, thrown
 from haros_ci.follow.frames import BREAK, CONTINUE, NEXT, RAISED, RETURN, THROW, Frame, Loop
 from haros_ci.follow.walk import Walk
 from haros_ci.model.location import Location
@@ -26,17 +26,48 @@ def execute(walk: Walk, frame: Frame, block: Block) -> str:
     """Follow the statements of *block* in a scope of their own; say how it ends."""
     frame.scopes.append({})
     try:
-        for statement in block:
+        return in_place(walk, frame, block)
+    finally:
+        frame.scopes.pop()
+
+
+def in_place(walk: Walk, frame: Frame, block: Block) -> str:
+    """The same in the scope that there is.
+
+    What stands behind an early way out does so under its opposite, to the end of the block; where that way is taken as things are, what follows is ruled out.
+    """
+    depth, doubts, behind = len(walk.conditions), len(walk.doubts), 0
+    try:
+        for number, statement in enumerate(block):
             walk.step()
-            ended = STATEMENTS[type(statement)](walk, frame, statement)
+            known, was_dead = len(frame.early), frame.is_dead
+            ended = _judged(walk, frame, block, number)
             if walk.is_raised:
                 walk.is_raised = False
                 return RAISED
             if ended != NEXT:
+                if ended == RETURN and len(frame.early) > known and any(map(early.shuts_down, block[:number])):
+                    early.drop(frame, known)
                 return ended
+            if len(frame.early) > known and early.stand_behind(walk, frame, known):
+                behind += frame.is_dead and not was_dead
+                walk.dead += frame.is_dead and not was_dead
         return NEXT
     finally:
-        frame.scopes.pop()
+        walk.dead -= behind
+        del walk.conditions[depth:], walk.doubts[doubts:]
+
+
+def _judged(walk: Walk, frame: Frame, block: Block, number: int) -> str:
+    """Follow one statement of a block; the next one may end the program where it fails."""
+    statement = block[number]
+    if number + 1 < len(block) and early.judged_next(walk, frame, statement, block[number + 1]):
+        before, walk.judged = walk.judged, len(walk.active)
+        try:
+            return STATEMENTS[type(statement)](walk, frame, statement)
+        finally:
+            walk.judged = before
+    return STATEMENTS[type(statement)](walk, frame, statement)
 
 
 def _do(walk: Walk, frame: Frame, statement: syntax.Do) -> str:
@@ -99,8 +130,8 @@ def _if(walk: Walk, frame: Frame, statement: syntax.If) -> str:
     then, other, else_line, else_column = statement.then, statement.other, statement.else_line, statement.else_column
     if text.replace("'", '"').replace(" ", "").strip("()") in MAIN_GUARD and frame.source.program.language == "python":
         return execute(walk, frame, then) if frame.source.path in walk.files else NEXT
-    asked = len(walk.absent)
-    holds = expressions.holds(walk, frame, statement.test, expressions.evaluate(walk, frame, statement.test))
+    asked, known = len(walk.absent), len(frame.early)
+    holds = _tested(walk, frame, statement)
     if walk.is_raised:
         return NEXT
     lacking = tuple(walk.absent[asked:])
@@ -108,18 +139,36 @@ def _if(walk: Walk, frame: Frame, statement: syntax.If) -> str:
         return execute(walk, frame, then if holds else other)
     branches = []
     mark = walk.state.mark()
+    path = frame.source.path
+    if else_line:
+        one, another = Location(path, line, column), Location(path, else_line, else_column)
+        walk.pairs[another], walk.pairs[one] = one, another
     with walk.under("if", text, frame, line, column):
         ended = follow_branch(walk, frame, then, holds is not False, lacking=lacking)
     branches.append((ended, walk.state.undo(mark)))
+    if len(frame.early) > known and holds is not True and early.is_aside(walk, frame, statement.test, True):
+        early.drop(frame, known)
     if else_line:
-        path = frame.source.path
-        walk.pairs[Location(path, else_line, else_column)] = Location(path, line, column)
+        known = len(frame.early)
         with walk.under("else", text, frame, else_line, else_column):
             ended = follow_branch(walk, frame, other, holds is not True, lacking=lacking)
         branches.append((ended, walk.state.undo(mark)))
+        if len(frame.early) > known and holds is not False and early.is_aside(walk, frame, statement.test, False):
+            early.drop(frame, known)
     else:
         branches.append((NEXT, {}))
     return merge(walk, frame, branches, None if holds is None else [0 if holds else 1])
+
+
+def _tested(walk: Walk, frame: Frame, statement: syntax.If) -> bool | None:
+    """Whether the test of an ``if`` holds; the program may end where what it calls fails."""
+    test, before = statement.test, walk.judged
+    if early.judged(walk, frame, test, statement.then, statement.other):
+        walk.judged = len(walk.active)
+    try:
+        return expressions.holds(walk, frame, test, expressions.evaluate(walk, frame, test))
+    finally:
+        walk.judged = before
 
 
 def follow_branch(
@@ -137,7 +186,8 @@ def follow_branch(
     if lacking and not can_be:
         walk.lacking.append(lacking)
     try:
-        return run(walk, frame, block)
+        ended = run(walk, frame, block)
+        return RETURN if ended == NEXT and frame.is_dead and not before and can_be else ended
     finally:
         frame.is_dead = before
         walk.dead -= not can_be
@@ -180,7 +230,7 @@ def _switch(walk: Walk, frame: Frame, statement: syntax.Switch) -> str:
         frame.is_dead = was_dead or is_dead
         walk.dead += is_dead
         can_be = taken is None
-        loop = Loop(walk.state.mark(), is_switch=True)
+        loop, known = Loop(walk.state.mark(), is_switch=True), len(frame.early)
         walk.loops.append(loop)
         ended = NEXT
         with walk.under("switch", text, frame, line, column):
@@ -189,6 +239,7 @@ def _switch(walk: Walk, frame: Frame, statement: syntax.Switch) -> str:
                 if ended != NEXT:
                     break
         walk.loops.pop()
+        early.forget(frame, known, loop)
         frame.is_dead = was_dead
         walk.dead -= is_dead
         ways = list(loop.breaks)
@@ -222,7 +273,11 @@ def _taken(walk: Walk, frame: Frame, value: Value, labels: list[Expression | Non
 
 
 def _return(walk: Walk, frame: Frame, statement: syntax.Return) -> str:
+    before = walk.judged
+    walk.judged = len(walk.active) if frame.is_start or early.is_over(walk, frame) else before
     value = expressions.evaluate(walk, frame, statement.value) if statement.value is not None else Known(None)
+    walk.judged = before
+    early.returns(walk, frame, value)
     if not frame.is_dead and not walk.is_raised:
         frame.returned.append(value)
         frame.exits.append(walk.state.since(frame.mark))
@@ -234,23 +289,26 @@ def _throw(walk: Walk, frame: Frame, statement: syntax.Throw) -> str:
         expressions.evaluate(walk, frame, statement.value)
     if walk.trials and walk.trials[-1].frame is frame:
         thrown.may_throw(walk)
+        early.throws(walk, frame, walk.trials[-1])
     else:
         thrown.throws(walk)
     return THROW
 
 
 def _break(walk: Walk, frame: Frame, statement: syntax.Break) -> str:
-    if walk.loops and not frame.is_dead:
-        walk.loops[-1].breaks.append(walk.state.since(walk.loops[-1].mark))
+    if walk.loops:
+        early.ends_turn(walk, frame, walk.loops[-1])
+        if not frame.is_dead:
+            walk.loops[-1].breaks.append(walk.state.since(walk.loops[-1].mark))
     return BREAK
 
 
 def _continue(walk: Walk, frame: Frame, statement: syntax.Continue) -> str:
-    if not frame.is_dead:
-        for loop in reversed(walk.loops):
-            if not loop.is_switch:
-                loop.continues.append(walk.state.since(loop.mark))
-                break
+    loop = next((loop for loop in reversed(walk.loops) if not loop.is_switch), None)
+    if loop is not None:
+        early.ends_turn(walk, frame, loop)
+        if not frame.is_dead:
+            loop.continues.append(walk.state.since(loop.mark))
     return CONTINUE
 
 
