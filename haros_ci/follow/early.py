@@ -52,7 +52,7 @@ SHUTDOWNS = frozenset(
 STARTS = frozenset("on_init on_configure on_activate init initRequest initialize configure".split())
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Exit:
     """A way out: the *conditions* around it, from the entry on; *ends* is the loop of which it ends a turn, or the ``try``
     whose block it leaves, None where it is the function."""
@@ -80,7 +80,8 @@ def throws(walk: Walk, frame: Frame, trial: Trial) -> None:
 
 def forget(frame: Frame, known: int, ended: Loop | Trial) -> None:
     """The turn of a loop or the block of a ``try`` is over; ways that lead there lead to what follows."""
-    frame.early[known:] = dict.fromkeys(way for way in frame.early[known:] if way.ends is not ended)
+    left = {(way.conditions, id(way.ends)): way for way in frame.early[known:] if way.ends is not ended}
+    frame.early[known:] = left.values()
 
 
 def drop(frame: Frame, since: int, until: int | None = None) -> None:

@@ -29,6 +29,7 @@ CPP = (
     ("break", 'while (b()) { if (a()) break; ADV("x", 1); }', ["while b()", "else a()"]),
     ("continue, after the loop", 'for (int i : xs) { if (a()) continue; } ADV("x", 1);', []),
     ("break, after the loop", 'while (b()) { if (a()) break; } ADV("x", 1);', []),
+    ("continue in a switch", 'for (int i : xs) { switch (number()) { case 1: continue; default: look(); } ADV("x", 1); }', ["for int i : xs", "switch number()"]),
     ("switch", 'switch (number()) { case 1: return; default: look(); } ADV("x", 1);', ["switch number()"]),
     ("break of a case", 'switch (number()) { case 1: if (a()) break; ADV("x", 1); }', ["switch number()", "else a()"]),
     ("break of a case, after it", 'switch (number()) { case 1: if (a()) break; look(); } ADV("x", 1);', []),
@@ -72,7 +73,7 @@ def told(end: Endpoint) -> list[str]:
 
 @pytest.mark.parametrize(("name", "body", "expected"), CPP)
 def test_what_stands_behind_it_has_the_opposite_as_a_condition(name: str, body: str, expected: list[str]) -> None:
-    before = BEFORE + "struct T { int t; }; T* find(); std::vector<int> xs;\n"
+    before = BEFORE + "struct T { int t; }; T* find(); extern std::vector<int> xs;\n"
     before += 'void make(ros::NodeHandle& nh) { ADV("x", 1); }\n'
     before += 'void cb(const std_msgs::String&) { ros::NodeHandle nh; ADV("x", 1); }\n'
     made = ends(cpp("f(nh);", f"{before}void f(ros::NodeHandle& nh) {{ {body} }}"))
