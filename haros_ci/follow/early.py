@@ -260,7 +260,7 @@ def judged_next(walk: Walk, frame: Frame, statement: Statement, following: State
     """Whether *statement* sets a variable to what a call returns, and the program ends where what follows finds it false."""
     if not isinstance(following, syntax.If) or not isinstance(following.test, syntax.Operation):
         return False
-    name, values = "", ()
+    name, values = "", tuple[Expression, ...]()
     if isinstance(statement, syntax.Variable):
         name, values = statement.name, syntax.started(statement.init)
     elif isinstance(statement, syntax.Do) and isinstance(statement.value, syntax.Assignment):
@@ -292,7 +292,9 @@ def _is_written_failure(value: Expression | None) -> bool:
         return not value.value
     if isinstance(value, syntax.Operation):
         return value.operator == "-"
-    return value is None or isinstance(value, syntax.Null) or _last(syntax.name_of(value)).endswith(("FAILURE", "ERROR"))
+    return (
+        value is None or isinstance(value, syntax.Null) or _last(syntax.name_of(value)).endswith(("FAILURE", "ERROR"))
+    )
 
 
 def shuts_down(statement: Statement) -> bool:

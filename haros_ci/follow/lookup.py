@@ -92,7 +92,9 @@ def global_cell(walk: Walk, source: Source, name: str, init: syntax.Init | None,
                     cell.value = construct.initial(walk, there, resolved, variable.init, Location(where.path))
                     break
             else:
-                if _is_container(resolved) and name in walk.index.variables:  # ``std::vector<T> x;`` begins without an element
+                if (
+                    _is_container(resolved) and name in walk.index.variables
+                ):  # ``std::vector<T> x;`` begins without an element
                     cell.value = construct.initial(walk, frame, resolved, None, Location(source.path))
         walk.state.settle(mark, begun)
         walk.lasting.add(cell)

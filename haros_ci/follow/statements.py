@@ -7,7 +7,18 @@ from collections.abc import Callable
 from typing import TypeVar, cast
 
 from haros_ci import syntax
-from haros_ci.follow import attempts, construct, early, expressions, guarded, library_calls, lookup, loops, members, thrown
+from haros_ci.follow import (
+    attempts,
+    construct,
+    early,
+    expressions,
+    guarded,
+    library_calls,
+    lookup,
+    loops,
+    members,
+    thrown,
+)
 from haros_ci.follow.frames import BREAK, CONTINUE, NEXT, RAISED, RETURN, THROW, Frame, Loop
 from haros_ci.follow.walk import Walk
 from haros_ci.model.location import Location
@@ -38,7 +49,7 @@ def in_place(walk: Walk, frame: Frame, block: Block) -> str:
     """
     depth, doubts, behind = len(walk.conditions), len(walk.doubts), 0
     try:
-        for number, statement in enumerate(block):
+        for number in range(len(block)):
             walk.step()
             known, was_dead = len(frame.early), frame.is_dead
             ended = _judged(walk, frame, block, number)

@@ -35,7 +35,7 @@ def test_a_container_outside_of_functions(body: str, expected: list[str]) -> Non
 
 def test_a_container_of_another_file() -> None:
     files = cpp_files(
-        main('fill(); for (auto& n : v) ADV(n, 1);', "extern std::vector<std::string> v; void fill();\n"),
+        main("fill(); for (auto& n : v) ADV(n, 1);", "extern std::vector<std::string> v; void fill();\n"),
         v__cpp='#include <vector>\nstd::vector<std::string> v;\nvoid fill() { v.push_back("a"); }\n',
     )
     assert [end.name for end in ends(node(follow(files)))] == ["/a"]
