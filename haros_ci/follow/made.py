@@ -173,12 +173,20 @@ def _both(
 ) -> tuple[tuple[Condition, ...], tuple[tuple[str, str, Location | None], ...]]:
     """The conditions and unknowns of what is made on two ways; one that fewer branches rule out as things are counts alone."""
     conditions, is_all = either(known.conditions, other.conditions, walk.pairs)
-    unknowns = other.unknowns
-    if not is_all and known.dead != other.dead:
-        conditions = (known if known.dead < other.dead else other).conditions
-    elif not is_all and SEVERAL not in (unknown[1] for unknown in known.unknowns):
+    unknowns, before = other.unknowns, known.unknowns
+    if counts_alone(known, other, is_all):
+        counting = known if known.dead < other.dead else other
+        conditions = counting.conditions
+        before = before if counting is known else tuple(unknown for unknown in before if unknown[1] != SEVERAL)
+    elif not is_all and SEVERAL not in (unknown[1] for unknown in before):
         unknowns = (*unknowns, ("conditions", SEVERAL, other.location))
-    return conditions, tuple(dict.fromkeys((*known.unknowns, *unknowns)))
+    return conditions, tuple(dict.fromkeys((*before, *unknowns)))
+
+
+def counts_alone(known: MadeEntity | Root, other: MadeEntity | Root, is_all: bool) -> bool:
+    """Whether of two ways the one counts that fewer branches rule out: not where they are the branches of one ``if``."""
+    is_longer = len(known.conditions) != len(other.conditions)
+    return known.dead != other.dead and (is_longer or not is_all)
 
 
 def keep(walk: Walk) -> Kept:

@@ -195,6 +195,8 @@ DECIDED = (
     ("if (a) { if (b) make(); } else make();", "a = false, b = number()", ["a"]),
     ("if (a) { if (b) make(); } if (b) make();", "a = false, b = number()", ["b"]),
     ("if (b) make(); if (a) { if (c) make(); }", "a = false, b = number(), c = number()", ["b"]),
+    ("if (a) make(); if (c) make(); if (b) make();", "a = false, b = number(), c = false", ["b"]),
+    ("if (b) make(); if (a) make(); if (c) make();", "a = false, b = number(), c = false", ["b"]),
     ("if (a) make(); else make();", "a = true", []),
     ("make(); if (a) make();", "a = false", []),
     ("if (a) { if (b) make(); }", "a = false, b = number()", ["a", "b"]),
