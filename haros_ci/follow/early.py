@@ -84,15 +84,18 @@ def forget(frame: Frame, known: int, ended: Loop | Trial) -> None:
     frame.early[known:] = left.values()
 
 
-def drop(frame: Frame, since: int, until: int | None = None) -> None:
+def drop(frame: Frame, since: int) -> None:
     """The ways recorded from the number *since* on are no conditions of what follows."""
-    del frame.early[since:until]
+    del frame.early[since:]
 
 
-def decided(frame: Frame, since: int, depth: int) -> None:
-    """The condition at *depth* of the ways recorded since then holds in every build: they do not hang on it."""
-    for number, way in enumerate(frame.early[since:], start=since):
-        frame.early[number] = Exit(way.conditions[:depth] + way.conditions[depth + 1 :], way.ends)
+def compiled(frame: Frame, since: int, depth: int, verdict: bool | None) -> None:
+    """The ways recorded since then are in a branch of ``#if``, their condition at *depth*: gone if no build has it, else free of it if all have."""
+    if verdict is False:
+        drop(frame, since)
+    elif verdict:
+        for number, way in enumerate(frame.early[since:], start=since):
+            frame.early[number] = Exit(way.conditions[:depth] + way.conditions[depth + 1 :], way.ends)
 
 
 def stand_behind(walk: Walk, frame: Frame, known: int) -> bool:
@@ -104,25 +107,28 @@ def stand_behind(walk: Walk, frame: Frame, known: int) -> bool:
 
 
 def _stand_behind(walk: Walk, frame: Frame, path: tuple[Condition, ...], depth: int) -> None:
-    since = walk.conditions[depth:]
-    words = {condition.statement for condition in path}
-    left = [each for each in path if each not in since and each.statement in ("if", "else")]
-    if "catch" in words or not path:
+    """The same of one way, behind which not all of *path* holds; a doubt where that is not put together."""
+    if not path or any(condition.statement == "catch" for condition in path):
         return
-    behind: Condition | None = None
+    since = walk.conditions[depth:]
+    behind = _behind(walk, frame, path, since)
+    if behind is not None and len(walk.conditions) < MOST:
+        walk.conditions += [behind] if behind not in since else []
+        return
+    reason = SEVERAL if behind is None else MANY
+    walk.doubts += [reason] if reason not in walk.doubts else []
+
+
+def _behind(walk: Walk, frame: Frame, path: tuple[Condition, ...], since: list[Condition]) -> Condition | None:
+    """What holds where not all of *path* does but all of *since*; None where no condition says it."""
+    words = {condition.statement for condition in path}
     if words == {"switch"} and len(path) == 1:
-        behind = path[0]
-    elif left and not words & {"switch", "#if"}:
-        behind = opposite(walk, frame, left)
-    if behind is None or len(walk.conditions) >= MOST:
-        reason = SEVERAL if behind is None else MANY
-        if reason not in walk.doubts:
-            walk.doubts.append(reason)
-    elif behind not in since:
-        walk.conditions.append(behind)
+        return path[0]
+    left = [each for each in path if each not in since and each.statement in ("if", "else")]
+    return _opposite(walk, frame, left) if left and not words & {"switch", "#if"} else None
 
 
-def opposite(walk: Walk, frame: Frame, path: list[Condition]) -> Condition | None:
+def _opposite(walk: Walk, frame: Frame, path: list[Condition]) -> Condition | None:
     """What holds where not all of the branches *path* are taken; None where that is too long."""
     if len(path) == 1:
         (one,) = path
@@ -168,16 +174,19 @@ def _usual(walk: Walk, frame: Frame, test: Expression) -> bool | _Either | None:
     parts = test.operands
     if test.operator == "!":
         usual = _usual(walk, frame, parts[0])
-        return usual if usual is None or isinstance(usual, _Either) else not usual
+        return not usual if isinstance(usual, bool) else usual
     if test.operator in ("&&", "||"):
-        every = [_usual(walk, frame, part) for part in parts]
-        decides = test.operator == "||"
-        if any(usual is decides for usual in every):
-            return decides
-        return None if None in every else next((usual for usual in every if isinstance(usual, _Either)), not decides)
+        return _joined([_usual(walk, frame, part) for part in parts], test.operator == "||")
     if test.operator in ("==", "!=", "is", "is not") and len(parts) == 2:
         return _compared(walk, frame, test.operator in ("==", "is"), parts[0], parts[1])
     return None
+
+
+def _joined(every: list[bool | _Either | None], decides: bool) -> bool | _Either | None:
+    """The same of several, of which one that is *decides* decides."""
+    if any(usual is decides for usual in every):
+        return decides
+    return None if None in every else next((usual for usual in every if isinstance(usual, _Either)), not decides)
 
 
 def _compared(walk: Walk, frame: Frame, same: bool, one: Expression, other: Expression) -> bool | _Either | None:
@@ -186,7 +195,7 @@ def _compared(walk: Walk, frame: Frame, same: bool, one: Expression, other: Expr
         one, other = other, one
     if isinstance(other, syntax.Boolean):
         usual = _usual(walk, frame, one)
-        return usual if usual is None or isinstance(usual, _Either) else (usual is other.value) is same
+        return (usual is other.value) is same if isinstance(usual, bool) else usual
     is_name = isinstance(one, (syntax.Name, syntax.Member)) and isinstance(other, syntax.Null)
     return _EITHER if is_name and _is_made(walk, frame, one, is_tested=False) else None
 

@@ -27,10 +27,7 @@ def preprocessor(walk: Walk, frame: Frame, statement: syntax.Preprocessor) -> st
             frame.scopes.append(declared)
             ended = statements.follow_branch(walk, frame, branch.body, verdict is not False, statements.in_place)
             frame.scopes.pop()
-        if verdict is False:
-            early.drop(frame, known)
-        elif verdict:
-            early.decided(frame, known, depth)
+        early.compiled(frame, known, depth, verdict)
         branches.append((ended, _with_declared(walk.state.undo(mark), declared, fresh)))
     if not any(branch.text.startswith("#else") for branch in statement.branches):
         branches.append((NEXT, {}))

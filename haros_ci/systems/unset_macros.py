@@ -90,20 +90,25 @@ def _mentioned(workspace: Workspace, read: set[str]) -> set[str] | None:
     """The names that files of a build have, but for the C++ files that were *read*; None where there is too much."""
     found: set[str] = set()
     left = MOST
-    paths = {file.path: file.language for file in workspace.files}
-    paths |= {name: "" for name in workspace.names if name not in paths and name.endswith((".in", *_OTHERS))}
+    paths = {file.path: file.language for file in workspace.files if file.path not in read}
+    paths |= {name: "" for name in workspace.names - read if name not in paths and name.endswith((".in", *_OTHERS))}
     for path, language in sorted(paths.items()):
-        is_code = language == "cmake" or path.endswith(".in") or (language == "cpp" and path not in read)
-        if not is_code and language not in _HANDING and not path.endswith(_OTHERS):
-            continue
-        text = workspace.text(path)
-        left -= len(text)
-        if left < 0:
-            return None
-        lines = (_without_comment(line) for line in text.splitlines()) if language == "cmake" else (text,)
-        for line in lines:
-            found.update(_DEFINED.findall(line))
-            found.update(_WORD.findall(line) if is_code else ())
+        is_code = language in ("cmake", "cpp") or path.endswith(".in")
+        if is_code or language in _HANDING or path.endswith(_OTHERS):
+            text = workspace.text(path)
+            left -= len(text)
+            if left < 0:
+                return None
+            found |= _names(text, language == "cmake", is_code)
+    return found
+
+
+def _names(text: str, is_cmake: bool, is_code: bool) -> set[str]:
+    """The names in a text, outside of CMake's comments: all words of code, of others those after ``-D``."""
+    found: set[str] = set()
+    for line in map(_without_comment, text.splitlines()) if is_cmake else (text,):
+        found.update(_DEFINED.findall(line))
+        found.update(_WORD.findall(line) if is_code else ())
     return found
 
 
