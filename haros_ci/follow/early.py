@@ -33,14 +33,18 @@ MOST, LONGEST = 40, 400
 #: Why not all conditions are recorded.
 SEVERAL = "an early way out stands before it, under conditions that are not put together"
 MANY = "more early ways out stand before it than are kept"
-#: Functions and methods that ask whether the program goes on (roscpp init.h, rclcpp utilities.hpp, rospy core.py, rclpy context.py), and what they say then.
+#: Functions that ask whether the program goes on (roscpp init.h, rclcpp utilities.hpp, rospy core.py, rclpy utilities.py), and what they say then.
 RUNNING = {
-    "ok": True,
-    "isInitialized": True,
-    "is_initialized": True,
-    "is_shutdown": False,
-    "isShuttingDown": False,
-    "is_shutdown_requested": False,
+    "ros::ok": True,
+    "ros::isInitialized": True,
+    "ros::isStarted": True,
+    "ros::isShuttingDown": False,
+    "rclcpp::ok": True,
+    "rclcpp::is_initialized": True,
+    "rospy.is_shutdown": False,
+    "rospy.core.is_shutdown": False,
+    "rospy.core.is_initialized": True,
+    "rclpy.ok": True,
 }
 #: Functions after which the node is taken down.
 SHUTDOWNS = frozenset(
@@ -61,9 +65,10 @@ class Exit:
     ends: Loop | Trial | None = None
 
 
-def returns(walk: Walk, frame: Frame, value: Value) -> None:
-    """A ``return`` of *value* is followed."""
-    if not (is_over(walk, frame) or (_is_start(walk, frame) and is_failure(value))):
+def returns(walk: Walk, frame: Frame, value: Value, is_bare: bool) -> None:
+    """A ``return`` of *value* is followed; *is_bare* if nothing is written behind it."""
+    is_failed = is_failure(value) and (frame.is_start or (not is_bare and _is_start(walk, frame)))
+    if not (is_failed or is_over(walk, frame)):
         frame.early.append(Exit(tuple(walk.conditions)))
 
 
@@ -166,7 +171,7 @@ _EITHER = _Either()
 def _usual(walk: Walk, frame: Frame, test: Expression) -> bool | _Either | None:
     """What a test is while a node runs; None where that says something of it."""
     if isinstance(test, syntax.Call):
-        return RUNNING.get(syntax.name_of(test.callee).rpartition("::")[2])
+        return _is_running(walk, frame, test.callee)
     if isinstance(test, (syntax.Name, syntax.Member)):
         return _EITHER if _is_made(walk, frame, test, is_tested=True) else None
     if not isinstance(test, syntax.Operation):
@@ -180,6 +185,20 @@ def _usual(walk: Walk, frame: Frame, test: Expression) -> bool | _Either | None:
     if test.operator in ("==", "!=", "is", "is not") and len(parts) == 2:
         return _compared(walk, frame, test.operator in ("==", "is"), parts[0], parts[1])
     return None
+
+
+def _is_running(walk: Walk, frame: Frame, callee: Expression) -> bool | None:
+    """What a function says while a node runs that asks whether it does; None of any other."""
+    if isinstance(callee, syntax.Member) and not isinstance(callee.object, (syntax.Name, syntax.Member)):
+        return None
+    if not isinstance(callee, (syntax.Name, syntax.Member)):
+        return None
+    called = expressions.evaluate(walk, frame, callee)
+    if not isinstance(called, Library):
+        return None
+    if isinstance(called.this, Object) and called.this.name.endswith("NodeHandle"):
+        return True if _last(called.name) == "ok" else None
+    return RUNNING.get(called.name.removeprefix("::"))
 
 
 def _joined(every: list[bool | _Either | None], decides: bool) -> bool | _Either | None:
@@ -292,7 +311,8 @@ def _ends(walk: Walk, frame: Frame, block: Block) -> bool:
     if isinstance(last, syntax.Throw) or any(map(shuts_down, block)):
         return True
     if isinstance(last, syntax.Return):
-        return is_over(walk, frame) or (_is_start(walk, frame) and _is_written_failure(last.value))
+        is_start = frame.is_start or (last.value is not None and _is_start(walk, frame))
+        return is_over(walk, frame) or (is_start and _is_written_failure(last.value))
     return isinstance(last, syntax.Do) and _called(last) in harmless.ENDING
 
 

@@ -231,7 +231,7 @@ def _return(walk: Walk, frame: Frame, statement: syntax.Return) -> str:
     walk.judged = len(walk.active) if frame.is_start or early.is_over(walk, frame) else before
     value = expressions.evaluate(walk, frame, statement.value) if statement.value is not None else Known(None)
     walk.judged = before
-    early.returns(walk, frame, value)
+    early.returns(walk, frame, value, statement.value is None)
     if not frame.is_dead and not walk.is_raised:
         frame.returned.append(value)
         frame.exits.append(walk.state.since(frame.mark))

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from follow_kit import cpp, ends, explicit, python, ros2_cpp
+from follow_kit import cpp, cpp_files, ends, explicit, follow, node, python, ros2_cpp
 
 from haros_ci.model.architecture import Endpoint
 
@@ -44,7 +44,10 @@ CPP = (
     ("#if", '\n#ifdef X\nif (a()) return;\n#endif\nADV("x", 1);', ["?"]),
     ("#if of this build", '\n#define X\n#ifdef X\nif (a()) return;\n#endif\nADV("x", 1);', ["else a()"]),
     ("#if of no build", '\n#undef X\n#ifdef X\nif (a()) return;\n#endif\nADV("x", 1);', []),
+    ("ok of something else", 'if (!door.ok()) return; ADV("x", 1);', ["else !door.ok()"]),
+    ("ok of one's own", 'if (!isInitialized()) return; ADV("x", 1);', ["else !isInitialized()"]),
     # no condition
+    ("ok of a handle", 'if (!nh.ok()) return; ADV("x", 1);', []),
     ("at the end", 'ADV("x", 1); if (a()) return;', []),
     ("in a function that is called before", 'auto f = [] { if (a()) return; look(); }; f(); ADV("x", 1);', []),
     ("throw", 'if (a()) throw 1; ADV("x", 1);', []),
@@ -75,7 +78,9 @@ def told(end: Endpoint) -> list[str]:
 
 @pytest.mark.parametrize(("name", "body", "expected"), CPP)
 def test_what_stands_behind_it_has_the_opposite_as_a_condition(name: str, body: str, expected: list[str]) -> None:
-    before = BEFORE + "struct T { int t; }; T* find(); extern std::vector<int> xs;\n"
+    before = (
+        BEFORE + "struct T { int t; }; T* find(); extern std::vector<int> xs; bool isInitialized(); acme::Door door;\n"
+    )
     before += 'void make(ros::NodeHandle& nh) { ADV("x", 1); }\n'
     before += 'void cb(const std_msgs::String&) { ros::NodeHandle nh; ADV("x", 1); }\n'
     made = ends(cpp("f(nh);", f"{before}void f(ros::NodeHandle& nh) {{ {body} }}"))
@@ -135,6 +140,15 @@ def test_a_failure_to_start_is_none(method: str, body: str, expected: list[str])
     found = ros2_cpp("auto m = std::make_shared<M>(options);", "", files)
     made = [end for node in found.nodes for end in explicit(node) if end.name == "/x"]
     assert [told(end) for end in made] == [expected]
+
+
+def test_what_starts_without_a_result_fails_by_no_return() -> None:
+    text = "#include <nodelet/nodelet.h>\n#include <std_msgs/String.h>\nbool a();\n"
+    text += "class N : public nodelet::Nodelet { void onInit() override { initialize(); }\n"
+    text += 'void initialize() { if (a()) return; getNodeHandle().advertise<std_msgs::String>("x", 1); } };\n'
+    text += 'int main(int argc, char** argv) { ros::init(argc, argv, "n"); N n; n.initialize(); }\n'
+    (end,) = ends(node(follow(cpp_files(text))))
+    assert told(end) == ["else a()"]
 
 
 #: A script of Python that makes one publisher, and its conditions.
