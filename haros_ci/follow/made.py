@@ -180,7 +180,15 @@ def _both(
         before = before if counting is known else tuple(unknown for unknown in before if unknown[1] != SEVERAL)
     elif not is_all and SEVERAL not in (unknown[1] for unknown in before):
         unknowns = (*unknowns, ("conditions", SEVERAL, other.location))
+    if _is_certain(known, other, conditions) or _is_certain(other, known, conditions):
+        before, unknowns = (tuple(one for one in items if one[0] != "conditions") for items in (before, unknowns))
     return conditions, tuple(dict.fromkeys((*before, *unknowns)))
+
+
+def _is_certain(way: MadeEntity, other: MadeEntity, conditions: tuple[Condition, ...]) -> bool:
+    """Whether *way* alone makes it for sure under *conditions*, whatever the *other* one does."""
+    is_open = any(unknown[0] == "conditions" for unknown in way.unknowns)
+    return way.conditions == conditions and way.dead <= other.dead and not is_open
 
 
 def counts_alone(known: MadeEntity | Root, other: MadeEntity | Root, is_all: bool) -> bool:

@@ -186,6 +186,11 @@ WAYS = (
     ("if (a) make(); else make();", [], False),
     ("if (a) { if (b) make(); else make(); }", ["a"], False),
     ("if (a) { if (b) make(); }", ["a", "b"], False),
+    ("a && (make(), true);", [], True),
+    ("make(); a && (make(), true);", [], False),
+    ("a && (make(), true); make();", [], False),
+    ("a && (make(), true); if (b) make();", [], True),
+    ("if (a) make(); if (a) { b && (make(), true); }", [], True),
 )
 
 
