@@ -274,6 +274,8 @@ def follow_body(walk: Walk, inner: Frame, function: Function) -> Value:
     mark = inner.mark
     path = inner.source.path
     guards = [Condition("#if", text, Location(path, line, column)) for line, column, text in function.guards]
+    depth = len(walk.conditions)
+    inner.is_start = walk.judged == len(walk.active) - 1
     walk.conditions += guards
     left_out = sum(walk.is_compiled(path, line) is False for line, _, _ in function.guards)
     walk.dead += left_out
@@ -288,7 +290,7 @@ def follow_body(walk: Walk, inner: Frame, function: Function) -> Value:
         walk.loops = loops
         walk.active.pop()
         walk.dead -= left_out
-        del walk.conditions[len(walk.conditions) - len(guards) :]
+        del walk.conditions[depth:]
     walk.is_raised = walk.is_raised or (ended == RAISED and not inner.exits)
     if inner.exits:
         branches = list(inner.exits)

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from haros_ci import syntax
-from haros_ci.follow import statements, thrown
+from haros_ci.follow import early, statements, thrown
 from haros_ci.follow.frames import RAISED, RETURN, THROW, Frame
 from haros_ci.follow.libraries import harmless
 from haros_ci.follow.walk import Walk
@@ -22,11 +22,13 @@ def attempt(walk: Walk, frame: Frame, statement: syntax.Try) -> str:
     block, handlers = statement.body, statement.handlers
     is_caught = frame.function is not None and frame.function.name != "main" and not harmless.are_ends(handlers)
     walk.trying += is_caught
+    known = len(frame.early)
     try:
         with thrown.left(walk, handlers), thrown.tried(walk, frame, handlers) as trial:
             ended = statements.execute(walk, frame, block)
     finally:
         walk.trying -= is_caught
+    early.forget(frame, known, trial)
     after = walk.state.undo(trial.mark)
     branches: list[tuple[str, Writes]] = [(ended, after)]
     trials = walk.trials

@@ -9,7 +9,7 @@ from haros_ci import syntax
 from haros_ci.follow import call_arguments, methods, partials, setters
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
-from haros_ci.follow.made import SEVERAL, Root, either
+from haros_ci.follow.made import SEVERAL, Root, counts_alone, either
 from haros_ci.follow.walk import CHAIN, ROOTS, Walk
 from haros_ci.model.architecture import Condition
 from haros_ci.model.location import Location
@@ -116,7 +116,7 @@ def _again(walk: Walk, number: int, other: Root) -> None:
 def _in_common(walk: Walk, known: Root, other: Root) -> tuple[tuple[Condition, ...], str | None]:
     """The conditions of what is registered on two ways, and its doubt; one that fewer branches rule out counts alone."""
     conditions, is_all = either(known.conditions, other.conditions, walk.pairs)
-    if not is_all and known.dead != other.dead:  # as of two ways to one endpoint
+    if counts_alone(known, other, is_all):  # as of two ways to one endpoint
         counting = known if known.dead < other.dead else other
         return counting.conditions, counting.doubt
     certain = any(root.doubt is None and root.conditions == conditions for root in (known, other))

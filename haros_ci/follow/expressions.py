@@ -60,7 +60,7 @@ def evaluate(walk: Walk, frame: Frame, expression: Expression) -> Value:
 
 
 #: The last word of the names that libraries give their pointers: ``ModelPtr``, ``model_ptr``, not ``Xref``.
-_POINTER = re.compile(r"(?:Ptr|PTR|Pointer|Ref|(?:^|[_:])(?:ptr|pointer|ref))\Z")
+POINTER = re.compile(r"(?:Ptr|PTR|Pointer|Ref|(?:^|[_:])(?:ptr|pointer|ref))\Z")
 
 
 def holds(walk: Walk, frame: Frame, expression: Expression, value: Value) -> bool | None:
@@ -72,7 +72,7 @@ def holds(walk: Walk, frame: Frame, expression: Expression, value: Value) -> boo
     result = conversions.truth(value)
     if not result or not isinstance(value, Object) or value.definition is not None or frame.source.separator != "::":
         return result
-    if not _POINTER.search(value.name):
+    if not POINTER.search(value.name):
         cell = cell_of(walk, frame, expression) if isinstance(expression, (syntax.Name, syntax.Member)) else None
         kind = cell.type if cell is not None else None
         if kind is not None and kind.name == value.name and "*" not in kind.marks:

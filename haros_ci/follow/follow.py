@@ -91,6 +91,7 @@ def follow(walk: Walk, entry: Entry) -> bool:
 
 
 def _start(walk: Walk, frame: Frame, entry: Entry) -> None:
+    walk.entry = entry.function
     if entry.begin is not None:
         entry.begin(walk, frame)
     elif entry.definition is not None:

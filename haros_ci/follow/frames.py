@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.index.index import Source
@@ -13,6 +14,9 @@ from haros_ci.syntax import Function
 from haros_ci.values.abstract import Cell, Object, Opaque, Value
 from haros_ci.values.cells import Closure
 from haros_ci.values.state import Writes
+
+if TYPE_CHECKING:
+    from haros_ci.follow.early import Exit
 
 #: How a block ends: it falls through, or it leaves in one of these ways.
 NEXT, RETURN, BREAK, CONTINUE, THROW = "next", "return", "break", "continue", "throw"
@@ -46,6 +50,10 @@ class Frame(Closure):
     exits: list[Writes] = field(default_factory=list)
     #: Whether what is followed cannot be reached as things are: it is gone through for what it makes only.
     is_dead: bool = False
+    #: The early ways out of it and of turns of its loops so far (``follow.early``).
+    early: list[Exit] = field(default_factory=list)
+    #: Whether the program ends where it says that it has failed.
+    is_start: bool = False
 
     def find(self, name: str) -> Cell | None:
         frame: Frame | None = self

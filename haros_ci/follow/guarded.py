@@ -6,10 +6,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from haros_ci import syntax
-from haros_ci.follow import statements
+from haros_ci.follow import early, statements
 from haros_ci.follow.frames import NEXT, Frame
 from haros_ci.follow.walk import Walk
-from haros_ci.syntax import Block
 from haros_ci.values.abstract import Cell
 from haros_ci.values.state import Writes, joined
 
@@ -20,14 +19,15 @@ def preprocessor(walk: Walk, frame: Frame, statement: syntax.Preprocessor) -> st
     fresh: dict[str, Cell] = {}
     verdicts = [walk.is_compiled(frame.source.path, branch.line) for branch in statement.branches]
     if True in verdicts and walk.outer is not None:  # what a wrapper does not do as things are is nobody's
-        return _in_place(walk, frame, statement.branches[verdicts.index(True)].body)
+        return statements.in_place(walk, frame, statement.branches[verdicts.index(True)].body)
     for branch, verdict in zip(statement.branches, verdicts, strict=True):
-        mark = walk.state.mark()
+        mark, known, depth = walk.state.mark(), len(frame.early), len(walk.conditions)
         declared: dict[str, Cell] = {}
         with walk.under("#if", branch.text, frame, branch.line, branch.column):
             frame.scopes.append(declared)
-            ended = statements.follow_branch(walk, frame, branch.body, verdict is not False, _in_place)
+            ended = statements.follow_branch(walk, frame, branch.body, verdict is not False, statements.in_place)
             frame.scopes.pop()
+        early.compiled(frame, known, depth, verdict)
         branches.append((ended, _with_declared(walk.state.undo(mark), declared, fresh)))
     if not any(branch.text.startswith("#else") for branch in statement.branches):
         branches.append((NEXT, {}))
@@ -60,13 +60,3 @@ def _complete(cells: Iterable[Cell], branches: list[Writes], live: list[int] | N
             value = joined(value, other)
         for writes in branches:
             writes.setdefault(cell, value)
-
-
-def _in_place(walk: Walk, frame: Frame, block: Block) -> str:
-    """Execute statements in the scope that there is."""
-    for item in block:
-        walk.step()
-        ended = statements.STATEMENTS[type(item)](walk, frame, item)
-        if ended != NEXT:
-            return ended
-    return NEXT

@@ -128,7 +128,7 @@ Pointers = dict[str, tuple[tuple[Source, str, syntax.Init | None, Type], ...]]
 
 
 def _pointers(walk: Walk, names: frozenset[str]) -> Pointers:
-    """The namespace-scope variables and static members of those *names* (their last parts) that point to constants.
+    """The namespace-scope variables and static members of those *names* (their last parts) that point to constants, or begin without a value.
 
     They are no constants themselves: for each its file, qualified name, initialiser and type.
     """
@@ -151,7 +151,7 @@ def _all_pointers(walk: Walk) -> Pointers:
         variables += [(where, f"{c.name}::{f.name}", f) for where, c in item for f in c.fields if f.is_static]
     found: Pointers = {}
     for where, name, variable in variables:
-        if "*" in variable.type.marks and not variable.type.marks.endswith("c"):
+        if variable.init is None or ("*" in variable.type.marks and not variable.type.marks.endswith("c")):
             last = name.rpartition("::")[2]
             found[last] = (*found.get(last, ()), (where, name, variable.init, variable.type))
     return found

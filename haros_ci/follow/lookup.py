@@ -15,6 +15,7 @@ from haros_ci.follow.ros import qos
 from haros_ci.follow.walk import Walk
 from haros_ci.index.common_messages import COMMON, NAMES
 from haros_ci.index.index import EITHER, Source
+from haros_ci.index.types import MAPS, SEQUENCES
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
 from haros_ci.values.abstract import Callable, Cell, ClassValue, Known, Library, Module, Object, Value, join, tick
@@ -90,9 +91,18 @@ def global_cell(walk: Walk, source: Source, name: str, init: syntax.Init | None,
                     there = Frame(where, frame.scope)
                     cell.value = construct.initial(walk, there, resolved, variable.init, Location(where.path))
                     break
+            else:
+                if (
+                    _is_container(resolved) and name in walk.index.variables
+                ):  # ``std::vector<T> x;`` begins without an element
+                    cell.value = construct.initial(walk, frame, resolved, None, Location(source.path))
         walk.state.settle(mark, begun)
         walk.lasting.add(cell)
     return cell
+
+
+def _is_container(kind: Type) -> bool:
+    return (kind.name in SEQUENCES or kind.name in MAPS) and not {"*", "&"} & set(kind.marks)
 
 
 def name(walk: Walk, frame: Frame, expression: syntax.Name) -> Value:

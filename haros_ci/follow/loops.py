@@ -7,7 +7,7 @@ from collections.abc import Callable
 from functools import partial
 
 from haros_ci import syntax
-from haros_ci.follow import alternatives, expressions, statements, static_types, thrown
+from haros_ci.follow import alternatives, early, expressions, statements, static_types, thrown
 from haros_ci.follow.frames import BOUND, BREAK, CONTINUE, NEXT, Frame, Loop
 from haros_ci.follow.made import forget_dead, go_back, keep
 from haros_ci.follow.walk import TURNS, Walk
@@ -148,12 +148,13 @@ def _body(walk: Walk, frame: Frame, loop: Loop, body: Callable[[], str]) -> str:
     """The body of a loop: the ways that continue are joined with the one that comes to its end."""
     was_dead = frame.is_dead
     loop.continues = []
-    broken = len(loop.breaks)
+    broken, known = len(loop.breaks), len(frame.early)
     walk.loops.append(loop)
     try:
         ended = body()
     finally:
         walk.loops.pop()
+    early.forget(frame, known, loop)
     died = frame.is_dead and not was_dead
     frame.is_dead = was_dead
     if loop.continues:

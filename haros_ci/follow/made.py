@@ -103,7 +103,8 @@ def either(
         if left != right:
             if left.statement == "else":
                 left, right = right, left
-            both = left.statement == "if" and right.statement == "else" and pairs.get(right.location) == left.location
+            both = left.statement == "if" and right.statement == "else" and left.condition == right.condition
+            both = both and pairs.get(right.location) == left.location
             return one[:number], both and number == len(one) - 1 == len(other) - 1
     return (other if len(other) < len(one) else one), True
 
@@ -172,12 +173,28 @@ def _both(
 ) -> tuple[tuple[Condition, ...], tuple[tuple[str, str, Location | None], ...]]:
     """The conditions and unknowns of what is made on two ways; one that fewer branches rule out as things are counts alone."""
     conditions, is_all = either(known.conditions, other.conditions, walk.pairs)
-    unknowns = other.unknowns
-    if not is_all and known.dead != other.dead:
-        conditions = (known if known.dead < other.dead else other).conditions
-    elif not is_all and SEVERAL not in (unknown[1] for unknown in known.unknowns):
+    unknowns, before = other.unknowns, known.unknowns
+    if counts_alone(known, other, is_all):
+        counting = known if known.dead < other.dead else other
+        conditions = counting.conditions
+        before = before if counting is known else tuple(unknown for unknown in before if unknown[1] != SEVERAL)
+    elif not is_all and SEVERAL not in (unknown[1] for unknown in before):
         unknowns = (*unknowns, ("conditions", SEVERAL, other.location))
-    return conditions, tuple(dict.fromkeys((*known.unknowns, *unknowns)))
+    if _is_certain(known, other, conditions) or _is_certain(other, known, conditions):
+        before, unknowns = (tuple(one for one in items if one[0] != "conditions") for items in (before, unknowns))
+    return conditions, tuple(dict.fromkeys((*before, *unknowns)))
+
+
+def _is_certain(way: MadeEntity, other: MadeEntity, conditions: tuple[Condition, ...]) -> bool:
+    """Whether *way* alone makes it for sure under *conditions*, whatever the *other* one does."""
+    is_open = any(unknown[0] == "conditions" for unknown in way.unknowns)
+    return way.conditions == conditions and way.dead <= other.dead and not is_open
+
+
+def counts_alone(known: MadeEntity | Root, other: MadeEntity | Root, is_all: bool) -> bool:
+    """Whether of two ways the one counts that fewer branches rule out: not where they are the branches of one ``if``."""
+    is_longer = len(known.conditions) != len(other.conditions)
+    return known.dead != other.dead and (is_longer or not is_all)
 
 
 def keep(walk: Walk) -> Kept:

@@ -7,13 +7,25 @@ from collections.abc import Callable
 from typing import TypeVar, cast
 
 from haros_ci import syntax
-from haros_ci.follow import attempts, construct, expressions, guarded, library_calls, lookup, loops, members, thrown
-from haros_ci.follow.frames import BREAK, CONTINUE, NEXT, RAISED, RETURN, THROW, Frame, Loop
+from haros_ci.follow import (
+    attempts,
+    construct,
+    early,
+    expressions,
+    guarded,
+    library_calls,
+    lookup,
+    loops,
+    members,
+    switches,
+    thrown,
+)
+from haros_ci.follow.frames import BREAK, CONTINUE, NEXT, RAISED, RETURN, THROW, Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.model.location import Location
-from haros_ci.syntax import Block, Expression, Statement
+from haros_ci.syntax import Block, Statement
 from haros_ci.values import abstract
-from haros_ci.values.abstract import Cell, ClassValue, Known, Library, Value, tick
+from haros_ci.values.abstract import Cell, ClassValue, Known, Library, tick
 from haros_ci.values.state import Writes
 
 #: What holds in the script that is started, and in no other module: no condition at all.
@@ -26,17 +38,48 @@ def execute(walk: Walk, frame: Frame, block: Block) -> str:
     """Follow the statements of *block* in a scope of their own; say how it ends."""
     frame.scopes.append({})
     try:
-        for statement in block:
+        return in_place(walk, frame, block)
+    finally:
+        frame.scopes.pop()
+
+
+def in_place(walk: Walk, frame: Frame, block: Block) -> str:
+    """The same in the scope that there is.
+
+    What stands behind an early way out does so under its opposite, to the end of the block; where that way is taken as things are, what follows is ruled out.
+    """
+    depth, doubts, behind = len(walk.conditions), len(walk.doubts), 0
+    try:
+        for number in range(len(block)):
             walk.step()
-            ended = STATEMENTS[type(statement)](walk, frame, statement)
+            known, was_dead = len(frame.early), frame.is_dead
+            ended = _judged(walk, frame, block, number)
             if walk.is_raised:
                 walk.is_raised = False
                 return RAISED
             if ended != NEXT:
+                if ended == RETURN and len(frame.early) > known and any(map(early.shuts_down, block[:number])):
+                    early.drop(frame, known)
                 return ended
+            if len(frame.early) > known and early.stand_behind(walk, frame, known):
+                behind += frame.is_dead and not was_dead
+                walk.dead += frame.is_dead and not was_dead
         return NEXT
     finally:
-        frame.scopes.pop()
+        walk.dead -= behind
+        del walk.conditions[depth:], walk.doubts[doubts:]
+
+
+def _judged(walk: Walk, frame: Frame, block: Block, number: int) -> str:
+    """Follow one statement of a block; the next one may end the program where it fails."""
+    statement = block[number]
+    if number + 1 < len(block) and early.judged_next(walk, frame, statement, block[number + 1]):
+        before, walk.judged = walk.judged, len(walk.active)
+        try:
+            return STATEMENTS[type(statement)](walk, frame, statement)
+        finally:
+            walk.judged = before
+    return STATEMENTS[type(statement)](walk, frame, statement)
 
 
 def _do(walk: Walk, frame: Frame, statement: syntax.Do) -> str:
@@ -95,31 +138,53 @@ def _nonlocal(walk: Walk, frame: Frame, statement: syntax.Nonlocal) -> str:
 
 
 def _if(walk: Walk, frame: Frame, statement: syntax.If) -> str:
-    line, column, text = statement.line, statement.column, statement.text
-    then, other, else_line, else_column = statement.then, statement.other, statement.else_line, statement.else_column
-    if text.replace("'", '"').replace(" ", "").strip("()") in MAIN_GUARD and frame.source.program.language == "python":
-        return execute(walk, frame, then) if frame.source.path in walk.files else NEXT
+    written = statement.text.replace("'", '"').replace(" ", "").strip("()")
+    if written in MAIN_GUARD and frame.source.program.language == "python":
+        return execute(walk, frame, statement.then) if frame.source.path in walk.files else NEXT
     asked = len(walk.absent)
-    holds = expressions.holds(walk, frame, statement.test, expressions.evaluate(walk, frame, statement.test))
+    holds = _tested(walk, frame, statement)
     if walk.is_raised:
         return NEXT
     lacking = tuple(walk.absent[asked:])
     if holds is not None and walk.outer is not None:  # what a wrapper does not do as things are is nobody's
-        return execute(walk, frame, then if holds else other)
-    branches = []
-    mark = walk.state.mark()
-    with walk.under("if", text, frame, line, column):
-        ended = follow_branch(walk, frame, then, holds is not False, lacking=lacking)
-    branches.append((ended, walk.state.undo(mark)))
-    if else_line:
+        return execute(walk, frame, statement.then if holds else statement.other)
+    if statement.else_line:
         path = frame.source.path
-        walk.pairs[Location(path, else_line, else_column)] = Location(path, line, column)
-        with walk.under("else", text, frame, else_line, else_column):
-            ended = follow_branch(walk, frame, other, holds is not True, lacking=lacking)
-        branches.append((ended, walk.state.undo(mark)))
-    else:
-        branches.append((NEXT, {}))
+        one, other = (
+            Location(path, statement.line, statement.column),
+            Location(path, statement.else_line, statement.else_column),
+        )
+        walk.pairs[other], walk.pairs[one] = one, other
+    branches = [_side(walk, frame, statement, True, holds, lacking)]
+    branches.append(_side(walk, frame, statement, False, holds, lacking) if statement.else_line else (NEXT, {}))
     return merge(walk, frame, branches, None if holds is None else [0 if holds else 1])
+
+
+def _side(
+    walk: Walk, frame: Frame, statement: syntax.If, is_then: bool, holds: bool | None, lacking: tuple[str, ...]
+) -> tuple[str, Writes]:
+    """Follow one branch of an ``if``: how it ends, and what it writes. *holds* is whether its test does, as far as that is known."""
+    mark, known = walk.state.mark(), len(frame.early)
+    place = (statement.line, statement.column) if is_then else (statement.else_line, statement.else_column)
+    with walk.under("if" if is_then else "else", statement.text, frame, *place):
+        block = statement.then if is_then else statement.other
+        ended = follow_branch(walk, frame, block, holds is None or holds is is_then, lacking=lacking)
+    writes = walk.state.undo(mark)
+    is_new = len(frame.early) > known and holds is not is_then
+    if is_new and early.is_aside(walk, frame, statement.test, is_then):
+        early.drop(frame, known)
+    return ended, writes
+
+
+def _tested(walk: Walk, frame: Frame, statement: syntax.If) -> bool | None:
+    """Whether the test of an ``if`` holds; the program may end where what it calls fails."""
+    test, before = statement.test, walk.judged
+    if early.judged(walk, frame, test, statement.then, statement.other):
+        walk.judged = len(walk.active)
+    try:
+        return expressions.holds(walk, frame, test, expressions.evaluate(walk, frame, test))
+    finally:
+        walk.judged = before
 
 
 def follow_branch(
@@ -137,7 +202,8 @@ def follow_branch(
     if lacking and not can_be:
         walk.lacking.append(lacking)
     try:
-        return run(walk, frame, block)
+        ended = run(walk, frame, block)
+        return RETURN if ended == NEXT and frame.is_dead and not before and can_be else ended
     finally:
         frame.is_dead = before
         walk.dead -= not can_be
@@ -160,69 +226,12 @@ def merge(walk: Walk, frame: Frame, branches: list[tuple[str, Writes]], live: li
     return next((ended for ended in (CONTINUE, BREAK, RETURN, THROW, RAISED) if ended in ends), NEXT)
 
 
-def _switch(walk: Walk, frame: Frame, statement: syntax.Switch) -> str:
-    line, column, text, test, cases = statement.line, statement.column, statement.text, statement.value, statement.cases
-    value = expressions.evaluate(walk, frame, test)
-    branches: list[tuple[str, Writes]] = []
-    live: list[int] = []
-    default = None
-    taken = _taken(walk, frame, value, [case.value for case in cases])
-    can_be = taken is None
-    for index, case in enumerate(cases):
-        if case.value is None:
-            default = len(branches)
-        if taken is not None and index in taken:
-            can_be = True
-            live.append(len(branches))
-        if not case.body and index + 1 < len(cases):  # the same as the next case
-            continue
-        was_dead, is_dead = frame.is_dead, not can_be
-        frame.is_dead = was_dead or is_dead
-        walk.dead += is_dead
-        can_be = taken is None
-        loop = Loop(walk.state.mark(), is_switch=True)
-        walk.loops.append(loop)
-        ended = NEXT
-        with walk.under("switch", text, frame, line, column):
-            for following in cases[index:]:
-                ended = execute(walk, frame, following.body)
-                if ended != NEXT:
-                    break
-        walk.loops.pop()
-        frame.is_dead = was_dead
-        walk.dead -= is_dead
-        ways = list(loop.breaks)
-        if ended == NEXT:
-            ways.append(walk.state.since(loop.mark))
-        writes = walk.state.undo(loop.mark)
-        if ways:
-            walk.state.merge(ways)
-            writes = walk.state.undo(loop.mark)
-        branches.append((NEXT if ways or ended == BREAK else ended, writes))
-    if default is None:
-        branches.append((NEXT, {}))
-        default = len(branches) - 1
-    if not branches:
-        return NEXT
-    return merge(walk, frame, branches, (live or [default]) if taken is not None else None)
-
-
-def _taken(walk: Walk, frame: Frame, value: Value, labels: list[Expression | None]) -> set[int] | None:
-    """The numbers of the cases that a switch over *value* goes to, else the default's; None if that is not known."""
-    if not isinstance(value, Known):
-        return None
-    found = set()
-    for number, label in enumerate(labels):
-        expected = expressions.evaluate(walk, frame, label) if label is not None else None
-        if expected is not None and not isinstance(expected, Known):
-            return None
-        if expected is not None and expected.value == value.value:
-            found.add(number)
-    return found or {number for number, label in enumerate(labels) if label is None}
-
-
 def _return(walk: Walk, frame: Frame, statement: syntax.Return) -> str:
+    before = walk.judged
+    walk.judged = len(walk.active) if frame.is_start or early.is_over(walk, frame) else before
     value = expressions.evaluate(walk, frame, statement.value) if statement.value is not None else Known(None)
+    walk.judged = before
+    early.returns(walk, frame, value, statement.value is None)
     if not frame.is_dead and not walk.is_raised:
         frame.returned.append(value)
         frame.exits.append(walk.state.since(frame.mark))
@@ -234,23 +243,26 @@ def _throw(walk: Walk, frame: Frame, statement: syntax.Throw) -> str:
         expressions.evaluate(walk, frame, statement.value)
     if walk.trials and walk.trials[-1].frame is frame:
         thrown.may_throw(walk)
+        early.throws(walk, frame, walk.trials[-1])
     else:
         thrown.throws(walk)
     return THROW
 
 
 def _break(walk: Walk, frame: Frame, statement: syntax.Break) -> str:
-    if walk.loops and not frame.is_dead:
-        walk.loops[-1].breaks.append(walk.state.since(walk.loops[-1].mark))
+    if walk.loops:
+        early.ends_turn(walk, frame, walk.loops[-1])
+        if not frame.is_dead:
+            walk.loops[-1].breaks.append(walk.state.since(walk.loops[-1].mark))
     return BREAK
 
 
 def _continue(walk: Walk, frame: Frame, statement: syntax.Continue) -> str:
-    if not frame.is_dead:
-        for loop in reversed(walk.loops):
-            if not loop.is_switch:
-                loop.continues.append(walk.state.since(loop.mark))
-                break
+    loop = next((loop for loop in reversed(walk.loops) if not loop.is_switch), None)
+    if loop is not None:
+        early.ends_turn(walk, frame, loop)
+        if not frame.is_dead:
+            loop.continues.append(walk.state.since(loop.mark))
     return CONTINUE
 
 
@@ -296,7 +308,7 @@ STATEMENTS: dict[type[Statement], _Execute] = dict(
         _on(syntax.If, _if),
         _on(syntax.Loop, lambda walk, frame, s: loops.loop(walk, frame, s)),
         _on(syntax.Each, lambda walk, frame, s: loops.for_each(walk, frame, s)),
-        _on(syntax.Switch, _switch),
+        _on(syntax.Switch, lambda walk, frame, s: switches.switch(walk, frame, s)),
         _on(syntax.Try, lambda walk, frame, s: attempts.attempt(walk, frame, s)),
         _on(syntax.Preprocessor, lambda walk, frame, s: guarded.preprocessor(walk, frame, s)),
         _on(syntax.Nested, lambda walk, frame, s: execute(walk, frame, s.body)),

@@ -128,7 +128,10 @@ class Walk:
     standing: list[Standing] = field(default_factory=list)
     twins: dict[str, Twin] = field(default_factory=dict)
     has_ended: bool = False
-    #: The place of the ``if`` that each ``else`` belongs to.
+    #: The function that the program begins with, and the depth of calls whose failure ends it (``follow.early``).
+    entry: Function | None = None
+    judged: int = -1
+    #: The place of the ``if`` that each ``else`` belongs to, and of the ``else`` of each ``if``; its own of an ``if`` without.
     pairs: dict[Location, Location] = field(default_factory=dict)
     loops: list[Loop] = field(default_factory=list)
     #: Those that are gone through turn by turn, of all functions that are active.
@@ -252,11 +255,12 @@ class Walk:
     @contextmanager
     def under(self, statement: str, text: str, frame: Frame, line: int, column: int) -> Iterator[None]:
         """What is made inside stands under this condition."""
+        depth = len(self.conditions)
         self.conditions.append(Condition(statement, text, Location(frame.source.path, line, column)))
         try:
             yield
         finally:
-            self.conditions.pop()
+            del self.conditions[depth:]
 
     def parameter(self, name: str) -> Value | None:
         """The value of a parameter as the node finds it: what it has set itself, else what the configuration sets.

@@ -88,7 +88,7 @@ CPP = (
         None,
     ),
     ("spaces", "", "if ( cond( )\n   && other() )\n  make();", [("if", "cond( ) && other()", 10, 1)]),
-    ("early return of a caller", "void f() { if (cond()) return; make(); }", "f();", []),
+    ("early return of a caller", "void f() { if (cond()) return; make(); }", "f();", [("else", "cond()", 8, 12)]),
 )
 #: Why a row does not hold yet.
 DEFECTS = because(
@@ -186,6 +186,11 @@ WAYS = (
     ("if (a) make(); else make();", [], False),
     ("if (a) { if (b) make(); else make(); }", ["a"], False),
     ("if (a) { if (b) make(); }", ["a", "b"], False),
+    ("a && (make(), true);", [], True),
+    ("make(); a && (make(), true);", [], False),
+    ("a && (make(), true); make();", [], False),
+    ("a && (make(), true); if (b) make();", [], True),
+    ("if (a) make(); if (a) { b && (make(), true); }", [], True),
 )
 
 
@@ -195,6 +200,8 @@ DECIDED = (
     ("if (a) { if (b) make(); } else make();", "a = false, b = number()", ["a"]),
     ("if (a) { if (b) make(); } if (b) make();", "a = false, b = number()", ["b"]),
     ("if (b) make(); if (a) { if (c) make(); }", "a = false, b = number(), c = number()", ["b"]),
+    ("if (a) make(); if (c) make(); if (b) make();", "a = false, b = number(), c = false", ["b"]),
+    ("if (b) make(); if (a) make(); if (c) make();", "a = false, b = number(), c = false", ["b"]),
     ("if (a) make(); else make();", "a = true", []),
     ("make(); if (a) make();", "a = false", []),
     ("if (a) { if (b) make(); }", "a = false, b = number()", ["a", "b"]),
