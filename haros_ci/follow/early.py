@@ -12,7 +12,7 @@ way puts what stands behind it under the opposite of all that leads there. No co
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
@@ -128,7 +128,7 @@ def _behind(walk: Walk, frame: Frame, path: tuple[Condition, ...], since: list[C
     """What holds where not all of *path* does but all of *since*; None where no condition says it."""
     words = {condition.statement for condition in path}
     if words == {"switch"} and len(path) == 1:
-        return path[0]
+        return replace(path[0], is_early=True)
     left = [each for each in path if each not in since and each.statement in ("if", "else")]
     return _opposite(walk, frame, left) if left and not words & {"switch", "#if"} else None
 
@@ -138,11 +138,11 @@ def _opposite(walk: Walk, frame: Frame, path: list[Condition]) -> Condition | No
     if len(path) == 1:
         (one,) = path
         place = walk.pairs.setdefault(one.location, one.location)
-        return Condition("if" if one.statement == "else" else "else", one.condition, place)
+        return Condition("if" if one.statement == "else" else "else", one.condition, place, is_early=True)
     python = frame.source.separator == "."
     parts = [_negated(each.condition, python) if each.statement == "else" else each.condition for each in path]
     text = (" and " if python else " && ").join(map(_in_brackets, parts))
-    return Condition("else", text, path[-1].location) if len(text) <= LONGEST else None
+    return Condition("else", text, path[-1].location, is_early=True) if len(text) <= LONGEST else None
 
 
 def _negated(text: str, python: bool) -> str:
@@ -225,6 +225,8 @@ def _is_made(walk: Walk, frame: Frame, name: Expression, is_tested: bool) -> boo
     if cell is None:
         return False
     value = cell.value
+    if value == NONE and not is_tested:
+        return True
     options = [option for option in (value.options if isinstance(value, Choice) else (value,)) if option != NONE]
     kinds = (cell.type, value.type if isinstance(value, Opaque) else None)
     if any(kind is not None and _is_pointer(kind) for kind in kinds):

@@ -208,6 +208,11 @@ class Walk:
         if self.quiet_steps > self.most or self.steps - self.quiet_steps > self.most:
             raise OutOfSteps
 
+    @property
+    def around(self) -> tuple[Condition, ...]:
+        """The conditions of the statements around what is followed, without the early ways out before it."""
+        return tuple(item for item in self.conditions if not item.is_early)
+
     def extent(self) -> tuple[int, int, int, int, int]:
         """How much there is so far of what a function may make."""
         return len(self.made), len(self.roots), len(self.nodes), len(self.gaps), self.news

@@ -71,7 +71,7 @@ _conditions, _rules = _every(_is(Condition)), _every(_is(RemappingRule))
 #: The classes that are kept: the attributes in order, each with what it may be.
 CLASSES: dict[type, dict[str, Check]] = {
     Location: {"path": _text, "line": _line, "column": _line, "end_line": _line, "end_column": _line},
-    Condition: {"statement": _text, "condition": _text, "location": _is(Location)},
+    Condition: {"statement": _text, "condition": _text, "location": _is(Location), "is_early": _flag},
     Qos: {
         "history": _optional(_text),
         "depth": _measure,

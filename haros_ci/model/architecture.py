@@ -49,11 +49,15 @@ class Unknown:
 
 @dataclass(frozen=True, slots=True)
 class Condition:
-    """A statement around an entity: if, else, for, while, do, switch, catch, #if, unless; at its keyword."""
+    """A statement around an entity: if, else, for, while, do, switch, catch, #if, unless; at its keyword.
+
+    *is_early* if it stands before the entity instead, and ends the function or the turn of a loop on its other way.
+    """
 
     statement: str
     condition: str
     location: Location
+    is_early: bool = field(default=False, compare=False)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -86,7 +90,8 @@ class Endpoint:
     may change its type, or whether that is not known. *is_strict* says that the call fails, and nobody around it catches that: a
     declaration where the parameter has no value, a reading where it is not declared. *is_ruled_out* says that a condition around it
     does not hold as things are, so that it is not made. *queue_size* and
-    *latched* are of ROS 1 topics, *qos* of ROS 2 topics and services.
+    *latched* are of ROS 1 topics, *qos* of ROS 2 topics and services. *conditions* stand around it, *early_ways* before it: HAROS, and
+    what checks and queries call conditional, know the former alone.
     """
 
     kind: str
@@ -95,6 +100,7 @@ class Endpoint:
     type: str | None
     location: Location | None
     conditions: tuple[Condition, ...] = ()
+    early_ways: tuple[Condition, ...] = ()
     queue_size: int | None = None
     latched: bool | None = None
     value: Any = None

@@ -203,6 +203,7 @@ def _endpoint_anew(end: Endpoint, place: Places) -> dict[str, Any]:
         **_particulars(end),
         "implicit": end.implicit,
         "conditions": _conditions(end.conditions, place),
+        **({"early_ways_out": _conditions(end.early_ways, place)} if end.early_ways else {}),
         **({"ruled_out": True} if end.is_ruled_out else {}),
         "location": place.location(end.location),
         "source": end.source,

@@ -72,7 +72,9 @@ def told(end: Endpoint) -> list[str]:
     """Statement and text of each condition; ``never`` of what is ruled out, ``?`` where they are not known as a whole."""
     is_open = any(unknown.field == "conditions" for unknown in end.unknowns)
     return (
-        [f"{one.statement} {one.condition}" for one in end.conditions] + ["never"] * end.is_ruled_out + ["?"] * is_open
+        [f"{one.statement} {one.condition}" for one in (*end.conditions, *end.early_ways)]
+        + ["never"] * end.is_ruled_out
+        + ["?"] * is_open
     )
 
 

@@ -32,7 +32,8 @@ def endpoints(
             original_name=item.name,
             type=item.type,
             location=item.location,
-            conditions=_distinct(item.conditions),
+            conditions=_distinct(item.conditions, is_early=False),
+            early_ways=_distinct(item.conditions, is_early=True),
             queue_size=item.queue_size,
             latched=item.latched,
             value=item.value,
@@ -114,5 +115,5 @@ def _of_type(end: Endpoint, kind: str | None) -> Endpoint:
     return replace(end, type=kind, unknowns=tuple(unknown for unknown in end.unknowns if unknown.field != "type"))
 
 
-def _distinct(conditions: tuple[Condition, ...]) -> tuple[Condition, ...]:
-    return tuple(dict.fromkeys(conditions))
+def _distinct(conditions: tuple[Condition, ...], *, is_early: bool) -> tuple[Condition, ...]:
+    return tuple(dict.fromkeys(item for item in conditions if item.is_early is is_early))

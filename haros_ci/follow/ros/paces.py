@@ -59,7 +59,7 @@ def emit(applied: Applied, entry: Entry) -> None:
         name="",
         type=unit,
         location=applied.location,
-        conditions=tuple(walk.conditions),
+        conditions=walk.around,
         effective=number,
         node=node.whole if node is not None else None,
         dead=walk.ruled_out() + bool(walk.doubts or applied.frame.is_dead or walk.beyond),

@@ -159,7 +159,7 @@ def made(
         kind="lifecycle" if is_managed else "node",
         class_name=target.name,
         location=location,
-        conditions=tuple(walk.conditions),
+        conditions=walk.around,
         rules=rules,
         given=provided,
         why=unknown,
