@@ -105,6 +105,7 @@ def haros_ci() -> None:
 @click.option(
     "--watch", is_flag=True, help="Run again when a file has changed, and show what that made new, until Ctrl-C."
 )
+@click.option("--stdin-filename", metavar="FILE", help="With - as PATH: the file that standard input is the text of.")
 @click.option("--shard", metavar="I/N", help="Do the I-th of N parts, and write it for merge: --output shard=FILE.")
 @costs_option
 def check(**flags: Any) -> int:

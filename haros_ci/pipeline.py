@@ -135,12 +135,8 @@ def analyse(
 def selection_of(settings: Settings, known: Registry) -> tuple[Selection, tuple[str, ...]]:
     """Which rules are on, and sentences on selectors that name none; UserError for those that cannot be meant."""
     rules = with_queries(settings, known)
-    names: dict[str, Any] = {
-        "unserved": catalogue.UNSERVED,
-        "open_tools": known.open_ended,
-        "doubt": known.doubt,
-        "identifiers": known.identifiers,
-    }
+    names: dict[str, Any] = {"unserved": catalogue.UNSERVED, "open_tools": known.open_ended}
+    names |= {"doubt": known.doubt, "identifiers": known.identifiers}
     misfits = check_selectors(settings, rules, known.tools, linters=known.adapters, **names)
     slip = slip_finder(settings, rules, known.tools, **names)
     return Selection(settings, rules, unlisted=known.unlisted, slip=slip), (*misfits, *contradictions(settings, known))
@@ -155,6 +151,7 @@ def found(settings: Settings, selection: Selection) -> Workspace:
         max_file_size=settings.max_file_size,
         also=settings.claims,
         past=before(settings),
+        buffer=settings.buffer,
     )
     return quiet(narrowed(workspace, settings, selection), settings)
 
@@ -337,9 +334,9 @@ def selected(
 def own_run(workspace: Workspace, known: Registry) -> Run:
     """What haros-ci itself says: manifests that cannot be read, and changed files that are not analysed."""
     tool = Tool(own.TOOL, __version__, PROJECT_URL, f"haros-ci {__version__}", known.components)
-    analysed = frozenset(f.path for f in workspace.files if workspace.reports_on(f.path))
+    seen = frozenset(f.path for f in workspace.files if workspace.reports_on(f.path))
     results = (*own.manifest_results(workspace.faults), *own.unread_results(workspace.hiding.unread))
-    return Run(tool, results=results, analysed=analysed)
+    return Run(tool, results=results, analysed=seen)
 
 
 def described(run: Run, selection: Selection) -> Run:

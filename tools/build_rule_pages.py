@@ -6,6 +6,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
+from haros_ci.linters.catalogue.clang_tidy_texts import TEXTS as TIDY
+from haros_ci.linters.catalogue.examples import BY_RULE as EXAMPLES
+from haros_ci.linters.catalogue.reasons import BY_RULE as REASONS
 from haros_ci.linters.linter import When
 from haros_ci.registry import Registry, built_in
 from haros_ci.results import own
@@ -70,7 +73,21 @@ def page(tool: str, known: Registry) -> str:
     rules: Mapping[str, Rule] = known.rules_of(tool)
     more = "\nThe tool has more rules: any id of it can be selected." if tool in known.open_ended else ""
     head = HEAD.format(tool=tool, count=len(rules), when=f"; it runs {when(tool, known)}", more=more)
-    return head + "".join(row(rule) for _, rule in sorted(rules.items()))
+    shown = [rule for _, rule in sorted(rules.items())]
+    return head + "".join(map(row, shown)) + "".join(map(section, shown))
+
+
+def section(rule: Rule) -> str:
+    """Why the rule matters, with what is wrong and what is right, for rules that have such texts of their own; else ""."""
+    pair, why = EXAMPLES.get(rule.id), REASONS.get(rule.id) or TIDY.get(rule.id, ("", ""))[1]
+    if not pair and not why:
+        return ""
+    parts = [f"## {rule.id}", cell(rule.summary), cell(why)]
+    if pair:
+        parts += (
+            f"{label}:\n\n```{pair.language}\n{code}\n```" for label, code in (("Bad", pair.bad), ("Good", pair.good))
+        )
+    return "\n" + "\n\n".join(filter(None, parts)) + "\n"
 
 
 def row(rule: Rule) -> str:

@@ -25,6 +25,7 @@ from haros_ci.commands.output import (
     parse_outputs,
     rendered,
 )
+from haros_ci.commands.standard_input import settled, with_buffer
 from haros_ci.commands.timings import with_timings
 from haros_ci.config.settings import Settings
 from haros_ci.errors import EXIT_TOOL_TROUBLE, RunFailure, UserError
@@ -45,6 +46,7 @@ Made = TypeVar("Made")
 
 def check(flags: Flags) -> int:
     """``haros-ci check``: analyse, write every output asked for, and give the exit code of design.md."""
+    flags = settled(flags)
     if flags.get("watch"):
         from haros_ci.commands.watch import watch
 
@@ -59,7 +61,7 @@ def check(flags: Flags) -> int:
 @with_timings
 def checked(flags: Flags) -> int:
     """One run, all at once."""
-    settings = settings_from(flags)
+    settings = with_buffer(settings_from(flags), flags)
     renderers = renderers_of(settings)
     outputs = parse_outputs(flags["output"], renderers)
     if flags["show_settings"]:
@@ -266,7 +268,7 @@ def settings_from(flags: Flags) -> Settings:
     from haros_ci.config.load import load
     from haros_ci.workspace.roots import locate
 
-    place = locate(tuple(flags["paths"]), Path.cwd())
+    place = locate(tuple(flags["paths"]), Path.cwd(), may_be_new=flags.get("is_buffer", False))
     command_line: dict[str, Any] = {
         "paths": place.paths,
         "profile": flags.get("profile"),

@@ -37,7 +37,7 @@ Every command has a --help of its own. The pages: https://github.com/haros-ci/ha
 
 #: The section that an option stands in, by its first name; what is named nowhere stands under Options.
 SECTIONS: Mapping[str, tuple[str, ...]] = {
-    "What is looked at": ("--project", "--isolated", "--exclude", "--compile-database", "--configuration", "--launch", "--arg", "--env", "--path", "--no-known-nodes", "--as-running", "--exact"),
+    "What is looked at": ("--project", "--isolated", "--exclude", "--compile-database", "--stdin-filename", "--configuration", "--launch", "--arg", "--env", "--path", "--no-known-nodes", "--as-running", "--exact"),
     "What is reported": ("--profile", "--tool", "--select", "--ignore", "--import", "--metric", "--level", "--scope", "--expect", "--check-readme", "--coverage", "--rates", "--dependence", "--affects", "--caused-by", "--observed"),
     "What is known already": ("--baseline", "--baseline-rev", "--base", "--no-baseline", "--require-baseline", "--file", "--accept-new", "--force"),
     "What comes out": (
@@ -66,6 +66,7 @@ EXAMPLES: Mapping[str, tuple[tuple[str, str], ...]] = {
         ("what could be mended, then mend it", "haros-ci check . --diff && haros-ci check . --fix"),
         ("a linter that only runs if asked for", "haros-ci check . --select flake8"),
         ("what each change of a file makes new", "haros-ci check . --watch"),
+        ("what an editor has not saved yet", "haros-ci check - --stdin-filename src/arm.cpp --quiet < buffer"),
         ("the second of three parts, for haros-ci merge", "haros-ci check . --shard 2/3 --output shard=2.shard.jsonl"),
     ),
     "baseline create": (
@@ -155,6 +156,7 @@ ABOUT: Mapping[str, str] = {
     "check": """
 PATHS are files and directories of one workspace: a package, a repository of packages, or a colcon or catkin workspace; paths in the
 output are relative to the git repository that they lie in. Given files are reported on alone, but seen with all the rest.
+A single - is the text of one file from standard input, as an editor has it, which need not be on disk (docs/editors.md).
 
 Linters, metrics and checks run side by side; what has not changed since the last run comes from the cache. Comments in the code
 (haros: ignore[RULE] reason) and exceptions of the project file set findings aside, a baseline those that are known; the others

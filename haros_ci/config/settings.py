@@ -9,6 +9,7 @@ from pathlib import Path
 
 from haros_ci.model.access import AccessRule
 from haros_ci.model.declared_tool import DeclaredTool
+from haros_ci.model.workspace import Buffer
 from haros_ci.results.rule import Level
 
 PROFILES = ("ros", "strict", "google", "bugs-only", "architecture", "all")
@@ -94,6 +95,7 @@ class Settings:
     ``haros_plugins`` are those among them that are HAROS's (``haros_plugin_*``), which run only under ``trust_config``, through the two
     lists. ``plugin_export`` is the directory for the files that these export.
     ``declared`` are the tools that the project file declares, trusted or not: they run only under ``trust_config``.
+    ``buffer`` is the file that the run is about, in place of ``paths``, as standard input has it.
     ``access`` are the rules of who may use which topics and services, each with its line in the project file.
     ``origins`` says where a value stands, ``FILE:LINE`` or
     ``command line``, by key (``fail-on``), ``selector <text>``, ``haros <text>`` (a selector of a HAROS ignore list) or
@@ -140,6 +142,7 @@ class Settings:
     plugin_whitelist: tuple[str, ...] = ()
     plugin_blacklist: tuple[str, ...] = ()
     plugin_export: str | None = None
+    buffer: Buffer | None = None
     origins: tuple[tuple[str, str], ...] = ()
     is_measured: bool = False
 

@@ -45,6 +45,14 @@ class Store(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
+class Buffer:
+    """What an editor has of the file at *path*, relative to the root: its *data* count instead of those on disk, if there are any."""
+
+    path: str
+    data: bytes
+
+
+@dataclass(frozen=True, slots=True)
 class Problem:
     """An input that could not be read or understood: *path* (and *line*) say where, *message* what and what to do.
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from haros_ci.model.package import Package, SourceFile
-from haros_ci.model.workspace import Hiding, Problem, Workspace
+from haros_ci.model.workspace import Buffer, Hiding, Problem, Workspace
 from haros_ci.workspace.content import examine
 from haros_ci.workspace.files import TextReader
 from haros_ci.workspace.generated import says_generated
@@ -62,6 +62,7 @@ def assemble(
     elsewhere: Path | None = None,
     differs: Callable[[str], bool] | None = None,
     requested: Iterable[str] = (),
+    buffer: Buffer | None = None,
 ) -> Workspace:
     """Hash and examine *contents* one by one (they may be a generator), parse manifests, sort everything.
 
@@ -70,7 +71,7 @@ def assemble(
     package at the root takes *name*, by default the root's own. *names* are the paths of all files, by default *listed*,
     *executables* those whose execute bit is set, None if nobody knows.
     Files that are not *listed* lie below *elsewhere*, by default the root. *differs* tells whether a change has made the file at a path what
-    it is: one that cannot be analysed is no mere problem then. *requested* are the directories that the run is about.
+    it is: one that cannot be analysed is no mere problem then. *requested* are the directories that the run is about. *buffer* is what the reader has instead of one of the files.
     """
     from hashlib import sha256
 
@@ -128,7 +129,7 @@ def assemble(
     owners = {directory: package.name for directory, (package, _) in packages.items()}
     owned = _owned(sorted(files, key=lambda file: file.path), owners, ThirdParty(names, owners, requested))
     found += doubles((package for package, _ in packages.values()), owned)
-    reader = TextReader(root, listed, max_file_size, elsewhere)
+    reader = TextReader(root, listed, max_file_size, elsewhere, buffer)
     found += _of_rosbuild(owned, names, reader)
     return Workspace(
         root=root,

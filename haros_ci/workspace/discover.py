@@ -12,7 +12,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from haros_ci.errors import UserError
-from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.model.workspace import Buffer, Problem, Workspace
 from haros_ci.timing import timed
 from haros_ci.workspace.assemble import Content, Skipped, SymbolicLink, assemble
 from haros_ci.workspace.excludes import Excludes
@@ -42,6 +42,7 @@ def discover(
     max_file_size: int = MAX_FILE_SIZE,
     also: Also | None = None,
     past: Past | None = None,
+    buffer: Buffer | None = None,
 ) -> Workspace:
     """Find, read and hash what there is to analyse below *root*.
 
@@ -50,14 +51,15 @@ def discover(
     *exclude* are patterns as in .gitignore; they hold for given files, and below given directories. Files over
     *max_file_size* bytes are not read. *also* tells which files are read whatever their kind. *past* is the base
     revision of a change, whose markers count instead of those that the change brings. UserError for a path that does not exist or leads out of *root*.
+    With *buffer* it is the one file to report on, in place of *paths*; it need not be on disk.
     """
     root = root.resolve()
-    scope = scope_of(root, paths)
+    scope = scope_of(root, paths) if buffer is None else AnalysedPaths((".",), (buffer.path,), named=False)
     listing = list_files(root, scope.directories, None if past is None else past.top)
     change = None if past is None else TrackedChange(root, past, listing)
     excludes = Excludes(exclude)
     candidates = select([*listing.paths, *scope.files], scope, excludes, also, change)
-    disk = _Disk(root, max_file_size)
+    disk = _Disk(root, max_file_size, buffer)
     executables = listing.executables | disk.executables(candidates)
     present = [*listing.paths, *scope.files]
     workspace = assemble(
@@ -72,6 +74,7 @@ def discover(
         executables=executables if executables or listing.is_tracked else None,
         differs=None if change is None else change.has_changed,
         requested=scope.directories,
+        buffer=buffer,
     )
     if change is not None:
         workspace = change.applied_to(workspace, candidates, scope, excludes)
@@ -118,8 +121,9 @@ def manifests_above(scope: AnalysedPaths) -> list[str]:
 class _Disk:
     """Reads candidates below *root*, with a problem instead of contents where that is not possible."""
 
-    def __init__(self, root: Path, max_file_size: int) -> None:
+    def __init__(self, root: Path, max_file_size: int, buffer: Buffer | None = None) -> None:
         self._root = os.fspath(root)
+        self._buffer = buffer
         self._tree = FileTree(root)
         self._limit = max_file_size
 
@@ -164,6 +168,10 @@ class _Disk:
 
     def _content(self, candidate: CandidatePath) -> Content | None:
         """The contents; None if it is no regular file or, where only contents can tell, no script."""
+        if self._buffer is not None and candidate.path == self._buffer.path:
+            data = self._buffer.data
+            language = candidate.language or script_language(data[:HEAD]) or candidate.fallback
+            return None if language is None else Content(candidate.path, language, data)
         place = self._tree.place(candidate.path)
         language = candidate.language
         if language is None:
@@ -172,8 +180,8 @@ class _Disk:
             language = language or candidate.fallback
             if language is None:
                 return None
-        data = read_regular(place, self._limit)
-        return None if data is None else Content(candidate.path, language, data)
+        found = read_regular(place, self._limit)
+        return None if found is None else Content(candidate.path, language, found)
 
     def _trouble(self, candidate: CandidatePath, err: OSError) -> SymbolicLink | Problem | None:
         if err.errno in (errno.ELOOP, errno.EMLINK):  # what O_NOFOLLOW says of a symbolic link

@@ -9,6 +9,8 @@ import stat
 from collections.abc import Iterable
 from pathlib import Path
 
+from haros_ci.model.workspace import Buffer
+
 FLAGS = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
 
 
@@ -86,13 +88,16 @@ class FileTree:
 class TextReader:
     """Reads and keeps the texts of listed files below *root* (``model.workspace.Reader``).
 
-    *others* is where files lie that are not listed, if not there, too: a base revision has its texts alone.
+    *others* is where files lie that are not listed, if not there, too: a base revision has its texts alone. *buffer* is not read from disk.
     """
 
-    def __init__(self, root: Path, paths: Iterable[str], limit: int, others: Path | None = None) -> None:
+    def __init__(
+        self, root: Path, paths: Iterable[str], limit: int, others: Path | None = None, buffer: Buffer | None = None
+    ) -> None:
         self._tree = FileTree(root)
         self._others = self._tree if others is None else FileTree(others)
         self._limit = limit
+        self._buffer = buffer
         self._texts: dict[str, str | None] = dict.fromkeys(paths)
 
     def text(self, path: str) -> str:
@@ -109,6 +114,8 @@ class TextReader:
         """The bytes of a listed file; None if it is not listed or cannot be read any more."""
         if path not in self._texts:
             return None
+        if self._buffer is not None and path == self._buffer.path:
+            return self._buffer.data
         try:
             return self._tree.read(path, self._limit)
         except (OSError, TooLarge):

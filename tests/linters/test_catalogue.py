@@ -10,6 +10,8 @@ import pytest
 from haros_ci.config.settings import PROFILES
 from haros_ci.linters import metrics
 from haros_ci.linters.catalogue import SAME_DEFECT, TOOLS, WEIGHING, rule, rules_of
+from haros_ci.linters.catalogue.clang_tidy_texts import TEXTS as TIDY
+from haros_ci.linters.catalogue.reasons import TEXTS as REASONS
 from haros_ci.linters.catalogue.standards import STANDARDS
 from haros_ci.linters.installed import HOW
 from haros_ci.linters.linter import When
@@ -265,3 +267,18 @@ def test_the_same_defect_names_known_rules() -> None:
 )
 def test_bandit_s_weaknesses(identifier: str, weakness: int) -> None:
     assert rule("bandit", identifier).cwe == (weakness,)
+
+
+@pytest.mark.parametrize("tool", ["clang-tidy", "cppcheck", "cpplint", "flake8", "pylint"])
+def test_what_profiles_turn_on_has_a_text_of_its_own(tool: str) -> None:
+    for name in in_profile(tool, "strict"):
+        entry = rule(tool, name)
+        assert not entry.summary.startswith("Finding of "), name
+        assert entry.help.count("\n\n") == 2, f"{name}: what, why and how to mend, how to silence"
+
+
+def test_reasons_are_for_rules_once_and_fit_a_screen() -> None:
+    named = [name for names in REASONS for name in names]
+    assert len(named) == len(set(named))
+    for text in (*REASONS.values(), *(advice for _, advice in TIDY.values())):
+        assert 20 < len(text) < 320 and text[-1] in ".)", text

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from haros_ci.linters.catalogue import haros, standards
+from haros_ci.linters.catalogue.clang_tidy_texts import TEXTS
 from haros_ci.linters.catalogue.group import Rule, help_text, level_of, profiles, tags_of, words
 from haros_ci.results.rule import Level
 
@@ -66,12 +67,12 @@ def invented(name: str) -> Rule:
 
 
 def _rule(name: str, letters: str, tags: str, subject: str) -> Rule:
-    summary = f"Finding of clang-tidy's check '{words(name)}' ({subject})."
+    summary, advice = TEXTS.get(name) or (f"Finding of clang-tidy's check '{words(name)}' ({subject}).", "")
     return Rule(
         id=name,
         summary=summary,
         level=level_of(letters, Level.WARNING if letters[0] in "BRS" else Level.NOTE),
-        help=help_text(name, summary, "", SUPPRESS),
+        help=help_text(name, summary, advice, SUPPRESS),
         help_uri=_address(name),
         precision="high" if letters[0] in "BR" else "medium",
         profiles=profiles(letters),

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from haros_ci.linters.catalogue.reasons import BY_RULE
 from haros_ci.results.rule import Level, Rule
 
 #: What a row's second column stands for. Each letter enables the profiles after it too, so that
@@ -44,7 +45,11 @@ def level_of(letters: str, usual: Level) -> Level:
 
 
 def help_text(rule: str, summary: str, advice: str, suppress: str) -> str:
-    """The help of a rule as Markdown: what, why and how to fix, how to suppress, where CODE stands for the rule."""
+    """The help of a rule as Markdown: what, why and how to fix, how to suppress, where CODE stands for the rule.
+
+    Rules that are met often have an *advice* of their own instead of their group's.
+    """
+    advice = BY_RULE.get(rule, advice)
     parts = [f"**{rule}**: {summary}"]
     if advice:
         parts.append(advice)
