@@ -129,7 +129,7 @@ def _behind(walk: Walk, frame: Frame, path: tuple[Condition, ...], since: list[C
     words = {condition.statement for condition in path}
     if words == {"switch"} and len(path) == 1:
         return replace(path[0], is_early=True)
-    left = [each for each in path if each not in since and each.statement in ("if", "else")]
+    left = [item for item in path if item not in since and item.statement in ("if", "else")]
     return _opposite(walk, frame, left) if left and not words & {"switch", "#if"} else None
 
 
@@ -140,7 +140,7 @@ def _opposite(walk: Walk, frame: Frame, path: list[Condition]) -> Condition | No
         place = walk.pairs.setdefault(one.location, one.location)
         return Condition("if" if one.statement == "else" else "else", one.condition, place, is_early=True)
     python = frame.source.separator == "."
-    parts = [_negated(each.condition, python) if each.statement == "else" else each.condition for each in path]
+    parts = [_negated(item.condition, python) if item.statement == "else" else item.condition for item in path]
     text = (" and " if python else " && ").join(map(_in_brackets, parts))
     return Condition("else", text, path[-1].location, is_early=True) if len(text) <= LONGEST else None
 
