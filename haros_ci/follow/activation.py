@@ -268,9 +268,7 @@ def follow_body(walk: Walk, inner: Frame, function: Function) -> Value:
     trace = walk.index.trace
     if trace is not None:
         trace.bodies.add((inner.source.path, function.name))
-    walk.active.append(function)
-    if not walk.quiet:
-        walk.invoked.add(id(function))
+    walk.enter(function)
     mark = inner.mark
     path = inner.source.path
     guards = [Condition("#if", text, Location(path, line, column)) for line, column, text in function.guards]

@@ -225,11 +225,9 @@ def _is_made(walk: Walk, frame: Frame, name: Expression, is_tested: bool) -> boo
     if cell is None:
         return False
     value = cell.value
-    if value == NONE and not is_tested:
-        return True
     options = [option for option in (value.options if isinstance(value, Choice) else (value,)) if option != NONE]
     kinds = (cell.type, value.type if isinstance(value, Opaque) else None)
-    if any(kind is not None and _is_pointer(kind) for kind in kinds):
+    if (value == NONE and not is_tested) or any(map(_is_pointer, filter(None, kinds))):
         return True
     is_object = all(isinstance(option, (Object, Pointer, Callable)) for option in options)
     return bool(options) and is_object and not (is_tested and len(options) == 1 and _has_a_say(options[0]))

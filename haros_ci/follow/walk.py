@@ -208,6 +208,12 @@ class Walk:
         if self.quiet_steps > self.most or self.steps - self.quiet_steps > self.most:
             raise OutOfSteps
 
+    def enter(self, function: Function) -> None:
+        """The body of a function is followed from here."""
+        self.active.append(function)
+        if not self.quiet:
+            self.invoked.add(id(function))
+
     @property
     def around(self) -> tuple[Condition, ...]:
         """The conditions of the statements around what is followed, without the early ways out before it."""

@@ -138,17 +138,22 @@ def _compared(one: ObservedTopic, ends: _Ends, rate: Rate | None, *, is_of_actio
     if not is_of_action and not publishers:
         what = "no node of the model publishes it" if subscribers else "the model does not have it"
         lacks.append(f"{what}{ends.doubt}")
-    elif made:
-        lacks += [f"{text}{ends.doubt}" for text in (*_other_nodes(one, made), *_other_qos(one, made))]
-    recorded = {plain(name) for name in one.types}
-    if recorded and known and "?" not in known and not recorded & known:
-        lacks.append(f"the model has the type {', '.join(sorted(known))}, the recording {', '.join(sorted(recorded))}")
-    if rate is not None and rate.is_known and rate.high > 0 and one.rate is not None:
-        is_within = rate.low * (1 - TOLERANCE) <= one.rate <= rate.high * (1 + TOLERANCE)
-        if not is_within:
-            lacks.append(f"the model has {rate}, the recording {one.rate:.3g} Hz")
+    lacks += [f"{text}{ends.doubt}" for text in (*_other_nodes(one, made), *_other_qos(one, made))] if made else []
+    lacks += [*_other_type(one, known), *_other_rate(one, rate)]
     qos = tuple(dict.fromkeys(end.qos for _, end in made if end.qos is not None))
     return ComparedTopic(one, publishers, subscribers, tuple(sorted(known - {"?"})), qos, rate, tuple(lacks))
+
+
+def _other_type(one: ObservedTopic, known: set[str]) -> Iterator[str]:
+    recorded = {plain(name) for name in one.types}
+    if recorded and known and "?" not in known and not recorded & known:
+        yield f"the model has the type {', '.join(sorted(known))}, the recording {', '.join(sorted(recorded))}"
+
+
+def _other_rate(one: ObservedTopic, rate: Rate | None) -> Iterator[str]:
+    if rate is not None and rate.is_known and rate.high > 0 and one.rate is not None:
+        if not rate.low * (1 - TOLERANCE) <= one.rate <= rate.high * (1 + TOLERANCE):
+            yield f"the model has {rate}, the recording {one.rate:.3g} Hz"
 
 
 def _other_nodes(one: ObservedTopic, made: Sequence[tuple[Node, Endpoint]]) -> Iterator[str]:

@@ -216,17 +216,18 @@ class _Matcher:
         self, step: _Pass, olds: Mapping[Key, Sequence[MatchCandidate]], news: Mapping[Key, Sequence[MatchCandidate]]
     ) -> Iterator[MatchedPair]:
         """What one pass pairs, of findings that have the same features."""
+        limit = NEAR if step.near else None
         for key, there in olds.items():
             here = news[key]
             if step.edited:
-                here = [thing for thing in here if self.is_fresh(thing)]
-                there = [thing for thing in there if self.is_gone(thing)]
-            limit = NEAR if step.near else None
+                here, there = list(filter(self.is_fresh, here)), list(filter(self.is_gone, there))
             for a, b in assign([thing.place for thing in here], [thing.place for thing in there], limit):
-                if step.near and step.edited and not self.akin(there[b], here[a]):
-                    continue
-                if not (step.edited and self.is_rewritten(there[b], here[a])):
+                if not step.edited or self.is_edited(step, there[b], here[a]):
                     yield MatchedPair(here[a].index, there[b].index, step.evidence)
+
+    def is_edited(self, step: _Pass, old: MatchCandidate, new: MatchCandidate) -> bool:
+        """Whether the line of *new* may be that of *old*, edited."""
+        return (not step.near or self.akin(old, new)) and not self.is_rewritten(old, new)
 
     def fits(self, thing: MatchCandidate, step: _Pass) -> bool:
         """Whether a known finding may take part in a pass."""

@@ -5,12 +5,11 @@ from __future__ import annotations
 
 import math
 import posixpath
-import re
-import shlex
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 from haros_ci.launch.facts import ros2
+from haros_ci.launch.ros2.command_words import word
 from haros_ci.launch.ros2.expression import expression_value
 from haros_ci.model.launch_actions import PREFIX, SHARE, WORKSPACE, Phrase, Substitution
 from haros_ci.substitutions.names import MARK, Text, join_texts, literal, quoted, unknown
@@ -23,9 +22,6 @@ MAX_DEPTH = 50
 #: What performing a RewrittenYaml gives: a path that only this evaluation knows.
 REWRITTEN = "$(rewritten {})"
 
-_DIRECTORY = re.compile(r"\$\([\w-]+ [^\s()]+\)")
-#: What a shell takes for one word as it is.
-_PLAIN = re.compile(r"[^\s'\"\\;&|<>()#*$`]+")
 _TRUE = frozenset(("1", "true", "yes", "on"))
 _FALSE = frozenset(("0", "false", "no", "off"))
 
@@ -155,18 +151,11 @@ def _xacro(context: Context, part: Substitution, depth: int) -> Text:
     """What xacro makes of a file with arguments, as if its command printed it."""
     words = [literal("xacro")]
     for argument in part.arguments:
-        words += [literal(" "), _word(perform(context, argument, depth))]
+        words += [literal(" "), word(perform(context, argument, depth))]
     line = join_texts(words)
     if part.location is not None:
         ros2.command(context, line, part.location)
     return _command(context, (line,))
-
-
-def _word(text: Text) -> Text:
-    """*text* as a word of a command line; a blank in a marker of a package needs no quotes."""
-    if _PLAIN.fullmatch(_DIRECTORY.sub("", text.raw)) is not None:
-        return text
-    return Text(shlex.quote(text.raw), text.reasons)
 
 
 def _param(context: Context, arguments: _Arguments) -> Text:
