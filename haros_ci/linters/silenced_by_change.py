@@ -84,7 +84,7 @@ CHANGE: tuple[tuple[tuple[str, ...], str, str], ...] = (
         "tests/test_action_levels.py::test_goals_that_a_comment_leaves_to_be_aborted",
     ),
     (
-        ("a Python function of the called name with a decorator",),
+        ("a Python function or class of the called name with a decorator",),
         "missing-kwoa, no-value-for-parameter, redundant-keyword-arg, too-many-function-args and unexpected-keyword-arg (pylint) of calls by that name",
         "tests/linters/test_pylint_surroundings.py::test_a_function_that_a_decorator_changes",
     ),

@@ -29,6 +29,10 @@ _SUPERSEDED = re.compile(
     r"(?P<a>.+?)[_-](?:old|backup|bak|copy|orig|original|deprecated|unused|obsolete|legacy)\d*"
     r"|(?:old|backup|bak|deprecated|unused|obsolete)[_-](?P<b>.+)"
 )
+#: Directories of what is no longer used.
+_ARCHIVES = frozenset(
+    "archive archived archives attic backup backups bak deprecated graveyard legacy obsolete old trash unused".split()
+)
 #: What imports modules whose names stand nowhere.
 _DYNAMIC = re.compile(
     r"\bimport_module\s*\(|\b__import__\s*\(|\bpkgutil\b|\biter_modules\b|\bspec_from_file_location\b|\bload_source\s*\("
@@ -97,11 +101,11 @@ class Unused(Judged):
         return sorted(self._workspace.files, key=lambda file: (_ORDER.get(file.language, len(_ORDER)), file.path))
 
     def _may_be_left(self, file: SourceFile) -> bool:
-        """Whether a Python file is a superseded copy: any other one may be started by hand, or imported from elsewhere."""
+        """Whether a Python file is a superseded copy, or archived: any other one may be started by hand, or imported from elsewhere."""
         stem, directory = _stem(file.path), _directory(file.path)
         if not file.path.endswith(".py") or _FOUND.fullmatch(stem) or _OF_TOOLS.intersection(directory.split("/")):
             return False
-        return self._is_superseded(stem, directory)
+        return not _ARCHIVES.isdisjoint(directory.lower().split("/")) or self._is_superseded(stem, directory)
 
     def _is_superseded(self, stem: str, directory: str) -> bool:
         found = _SUPERSEDED.fullmatch(stem)

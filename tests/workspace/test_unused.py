@@ -76,6 +76,8 @@ FIRES_PYTHON = [
     ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/pick.py": NODE, "demo/__init__.py": ""}),
     ("demo/pick_fast_old.py", {"demo/pick_fast_old.py": NODE, "demo/pick_fast.py": NODE}),
     ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/pick_fast.py": NODE}),
+    ("scripts/archive/walk.py", {"scripts/archive/walk.py": NODE, "scripts/pick.py": NODE}),
+    ("Old/walk.py", {"Old/walk.py": NODE}),
     ("demo/pick-backup2.py", {"demo/pick-backup2.py": "#!/usr/bin/env python3\n" + NODE, "demo/pick.py": NODE}),
     ("demo/old_pick.py", {"demo/old_pick.py": MODULE, "demo/pick.py": MODULE}),
 ]
@@ -89,6 +91,13 @@ QUIET_PYTHON = [
     ),
     ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/pick.py": NODE, "a.launch": "<node type='pick_old.py'/>\n"}),
     ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/walk.py": NODE}),
+    ("archive/walk.py", {"archive/walk.py": NODE, "start.sh": "#!/bin/sh\npython3 archive/walk.py\n"}),
+    ("archive/walk.py", {"archive/walk.py": NODE, "README.md": "The archive has walk.py\n"}),
+    ("archives_of_data/walk.py", {"archives_of_data/walk.py": NODE}),
+    (
+        "archive/walk.py",
+        {"archive/walk.py": NODE, "CMakeLists.txt": "install(PROGRAMS archive/walk.py DESTINATION bin)\n"},
+    ),
     ("demo/threshold.py", {"demo/threshold.py": NODE, "demo/thresh.py": NODE}),
     (
         "demo/pick_old.py",
