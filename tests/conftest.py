@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What all tests stand on: Hypothesis looks at the same examples in every run, a shell's ignored signals are not inherited, and what takes
-long is marked ``slow``.
+"""What all tests stand on: Hypothesis looks at the same examples in every run, a shell's ignored signals and its wish for no bytecode are
+not inherited, and what takes long is marked ``slow``.
 """
 
 from __future__ import annotations
 
+import os
 import signal
+import sys
 
 import pytest
 from hypothesis import settings
@@ -17,6 +19,11 @@ settings.load_profile("steady")
 # A shell starts what runs in the background with SIGINT ignored, and so would every command that a test interrupts.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+# What is started hundreds of times is compiled once.
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+sys.dont_write_bytecode = False
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
