@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 def create(flags: Flags) -> int:
     """``haros-ci baseline create``: today's findings become known; a file that holds any is written anew under ``--force`` only."""
     from haros_ci.results.compact import write_compact
+    from haros_ci.results.counted import is_counted
     from haros_ci.results.known import known_from_results
 
     settings, report, sides = examined(flags)
@@ -34,7 +35,9 @@ def create(flags: Flags) -> int:
     if not flags["force"] and not report.failed_tools() and _holds_another(path, write_compact(known)):
         help = "'haros-ci baseline update --accept-new' adds to it and keeps its reasons; '--force' writes it anew"
         raise UserError(f"{path} exists already. {_difference(path, settings, report, sides)}", help=help)
-    return keep(flags, known, report, f"{len(known)} findings are known now")
+    metrics = sum(map(is_counted, report.results))
+    counted = f", {metrics} of them metrics beyond limits, which check only counts" if metrics else ""
+    return keep(flags, known, report, f"{len(known)} findings are known now{counted}")
 
 
 def _holds_another(path: Path, text: str) -> bool:
