@@ -77,6 +77,7 @@ class Entry:
 def follow(walk: Walk, entry: Entry) -> bool:
     """Follow the node; what it makes is in ``run.made``. False if it is larger than the budget."""
     frame = Frame(entry.source, "")
+    walk.is_program = entry.begin is None
     try:
         _start(walk, frame, entry)
         _call_back(walk, frame)

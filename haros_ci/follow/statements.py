@@ -140,7 +140,8 @@ def _nonlocal(walk: Walk, frame: Frame, statement: syntax.Nonlocal) -> str:
 def _if(walk: Walk, frame: Frame, statement: syntax.If) -> str:
     written = statement.text.replace("'", '"').replace(" ", "").strip("()")
     if written in MAIN_GUARD and frame.source.program.language == "python":
-        return execute(walk, frame, statement.then) if frame.source.path in walk.files else NEXT
+        is_run = walk.is_program and frame.source.path in walk.files
+        return execute(walk, frame, statement.then) if is_run else NEXT
     asked = len(walk.absent)
     holds = _tested(walk, frame, statement)
     if walk.is_raised:

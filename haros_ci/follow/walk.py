@@ -88,6 +88,8 @@ class Walk:
     #: Functions that were made, each as it would be called back, and by identity those whose bodies have been followed (``follow.uncalled``).
     held: dict[tuple[int, Object | None], Root] = field(default_factory=dict)
     invoked: set[int] = field(default_factory=set)
+    #: Whether a program is followed, and no class that others make.
+    is_program: bool = True
     #: Whether a function is called that is not known: it may be any of those.
     calls_unknown: bool = False
     #: The numbers of those that have been called back, not in rehearsal.

@@ -400,3 +400,13 @@ def test_python_classes_that_are_not_for_others() -> None:
     assert told(python("class Tool:\n    def __init__(self, node):\n        self.children = node.children\n")) == []
     assert told(python(PYTHON_TOOL.replace("node", "graph"))) == []
     assert told(python(PYTHON_TOOL)) == ["p/p.tools.Tool (library)"]
+
+
+def test_what_only_the_program_of_a_module_does_is_not_of_its_classes() -> None:
+    main = (
+        "def main():\n    rclpy.init()\n    node = rclpy.create_node('other')\n    node.create_publisher(String, 'b', 1)\n"
+        "if __name__ == '__main__':\n    main()\n"
+    )
+    (one,) = [each for each in python(PYTHON_TOOL + main).configurations if each.name.endswith(" (library)")]
+    assert [end.name for node in one.nodes for end in node.endpoints if end.name.endswith("b")] == []
+    assert len(one.nodes) == 1
