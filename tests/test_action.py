@@ -45,7 +45,7 @@ ACTION_ONLY = {
 #: Options that no input gives: they belong to a project file, to a person at a terminal, or would weaken the action.
 TERMINAL_ONLY = {
     "exclude", "import", "isolated", "no-baseline", "no-cache", "output", "show-settings", "statistics", "timings",
-    "trust-config", "why", "quiet", "verbose", "fix", "diff", "watch", "plugin", "plugin-whitelist", "plugin-blacklist", "plugin-export",
+    "trust-config", "why", "quiet", "verbose", "fix", "diff", "watch", "plugin", "plugin-whitelist", "plugin-blacklist", "plugin-export", "stdin-filename",
 }  # fmt: skip
 
 MANIFEST = """<package format="3">
