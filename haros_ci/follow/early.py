@@ -113,7 +113,7 @@ def stand_behind(walk: Walk, frame: Frame, known: int) -> bool:
 
 def _stand_behind(walk: Walk, frame: Frame, path: tuple[Condition, ...], depth: int) -> None:
     """The same of one way, behind which not all of *path* holds; a doubt where that is not put together."""
-    if not path or any(condition.statement == "catch" for condition in path):
+    if not path or any(condition.statement == "catch" or not condition.condition for condition in path):
         return
     since = walk.conditions[depth:]
     behind = _behind(walk, frame, path, since)

@@ -97,8 +97,18 @@ def either(
     """The conditions of what is made on two ways, and whether they are all: what both ways have in common.
 
     That is all where the other way has no more, or where one takes an ``if`` and the other its ``else``; *pairs* has
-    the place of each ``else``'s ``if``.
+    the place of each ``else``'s ``if``. Of early ways out those count that both have.
     """
+    early = tuple(item for item in one if item.is_early and item in other)
+    left, right = (tuple(item for item in way if not item.is_early) for way in (one, other))
+    around, is_all = _either(left, right, pairs)
+    return (*around, *early), is_all
+
+
+def _either(
+    one: tuple[Condition, ...], other: tuple[Condition, ...], pairs: Mapping[Location, Location]
+) -> tuple[tuple[Condition, ...], bool]:
+    """The same of conditions that stand around it."""
     for number, (left, right) in enumerate(zip(one, other, strict=False)):
         if left != right:
             if left.statement == "else":
@@ -188,7 +198,7 @@ def _both(
 def _is_certain(way: MadeEntity, other: MadeEntity, conditions: tuple[Condition, ...]) -> bool:
     """Whether *way* alone makes it for sure under *conditions*, whatever the *other* one does."""
     is_open = any(unknown[0] == "conditions" for unknown in way.unknowns)
-    return way.conditions == conditions and way.dead <= other.dead and not is_open
+    return set(way.conditions) == set(conditions) and way.dead <= other.dead and not is_open
 
 
 def counts_alone(known: MadeEntity | Root, other: MadeEntity | Root, is_all: bool) -> bool:

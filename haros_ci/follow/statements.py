@@ -46,13 +46,13 @@ def execute(walk: Walk, frame: Frame, block: Block) -> str:
 def in_place(walk: Walk, frame: Frame, block: Block) -> str:
     """The same in the scope that there is.
 
-    What stands behind an early way out does so under its opposite, to the end of the block; where that way is taken as things are, what follows is ruled out.
+    What stands behind an early way out does so under its opposite, to the end of the block.
     """
-    depth, doubts, behind = len(walk.conditions), len(walk.doubts), 0
+    depth, doubts = len(walk.conditions), len(walk.doubts)
     try:
         for number in range(len(block)):
             walk.step()
-            known, was_dead = len(frame.early), frame.is_dead
+            known = len(frame.early)
             ended = _judged(walk, frame, block, number)
             if walk.is_raised:
                 walk.is_raised = False
@@ -61,12 +61,10 @@ def in_place(walk: Walk, frame: Frame, block: Block) -> str:
                 if ended == RETURN and len(frame.early) > known and any(map(early.shuts_down, block[:number])):
                     early.drop(frame, known)
                 return ended
-            if len(frame.early) > known and early.stand_behind(walk, frame, known):
-                behind += frame.is_dead and not was_dead
-                walk.dead += frame.is_dead and not was_dead
+            if len(frame.early) > known:
+                early.stand_behind(walk, frame, known)
         return NEXT
     finally:
-        walk.dead -= behind
         del walk.conditions[depth:], walk.doubts[doubts:]
 
 

@@ -68,12 +68,6 @@ def called_in(item: Part, found: set[str], mentioned: set[str], source: Source) 
             if isinstance(callee, syntax.Name):
                 found.add(last(callee.name))
                 found.add("::".join(callee.name.split("::")[-2:]))
-                if last(callee.name) == "bind":  # what is bound may be kept, and called later
-                    found.update(
-                        last(argument.value.name)
-                        for argument in node.arguments[:1]
-                        if isinstance(argument, syntax.Address) and isinstance(argument.value, syntax.Name)
-                    )
                 if callee.name.endswith(("::make_shared", "::make_unique")):
                     found.add(callee.name.split("::")[-2])
             elif isinstance(callee, syntax.Member):
