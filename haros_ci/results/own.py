@@ -163,32 +163,21 @@ def manifest_results(faults: Iterable[Problem]) -> tuple[Result, ...]:
 
 def unread_results(problems: Iterable[Problem]) -> tuple[Result, ...]:
     """One result for each file that a change has made what it is and that is not analysed, on the file as a whole."""
-    rule = FILE_NOT_ANALYSED
     return tuple(
-        Result(
-            TOOL,
-            rule.id,
-            rule.level,
-            f"this file cannot be analysed since this change: {_why(problem)}",
-            Location(problem.path),
-        )
+        _unanalysed(problem.path, f"this file cannot be analysed since this change: {_why(problem)}")
         for problem in problems
     )
 
 
 def cut_results(problems: Iterable[Problem]) -> tuple[Result, ...]:
     """One result for each file that a change has made too large, or too deeply nested, to be analysed whole."""
-    rule = FILE_NOT_ANALYSED
-    return tuple(
-        Result(
-            TOOL,
-            rule.id,
-            rule.level,
-            f"since this change the checks of the architecture may miss what is wrong in this file: {problem.message}",
-            Location(problem.path),
-        )
-        for problem in problems
-    )
+    said = "since this change the checks of the architecture may miss what is wrong in this file"
+    return tuple(_unanalysed(problem.path, f"{said}: {problem.message}") for problem in problems)
+
+
+def _unanalysed(path: str, message: str) -> Result:
+    """A result on a file as a whole that a change keeps from being analysed."""
+    return Result(TOOL, FILE_NOT_ANALYSED.id, FILE_NOT_ANALYSED.level, message, Location(path))
 
 
 def _why(problem: Problem) -> str:
