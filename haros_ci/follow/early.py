@@ -103,17 +103,17 @@ def compiled(frame: Frame, since: int, depth: int, verdict: bool | None) -> None
             frame.early[number] = Exit(way.conditions[:depth] + way.conditions[depth + 1 :], way.ends)
 
 
-def stand_behind(walk: Walk, frame: Frame, known: int) -> bool:
-    """What follows in this block stands behind the ways recorded after the first *known*; whether it stands under something new."""
-    depth, doubts = len(walk.conditions), len(walk.doubts)
+def stand_behind(walk: Walk, frame: Frame, known: int) -> None:
+    """What follows in this block stands behind the ways recorded after the first *known*."""
+    depth = len(walk.conditions)
     for way in frame.early[known:]:
         _stand_behind(walk, frame, way.conditions[depth:], depth)
-    return len(walk.conditions) > depth or len(walk.doubts) > doubts
 
 
 def _stand_behind(walk: Walk, frame: Frame, path: tuple[Condition, ...], depth: int) -> None:
     """The same of one way, behind which not all of *path* holds; a doubt where that is not put together."""
-    if not path or any(condition.statement == "catch" or not condition.condition for condition in path):
+    # an "#if" without a text is around what stands for one of several overloads (``follow.overloads``): no way of the source
+    if not path or any(one.statement == "catch" or (one.statement == "#if" and not one.condition) for one in path):
         return
     since = walk.conditions[depth:]
     behind = _behind(walk, frame, path, since)
