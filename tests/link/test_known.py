@@ -112,6 +112,21 @@ def test_an_endpoint_has_all_that_is_written() -> None:
     )
 
 
+@pytest.mark.parametrize(
+    ("written", "seen"),
+    [
+        ("tf/tfMessage", "tf2_msgs/TFMessage"),
+        ("tf/msg/tfMessage", "tf2_msgs/TFMessage"),
+        ("tf2_msgs/TFMessage", "tf2_msgs/TFMessage"),
+        ("tf/FrameGraph", "tf/FrameGraph"),
+    ],
+)
+def test_a_type_that_is_sent_as_another_one(written: str, seen: str) -> None:
+    """As in code: who subscribes to ``tf2_msgs/TFMessage`` has what is published as ``tf/tfMessage`` (one md5 sum)."""
+    (end,) = started(node_of(f"publishers: [{{name: /tf, type: {written}, queue_size: 100}}]"))
+    assert end.type == seen
+
+
 def test_a_name_is_remapped_once() -> None:
     (end,) = started(topic("scan"), remaps={"/ns/scan": "/laser", "/laser": "/no"})
     assert (end.name, end.original_name) == ("/laser", "/ns/scan")

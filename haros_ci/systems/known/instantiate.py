@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import Any
 
 from haros_ci.graph.names import UNKNOWN, clean, resolve
+from haros_ci.index.ros_types import SERIALISED
 from haros_ci.model.architecture import Endpoint, Unknown
 from haros_ci.systems.known.entry import KnownEndpoint, KnownNode
 from haros_ci.systems.known.parameter import declared
@@ -154,7 +155,8 @@ def _type(known: KnownEndpoint, start: Start) -> tuple[str | None, Unknown | Non
         parts.insert(1, SUBFOLDERS[known.kind])
     elif known.kind in SUBFOLDERS and start.ros == 1 and len(parts) == 3:
         del parts[1]
-    return "/".join(parts), None
+    written = "/".join(parts)
+    return SERIALISED.get(written, written), None
 
 
 def _setting(provided: Any, start: Start, field: str, kind: type, unknowns: list[Unknown]) -> Any:
