@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
 from haros_ci.model.architecture import Configuration, Node
-from haros_ci.report.channels import Channel, channels, nodes_of
+from haros_ci.report.channels import OUTGOING, Channel, channels, nodes_of
 
 #: Names that nearly every node has or uses, by the switch that shows them: the last part of the name.
 WELL_KNOWN: tuple[tuple[str, tuple[str, ...]], ...] = (
@@ -29,8 +29,6 @@ WELL_KNOWN: tuple[tuple[str, tuple[str, ...]], ...] = (
     ),
 )  # fmt: skip
 _SWITCH = {name: switch for switch, names in WELL_KNOWN for name in names}
-#: What clients call, so that the arrow goes from them to the server.
-OUTGOING = ("publishers", "clients", "action_clients")
 #: Where there is room, what only one node has is drawn as well.
 FEW = 40
 #: The most that is drawn; what is larger is shown as tables.

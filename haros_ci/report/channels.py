@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import groupby
 from typing import TypeGuard
@@ -17,6 +18,8 @@ CHANNELS = {
     "services": (("servers", "servers"), ("clients", "clients")),
     "actions": (("action_servers", "servers"), ("action_clients", "clients")),
 }
+#: Ends whose edge leads from the node to what it connects.
+OUTGOING = ("publishers", "clients", "action_clients")
 _WHAT = {kind: what for what, kinds in CHANNELS.items() for kind, _ in kinds}
 
 
@@ -41,6 +44,24 @@ class Channel:
     @property
     def implicit(self) -> bool:
         return all(end.implicit for _, end in self.ends)
+
+    def edges(
+        self, name: str, ids: Mapping[int, str], rates: Mapping[tuple[str, str], str]
+    ) -> dict[tuple[str, str], tuple[bool, str]]:
+        """The edges of a drawing by their two ends: whether all of an edge is conditional, and the rate of its publisher, "" if that is not known.
+
+        *name* is what the channel is called there, *ids* what nodes are, by identity; *rates* are those of publishers, by node and topic.
+        """
+        found: dict[tuple[str, str], tuple[bool, str]] = {}
+        for node, end in self.ends:
+            if end.implicit:
+                continue
+            here = ids[id(node)]
+            pair = (here, name) if end.kind in OUTGOING else (name, here)
+            is_conditional, rate = found.get(pair, (True, ""))
+            rate = rates.get((node.name, end.name), rate) if end.kind == "publishers" else rate
+            found[pair] = is_conditional and bool(node.conditions or end.conditions), rate
+        return found
 
     def nodes(self, kind: str) -> tuple[str, ...]:
         """The names of the nodes with an end of *kind*, sorted."""

@@ -14,8 +14,6 @@ from haros_ci.report.escape import terminal
 from haros_ci.report.model_rates import known_rates
 
 SHAPES = {"topics": "ellipse", "services": "diamond", "actions": "hexagon"}
-#: Kinds of ends whose edge points from the node to what it connects to; the others' points to the node.
-OUTGOING = ("publishers", "clients", "action_clients")
 
 
 def render(architecture: Architecture) -> str:
@@ -61,20 +59,11 @@ def _channel(channel: Channel, name: str, ids: dict[int, str], rates: dict[tuple
     label = f'"{_inner(channel.name)}\\n{_inner(", ".join(types))}"'
     style = _style(channel.conditional, not is_known(channel.name) or "?" in types)
     yield f"  {name} [label={label}, shape={SHAPES[channel.what]}{style}];"
-    edges: dict[tuple[str, str], bool] = {}
-    labels: dict[tuple[str, str], str] = {}
-    for node, end in channel.ends:
-        if not end.implicit:
-            here = ids[id(node)]
-            pair = (here, name) if end.kind in OUTGOING else (name, here)
-            edges[pair] = edges.get(pair, True) and bool(node.conditions or end.conditions)
-            if end.kind == "publishers" and (node.name, end.name) in rates:
-                labels[pair] = rates[node.name, end.name]
-    for pair, conditional in edges.items():
+    for (tail, head), (conditional, rate) in channel.edges(name, ids, rates).items():
         look = ["style=dashed"] if conditional else []
-        look += [f"label={quoted(labels[pair])}"] if pair in labels else []
+        look += [f"label={quoted(rate)}"] if rate else []
         text = f" [{', '.join(look)}]" if look else ""
-        yield f"  {pair[0]} -> {pair[1]}{text};"
+        yield f"  {tail} -> {head}{text};"
 
 
 def _style(conditional: bool, unknown: bool) -> str:

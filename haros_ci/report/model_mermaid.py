@@ -12,7 +12,6 @@ from collections.abc import Iterator
 from haros_ci.model.architecture import Architecture, Configuration
 from haros_ci.report.channels import Channel, channels, is_known, nodes_of
 from haros_ci.report.escape import markdown, terminal
-from haros_ci.report.model_dot import OUTGOING
 from haros_ci.report.model_rates import known_rates
 from haros_ci.report.summary import plural
 
@@ -74,17 +73,9 @@ def _lines(configuration: Configuration) -> Iterator[str]:
 
 
 def _edges(channel: Channel, name: str, ids: dict[int, str], rates: dict[tuple[str, str], str]) -> Iterator[str]:
-    edges: dict[tuple[str, str], bool] = {}
-    labels: dict[tuple[str, str], str] = {}
-    for node, end in channel.ends:
-        if not end.implicit:
-            here = ids[id(node)]
-            pair = (here, name) if end.kind in OUTGOING else (name, here)
-            edges[pair] = edges.get(pair, True) and bool(node.conditions or end.conditions)
-            if end.kind == "publishers" and (node.name, end.name) in rates:
-                labels[pair] = f"|{label(rates[node.name, end.name])}|"
-    for (tail, head), conditional in edges.items():
-        yield f"{tail} {'-.->' if conditional else '-->'}{labels.get((tail, head), '')} {head}"
+    for (tail, head), (conditional, rate) in channel.edges(name, ids, rates).items():
+        text = f"|{label(rate)}|" if rate else ""
+        yield f"{tail} {'-.->' if conditional else '-->'}{text} {head}"
 
 
 def _classes(name: str, conditional: bool, unknown: bool) -> Iterator[str]:
