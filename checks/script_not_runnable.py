@@ -9,12 +9,19 @@ import warnings
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, listed, syntax
+from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, listed
 from haros_ci.api.launch import ProgramUse
-from haros_ci.api.packages import Installed, Programs, is_for_noetic, is_given_to_another, is_made_program_later
+from haros_ci.api.packages import (
+    Installed,
+    Programs,
+    is_for_noetic,
+    is_given_to_another,
+    is_imported_beside,
+    is_made_program_later,
+    is_to_be_run,
+)
 
 _PYTHON = re.compile(r"#![ \t]*(?:/usr(?:/local)?/bin/env[ \t]+|/usr/bin/)(python)(2[\d.]*)?[ \t]*\r?\Z")
-_LAUNCH = ("launch.py", "__init__.py", "setup.py", "conftest.py")
 _MODES = ("USE_SOURCE_PERMISSIONS", "PERMISSIONS", "FILE_PERMISSIONS")
 _SHELL = (".sh", ".bash")
 #: Why the bit counts, of one script and of several.
@@ -138,7 +145,7 @@ def _first_line(path: str, package: ProjectPackage) -> Iterator[Finding]:
     lines = text.splitlines(keepends=True)
     first, at = lines[0], Location(path, 1)
     if not first.startswith("#!"):
-        if (path.endswith(_SHELL) or _is_program(path, package.project)) and not is_given_to_another(path, package):
+        if (path.endswith(_SHELL) or is_to_be_run(path, package.project)) and not is_given_to_another(path, package):
             yield _without(path, package, lines)
     elif first.endswith("\r\n"):
         yield Finding(
@@ -196,7 +203,7 @@ def _mode(script: Installed, package: ProjectPackage, level: Level, programs: Pr
     if script.kind == "file":
         if _is_read_alone(script, package, programs) or is_made_program_later(package, script.path, script):
             return
-        if not script.keeps_mode and _is_program(script.path, package.project) and not _gives_modes(script, package):
+        if not script.keeps_mode and is_to_be_run(script.path, package.project) and not _gives_modes(script, package):
             yield Finding(
                 at=script.location,
                 message=(
@@ -208,7 +215,7 @@ def _mode(script: Installed, package: ProjectPackage, level: Level, programs: Pr
         return
     bits = package.project.workspace.executables
     has_bit = bits is None or script.path in bits or _is_relayed(script, package)
-    if has_bit or not _is_program(script.path, package.project):
+    if has_bit or not is_to_be_run(script.path, package.project):
         return
     if is_given_to_another(script.path, package):
         return
@@ -242,7 +249,7 @@ def _unpacked(script: Installed, package: ProjectPackage) -> Iterator[Finding]:
         return
     inside = [file.path for file in package.files if file.path.startswith(f"{script.path}/")]
     programs = [path for path in inside if package.project.text(path).startswith("#!")]
-    programs = [path for path in programs if _is_program(path, package.project)]
+    programs = [path for path in programs if is_to_be_run(path, package.project)]
     programs = [path for path in programs if not is_made_program_later(package, path, script)]
     if programs:
         yield Finding(
@@ -282,53 +289,21 @@ def _launched(project: Project) -> dict[str, dict[str, Location]]:
     return found
 
 
-def _is_program(path: str, project: Project) -> bool:
-    """Whether a file does something when it is run: a module that is only imported needs no shebang."""
-    if path.endswith(_LAUNCH):
-        return False
-    program = project.programs.get(path)
-    if program is None:
-        text = project.text(path)
-        return text.startswith("#!") or ("." not in path.rpartition("/")[2] and _imports(text))
-    body = next((function.body for function in program.functions if function.kind == "module"), None) or ()
-    return any(
-        (isinstance(statement, syntax.Do) and isinstance(statement.value, syntax.Call))
-        or (isinstance(statement, syntax.If) and "__name__" in statement.text)
-        for statement in body
-    )
-
-
 def _is_module(script: Installed, package: ProjectPackage, programs: Programs) -> bool:
     """Whether a file without a shebang is there to be imported: scripts beside it do, and nothing starts it by its name."""
     if package.project.text(script.path).startswith("#!") or not script.path.endswith(".py"):
         return False
-    if (package.name, script.name) in programs.started or programs.documented(package.name, script.name) is not None:
-        return False
-    folder, _, name = script.path.rpartition("/")
-    stem = re.escape(name.removesuffix(".py"))
-    imported = re.compile(
-        rf"^[ \t]*(?:from[ \t]+{stem}[ \t]+import\b|import[ \t]+(?:[\w.]+[ \t]*,[ \t]*)*{stem}\b)", re.M
-    )
-    return any(
-        file.language == "python"
-        and file.path != script.path
-        and file.path.rpartition("/")[0] == folder
-        and imported.search(package.project.text(file.path)) is not None
-        for file in package.files
-    )
+    return not _is_started(script, package, programs) and is_imported_beside(script.path, package)
 
 
 def _is_read_alone(script: Installed, package: ProjectPackage, programs: Programs) -> bool:
     """Whether an interpreter is given the file, and nothing starts it by its name."""
-    if (package.name, script.name) in programs.started or programs.documented(package.name, script.name) is not None:
-        return False
-    return is_given_to_another(script.path, package)
+    return not _is_started(script, package, programs) and is_given_to_another(script.path, package)
 
 
-def _imports(text: str) -> bool:
-    """Whether the first line that is no comment is one of Python's imports."""
-    code = (line for line in text.splitlines()[:100] if line.strip() and not line.startswith("#"))
-    return next(code, "").startswith(("import ", "from "))
+def _is_started(script: Installed, package: ProjectPackage, programs: Programs) -> bool:
+    """Whether a launch file or a page starts the script by its name."""
+    return (package.name, script.name) in programs.started or programs.documented(package.name, script.name) is not None
 
 
 def _is_python_3(text: str) -> bool:

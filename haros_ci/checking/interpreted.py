@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scripts that code of their package gives to an interpreter: they need neither a shebang nor the execute bit for that."""
+"""What Python and shell files are there for: to be run, to be imported by others beside them, or given to an interpreter by code of their package."""
 
 from __future__ import annotations
 
 import re
 
-from haros_ci.checking.project import ProjectPackage
+from haros_ci import syntax
+from haros_ci.checking.project import Project, ProjectPackage
 
 _PROSE = (".md", ".rst", "README.txt")
 #: A file that is given to an interpreter, or sourced.
 _GIVEN = r"""(?:\bpython[\d.]*|(?i:python)\w*EXECUTABLE\}?|\b(?:source|sh|bash)|^\s*\.)["']?[\s,][^\n;]{0,200}%s"""
+#: Python files that tools read or load, and do not run.
+_READ = ("launch.py", "__init__.py", "setup.py", "conftest.py")
 _CMAKE = (".cmake", ".cmake.in", "CMakeLists.txt", ".cmake.em")
 
 
@@ -35,3 +38,41 @@ def is_given_to_another(path: str, package: ProjectPackage) -> bool:
             if any(re.search(_GIVEN % rf"\$\{{{variable}\}}", text, re.MULTILINE) for variable in sorted(variables)):
                 return True
     return False
+
+
+def is_imported_beside(path: str, package: ProjectPackage) -> bool:
+    """Whether another Python file in the directory of the module at *path* imports it by its plain name, as scripts do."""
+    folder, _, name = path.rpartition("/")
+    stem = re.escape(name.removesuffix(".py"))
+    imported = re.compile(
+        rf"^[ \t]*(?:from[ \t]+{stem}[ \t]+import\b|import[ \t]+(?:[\w.]+[ \t]*,[ \t]*)*{stem}\b)", re.MULTILINE
+    )
+    return any(
+        file.language == "python"
+        and file.path != path
+        and file.path.rpartition("/")[0] == folder
+        and imported.search(package.project.text(file.path)) is not None
+        for file in package.files
+    )
+
+
+def is_to_be_run(path: str, project: Project) -> bool:
+    """Whether a file does something when it is run: a module that is only imported needs no shebang."""
+    if path.endswith(_READ):
+        return False
+    program = project.programs.get(path)
+    if program is None:
+        text = project.text(path)
+        return text.startswith("#!") or ("." not in path.rpartition("/")[2] and _imports(text))
+    body = next((function.body for function in program.functions if function.kind == "module"), None) or ()
+    return any(
+        (isinstance(statement, syntax.Do) and isinstance(statement.value, syntax.Call))
+        or (isinstance(statement, syntax.If) and "__name__" in statement.text)
+        for statement in body
+    )
+
+
+def _imports(text: str) -> bool:
+    """Whether the first line that is no comment is one of Python's imports."""
+    code = (line for line in text.splitlines()[:100] if line.strip() and not line.startswith("#"))
+    return next(code, "").startswith(("import ", "from "))

@@ -171,8 +171,8 @@ def unread_results(problems: Iterable[Problem]) -> tuple[Result, ...]:
 
 def cut_results(problems: Iterable[Problem]) -> tuple[Result, ...]:
     """One result for each file that a change has made too large, or too deeply nested, to be analysed whole."""
-    said = "since this change the checks of the architecture may miss what is wrong in this file"
-    return tuple(_unanalysed(problem.path, f"{said}: {problem.message}") for problem in problems)
+    sentence = "since this change the checks of the architecture may miss what is wrong in this file"
+    return tuple(_unanalysed(problem.path, f"{sentence}: {problem.message}") for problem in problems)
 
 
 def _unanalysed(path: str, message: str) -> Result:
