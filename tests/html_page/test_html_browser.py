@@ -3,13 +3,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
-from browser_kit import Page, browser
+from browser_kit import Page
 from page_kit import HOSTILE, NAME, given, samples, written
 
 from haros_ci.html_page.change_page import change_page
@@ -28,26 +27,6 @@ VIEWS = (
     "metrics",
     "changes",
 )
-
-
-@pytest.fixture(scope="module")
-def driver() -> Iterator[Any]:
-    yield from browser()
-
-
-@pytest.fixture(scope="module")
-def plain(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("plain") / "page.html"
-    path.write_text(written(given()), encoding="utf-8")
-    return path
-
-
-@pytest.fixture
-def page(driver: Any, plain: Path) -> Iterator[Page]:
-    made = Page(driver, plain)
-    made.settled()
-    yield made
-    assert made.complaints() == []
 
 
 def shown(page: Page) -> set[str]:

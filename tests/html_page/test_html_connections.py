@@ -3,14 +3,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import asdict, replace
 from itertools import product
 from pathlib import Path
 from typing import Any
 
 import pytest
-from browser_kit import Page, browser
+from browser_kit import Page
 from page_kit import configuration, end, given, node, written
 
 from haros_ci.checking.compatibility import refuses
@@ -28,26 +27,6 @@ POSSIBLE: dict[str, tuple[Any, ...]] = {
 }
 #: What ends are compared with each other.
 ENDS = {**POSSIBLE, "deadline": (0.01, 1.0, 100.0)}
-
-
-@pytest.fixture(scope="module")
-def driver() -> Iterator[Any]:
-    yield from browser()
-
-
-@pytest.fixture(scope="module")
-def plain(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("plain") / "page.html"
-    path.write_text(written(given()), encoding="utf-8")
-    return path
-
-
-@pytest.fixture
-def page(driver: Any, plain: Path) -> Iterator[Page]:
-    made = Page(driver, plain)
-    made.settled()
-    yield made
-    assert made.complaints() == []
 
 
 def outcomes(policy: str, offer: Qos, request: Qos) -> set[bool]:
