@@ -29,7 +29,7 @@ def keep(walk: Walk, value: Value) -> Value:
 
 def hand_on(walk: Walk, known: int, writes: Writes) -> None:
     """The functions that were kept after the first *known* ones begin with the *writes* of the callback that did it."""
-    for key in list(walk.held)[known:] if len(walk.held) > known else ():
+    for key in list(walk.held)[known:]:
         walk.held[key] = replace(walk.held[key], writes=writes)
 
 
@@ -37,12 +37,13 @@ def register(walk: Walk) -> bool:
     """Whether some that are kept have not been called, and a call may be of them: they are called back now, each once."""
     if not walk.calls_unknown:
         return False
-    registered = {id(root.function.function) for root in walk.roots}
+    called = walk.invoked | {id(root.function.function) for root in walk.roots}
     waiting = []
     for key, root in walk.held.items():
         function = root.function
-        is_new = key not in walk.offered and not registered & {key[0]} and key[0] not in walk.invoked
-        if is_new and walk.relevance.makes(function.function, function.source):
+        if key in walk.offered or key[0] in called:
+            continue
+        if walk.relevance.makes(function.function, function.source):
             walk.offered.add(key)
             waiting.append(root)
     walk.roots += waiting
