@@ -158,7 +158,6 @@ def _chosen(walk: Walk, frame: Frame, value: Object, args: tuple[call_arguments.
 
 def start(name: str, source: Source, walk: Walk, frame: Frame) -> None:
     """A program is started by calling what the variable *name* of a module holds, which is a group of commands."""
-    lookup.module_frame(walk, source)
     run(walk, frame, expressions.evaluate(walk, lookup.module_frame(walk, source), syntax.Name(name)))
 
 
