@@ -112,8 +112,7 @@ def stand_behind(walk: Walk, frame: Frame, known: int) -> None:
 
 def _stand_behind(walk: Walk, frame: Frame, path: tuple[Condition, ...], depth: int) -> None:
     """The same of one way, behind which not all of *path* holds; a doubt where that is not put together."""
-    # an "#if" without a text is around what stands for one of several overloads (``follow.overloads``): no way of the source
-    if not path or any(one.statement == "catch" or (one.statement == "#if" and not one.condition) for one in path):
+    if not path or any(condition.statement == "catch" for condition in path):
         return
     since = walk.conditions[depth:]
     behind = _behind(walk, frame, path, since)

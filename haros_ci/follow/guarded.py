@@ -27,7 +27,7 @@ def preprocessor(walk: Walk, frame: Frame, statement: syntax.Preprocessor) -> st
             frame.scopes.append(declared)
             ended = statements.follow_branch(walk, frame, branch.body, verdict is not False, statements.in_place)
             frame.scopes.pop()
-        early.compiled(frame, known, depth, verdict)
+        early.compiled(frame, known, depth, verdict if branch.text else False)  # without a text it stands in no file
         branches.append((ended, _with_declared(walk.state.undo(mark), declared, fresh)))
     if not any(branch.text.startswith("#else") for branch in statement.branches):
         branches.append((NEXT, {}))

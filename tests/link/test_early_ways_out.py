@@ -144,6 +144,12 @@ def test_a_failure_to_start_is_none(method: str, body: str, expected: list[str])
     assert [told(end) for end in made] == [expected]
 
 
+def test_which_overload_is_called_is_no_condition() -> None:
+    before = 'void put(ros::NodeHandle& nh, int i) { ADV("x", 1); }\nvoid put(ros::NodeHandle& nh, double d) { ADV("y", 1); }\n'
+    (end,) = ends(cpp("put(nh, acme::number());", before))
+    assert told(end) == []
+
+
 def test_what_starts_without_a_result_fails_by_no_return() -> None:
     text = "#include <nodelet/nodelet.h>\n#include <std_msgs/String.h>\nbool a();\n"
     text += "class N : public nodelet::Nodelet { void onInit() override { initialize(); }\n"
