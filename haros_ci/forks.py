@@ -25,11 +25,14 @@ WIDTH = 4
 LONGEST = 60_000 // WIDTH
 
 
-def shared(jobs: Sequence[Callable[[], T]], groups: Sequence[Hashable], processes: int) -> list[T]:
+def shared(
+    jobs: Sequence[Callable[[], T]], groups: Sequence[Hashable], processes: int, here: Hashable = None
+) -> list[T]:
     """What each of *jobs* returns, in their order, found by up to *processes* processes.
 
     Jobs of the same of the *groups* (as many as jobs) are done by one process, in their order. The groups are begun in
-    the order of their first jobs. What the jobs return must be picklable; what they change is lost.
+    the order of their first jobs. What the jobs return must be picklable; what they change is lost, but for those of the group *here*, which
+    this process does, and first.
     """
     together: dict[Hashable, list[int]] = {}
     for number, group in enumerate(groups):
@@ -38,13 +41,14 @@ def shared(jobs: Sequence[Callable[[], T]], groups: Sequence[Hashable], processe
     found: dict[int, T] = {}
     count = min(processes, len(batches))
     if count > 1 and len(batches) <= LONGEST and sys.platform == "linux" and threading.active_count() == 1:
-        found = _forked(jobs, batches, count)
+        found = _forked(jobs, batches, count, together.get(here, []))
     return [found[number] if number in found else job() for number, job in enumerate(jobs)]
 
 
-def _forked(jobs: Sequence[Callable[[], T]], batches: list[list[int]], count: int) -> dict[int, T]:
+def _forked(jobs: Sequence[Callable[[], T]], batches: list[list[int]], count: int, own: list[int]) -> dict[int, T]:
     queue, tail = os.pipe()
-    os.write(tail, b"".join(number.to_bytes(WIDTH, "big") for number in range(len(batches))))
+    queued = [number for number, batch in enumerate(batches) if batch is not own]
+    os.write(tail, b"".join(number.to_bytes(WIDTH, "big") for number in queued))
     os.close(tail)
     life = os.pipe()
     children: list[tuple[int, BinaryIO]] = []
@@ -52,7 +56,8 @@ def _forked(jobs: Sequence[Callable[[], T]], batches: list[list[int]], count: in
         for _ in range(count - 1):
             with suppress(OSError), held():  # no more processes: those that are there do the work
                 children.append(_child(jobs, batches, queue, life))
-        found = dict(_done(jobs, batches, queue))
+        found = {number: jobs[number]() for number in own}
+        found.update(_done(jobs, batches, queue))
         brought = [_result_of(child, pipe) for child, pipe in children]
     except BaseException:
         for child, _ in children:

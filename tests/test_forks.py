@@ -50,6 +50,22 @@ def test_jobs_of_a_group_are_done_by_one_process_in_their_order() -> None:
         assert all(number in before for number, before, _ in mine)
 
 
+@pytest.mark.parametrize("own", ["second", "none of them"])
+def test_jobs_of_one_group_are_done_here_and_first(own: str) -> None:
+    done: list[int] = []
+
+    def job(number: int) -> tuple[int, int]:
+        done.append(number)
+        return where(number)
+
+    groups = ["second" if number % 4 == 1 else f"group {number}" for number in range(MANY)]
+    results = shared([partial(job, number) for number in range(MANY)], groups, 3, here=own)
+    assert [number for number, _ in results] == list(range(MANY))
+    if own == "second":
+        assert done[: MANY // 4] == [number for number in range(MANY) if number % 4 == 1]
+        assert {process for number, process in results if number % 4 == 1} == {HERE}
+
+
 @pytest.mark.skipif(sys.platform != "linux", reason="processes are forked on Linux only")
 def test_more_than_one_process_works(monkeypatch: pytest.MonkeyPatch) -> None:
     """The parent leaves everything to the others: it reads nothing from the queue."""

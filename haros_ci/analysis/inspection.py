@@ -5,12 +5,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from haros_ci.config.digests import settings_digests
 from haros_ci.config.selection import Selection
 from haros_ci.config.settings import Settings
+from haros_ci.forks import shared
 from haros_ci.model.access import AccessRule
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.element import Element
@@ -36,8 +38,8 @@ Progress = Callable[[str], None]
 
 #: Whose notes it is that something of the architecture is not known.
 ARCHITECTURE = "architecture"
-
-
+#: Of so few files the checks are done before another process is there.
+FEW = 50
 #: A workspace in a run: its root, and which packages of it are seen.
 _Key = tuple[Path, tuple[str, ...]]
 
@@ -142,7 +144,8 @@ def _inspected(
         from haros_ci.analysis.cut_short import cut_short
         from haros_ci.analysis.launch_faults import refused
         from haros_ci.analysis.unmodelled import unmodelled
-        from haros_ci.checking.run import Assigned, run_checks, run_on_project
+        from haros_ci.checking.all_checks import OF_CHANGES, run_all
+        from haros_ci.checking.run import Assigned
         from haros_ci.checking.system import System, systems
 
     if progress is not None:
@@ -157,14 +160,16 @@ def _inspected(
     if progress is not None:
         progress(f"{len(chosen)} checks")
     all_systems = tuple(systems(found, workspace))
-    message = run_checks(chosen, all_systems, own.TOOL, under)
     past, renames = _past(base, architectures), base.renames if base else None
     where = settings.project_file or ""
     access = settings.access
     seen = project_of(made, workspace, all_systems, past, renames, project_file=where, access=access)
     project = architectures.seen(seen)
-    said_once = run_on_project(chosen, project, own.TOOL)
-    failures = (*message.notifications, *said_once.notifications)
+    processes = settings.jobs if len(workspace.files) > FEW else 1
+    share = partial(shared, processes=processes, here=OF_CHANGES)
+    old = base.workspace if base is not None else None
+    of_systems, of_project, changes = run_all(chosen, all_systems, project, own.TOOL, under, share, old)
+    failures = (*of_systems.notifications, *of_project.notifications)
     faults = tuple(refused(workspace))
     cut: tuple[Problem, ...] = ()
     if base is not None:
@@ -176,8 +181,8 @@ def _inspected(
             *run.results,
             *own.launch_results(faults),
             *own.cut_results(cut),
-            *message.results,
-            *said_once.results,
+            *of_systems.results,
+            *of_project.results,
         ),
         notifications=(
             *run.notifications,
@@ -193,10 +198,10 @@ def _inspected(
             ),
             *(Notification(Level.NOTE, sentence, ARCHITECTURE) for sentence in _uncovered(made, workspace, settings)),
         ),
-        graphs=message.graphs,
+        graphs=of_systems.graphs,
         architecture=not failures,
         successful=run.successful and not failures,
-        changes=project.changes if base is not None else None,
+        changes=changes,
     )
     return queried(run, found, workspace, settings, selection) if asks(settings) else run
 

@@ -13,6 +13,7 @@ from haros_ci.checking.project import Project
 from haros_ci.checking.system import Channel, End, System, SystemNode
 from haros_ci.model.location import Location
 from haros_ci.model.presence import assignment, in_words, together
+from haros_ci.model.workspace import Workspace
 from haros_ci.results.fix import is_counted_alike
 from haros_ci.results.result import Graph, Notification, Related, Result, Vertex
 from haros_ci.results.rule import Level
@@ -105,13 +106,23 @@ def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, unde
     return Checked(tuple(results), graphs, tuple(failures[id] for id in sorted(failures)))
 
 
-def run_on_project(checks: Sequence[Check], project: Project, tool: str) -> Checked:
-    """Run those of *checks* that look at the whole workspace; one that fails, or takes too long, loses no other's findings."""
+def run_on_project(
+    checks: Sequence[Check],
+    project: Project,
+    tool: str,
+    unseen: Sequence[str] | None = None,
+    budget: Patience | None = None,
+) -> Checked:
+    """Run those of *checks* that look at the whole workspace; one that fails, or takes too long, loses no other's findings.
+
+    *unseen* are the ``markers`` of the workspace, *budget* is the time that the checks share; both are made here where they are not given.
+    """
     results: dict[tuple[object, ...], Result] = {}
     sentences: set[tuple[str, object, str]] = set()
     failures = []
-    unseen = _marked(project)
-    budget = Patience()
+    budget = budget or Patience()
+    if unseen is None:
+        unseen = markers(project.workspace, project.base.workspace if project.base is not None else None)
     for check in checks:
         if check.project is None:
             continue
@@ -138,21 +149,19 @@ def _ended(check: Check, tool: str, where: str = "") -> Notification:
     return Notification(Level.ERROR, f"the check {check.id} was ended{where}: it took too long", tool=tool)
 
 
-def _marked(project: Project) -> tuple[str, ...]:
+def markers(workspace: Workspace, base: Workspace | None) -> tuple[str, ...]:
     """The files that keep build tools out of directories which are analysed all the same, because they were given to the run.
 
-    One that a change adds does not count: a change hides nothing. colcon, catkin and ament pass over such a directory even where it is
+    One that a change adds to *base* does not count: a change hides nothing. colcon, catkin and ament pass over such a directory even where it is
     the root of the search (colcon_core/package_discovery, catkin_pkg/packages.py).
     """
-    marked = [path for path in project.workspace.names if path.rpartition("/")[2] in _MARKERS]
-    if marked and project.base is not None:
-        marked = [path for path in marked if path in project.base.workspace.names]
-    return tuple(sorted(marked))
+    marked = [path for path in workspace.names if path.rpartition("/")[2] in _MARKERS]
+    return tuple(sorted(path for path in marked if base is None or path in base.names))
 
 
-def _of_no_build(finding: Finding, markers: tuple[str, ...]) -> Finding:
+def _of_no_build(finding: Finding, unseen: Sequence[str]) -> Finding:
     """A *finding* on a manifest or build is a note where the repository's own build never sees it."""
-    for marker in markers:
+    for marker in unseen:
         folder = marker.rpartition("/")[0]
         if not folder or finding.at.path.startswith(f"{folder}/"):
             message = f"{finding.message.rstrip('. ')} ({marker} keeps the package out of builds)"

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: Apache-2.0
+"""All checks of a run, shared out to processes: those of systems are one piece of work, those of what a change does another."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Hashable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+from haros_ci.checking.check import Check
+from haros_ci.checking.patience import Patience
+from haros_ci.checking.project import Project
+from haros_ci.checking.run import CHECKS, Checked, Under, markers, run_checks, run_on_project
+from haros_ci.checking.system import System
+from haros_ci.model.changes import Changes
+from haros_ci.model.workspace import Workspace
+from haros_ci.timing import Spent, now, side_by_side
+
+#: The tag of checks that look at the base revision, too.
+OF_CHANGES = "change"
+#: The piece of work that the checks of systems are.
+SYSTEMS = "systems"
+#: Does pieces of work, those of one group in one process, and gives their results in order.
+Share = Callable[[Sequence[Callable[[], Any]], Sequence[Hashable]], Sequence[Any]]
+
+
+@dataclass(frozen=True, slots=True)
+class _Done:
+    """What a piece of work found, the process that did it, and what it took there."""
+
+    found: Any
+    process: int
+    spent: Spent
+
+
+def run_all(
+    checks: Sequence[Check],
+    systems: Sequence[System],
+    project: Project,
+    tool: str,
+    under: Under | None,
+    share: Share,
+    base: Workspace | None = None,
+) -> tuple[Checked, Checked, Changes | None]:
+    """What *checks* say of the *systems* and of the *project*, and what has changed in the graph since *base*, where there is one.
+
+    Findings of systems are confirmed under other launch arguments in the order of the systems, and share what is followed for that, so they
+    are one piece of work. The checks that look at the base revision are another: one process links it, this one if *share* does them here.
+    """
+    of_project = [check for check in checks if check.project is not None]
+    unseen, budget = markers(project.workspace, base), Patience()
+    work: list[tuple[str, str, Callable[[], Any]]] = [(OF_CHANGES, "", lambda: project.changes)] if base else []
+    for check in sorted(of_project, key=lambda check: OF_CHANGES not in check.tags):
+        group = OF_CHANGES if OF_CHANGES in check.tags else check.id
+        work.append((group, check.id, partial(run_on_project, (check,), project, tool, unseen, budget)))
+    place = sum(group == OF_CHANGES for group, _, _ in work)
+    work.insert(place, (SYSTEMS, "", partial(run_checks, checks, systems, tool, under)))
+    done: Sequence[_Done] = share([partial(_timed, do) for _, _, do in work], [group for group, _, _ in work])
+    if any(piece.process != os.getpid() for piece in done):
+        for (_, part, _), piece in zip(work, done, strict=True):
+            side_by_side(CHECKS, part, piece.spent)
+    found = {name or group: piece.found for (group, name, _), piece in zip(work, done, strict=True)}
+    return found[SYSTEMS], _together([found[check.id] for check in of_project]), found.get(OF_CHANGES)
+
+
+def _timed(do: Callable[[], Any]) -> _Done:
+    before = now()
+    found = do()
+    return _Done(found, os.getpid(), now().less(before))
+
+
+def _together(found: Sequence[Checked]) -> Checked:
+    """The findings of several checks as one, sorted; what failed in the order of the checks."""
+    results = sorted((result for one in found for result in one.results), key=lambda result: result.sort_key)
+    return Checked(tuple(results), (), tuple(note for one in found for note in one.notifications))
