@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Install haros-ci from the action's own checkout into a virtual environment in $RUNNER_TEMP.
+# Install haros-ci, from the action's own checkout unless a release is named, into a virtual environment in $RUNNER_TEMP.
 # Python always runs isolated (-I): the working directory holds the pull request's files and must not be on sys.path.
 set -euo pipefail
 
@@ -38,6 +38,12 @@ case "$INPUT_TOOL_VERSIONS" in
   *) fail "The input 'tool-versions' is neither pinned nor newest." ;;
 esac
 
+source="$GITHUB_ACTION_PATH$extra"
+if [[ -n "$INPUT_VERSION" ]]; then
+  [[ "$INPUT_VERSION" =~ ^[0-9]+(\.[0-9]+){1,3}((a|b|rc)[0-9]+)?$ ]] || fail "The input 'version' is no release, as in 0.1.0."
+  source="haros-ci$extra==$INPUT_VERSION"
+fi
+
 "$INPUT_PYTHON" -I -c 'import sys; sys.exit(sys.version_info < (3, 10))' ||
   fail "The input 'python' does not name a Python 3.10 or later. Put actions/setup-python before this step."
 
@@ -51,13 +57,13 @@ done < <(printf '%s\n' "$INPUT_PLUGIN_PACKAGES" | tr -d '\r' | sed -e 's/^[[:bla
 
 environment="$RUNNER_TEMP/haros-ci-environment"
 made_from="$environment/made-from" # written last: a second use of the action in a job finds it and goes on
-wanted="$GITHUB_ACTION_PATH$extra $INPUT_TOOL_VERSIONS ${packages[*]-}"
+wanted="$source $INPUT_TOOL_VERSIONS ${packages[*]-}"
 if [[ -f "$made_from" && "$(cat "$made_from")" == "$wanted" ]]; then
   exit 0
 fi
 "$INPUT_PYTHON" -I -m venv --clear "$environment" ||
   fail "No virtual environment could be made. On Debian and Ubuntu images install python3-venv."
-"$environment/bin/python" -I -m pip install --quiet --disable-pip-version-check --no-input ${constraint[@]+"${constraint[@]}"} "$GITHUB_ACTION_PATH$extra" ||
+"$environment/bin/python" -I -m pip install --quiet --disable-pip-version-check --no-input ${constraint[@]+"${constraint[@]}"} "$source" ||
   fail "haros-ci could not be installed; see the log above."
 if [[ ${#packages[@]} -gt 0 ]]; then
   (CDPATH='' cd -- "$RUNNER_TEMP" && "$environment/bin/python" -I -m pip install --quiet --disable-pip-version-check --no-input -- "${packages[@]}") ||

@@ -7,6 +7,7 @@ import html
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 from dataclasses import dataclass
@@ -41,7 +42,12 @@ ACTION_ONLY = {
     "annotations",
     "python",
     "install",
+    "version",
+    "cache",
 }
+#: Steps that run a script of ours, and those that restore or keep a directory.
+SCRIPTS = [step for step in ACTION["runs"]["steps"] if "run" in step]
+KEEPERS = [step for step in ACTION["runs"]["steps"] if "uses" in step]
 #: Options that no input gives: they belong to a project file, to a person at a terminal, or would weaken the action.
 TERMINAL_ONLY = {
     "exclude", "import", "isolated", "no-baseline", "no-cache", "output", "show-settings", "statistics", "timings",
@@ -176,20 +182,27 @@ def run_action(
 ) -> Job:
     """Run every step until one fails; ``install: false`` with this test's interpreter unless *inputs* say otherwise.
 
-    *base* is the target branch of a pull request, *group* the event of a merge queue as JSON.
+    *base* is the target branch of a pull request, *group* the event of a merge queue as JSON. What is kept between runs lies in ``kept``
+    beside the workspace.
     """
     temp = workspace.parent / "runner-temp"
     temp.mkdir(exist_ok=True)
     (temp / "event.json").write_text(group or "{}")
     output, page = temp / "output", temp / "summary"
-    output.write_text("")
     page.write_text("")
+    outputs: dict[str, dict[str, str]] = {}
     defaults = {name: given["default"] for name, given in ACTION["inputs"].items()}
     shared = {"cache-dir": f"{cache_home()}/action"}
     values = {**defaults, "python": sys.executable, "install": "false", **shared, **inputs}
     assert values.keys() == defaults.keys()
     code, log = 0, ""
     for number, step in enumerate(ACTION["runs"]["steps"]):
+        if not runs(step, outputs, code):
+            continue
+        if "uses" in step:
+            outputs[step.get("id", "")] = keep(step, outputs, temp, workspace.parent / "kept")
+            continue
+        output.write_text("")
         script = temp / f"step-{number}.sh"
         script.write_text(step["run"])
         done = subprocess.run(
@@ -213,15 +226,58 @@ def run_action(
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
         )
-        code, log = done.returncode, log + done.stdout.decode()
-        if code:
-            break
-    lines = output.read_text().splitlines()
-    return Job(code, log, dict(line.split("=", 1) for line in lines), page.read_text(), temp)
+        code, log = code or done.returncode, log + done.stdout.decode()
+        outputs[step.get("id", "")] = dict(line.split("=", 1) for line in output.read_text().splitlines())
+    return Job(code, log, outputs.get("check", {}), page.read_text(), temp)
 
 
 def evaluate(text: str, inputs: dict[str, str]) -> str:
     return re.sub(r"\$\{\{ inputs\.([a-z-]+) \}\}", lambda found: inputs[found[1]], text)
+
+
+def output_of(outputs: dict[str, dict[str, str]], name: str) -> str:
+    _, step, _, output = name.split(".")
+    return outputs.get(step, {}).get(output, "")
+
+
+def runs(step: dict[str, Any], outputs: dict[str, dict[str, str]], code: int) -> bool:
+    """Whether a step runs: comparisons of outputs, joined by ``&&``, and no failure before it unless it starts with ``always()``."""
+    terms = step.get("if", "success()").split(" && ")
+    if terms[0] != "always()" and code:
+        return False
+    for term in terms:
+        if term not in ("always()", "success()"):
+            name, operator, text = term.split(" ")
+            if (output_of(outputs, name) == text.strip("'")) is not (operator == "=="):
+                return False
+    return True
+
+
+def keep(step: dict[str, Any], outputs: dict[str, dict[str, str]], temp: Path, store: Path) -> dict[str, str]:
+    """What actions/cache/restore and actions/cache/save do: a key is written once, and the newest entry of a prefix is restored."""
+    known = {"github.sha": "0123abc", "runner.temp": str(temp)}
+
+    def filled(text: str) -> str:
+        return re.sub(
+            r"\$\{\{ ([a-z.-]+) \}\}", lambda found: known.get(found[1]) or output_of(outputs, found[1]), text
+        )
+
+    place, key = Path(filled(step["with"]["path"])), filled(step["with"]["key"])
+    assert place.parent == temp and re.fullmatch(r"[\w.-]{1,512}", key)
+    store.mkdir(exist_ok=True)
+    if "/save@" in step["uses"]:
+        if place.is_dir() and not (store / key).exists():
+            shutil.copytree(place, store / key, symlinks=True)
+        return {}
+    prefixes = [prefix for prefix in [filled(step["with"].get("restore-keys", ""))] if prefix]
+    entries = sorted(store.iterdir(), key=lambda entry: entry.stat().st_mtime, reverse=True)
+    found = [e for e in entries if e.name == key] + [
+        e for e in entries for prefix in prefixes if e.name.startswith(prefix)
+    ]
+    if not found:
+        return {}
+    shutil.copytree(found[0], place, symlinks=True, dirs_exist_ok=True)
+    return {"cache-hit": "true" if found[0].name == key else "false"}
 
 
 def sarif(job: Job) -> dict[str, Any]:
@@ -237,9 +293,15 @@ def states(job: Job) -> list[str]:
 
 
 def test_no_expression_reaches_a_shell() -> None:
-    for step in ACTION["runs"]["steps"]:
+    for step in SCRIPTS:
         assert step["shell"] == "bash"
         assert "${{" not in step["run"]
+
+
+def test_actions_of_others_are_pinned_and_keep_directories_of_ours() -> None:
+    for step in KEEPERS:
+        assert re.fullmatch(r"actions/cache/(?:restore|save)@[0-9a-f]{40}", step["uses"])
+        assert re.fullmatch(r"\$\{\{ runner\.temp \}\}/haros-ci-(?:environment|cache)", step["with"]["path"])
 
 
 def test_every_input_is_described_and_used() -> None:
@@ -259,7 +321,7 @@ def test_inputs_and_options_are_equal() -> None:
 
 
 def test_the_scripts_read_what_the_steps_give() -> None:
-    for step in ACTION["runs"]["steps"]:
+    for step in SCRIPTS:
         [name] = re.findall(r"action/[a-z]+\.sh", step["run"])
         read = set(re.findall(r"\bINPUT_[A-Z_]+", (ROOT / name).read_text(encoding="utf-8")))
         assert read == step["env"].keys()
@@ -327,6 +389,50 @@ def test_of_the_system_only_what_is_new_is_annotated(tmp_path: Path) -> None:
     assert "/count" in findings and "/target" not in findings
     assert "/target" in change, "what the change does is told besides"
     assert all("graphs" not in run for run in sarif(job)["runs"])
+
+
+def entries(tmp_path: Path, what: str) -> list[str]:
+    return sorted(entry.name for entry in tmp_path.glob(f"kept/haros-ci-{what}-*"))
+
+
+def test_results_are_kept_between_runs_also_where_there_are_new_findings(tmp_path: Path) -> None:
+    request = pull_request(tmp_path, {"arm/joints.py": ADDED})
+    checkout(request, tmp_path / "workspace")
+
+    def misses() -> int:
+        job = run_action(tmp_path / "workspace", {"cache-dir": "", "args": "--timings"}, base="main")
+        assert job.code == 1, job.log
+        shutil.rmtree(job.temp)
+        return int(re.findall(r"cache: [0-9]+ hits, ([0-9]+) misses", job.log)[0])
+
+    first = misses()
+    [entry] = entries(tmp_path, "results")
+    assert entry.endswith("-0123abc")
+    assert misses() < first
+
+
+@pytest.mark.parametrize(
+    "inputs",
+    [
+        pytest.param({"cache": "false", "cache-dir": ""}, id="not wanted"),
+        pytest.param({}, id="the workflow names the directory"),
+        pytest.param({"cache-dir": "", "profile": "no such"}, id="wrong input"),
+    ],
+)
+def test_stays_without_kept_results(tmp_path: Path, inputs: dict[str, str]) -> None:
+    request = pull_request(tmp_path, {"arm/joints.py": ADDED})
+    checkout(request, tmp_path / "workspace")
+    assert run_action(tmp_path / "workspace", inputs, base="main").code in (1, 2)
+    assert entries(tmp_path, "results") == []
+
+
+def test_parts_of_the_work_keep_results_of_their_own(tmp_path: Path) -> None:
+    request = pull_request(tmp_path, {"arm/joints.py": ADDED})
+    checkout(request, tmp_path / "workspace")
+    for shard in ("1/2", "2/2"):
+        assert run_action(tmp_path / "workspace", {"cache-dir": "", "shard": shard}, base="main").code == 0
+    first, second = entries(tmp_path, "results")
+    assert "-1-2-" in first and "-2-2-" in second
 
 
 def test_a_clean_pull_request_passes(tmp_path: Path) -> None:
@@ -576,6 +682,9 @@ def test_a_planted_repository_is_not_asked(tmp_path: Path) -> None:
         {"install": ""},
         {"install": "true", "linters": "yes"},
         {"install": "true", "tool-versions": "latest"},
+        {"install": "true", "version": "main; touch pwned"},
+        {"install": "true", "version": "0.1.0 --pre"},
+        {"cache": "yes"},
         {"profile": "rso"},
         {"fail-on": "always"},
         {"project": "missing.yaml"},
@@ -644,15 +753,17 @@ case "$*" in *" -m venv "*) for last; do :; done; mkdir -p "$last/bin"; cp "$0" 
 
 @pytest.mark.parametrize("versions", ["pinned", "newest"])
 @pytest.mark.parametrize(
-    ("linters", "exact", "what"),
+    ("linters", "exact", "release", "what"),
     [
-        ("true", "false", "/action[linters]"),
-        ("false", "true", "/action[exact]"),
-        ("true", "true", "/action[linters,exact]"),
-        ("false", "false", "/action"),
+        ("true", "false", "", "/action[linters]"),
+        ("false", "true", "", "/action[exact]"),
+        ("true", "true", "", "/action[linters,exact]"),
+        ("false", "false", "", "/action"),
+        ("false", "false", "0.1.0", "haros-ci==0.1.0"),
+        ("true", "true", "1.2.0rc1", "haros-ci[linters,exact]==1.2.0rc1"),
     ],
 )
-def test_what_runs_if_asked_for_is_an_extra(tmp_path: Path, linters: str, exact: str, what: str, versions: str) -> None:
+def test_what_is_installed(tmp_path: Path, linters: str, exact: str, release: str, what: str, versions: str) -> None:
     python = tmp_path / "python"
     python.write_text(RECORDER)
     python.chmod(0o755)
@@ -666,6 +777,7 @@ def test_what_runs_if_asked_for_is_an_extra(tmp_path: Path, linters: str, exact:
         "INPUT_LINTERS": linters,
         "INPUT_EXACT": exact,
         "INPUT_TOOL_VERSIONS": versions,
+        "INPUT_VERSION": release,
         "INPUT_PLUGIN_PACKAGES": "",
     }
     subprocess.run(["bash", str(ROOT / "action" / "install.sh")], env=environment, check=True)
@@ -685,12 +797,22 @@ def test_an_old_log_is_not_passed_on(tmp_path: Path) -> None:
 # -- the real installation ----------------------------------------------------------------------------------------
 
 
-def test_the_install_step(tmp_path: Path) -> None:
+def test_the_install_step(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     installing.needs_package_index()
     action = installing.copy_of_the_checkout(tmp_path / "action")
     request = pull_request(tmp_path, {"arm/joints.py": ADDED})
     checkout(request, tmp_path / "workspace")
-    for _ in range(2):  # the second use in a job finds the first one's environment
-        job = run_action(tmp_path / "workspace", {"install": "true"}, base="main", action=action)
+    for is_kept in ("true", "false"):  # the second use in a job finds the first one's environment
+        inputs = {"install": "true", "cache": is_kept}
+        job = run_action(tmp_path / "workspace", inputs, base="main", action=action)
         assert (job.code, job.outputs["new-count"]) == (1, "1"), job.log
     assert (job.temp / "haros-ci-environment/bin/haros-ci").is_file()
+    shutil.rmtree(job.temp)
+    monkeypatch.setenv("PIP_NO_INDEX", "1")  # the next run restores it, and installs nothing
+    job = run_action(tmp_path / "workspace", {"install": "true"}, base="main", action=action)
+    assert (job.code, job.outputs["new-count"]) == (1, "1"), job.log
+    (action / "haros_ci/__init__.py").write_text("# changed\n")
+    run_action(tmp_path / "workspace", {"install": "false"}, base="main", action=action)
+    assert len(entries(tmp_path, "environment")) == 1
+    job = run_action(tmp_path / "workspace", {"install": "true", "linters": "true"}, base="main", action=action)
+    assert job.code == 2 and "could not be installed" in job.log, "another environment is another key"
