@@ -72,7 +72,10 @@ def test_every_switch_of_ours_has_a_reason(room: str) -> None:
 
 def test_ci_begins_with_lint_and_types() -> None:
     run = (ROOT / ".ci" / "run").read_text(encoding="utf-8")
-    parts = [run.index(part) for part in ("\n.ci/lint install\n", "\n.ci/lint check > ", "pytest", '\nwait "$lint" || { cat ')]
+    parts = [
+        run.index(part)
+        for part in ("\n.ci/lint install\n", "\n.ci/lint check > ", "pytest", '\nwait "$lint" || { cat ')
+    ]
     assert parts == sorted(parts)
     script = (ROOT / ".ci" / "lint").read_text(encoding="utf-8")
     assert all(command in script for command in ('/ruff" check .', '/ruff" format --check .', '/mypy"', "'.[dev]'"))

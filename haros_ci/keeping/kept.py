@@ -19,7 +19,7 @@ from haros_ci.follow.made import MadeEntity
 from haros_ci.follow.twins import Twin
 from haros_ci.graph.ros2_process import RosNode
 from haros_ci.keeping.consulted import Consulted, Effect
-from haros_ci.keeping.kept_json import PlaceLost, Unfit, from_json, moved, to_json
+from haros_ci.keeping.kept_json import PlaceLost, Unfit, entity_from_json, from_json, moved, to_json
 from haros_ci.keeping.moves import Lines
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
@@ -260,10 +260,7 @@ def _twin(data: Any) -> Twin:
 
 def _made(data: Any, nodes: tuple[RosNode, ...]) -> MadeEntity:
     number, held = data
-    made = from_json(held)
-    if made.__class__ is not MadeEntity:
-        raise Unfit
-    return made if number == -1 else replace(made, node=nodes[_index(number, nodes)])
+    return entity_from_json(held, None if number == -1 else nodes[_index(number, nodes)])
 
 
 def _answers_of(value: Any) -> tuple[Answer, ...]:

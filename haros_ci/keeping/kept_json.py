@@ -140,8 +140,11 @@ CLASSES: dict[type, dict[str, Check]] = {
         "place": _optional(_is(int)),
     },
 }
-_NAMES = {kind.__name__: kind for kind in CLASSES}
-_SEQUENCES = {"t": tuple, "l": list}
+_NAMES = {kind.__name__: (kind, tuple(checks.values())) for kind, checks in CLASSES.items()}
+#: Where a MadeEntity has its node.
+_NODE = list(CLASSES[MadeEntity]).index("node") + 1
+#: The classes of what JSON has as it is.
+_SIMPLE = frozenset((type(None), bool, int, float, str))
 
 
 def to_json(value: Any, depth: int = 0) -> Any:
@@ -169,25 +172,48 @@ def to_json(value: Any, depth: int = 0) -> Any:
 
 def from_json(data: Any, depth: int = 0) -> Any:
     """What ``to_json`` has written; Unfit for anything else."""
-    if data is None or data.__class__ in (bool, int, float, str):
+    if data.__class__ in _SIMPLE:
         return data
     if data.__class__ is not list or not data or depth > DEEPEST:
         raise Unfit
-    head, *rest = data
-    if head in ("t", "l"):
-        items = [from_json(item, depth + 1) for item in rest]
-        return tuple(items) if head == "t" else items
+    head = data[0]
+    if head.__class__ is not str:
+        raise Unfit
     if head == "d":
+        rest = data[1:]
         if not all(item.__class__ is list and len(item) == 2 and isinstance(item[0], str) for item in rest):
             raise Unfit
         return {key: from_json(item, depth + 1) for key, item in rest}
-    kind = _NAMES.get(head) if isinstance(head, str) else None
-    if kind is None or len(rest) != len(CLASSES[kind]):
+    held: list[Any] = [item if item.__class__ in _SIMPLE else from_json(item, depth + 1) for item in data[1:]]
+    if head == "t":
+        return tuple(held)
+    if head == "l":
+        return held
+    kind, checks = _NAMES.get(head, (None, ()))
+    if kind is None or len(held) != len(checks):
         raise Unfit
-    held = [from_json(item, depth + 1) for item in rest]
-    if not all(check(item) for check, item in zip(CLASSES[kind].values(), held, strict=True)):
+    for check, item in zip(checks, held, strict=True):
+        if not check(item):
+            raise Unfit
+    return kind(**dict(zip(CLASSES[kind], held, strict=True))) if kind is Qos else kind(*held)  # Qos has names alone
+
+
+def entity_from_json(data: Any, node: RosNode | None) -> MadeEntity:
+    """The MadeEntity that ``to_json`` has written without a node, of *node*; Unfit for anything else."""
+    kind, checks = _NAMES[MadeEntity.__name__]
+    if (
+        data.__class__ is not list
+        or len(data) != len(checks) + 1
+        or data[0] != kind.__name__
+        or data[_NODE] is not None
+    ):
         raise Unfit
-    return kind(**dict(zip(CLASSES[kind], held, strict=True)))
+    held: list[Any] = [item if item.__class__ in _SIMPLE else from_json(item, 1) for item in data[1:]]
+    held[_NODE - 1] = node
+    for check, item in zip(checks, held, strict=True):
+        if not check(item):
+            raise Unfit
+    return MadeEntity(*held)
 
 
 def moved(data: Any, lines: Mapping[str, Mapping[int, int]], depth: int = 0) -> Any:
@@ -213,4 +239,4 @@ def _now(line: Any, known: Mapping[int, int]) -> int | None:
     return known[line]
 
 
-assert all(set(CLASSES[kind]) == {field.name for field in fields(kind)} for kind in CLASSES)
+assert all(list(CLASSES[kind]) == [field.name for field in fields(kind)] for kind in CLASSES)
