@@ -28,7 +28,7 @@ from haros_ci.commands.timings import with_timings
 from haros_ci.config.settings import Settings
 from haros_ci.errors import EXIT_TOOL_TROUBLE, RunFailure, UserError
 from haros_ci.html_page.data import History
-from haros_ci.html_page.gather import gathered
+from haros_ci.html_page.gather import ALL, Shown, gathered
 from haros_ci.html_page.verdicts import Recorded, recorded
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.report.escape import terminal
@@ -52,7 +52,8 @@ def report(flags: Flags) -> int:
     warn_of_missing_base(settings)
     path = Path(flags["output"])
     past = history_in(Path(flags["history"]), settings) if flags["history"] else ()
-    text, failed = made(found, workspace, settings, flags, known, tuple(flags["configuration"]), past, recordings)
+    shown = Shown(tuple(flags["configuration"]), past, recordings, flags["rates"])
+    text, failed = made(found, workspace, settings, flags, known, shown)
     write(text, path)
     click.echo(summary_line(view_of(workspace, flags, to_file=True).joined(found)), err=True)
     click.echo(f"{terminal(str(path))}: {len(text.encode()) / 1e6:.1f} MB; open it in a browser", err=True)
@@ -72,7 +73,7 @@ def fill(
     """Write the page where *outputs* say, after the folder of HAROS's data files; whether all that belongs into it could be found out, and written."""
     folder = next((path for format, path in outputs if format in FOLDERS and path is not None), None)
     past = history_in(folder, settings) if folder is not None else ()
-    text, failed = made(found, workspace, settings, flags, known, past=past)
+    text, failed = made(found, workspace, settings, flags, known, Shown(past=past))
     is_whole = not set(failed) - settings.allow_tool_failure
     for path in (path for format, path in outputs if format in PAGES):
         try:
@@ -117,17 +118,15 @@ def made(
     settings: Settings,
     flags: Flags,
     known: Architectures | None = None,
-    names: tuple[str, ...] = (),
-    past: History = (),
-    recordings: tuple[Recorded, ...] = (),
+    shown: Shown = ALL,
 ) -> tuple[str, tuple[str, ...]]:
-    """The page, with these configurations only where *names* are given; and the tools that failed to measure, which is said."""
-    shown = view_of(workspace, flags, to_file=True).joined(found)
+    """The page with what is to be *shown*; and the tools that failed to measure, which is said."""
+    joined = view_of(workspace, flags, to_file=True).joined(found)
 
     def work(store: Store, progress: Progress) -> tuple[str, tuple[str, ...]]:
         progress("report")
         architectures = (known or Architectures(settings, store)).under(store)
-        return gathered(shown, workspace, architectures, LIMITS, names, past, recordings)
+        return gathered(joined, workspace, architectures, LIMITS, shown)
 
     text, failed = under_cache(work, settings, flags)
     for tool in sorted(set(failed) - set(found.failed_tools())):

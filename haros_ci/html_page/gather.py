@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 from datetime import datetime, timezone
 from typing import Any
 
@@ -26,18 +27,30 @@ from haros_ci.timing import stage
 from haros_ci.workspace.commit_time import commit_time
 
 
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """What else a user wants to see: these configurations only where there are *names*, commits of the past, recordings, and rates."""
+
+    names: tuple[str, ...] = ()
+    past: History = ()
+    recordings: tuple[Recorded, ...] = ()
+    has_rates: bool = False
+
+
+#: All configurations, and nothing else.
+ALL = Shown()
+
+
 def gathered(
     report: Report,
     workspace: Workspace,
     architectures: Architectures,
     limits: Iterable[Limit],
-    names: tuple[str, ...] = (),
-    past: History = (),
-    recordings: tuple[Recorded, ...] = (),
+    shown: Shown = ALL,
 ) -> tuple[str, tuple[str, ...]]:
-    """The page; and the tools that failed to measure, so that values are missing.
+    """The page with what is to be *shown*; and the tools that failed to measure, so that values are missing.
 
-    With *names* it has these configurations only; UserError for one that is not there. Its data is kept in the cache: the same report of
+    UserError for a configuration that is not there. The page's data is kept in the cache: the same report of
     the same files gives the same. It is data there, too: what is read is escaped again.
     """
     settings = architectures.settings
@@ -45,14 +58,12 @@ def gathered(
     date = _date(commit_time(workspace.root))
 
     def make() -> Output:
-        data, failed = _made(report, workspace, architectures, limits, names, title, date, past, recordings)
+        data, failed = _made(report, workspace, architectures, limits, shown, title, date)
         return Output(json.dumps(data, allow_nan=False).encode("ascii"), failed)
 
     with stage("page"):
         found = (
-            make()
-            if settings.plugins
-            else _kept(make, report, workspace, architectures, (names, title, date, past, plain(recordings)))
+            make() if settings.plugins else _kept(make, report, workspace, architectures, (plain(shown), title, date))
         )
         return page(f"{title} – haros-ci", json.loads(found.content)), found.messages
 
@@ -84,41 +95,45 @@ def _made(
     workspace: Workspace,
     architectures: Architectures,
     limits: Iterable[Limit],
-    names: tuple[str, ...],
+    shown: Shown,
     title: str,
     date: str,
-    past: History,
-    recordings: tuple[Recorded, ...],
 ) -> tuple[Mapping[str, Any], tuple[str, ...]]:
     made = architectures.of(workspace)
-    every = made.architecture.configurations
+    every, names = made.architecture.configurations, shown.names
     for name in names:
         if name not in {one.name for one in every}:
             known = ", ".join(sorted(one.name for one in every)[:20]) or "none"
             raise UserError(f"no configuration {name}", help=f"there are {known}")
-    shown = [one for one in every if not names or one.name in names]
+    chosen = [one for one in every if not names or one.name in names]
+    if shown.has_rates:
+        from haros_ci.analysis.code_of import code_of
+        from haros_ci.analysis.rates import with_rates
+
+        found = replace(made.architecture, configurations=tuple(chosen))
+        chosen = list(with_rates(found, code_of(made, workspace)).configurations)
     project = architectures.project(workspace)
     measures = measure(workspace, architectures.settings, architectures.store, sources=made.sources)
     data = data_of(
         Input(
             report=report,
             workspace=workspace,
-            configurations=shown,
+            configurations=chosen,
             broadcasts={
                 system.name: tuple(broadcasts(project, system))
                 for system in project.systems
                 if not names or system.name in names
             },
             properties=held(project.properties),
-            verdicts=recordings,
+            verdicts=shown.recordings,
             builds=made.builds,
             measurements=measures.values,
             limits=limits,
             name=title,
             date=date,
-            history=past,
+            history=shown.past,
             processes=architectures.settings.jobs,
-            more_than_shown=len(every) - len(shown),
+            more_than_shown=len(every) - len(chosen),
         )
     )
     return data, measures.failed

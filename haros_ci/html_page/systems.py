@@ -17,6 +17,7 @@ from haros_ci.html_page.pool import NONE, Pool, presence_text
 from haros_ci.html_page.transforms import transforms
 from haros_ci.html_page.variants import variants
 from haros_ci.model.architecture import KINDS, PROVENANCES, Configuration, Endpoint, Node, Parameter, Qos
+from haros_ci.model.rates import Rate, total
 from haros_ci.report.channels import UNKNOWN, endpoints_of, nodes_of, parameters_of
 from haros_ci.report.model_json import plain
 
@@ -55,6 +56,23 @@ def _configuration(pool: Pool, one: Configuration, made: Elements, layout: Layou
         "unknown": (sum(UNKNOWN in end.name for end in ends), len(ends)),
         "picture": NONE if layout is None else pool.row("pictures", _picture(pool, made, layout)),
         "tree": launch_tree(pool, one),
+        "rates": _rates(pool, one),
+    }
+
+
+def _rates(pool: Pool, one: Configuration) -> dict[str, Any]:
+    """In words how often each node publishes on each topic, and of topics the sums; nothing where rates were not asked for."""
+    every: dict[tuple[str, str], list[Rate]] = {}
+    for found in one.rates.published if one.rates is not None else ():
+        every.setdefault((found.node, found.topic), []).append(found.rate)
+    return {
+        "published": [
+            (pool.text(node), pool.text(topic), pool.text(str(total(rates)))) for (node, topic), rates in every.items()
+        ],
+        "topics": [
+            (pool.text(topic), pool.text(str(rate)))
+            for topic, rate in (one.rates.topics if one.rates is not None else ())
+        ],
     }
 
 

@@ -29,6 +29,7 @@ from haros_ci.model.location import Location
 from haros_ci.model.measurement import Measurement
 from haros_ci.model.package import Dependency, Package, SourceFile
 from haros_ci.model.presence import choice
+from haros_ci.model.rates import Rates, TopicRate, exactly, unknown
 from haros_ci.model.workspace import Workspace
 from haros_ci.report.measurements import Limit
 from haros_ci.results.result import Baseline, BaselineState, Identity, Provenance, Related, Report, Result, Run, Tool
@@ -124,6 +125,13 @@ def configuration(word: str = "", name: str = NAME) -> Configuration:
             ),
         ),
         parameters=(Parameter(name="/box/filter/rate", type="double", value=5.0, location=Location(LAUNCH, 3), origin=Location("base/config/p.yaml", 4)), Parameter(name=f"/camera/unread{word}", type="str", value=f"v{word}")),
+        rates=Rates(
+            (
+                TopicRate(f"/camera{word}", f"/image{word}", Location(CODE, 7), exactly(30.0), ()),
+                TopicRate("/arm/driver", "/arm/state", None, unknown(f"the sleep{word} is not known"), ()),
+            ),
+            ((f"/image{word}", exactly(30.0)), ("/arm/state", unknown(f"the sleep{word} is not known"))),
+        ),
         alternatives=(node("/simulator", end("publishers", f"/image{word}"), end("publishers", "/arm/state"), presence=(choice("sim", f"true{word}"),)),),
         launch_facts=(
             ArgumentDeclaration(location=Location(LAUNCH, 1), name=f"robot{word}", default=f"one{word}", choices=("one", "two")),

@@ -247,6 +247,17 @@ def test_details_of_a_node_and_of_a_topic(page: Page) -> None:
     assert "what strip returns is not known" in page.text(".detail")
 
 
+def test_rates_of_publishers_and_topics(page: Page) -> None:
+    page.go("system?element=%2Fcamera")
+    assert "30 Hz" in page.text(".detail")
+    page.go("system?element=%2Fimage")
+    assert page.text(".detail").count("30 Hz") == 2, "of the topic and of its publisher"
+    page.go("system?element=%2Farm%2Fdriver")
+    assert "rate unknown (the sleep is not known)" in page.text(".detail")
+    page.go("system?element=%2Fbox%2Ffound")
+    assert "rate" not in page.text(".detail dl"), "none is known of it"
+
+
 def test_an_unknown_name_has_candidates(page: Page) -> None:
     page.go("system?element=%2Fbox%2F%3F")
     assert "It may be" in page.text(".detail") and "/box/found" in page.text(".candidates")

@@ -186,6 +186,24 @@ def test_one_configuration(workspace: Path, tmp_path: Path) -> None:
     assert not (tmp_path / "no.html").exists()
 
 
+def test_rates_where_they_are_asked_for(tmp_path: Path) -> None:
+    """Also where the page without them is in the cache."""
+    root = write(tmp_path / "ws", FILES)
+
+    def rates(*more: str) -> list[list[str]]:
+        out = tmp_path / "page.html"
+        done = haros("report", ".", *QUICK, *more, "--output", str(out), cwd=root)
+        assert done.returncode == 0, done.stderr
+        data = data_in(out)
+        [one] = data["configurations"]
+        return [[data["tables"]["texts"][number] for number in row] for row in one["rates"]["published"]]
+
+    assert rates() == []
+    found = rates("--rates")
+    assert found and all(len(row) == 3 for row in found)
+    assert rates() == []
+
+
 def test_a_base_that_cannot_be_had_is_no_page(workspace: Path, tmp_path: Path) -> None:
     done = haros("report", ".", *QUICK, "--base", "nowhere", "--output", str(tmp_path / "no.html"), cwd=workspace)
     assert done.returncode == 2 and not (tmp_path / "no.html").exists()

@@ -199,6 +199,19 @@ def test_configurations_of_launch_files_come_first() -> None:
     assert texts(data, [one["name"] for one in data["configurations"]]) == [NAME, "tool/alone"]
 
 
+def test_rates_in_words_and_none_that_nobody_asked_for() -> None:
+    data = checked(given())
+    with_rates = data["configurations"][0]["rates"]
+    assert [texts(data, row) for row in with_rates["published"]] == [
+        ["/camera", "/image", "30 Hz"],
+        ["/arm/driver", "/arm/state", "unknown (the sleep is not known)"],
+    ]
+    assert texts(data, with_rates["topics"][0]) == ["/image", "30 Hz"]
+    without = tuple(replace(one, rates=None) for one in given().configurations)
+    quiet = checked(replace(given(), configurations=without))
+    assert [one["rates"] for one in quiet["configurations"]] == 2 * [{"published": [], "topics": []}]
+
+
 def test_what_is_left_out_is_said() -> None:
     data = checked(replace(given(), more_than_shown=2))
     assert texts(data, data["left_out"]) == ["2 configurations left out by --configuration."]

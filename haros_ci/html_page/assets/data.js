@@ -112,6 +112,8 @@ function system(index, words) {
     arguments: row.arguments.map(([a, b]) => [text(a), text(b)]),
     others: others.filter((_, number) => !variant || !variant.come.includes(number)), variant: variant ? words : "", numbered: new Map(nodes.map((one) => [one.index, one])),
     picture: row.picture < 0 ? null : TABLES.pictures[row.picture], tree: row.tree,
+    // Rates are those of the default arguments.
+    rates: new Map(variant ? [] : [...row.rates.published.map(([one, topic, rate]) => [`${text(one)} ${text(topic)}`, text(rate)]), ...row.rates.topics.map(([topic, rate]) => [text(topic), text(rate)])]),
   };
   // Nodes that bear one name, and one is a topic's besides: HAROS calls these collisions.
   made.twins = [...new Set(nodes.filter((one, at) => isKnown(one.name) && nodes.findIndex((each) => each.name === one.name) !== at).map((one) => one.name))].sort(compare);

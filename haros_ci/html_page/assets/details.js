@@ -25,7 +25,7 @@ function nodeDetail(made, one) {
     unknownList(one.unknowns), findingsOf(made, one.name),
     kinds.map((kind) => {
       const ends = one.ends.filter((each) => each.kind === kind && !each.implicit);
-      return ends.length ? h("section", null, h("h3", null, `${WORDS[kind]} (${ends.length})`), h("ul", { class: "plain-list ends" }, ends.map((each) => endItem(made, each)))) : null;
+      return ends.length ? h("section", null, h("h3", null, `${WORDS[kind]} (${ends.length})`), h("ul", { class: "plain-list ends" }, ends.map((each) => endItem(made, one, each)))) : null;
     }),
     parameterSection(made, one),
     implicitSection(one),
@@ -37,8 +37,12 @@ function implicitSection(one) {
   return ends.length ? h("details", null, h("summary", null, `created by the client library (${ends.length})`), h("ul", { class: "plain-list" }, ends.map((each) => h("li", null, `${WORDS[each.kind]} ${each.name}`, each.type ? ` (${each.type})` : "")))) : null;
 }
 
-function endItem(made, each) {
-  const marks = [each.ruledOut ? "not created: its condition is false" : "", each.latched ? "latched" : "", each.queue !== null && each.queue !== undefined && !each.qos ? `queue ${each.queue}` : "", qosWords(each.qos)].filter(Boolean);
+// How often a node publishes on a topic, in words, and a topic as a whole where only its name is given; "" where no rate was asked for.
+const rateOf = (made, topic, one) => made.rates.get(one ? `${one} ${topic}` : topic) || "";
+const rateWords = (rate) => (rate.startsWith("unknown") ? `rate ${rate}` : rate);
+
+function endItem(made, one, each) {
+  const marks = [each.kind === "publishers" ? rateWords(rateOf(made, each.name, one.name)) : "", each.ruledOut ? "not created: its condition is false" : "", each.latched ? "latched" : "", each.queue !== null && each.queue !== undefined && !each.qos ? `queue ${each.queue}` : "", qosWords(each.qos)].filter(Boolean);
   return h("li", { class: each.ruledOut ? "ruled-out" : null }, element(made, each.name), each.type ? h("span", { class: "type" }, ` ${each.type}`) : h("span", { class: "type unknown" }, " type not known"),
     each.original && each.original !== each.name ? h("span", { class: "quiet" }, ` remapped from ${each.original}`) : null, marks.length ? h("span", { class: "quiet" }, ` · ${marks.join(", ")}`) : null,
     each.place ? [" ", whereIs(each.place)] : null, conditionList(each.conditions), unknownList(each.unknowns));
@@ -119,11 +123,11 @@ function channelDetail(made, channel) {
   const names = { topics: ["publishers", "subscribers"], services: ["servers", "clients"], actions: ["servers", "clients"] }[channel.what];
   return [
     h("h2", null, channel.name, " ", h("span", { class: "quiet" }, word)),
-    h("dl", null, row(channel.types.length > 1 ? "types" : "type", channel.types.length ? channel.types.map((one, index) => [index ? ", " : "", h("code", null, one)]) : "not known"), row("present if", channel.conditional ? "a condition holds (see below)" : "")),
+    h("dl", null, row(channel.types.length > 1 ? "types" : "type", channel.types.length ? channel.types.map((one, index) => [index ? ", " : "", h("code", null, one)]) : "not known"), row("rate", channel.what === "topics" ? rateOf(made, channel.name) : ""), row("present if", channel.conditional ? "a condition holds (see below)" : "")),
     channel.problems.map((one) => h("p", { class: "warning" }, `${one[0].toUpperCase()}${one.slice(1)}.`)),
     isKnown(channel.name) ? null : candidates(made, channel), findingsOf(made, channel.name),
     [[names[0], offered], [names[1], taken]].map(([title, list]) => h("section", null, h("h3", null, `${title} (${list.length})`), list.length ? h("ul", { class: "plain-list ends" }, list.map(({ node: one, end: each }) =>
-      h("li", null, element(made, one.name), each.type && channel.types.length > 1 ? ` ${each.type}` : "", each.qos || each.latched || each.queue !== null ? h("span", { class: "quiet" }, ` · ${[qosWords(each.qos), each.latched ? "latched" : "", each.queue !== null && !each.qos ? `queue ${each.queue}` : ""].filter(Boolean).join(", ")}`) : null, each.place ? [" ", whereIs(each.place)] : null,
+      h("li", null, element(made, one.name), each.type && channel.types.length > 1 ? ` ${each.type}` : "", each.qos || each.latched || each.queue !== null || rateOf(made, each.name, one.name) ? h("span", { class: "quiet" }, ` · ${[each.kind === "publishers" ? rateWords(rateOf(made, each.name, one.name)) : "", qosWords(each.qos), each.latched ? "latched" : "", each.queue !== null && !each.qos ? `queue ${each.queue}` : ""].filter(Boolean).join(", ")}`) : null, each.place ? [" ", whereIs(each.place)] : null,
         conditionList([...one.conditions, ...each.conditions]), unknownList(each.unknowns)))) : h("p", { class: "quiet" }, "none in this configuration"))),
     connectionSection(made, channel),
     channel.types.map((type) => typeDetail(type)),
