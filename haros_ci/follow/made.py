@@ -24,6 +24,8 @@ Key = tuple[object, ...]
 Range = tuple[float | None, float | None, float | None]
 #: The reason where not all conditions are recorded.
 SEVERAL = "it is made on several ways, each under conditions of its own"
+#: Why what stands behind a way out that is taken as things are may not be made in ROS 2: no statement around it says so.
+BEHIND = "as things are, the code returns before it comes to this"
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,6 +52,8 @@ class MadeEntity:
     is_exact: bool = False
     #: Of the branches around it, those that are not taken as things are.
     dead: int = 0
+    #: Whether it stands behind an early way out that is taken as things are.
+    is_behind: bool = False
     unknowns: tuple[tuple[str, str, Location | None], ...] = ()
     #: The name as the call gives it, ``?`` for its unknown parts.
     written: str | None = field(default=None, compare=False)
@@ -136,11 +140,15 @@ def make(walk: Walk, made: MadeEntity) -> None:
     )
     known = walk.made.get(key)
     conditions, unknowns = made.conditions, made.unknowns
+    if made.is_behind and not walk.dead and walk.context.process is not None:
+        unknowns = (*unknowns, ("conditions", BEHIND, made.location))
     if walk.doubts:
         unknowns = (*unknowns, ("conditions", walk.doubts[-1], made.location))
     if known is not None:
         other = replace(made, conditions=conditions, unknowns=unknowns, dead=walk.ruled_out())
         conditions, unknowns = _both(walk, known, other)
+        if known.is_behind != made.is_behind:
+            made = replace(made, is_behind=False)
         if known.type != made.type or known.is_strict != made.is_strict:
             made = _as_known(known, made)
     dead = walk.ruled_out() if known is None else min(walk.ruled_out(), known.dead)
@@ -258,16 +266,17 @@ def forget_again(walk: Walk, known: int) -> None:
 def forget_dead(walk: Walk, known: int) -> None:
     """Of what was made after the first *known*, drop what stands in branches that another turn of a loop takes.
 
-    Where no turn takes all of the branches around a place, those count that take the most.
+    Where no turn takes all of the branches around a place, those count that take the most. The same of early ways out:
+    a turn that takes one makes nothing behind it where another does not take it.
     """
     if len(walk.made) > known:
         since = list(walk.made.items())[known:]
-        least: dict[tuple[str, Location], int] = {}
+        least: dict[tuple[str, Location], tuple[int, bool]] = {}
         for _, made in since:
-            place = (made.kind, made.location)
-            least[place] = min(made.dead, least.get(place, made.dead))
+            place, count = (made.kind, made.location), (made.dead, made.is_behind)
+            least[place] = min(count, least.get(place, count))
         for key, made in since:
-            if made.dead > least[made.kind, made.location]:
+            if (made.dead, made.is_behind) > least[made.kind, made.location]:
                 del walk.made[key]
 
 
