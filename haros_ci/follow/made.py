@@ -100,27 +100,17 @@ def either(
 ) -> tuple[tuple[Condition, ...], bool]:
     """The conditions of what is made on two ways, and whether they are all: what both ways have in common.
 
-    That is all where the other way has no more, or where one takes an ``if`` and the other its ``else``; *pairs* has
-    the place of each ``else``'s ``if``. Of early ways out those count that both have.
+    That is all where one of the ways has no more, or where one takes an ``if`` and the other its ``else``; *pairs* has
+    the place of each ``else``'s ``if``. Early ways out in which they differ do not count.
     """
-    early = tuple(item for item in one if item.is_early and item in other)
-    left, right = (tuple(item for item in way if not item.is_early) for way in (one, other))
-    around, is_all = _either(left, right, pairs)
-    return (*around, *early), is_all
-
-
-def _either(
-    one: tuple[Condition, ...], other: tuple[Condition, ...], pairs: Mapping[Location, Location]
-) -> tuple[tuple[Condition, ...], bool]:
-    """The same of conditions that stand around it."""
-    for number, (left, right) in enumerate(zip(one, other, strict=False)):
-        if left != right:
-            if left.statement == "else":
-                left, right = right, left
-            both = left.statement == "if" and right.statement == "else" and left.condition == right.condition
-            both = both and pairs.get(right.location) == left.location
-            return one[:number], both and number == len(one) - 1 == len(other) - 1
-    return (other if len(other) < len(one) else one), True
+    common = tuple(condition for condition in one if condition in other)
+    around = sorted(common, key=lambda condition: condition.is_early)
+    left, right = ([item for item in way if not item.is_early and item not in common] for way in (one, other))
+    if len(left) == len(right) == 1:
+        first, second = (right[0], left[0]) if left[0].statement == "else" else (left[0], right[0])
+        both = first.statement == "if" and second.statement == "else" and first.condition == second.condition
+        return tuple(around), both and pairs.get(second.location) == first.location
+    return tuple(around), not left or not right
 
 
 def make(walk: Walk, made: MadeEntity) -> None:
