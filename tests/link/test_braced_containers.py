@@ -56,6 +56,9 @@ def test_what_a_container_holds(value: str, expected: list[Any]) -> None:
     ],
 )
 def test_an_alias_of_a_container(value: str, expected: list[object] | None) -> None:
-    (found,) = ros2_cpp(f'declare_parameter("a", {value});', before="using Doubles = std::vector<double>;\nusing Texts = std::vector<std::string>;\n").nodes
+    (found,) = ros2_cpp(
+        f'declare_parameter("a", {value});',
+        before="using Doubles = std::vector<double>;\nusing Texts = std::vector<std::string>;\n",
+    ).nodes
     (parameter,) = explicit(found, "parameters")
     assert parameter.value == expected
