@@ -125,7 +125,8 @@ def invoke(
         and any(_is_plugin(walk, argument.value) for argument in arguments)
     ):
         is_long = False
-    idle = walk.idle.get(id(definition), 0) if walk.is_called_back and not makes_nothing else 0
+    way = (id(definition), walk.ruled_out() > 0)  # what is ruled out says nothing of what is not
+    idle = walk.idle.get(way, 0) if walk.is_called_back and not makes_nothing else 0
     if idle > IDLE:
         return inert.skipped(walk, inner, function, definition, returns, arguments)
     is_inert = makes_nothing and not is_long and inert.is_inert(walk, function, definition, returns, arguments)
@@ -153,7 +154,7 @@ def invoke(
             setters.followed(walk, function, inner.mark)
     elif walk.is_called_back:
         is_idle = walk.extent() == there and walk.steps - before > 1
-        walk.idle[id(definition)] = walk.idle.get(id(definition), 0) + walk.steps - before if is_idle else 0
+        walk.idle[way] = walk.idle.get(way, 0) + walk.steps - before if is_idle else 0
     return value
 
 

@@ -15,6 +15,7 @@ from haros_ci.follow import (
     copies,
     data_classes,
     expressions,
+    members,
     methods,
     template_arguments,
     uncertain,
@@ -280,7 +281,7 @@ def initialise(
         if member.is_static:
             continue
         kind = walk.type_in(member.type, declared)
-        cell = this.fields[member.name] = Cell(NONE, kind)
+        cell = this.fields[member.name] = members.of_object(this, member.name, kind)
         if passed:
             cell.value = braces.fitted(walk, declared, kind, passed.pop(0).value)
         elif member.name in inits:
@@ -295,13 +296,12 @@ def initialise(
         elif member.init is not None:
             cell.value = initial(walk, declared, kind, member.init, Location(source.path, member.line, member.column))
         elif "*" in kind.marks or "&" in kind.marks:
-            reason = f"the member {member.name} is not set before"
-            cell.value = walk.opaque(reason, declared, member.line, pointee(kind))
+            cell.value = walk.opaque(members.UNSET.format(member.name), declared, member.line, pointee(kind))
         elif not call_arguments.is_scalar(kind):
             at = body_at if function is not None else Location(source.path, member.line, member.column)
             cell.value = initial(walk, declared, kind, None, at)
         else:
-            cell.value = Opaque(f"the member {member.name} is not set before", Location(source.path, member.line), kind)
+            cell.value = Opaque(members.UNSET.format(member.name), Location(source.path, member.line), kind)
     if function is not None and function.body is not None:
         activation.follow_body(walk, inner, function)
 

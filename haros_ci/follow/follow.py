@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable as Function_
-from collections.abc import Iterable, Mapping
 from collections.abc import Sequence as Sequence_
 from dataclasses import dataclass, replace
 from functools import partial
@@ -17,6 +16,7 @@ from haros_ci.follow import (
     commands,
     construct,
     counters,
+    disturbances,
     inert,
     lookup,
     uncalled,
@@ -29,8 +29,6 @@ from haros_ci.index.index import Source
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Function
 from haros_ci.values.abstract import (
-    UNSET,
-    UNSET_OR_INHERITED,
     Callable,
     Cell,
     Known,
@@ -40,11 +38,8 @@ from haros_ci.values.abstract import (
     Value,
     tick,
 )
-from haros_ci.values.cells import Slot
-from haros_ci.values.state import Writes, joined
+from haros_ci.values.state import Writes
 
-#: Reasons of values that what others write takes the place of.
-UNSETS = frozenset((UNSET, UNSET_OR_INHERITED))
 #: Steps that a second rehearsal of all callbacks may take.
 CHEAP = 2_000
 
@@ -143,12 +138,13 @@ def _call_back(walk: Walk, frame: Frame) -> None:
         if walk.rehearsed < CHEAP:  # what one leaves behind may change what another does
             for number, root in enumerate(batch, start=done):
                 effects[number] = _counted(effects[number], _rehearsed(walk, frame, root, walk.effects, number))
-        together = _disturbed(_together(effects))  # each of the batch begins with what holds now
+        every = disturbances.Effects(effects)
+        found = disturbances.changed(disturbances.together(effects))  # each of the batch begins with what holds now
         for number, root in sorted(enumerate(batch, start=done), key=lambda item: _rank(walk, item[1])):
             if root.is_setup or not inert.may_make(walk, root.function, ()):
                 continue
             mark, known, made, held = walk.state.mark(), len(walk.roots), len(walk.made), len(walk.held)
-            _disturb_all(walk, effects, number, together)
+            disturbances.disturb(walk, every, number, found)
             walk.called.add(number)
             _invoke(walk, frame, walk.roots[number])
             if walk.state.has_set(mark) and any(item.dead for item in list(walk.made.values())[made:]):
@@ -250,52 +246,9 @@ def interlude(walk: Walk, frame: Frame) -> None:
 
 
 def _disturb(walk: Walk, effects: Sequence_[Writes], own: int) -> None:
-    """Join what the callbacks leave behind with what holds; of its *own* a callback sees plain values only, and parameters."""
-    _disturb_all(walk, effects, own, _disturbed(_all_together(walk) if effects is walk.effects else _together(effects)))
-
-
-def _disturb_all(walk: Walk, effects: Sequence_[Writes], own: int, together: Mapping[Slot, object]) -> None:
-    """The same where *together* is what holds after one or another of them, of the cells that this changes."""
-    mine = effects[own] if 0 <= own < len(effects) else {}
-    for cell, value in together.items():
-        if cell in mine and not (
-            cell is walk.server or cell is walk.declared or counters.is_seen_again(cell.value, mine[cell])
-        ):
-            for number, writes in enumerate(effects):
-                if number != own and cell in writes:
-                    after = _joined(cell.value, writes[cell])
-                    if after is not cell.value:
-                        walk.state.put(cell, after)
-        else:
-            walk.state.put(cell, value)
-
-
-def _disturbed(together: Mapping[Slot, object]) -> Writes:
-    """Of what callbacks may leave behind, joined with what holds: the cells that hold something else then."""
-    after = {cell: _joined(cell.value, value) for cell, value in together.items()}
-    return {cell: value for cell, value in after.items() if value is not cell.value}
-
-
-def _joined(held: object, value: object) -> object:
-    if held is value or (held.__class__ is Opaque and held.reason not in UNSETS):
-        return held
-    return joined(held, value)
-
-
-def _all_together(walk: Walk) -> Mapping[Slot, object]:
-    """What each cell holds after one or another of the callbacks rehearsed so far; each is joined once."""
-    _together(walk.effects[walk.joined :], walk.together)
-    walk.joined = len(walk.effects)
-    return walk.together
-
-
-def _together(effects: Iterable[Writes], found: Writes | None = None) -> Writes:
-    """What each cell holds after one or another of the callbacks, or after what is *found* already."""
-    found = {} if found is None else found
-    for writes in effects:
-        for cell, value in writes.items():
-            found[cell] = joined(found[cell], value) if cell in found else value
-    return found
+    """The callback of the number *own* begins with what the *effects* of the callbacks leave behind."""
+    every = disturbances.all_together(walk) if effects is walk.effects else disturbances.together(effects)
+    disturbances.disturb(walk, disturbances.Effects(effects), own, disturbances.changed(every))
 
 
 def _invoke(walk: Walk, frame: Frame, root: Root) -> None:

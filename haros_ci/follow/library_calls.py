@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from haros_ci import syntax
-from haros_ci.follow import call_arguments, construct, copies, expressions, follow
+from haros_ci.follow import braces, call_arguments, construct, copies, expressions, follow
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import harmless, library
 from haros_ci.follow.libraries import objects as library_objects
@@ -13,7 +13,7 @@ from haros_ci.follow.walk import Walk
 from haros_ci.index.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
-from haros_ci.values.abstract import NONE, Cell, Library, Object, Opaque, Value
+from haros_ci.values.abstract import NONE, Cell, Library, Object, Opaque, Sequence, Value
 
 
 def inherited_call(
@@ -93,7 +93,7 @@ def library_call(
     if found is not None:
         return found
     if name in STRINGS or name in SEQUENCES or name in MAPS:
-        return construct.create(walk, frame, syntax.Type(name, kinds), args, location)
+        return _filled(walk, frame, syntax.Type(name, kinds), callee, args, location)
     modelled = construct.made_by_its_class(walk, frame, callee, kinds, args, location)
     modelled = modelled or library.instance(walk, frame, syntax.Type(name, kinds), args)
     if modelled is not None:
@@ -104,6 +104,36 @@ def library_call(
             return construct.create(walk, frame, resolved, args, location)
     made = _made(walk, frame, name, kinds, args, location) or _one(walk, frame, name, args, location)
     return made if made is not None else library.unknown_call(walk, frame, name, args)
+
+
+#: Arguments from which on a list under another name of its type has braces around them.
+BRACED = 3
+
+
+def _filled(
+    walk: Walk,
+    frame: Frame,
+    kind: syntax.Type,
+    callee: Expression,
+    args: tuple[call_arguments.PassedArgument, ...],
+    location: Location,
+) -> Value:
+    """A text or container that is constructed.
+
+    ``Names(2, "a")`` and ``Names{"a", "b"}`` of another name of a list's type are not told apart by the facts of the code.
+    """
+    if not isinstance(callee, syntax.Name) or _last(callee.name) == _last(kind.name):
+        return construct.create(walk, frame, kind, args, location)
+    kind = kind if kind.arguments else walk.type_in(syntax.Type(callee.name), frame)
+    if kind.name not in SEQUENCES or not args or isinstance(args[0].value, Sequence):
+        return construct.create(walk, frame, kind, args, location)
+    if len(args) >= BRACED or all(map(braces.is_text, args)):
+        return braces.from_list(walk, frame, kind, Sequence(Cell(tuple(Cell(argument.value) for argument in args))))
+    return walk.opaque("braces and parentheses are not told apart under another name of its type", frame, None, kind)
+
+
+def _last(name: str) -> str:
+    return name.rpartition("::")[2]
 
 
 def _made(

@@ -86,10 +86,13 @@ def _turned(
             return _leave(walk, loop, goes_on=True) if holds is False else None
         if not worthwhile or _is_long(walk, loop, *before):
             break
+        there, begun, mark = walk.extent(), tick(), walk.state.mark()
         ended = _counted(walk, frame, loop, turn, one, after)
         if ended != NEXT:
             return _leave(walk, loop, goes_on=False, ended=ended)
         first = first or len(walk.made)
+        if walk.extent() == there and not loop.continues and walk.state.is_as_at(mark, begun):
+            break  # the next turn does the same
     else:
         loop.bound = TOO_MANY
     if start is not None and len(walk.made) > first:  # which of its turns there are is not known

@@ -24,6 +24,8 @@ Key = tuple[object, ...]
 Range = tuple[float | None, float | None, float | None]
 #: The reason where not all conditions are recorded.
 SEVERAL = "it is made on several ways, each under conditions of its own"
+#: Why what stands behind a way out that is taken as things are may not be made in ROS 2: no statement around it says so.
+BEHIND = "as things are, the code returns before it comes to this"
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,6 +52,8 @@ class MadeEntity:
     is_exact: bool = False
     #: Of the branches around it, those that are not taken as things are.
     dead: int = 0
+    #: Whether it stands behind an early way out that is taken as things are.
+    is_behind: bool = False
     unknowns: tuple[tuple[str, str, Location | None], ...] = ()
     #: The name as the call gives it, ``?`` for its unknown parts.
     written: str | None = field(default=None, compare=False)
@@ -96,27 +100,17 @@ def either(
 ) -> tuple[tuple[Condition, ...], bool]:
     """The conditions of what is made on two ways, and whether they are all: what both ways have in common.
 
-    That is all where the other way has no more, or where one takes an ``if`` and the other its ``else``; *pairs* has
-    the place of each ``else``'s ``if``. Of early ways out those count that both have.
+    That is all where one of the ways has no more, or where one takes an ``if`` and the other its ``else``; *pairs* has
+    the place of each ``else``'s ``if``. Early ways out in which they differ do not count.
     """
-    early = tuple(item for item in one if item.is_early and item in other)
-    left, right = (tuple(item for item in way if not item.is_early) for way in (one, other))
-    around, is_all = _either(left, right, pairs)
-    return (*around, *early), is_all
-
-
-def _either(
-    one: tuple[Condition, ...], other: tuple[Condition, ...], pairs: Mapping[Location, Location]
-) -> tuple[tuple[Condition, ...], bool]:
-    """The same of conditions that stand around it."""
-    for number, (left, right) in enumerate(zip(one, other, strict=False)):
-        if left != right:
-            if left.statement == "else":
-                left, right = right, left
-            both = left.statement == "if" and right.statement == "else" and left.condition == right.condition
-            both = both and pairs.get(right.location) == left.location
-            return one[:number], both and number == len(one) - 1 == len(other) - 1
-    return (other if len(other) < len(one) else one), True
+    common = tuple(condition for condition in one if condition in other)
+    around = sorted(common, key=lambda condition: condition.is_early)
+    left, right = ([item for item in way if not item.is_early and item not in common] for way in (one, other))
+    if len(left) == len(right) == 1:
+        first, second = (right[0], left[0]) if left[0].statement == "else" else (left[0], right[0])
+        both = first.statement == "if" and second.statement == "else" and first.condition == second.condition
+        return tuple(around), both and pairs.get(second.location) == first.location
+    return tuple(around), not left or not right
 
 
 def make(walk: Walk, made: MadeEntity) -> None:
@@ -136,11 +130,15 @@ def make(walk: Walk, made: MadeEntity) -> None:
     )
     known = walk.made.get(key)
     conditions, unknowns = made.conditions, made.unknowns
+    if made.is_behind and not walk.dead and walk.context.process is not None:
+        unknowns = (*unknowns, ("conditions", BEHIND, made.location))
     if walk.doubts:
         unknowns = (*unknowns, ("conditions", walk.doubts[-1], made.location))
     if known is not None:
         other = replace(made, conditions=conditions, unknowns=unknowns, dead=walk.ruled_out())
         conditions, unknowns = _both(walk, known, other)
+        if known.is_behind != made.is_behind:
+            made = replace(made, is_behind=False)
         if known.type != made.type or known.is_strict != made.is_strict:
             made = _as_known(known, made)
     dead = walk.ruled_out() if known is None else min(walk.ruled_out(), known.dead)
@@ -258,16 +256,17 @@ def forget_again(walk: Walk, known: int) -> None:
 def forget_dead(walk: Walk, known: int) -> None:
     """Of what was made after the first *known*, drop what stands in branches that another turn of a loop takes.
 
-    Where no turn takes all of the branches around a place, those count that take the most.
+    Where no turn takes all of the branches around a place, those count that take the most. The same of early ways out:
+    a turn that takes one makes nothing behind it where another does not take it.
     """
     if len(walk.made) > known:
         since = list(walk.made.items())[known:]
-        least: dict[tuple[str, Location], int] = {}
+        least: dict[tuple[str, Location], tuple[int, bool]] = {}
         for _, made in since:
-            place = (made.kind, made.location)
-            least[place] = min(made.dead, least.get(place, made.dead))
+            place, count = (made.kind, made.location), (made.dead, made.is_behind)
+            least[place] = min(count, least.get(place, count))
         for key, made in since:
-            if made.dead > least[made.kind, made.location]:
+            if (made.dead, made.is_behind) > least[made.kind, made.location]:
                 del walk.made[key]
 
 

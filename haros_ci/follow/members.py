@@ -14,7 +14,7 @@ from haros_ci.follow.ros import ros2_parameters
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.index.types import pointee
-from haros_ci.syntax import Class, Expression
+from haros_ci.syntax import Class, Expression, Type
 from haros_ci.values import iterators
 from haros_ci.values.abstract import (
     NONE,
@@ -32,6 +32,8 @@ from haros_ci.values.abstract import (
     join,
 )
 
+#: Why a member is not known, by its name.
+UNSET = "the member {} is not set before"
 #: So many bases of a class are looked at for ``Base::member``.
 MOST_BASES = 40
 
@@ -62,10 +64,15 @@ def member(walk: Walk, value: Value, name: str, frame: Frame) -> Cell | None:
             where, declared, kind = found
             if declared.is_static:
                 return lookup.global_cell(walk, where, f"{definition.name}{where.separator}{name}", declared.init, kind)
-            cell = value.fields[name] = Cell(
-                walk.opaque(f"the member {name} is not set before", frame, None, kind), kind
-            )
+            cell = value.fields[name] = Cell(walk.opaque(UNSET.format(name), frame, None, kind), kind)
     return cell
+
+
+def of_object(this: Object, name: str, kind: Type) -> Cell:
+    """The cell of a member that is initialised: the one that a reference to it has already, if an earlier member is one."""
+    known = this.fields.get(name)
+    is_referred = known is not None and isinstance(known.value, Opaque) and known.value.reason == UNSET.format(name)
+    return known if known is not None and is_referred and known.type == kind else Cell(NONE, kind)
 
 
 def _read_as(walk: Walk, value: Object, name: str) -> None:

@@ -3,14 +3,18 @@
 
 Lambdas and bound functions that could make something, and have neither been called nor registered once all callbacks have been followed,
 are called back after these, where the program calls a function that is not known. A doubt says of what they make that this is not certain.
+A lambda in a variable of which the code has no use but calls is kept nowhere.
 """
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import replace
 
+from haros_ci import syntax
 from haros_ci.follow.made import Root
 from haros_ci.follow.walk import ROOTS, Walk
+from haros_ci.syntax.walk import everything
 from haros_ci.values.abstract import Callable, Value
 from haros_ci.values.state import Writes
 
@@ -43,8 +47,29 @@ def register(walk: Walk) -> bool:
         function = root.function
         if key in walk.offered or key[0] in called:
             continue
-        if walk.relevance.makes(function.function, function.source):
+        if walk.relevance.makes(function.function, function.source) and key[0] not in _called_by_name(walk, function):
             walk.offered.add(key)
             waiting.append(root)
     walk.roots += waiting
     return bool(waiting)
+
+
+def _called_by_name(walk: Walk, function: Callable) -> frozenset[int]:
+    """The lambdas of a function's file, by identity, that are in variables whose names the file has in calls of them only."""
+    source = function.source
+    key = ("called by name", source.path)
+    if key not in walk.found:
+        held: dict[str, list[int]] = {}
+        uses: Counter[str] = Counter()
+        for node in everything(source.program.functions):
+            if isinstance(node, syntax.Variable) and isinstance(node.init, syntax.Equals):
+                if isinstance(node.init.value, syntax.Lambda) and node.type.name == "auto":
+                    held.setdefault(node.name, []).append(node.init.value.function)
+            elif isinstance(node, syntax.Name):
+                uses[node.name] += 1
+            elif isinstance(node, syntax.Call) and isinstance(node.callee, syntax.Name):
+                uses[node.callee.name] -= 1
+        numbers = [number for name, found in held.items() if not uses[name] for number in found]
+        walk.found[key] = frozenset(id(source.program.functions[number]) for number in numbers)
+    found: frozenset[int] = walk.found[key]
+    return found

@@ -186,8 +186,8 @@ class Walk:
     most: int = STEPS
     #: Steps spent in functions that make nothing, by function, and how often they were called.
     spent: dict[int, tuple[int, int]] = field(default_factory=dict)
-    #: Steps that callbacks have put into functions that could make something, since they last did, by function.
-    idle: dict[int, int] = field(default_factory=dict)
+    #: Steps that callbacks have put into functions that could make something, since they last did, by function and whether that was ruled out.
+    idle: dict[tuple[int, bool], int] = field(default_factory=dict)
     #: What functions that are followed as they set numbers have set, under which names (``follow.setters``).
     settled: dict[Slot, tuple[Value, frozenset[str]]] = field(default_factory=dict)
     #: Such functions around what is followed: they register nothing, as they did not where they are not followed.

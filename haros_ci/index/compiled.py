@@ -77,7 +77,7 @@ def _unit(index: Index, path: str, macros: tuple[tuple[str, str | None], ...], u
     key = (path, macros, undefined)
     found: _Unit | None = cache.get(key)
     if found is None:
-        reader = _Preprocessor(index, dict(macros), {*undefined, *index.unset_macros} - {name for name, _ in macros})
+        reader = _Preprocessor(index, dict(macros), set(undefined))
         reader.file(path, 0)
         found = cache[key] = reader.result()
     return found

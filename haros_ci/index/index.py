@@ -58,8 +58,6 @@ class Index:
     conditional: frozenset[str] = frozenset()
     #: The source files as targets compile them (``compiled.CompiledAs``), by path.
     compiled: Mapping[str, tuple[CompiledAs, ...]] = field(default_factory=dict)
-    #: Macros that nothing defines.
-    unset_macros: frozenset[str] = frozenset()
     #: What look-ups have found, by the files of the node type that asked and whether every plug-in is followed.
     caches: dict[object, dict[object, Any]] = field(default_factory=dict)
     #: ``pkg::Type`` for every ``#include "pkg/Type.h"``, by file.

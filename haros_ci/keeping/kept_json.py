@@ -116,6 +116,7 @@ CLASSES: dict[type, dict[str, Check]] = {
         "node": _optional(_is(RosNode)),
         "is_exact": _flag,
         "dead": _is(int),
+        "is_behind": _flag,
         "unknowns": _every(_is_unknown),
         "written": _optional(_text),
     },

@@ -43,7 +43,6 @@ def key_of(types: Types, rows: Mapping[tuple[str, int], Iterable[Row]]) -> str:
         [sorted(index.packages) for index in (cpp, python)],
         sorted(cpp.defined.items(), key=repr),
         sorted(cpp.compiled.items()),
-        sorted(cpp.unset_macros),
         sorted(cpp.conditional),
         plugins,
         [(base, [item.key for item in found]) for base, found in sorted(types.of_base.items())],

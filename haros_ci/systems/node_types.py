@@ -20,7 +20,7 @@ from haros_ci.model.build import Build
 from haros_ci.model.launch import LaunchFile
 from haros_ci.model.workspace import Workspace
 from haros_ci.substitutions.files import files_of
-from haros_ci.systems import client_libraries, definitions, gazebo_plugins, ros2_controllers, ros2_entries, unset_macros
+from haros_ci.systems import client_libraries, definitions, gazebo_plugins, ros2_controllers, ros2_entries
 from haros_ci.systems.entries import Programs, declared, executables, nodelets, plugin_files, plugins, plugins_of_base
 from haros_ci.systems.following import KnownNodes, Types
 from haros_ci.timing import timed
@@ -47,7 +47,6 @@ def types_of(
     targets = [target for build in builds.values() for target in build.targets]
     cpp.conditional = frozenset(path for target in targets for path in target.conditional_sources)
     cpp.compiled = definitions.compiled_files(builds)
-    cpp.unset_macros = unset_macros.never_defined(workspace, [s for s in sources if s.program.language == "cpp"])
     python.packages = frozenset(package.name for package in workspace.packages)
     programs = Programs(cpp, python, by_path, builds)
     tables: dict[tuple[str, int], dict[str, tuple[Row, ...]]] = {}

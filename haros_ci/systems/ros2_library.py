@@ -73,27 +73,28 @@ class Library:
     may_make_more: Callable_[[Seen], bool] = lambda seen: False
 
 
-def seen_in(nodes: Iterable[Node]) -> Seen:
-    """What *nodes* have made, and of which classes they are."""
+def seen_in(nodes: Iterable[Node], is_all: bool = False) -> Seen:
+    """What *nodes* have made, and of which classes they are; what is ruled out counts where *is_all*."""
     lines: dict[str, set[int]] = {}
     places: set[tuple[str, Location]] = set()
     classes: set[str] = set()
     for node in nodes:
         classes.add(node.class_name or "")
         for end in node.endpoints:
-            if end.location is not None and end.location.line is not None and not end.implicit:
+            counts = is_all or not end.is_ruled_out
+            if counts and end.location is not None and end.location.line is not None and not end.implicit:
                 lines.setdefault(end.location.path, set()).add(end.location.line)
                 places.add((end.kind, end.location))
     return Seen({path: sorted(found) for path, found in lines.items()}, frozenset(places), frozenset(classes))
 
 
 def tells(nodes: Iterable[Node], seen: Seen) -> bool:
-    """Whether *nodes* have something, known at least in part, that no process of the workspace makes at the same place."""
+    """Whether *nodes* have something, known at least in part, that no process of the workspace makes at the same place as things are."""
     return any(
         (end.kind, end.location) not in seen.places and (end.type is not None or end.name.strip("/?:") != "")
         for node in nodes
         for end in node.endpoints
-        if not end.implicit
+        if not end.implicit and not end.is_ruled_out
     )
 
 
@@ -121,7 +122,7 @@ def job(types: Types, library: Library) -> Job:
         if not library.nodes and (first.location == place or first.location is None or first.location.line is None):
             return (replace(node, kind=PROGRAM),), problems  # what it makes is on a node that it gets from elsewhere
         own = tuple(end for end in first.endpoints if not (library.nodes and end.implicit and end.location == place))
-        more = (Unknown("endpoints", METHODS, place),) if library.may_make_more(seen_in(nodes)) else ()
+        more = (Unknown("endpoints", METHODS, place),) if library.may_make_more(seen_in(nodes, is_all=True)) else ()
         first = replace(first, endpoints=own, unknowns=(*first.unknowns, *more))
         return tuple(replace(one, kind=LIBRARY) for one in (first, *others)), problems
 

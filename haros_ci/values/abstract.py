@@ -275,10 +275,12 @@ def converted_to_text(value: Value) -> str | Opaque:
 
 
 def printed(value: Value) -> str | Opaque:
-    """A scalar as Python's ``str`` writes it; Opaque where Python 2 and 3 differ."""
+    """A scalar as Python's ``str`` writes it; Opaque where Python 2 and 3 differ, and of None, which no text is meant to name."""
     if isinstance(value, Known) and isinstance(value.value, int) and abs(value.value) >= 10**300:
         return Opaque("it is a long number")
-    if isinstance(value, Known) and (value.value is None or isinstance(value.value, (str, int))):
+    if isinstance(value, Known) and value.value is None:
+        return Opaque("None is put into a text")
+    if isinstance(value, Known) and isinstance(value.value, (str, int)):
         return str(value.value)
     if isinstance(value, Known) and isinstance(value.value, float):
         return repr(value.value) if float(f"{value.value:.12g}") == value.value else Opaque("its digits are not known")

@@ -6,11 +6,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from haros_ci.values.abstract import NONE, Cell, Known, Object, Opaque, Partial, Value, join
+from haros_ci.values.abstract import NONE, Cell, Choice, Known, Object, Opaque, Partial, Value, join
 from haros_ci.values.cells import Content, Slot
 
 #: What ``join`` does not know: contents of sequences and maps.
 CONTENTS = frozenset((tuple, dict, Partial))
+#: What says by ``==`` whether it is the same.
+PLAIN = frozenset((Known, Opaque))
 #: Elements of a sequence on some paths that are kept; the latest count.
 OTHERS = 16
 #: What cells held (or hold), by cell.
@@ -57,6 +59,14 @@ class State:
         """The cells written since *mark*, with what they hold now."""
         return {cell: cell.value for cell, _ in self._log[mark:]}
 
+    def is_as_at(self, mark: int, begun: int) -> bool:
+        """Whether all cells that were there before the tick *begun* hold what they held at *mark*."""
+        first: Writes = {}
+        for cell, old in self._log[mark:]:
+            if cell.born <= begun:
+                first.setdefault(cell, old)
+        return all(_is_same(old, cell.value) for cell, old in first.items())
+
     def has_set(self, mark: int) -> bool:
         """Whether what was no object before *mark* is one now."""
         return any(
@@ -95,6 +105,14 @@ class State:
                         value = joined(value, other)
             self._log.append((cell, held))
             cell.value = value
+
+
+def _is_same(one: object, other: object) -> bool:
+    """Whether two values are one, as far as that is plain."""
+    if isinstance(one, Choice) and isinstance(other, Choice) and len(one.options) == len(other.options):
+        return all(map(_is_same, one.options, other.options))
+    is_plain = one.__class__ is other.__class__ and one.__class__ in PLAIN
+    return one is other or (is_plain and one == other)
 
 
 def _content(branches: list[Writes], cell: Slot) -> object:

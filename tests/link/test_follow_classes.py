@@ -17,6 +17,24 @@ def a_class(body: str) -> str:
 
 RESOLVED = (
     case(
+        "reference to a member that is initialised later",
+        "D d(nh);",
+        "/a",
+        before=(
+            "struct R { R(std::string& x) : r(x) {} std::string& r; };\n"
+            'struct D { D(ros::NodeHandle& nh) : c(s), s("a") { ADV(c.r, 1); } R c; std::string s; };'
+        ),
+    ),
+    case(
+        "such a reference to what is set again",
+        "D d(nh);",
+        "/b",
+        before=(
+            "struct R { R(std::string& x) : r(x) {} std::string& r; };\n"
+            'struct D { D(ros::NodeHandle& nh) : c(s), s("a") { s = "b"; ADV(c.r, 1); } R c; std::string s; };'
+        ),
+    ),
+    case(
         "the method of a base, which that inherits",
         "D d; d.go();",
         "/a",
@@ -257,6 +275,12 @@ RESOLVED = (
 )
 
 NOT_SURE = (
+    case(
+        "copy of a member that is initialised later",
+        "D d(nh);",
+        "/?",
+        before='struct D { D(ros::NodeHandle& nh) : t(s), s("a") { ADV(t, 1); } std::string t; std::string s; };',
+    ),
     case(
         "member under #if",
         "C c; ADV(c.s, 1);",

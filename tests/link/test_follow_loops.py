@@ -36,11 +36,32 @@ TURNS = (
     ('for (int i : {0, 1}) { if (i) ADV("x", 1); else ADV("y" + std::to_string(i), 1); }', "/x /y0"),
     ('for (int i = 0; i < 3; ++i) { if (i == 1) continue; ADV("y" + std::to_string(i), 1); }', "/y0 /y2"),
     ('for (int i = 0; i < 3; ++i) { if (i == 1) break; ADV("y" + std::to_string(i), 1); }', "/y0"),
+    ('for (int i = 0; i < 3; ++i) { if (i == 0) continue; ADV("y" + std::to_string(i), 1); }', "/y1 /y2"),
+    ('for (int i = 0; i < 3; ++i) { if (i != 1) continue; ADV("y" + std::to_string(i), 1); }', "/y1"),
+    ('for (int i = 0; i < 2; ++i) { if (i == 0) continue; else {} ADV("y" + std::to_string(i), 1); }', "/y1"),
+    ('for (int i = 0; i < 2; ++i) { if (cond() && i == 0) continue; ADV("y" + std::to_string(i), 1); }', "/y0 /y1"),
+    ('for (int i = 0; i < 2; ++i) { unless("y" + std::to_string(i), i == 0); }', "/y1"),
     ('for (int i = 0; i < 3; ++i) { make("y" + std::to_string(i), i == 1); }', "/y1"),
     ('bool on = false; for (int i = 0; i < 2; ++i) { if (on) ADV("y" + std::to_string(i), 1); }', "/y0 /y1"),
     ('make("a", true); make("b", false);', "/a /b"),
 )
 MAKE = "void make(std::string s, bool on) { ros::NodeHandle nh; if (on) nh.advertise<std_msgs::String>(s, 1); }\n"
+MAKE += "void unless(std::string s, bool off) { ros::NodeHandle nh; if (off) return; nh.advertise<std_msgs::String>(s, 1); }\n"
+MAKE += "bool cond();\n"
+
+
+@pytest.mark.parametrize(
+    ("loop", "expected"),
+    (
+        ('for x in ("a", "b"):\n    if x == "a": continue\n    PUB(x)\n', "/b"),
+        ('for x in ("a", "b"):\n    if x == "b": break\n    PUB(x)\n', "/a"),
+        ('for x in ("a", "b"):\n    if x == outside(): continue\n    PUB(x)\n', "/a /b"),
+        ('for x in ("a", "b"):\n    if x == "c": continue\n    PUB(x)\n', "/a /b"),
+        ('def f(x):\n    if x == "a": return\n    PUB(x)\nfor x in ("a", "b"):\n    f(x)\n', "/b"),
+    ),
+)
+def test_what_stands_behind_the_end_of_a_turn(loop: str, expected: str) -> None:
+    assert names(python(loop)) == expected.split()
 
 
 @pytest.mark.parametrize(("code", "expected"), TURNS)

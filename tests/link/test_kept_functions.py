@@ -80,6 +80,25 @@ def test_the_conditions_of_what_is_kept() -> None:
     assert [condition.statement for condition in end.conditions] == ["if"]
 
 
+#: What the constructor does with a lambda that makes something, and whether it may be among those that are kept.
+CALLED = (
+    ("for (int i = 0; i < 0; i++) f();", False),
+    ("for (auto & s : std::vector<int>{}) f();", False),
+    ("while (false) f();", False),
+    ("std::vector<int> v; for (int i : v) { [&] { f(); }(); }", False),
+    ("std::vector<int> v; std::for_each(v.begin(), v.end(), f);", True),
+    ("for (int i = 0; i < 0; i++) q_.push_back(f);", True),
+    ("auto g = f; for (int i = 0; i < 0; i++) g();", True),
+    (f"{FUNCTION} h = f; h = nullptr;", True),
+)
+
+
+@pytest.mark.parametrize(("use", "is_kept"), CALLED)
+def test_a_lambda_that_is_only_called_is_kept_nowhere(use: str, is_kept: bool) -> None:
+    members = f"std::deque<{FUNCTION}> q_;\nvoid loop() {{ q_.front()(); q_.pop_front(); }}"
+    assert made(members, "", f"auto f = {LAMBDA}; {use}") == [("/a", False)] * is_kept
+
+
 #: What is certain, as it is seen to be called or registered.
 CERTAIN = {
     "it is called": (f"{FUNCTION} f_;\nvoid loop() {{}}", "", f"f_ = {LAMBDA}; f_();"),

@@ -34,6 +34,9 @@ PYTHON = (
     case("inserted", 't = ["a"]\nt.insert(0, "b")\nPUB(t[0])', "/b"),
     case("popped", 't = ["a", "b"]\nPUB(t.pop(0) + t[0])', "/ab"),
     case("repeated", 'PUB("".join(["a"] * 2))', "/aa"),
+    case("None in a format", 'x = None\nPUB("%s/a" % x)\nPUB("{}/b".format(x))\nPUB(f"{x}/c")', "/?/a", "/?/b", "/?/c"),
+    case("None as a text", "PUB(str(None))", "/?"),
+    case("None beside it", 'x = None\nPUB("%s" % (x or "a"))', "/a"),
     case("chain", 'import itertools\nfor s in itertools.chain(["a"], ("b",)):\n    PUB(s)', "/a", "/b"),
     case(
         "product", 'import itertools\nfor s, t in itertools.product(["a"], ["b", "c"]):\n    PUB(s + t)', "/ab", "/ac"

@@ -119,3 +119,29 @@ def test_a_member_of_a_parameter_value_tells_the_type_in_python() -> None:
         ("getters", "/a:q", None),
     ]
     assert [unknown.field for end in ends for unknown in end.unknowns if end.name == "/a:p"] == []
+
+
+#: A device that is loaded from a file, or by a thread; the callback of a timer looks for what has changed.
+DEVICE = """struct Device {
+rclcpp::Node & node; std::vector<acme::Sensor> sensors; rclcpp::TimerBase::SharedPtr timer; bool changed = true;
+explicit Device(rclcpp::Node & n) : node(n) {}
+void start() {
+  timer = node.create_wall_timer(1s, [this] { for (int i = 0; i < 60; i++) update(); });
+  for (auto & sensor : acme::sensors()) { sensors.push_back(sensor); }
+  update();
+}
+void update() { %s for (auto & sensor : sensors) { if (changed) { changed = false; publish(sensor.name()); } } }
+void publish(const std::string & name) { node.create_publisher<String>(name, 1); }
+};
+"""
+
+
+def test_what_is_ruled_out_does_not_use_up_what_another_way_may_spend() -> None:
+    found = ros2_cpp(
+        'std::string file = declare_parameter("file", "");\n'
+        "if (!file.empty()) { device = std::make_shared<Device>(*this); device->start(); }\n"
+        "else { thread = std::thread([this] { device = std::make_shared<Device>(*this); device->start(); }); }",
+        "std::shared_ptr<Device> device; std::thread thread;",
+        DEVICE % ("int a = 0; " + "a++; " * 60),
+    )
+    assert {end.is_ruled_out for end in made(found, "publishers")} == {False}

@@ -306,6 +306,21 @@ TOOL = 'class Tool { public: explicit Tool(rclcpp::Node & node) { node.create_pu
 
 
 @pytest.mark.parametrize(
+    ("use", "expected"),
+    (
+        ("Tool tool(node);", []),
+        ("if (outside()) { Tool tool(node); }", []),
+        ("const bool on = false; if (on) { Tool tool(node); }", ["p/Tool (library)"]),
+        ("const bool on = false; if (on) { Tool tool(node); } Tool other(node);", []),
+        ("const bool on = true; if (on) { Tool tool(node); }", []),
+    ),
+)
+def test_what_a_process_makes_under_other_arguments_only_is_made_by_none(use: str, expected: list[str]) -> None:
+    text = f'#include <p/tools.hpp>\nint main(int argc, char ** argv) {{ rclcpp::Node node("n"); {use} }}\n'
+    assert told(built(TOOL, cmake="ament_auto_add_executable(n src/n.cpp)\n", n__cpp=text)) == expected
+
+
+@pytest.mark.parametrize(
     "path",
     ["p/src/tools.hpp", "p/test/include/p/tools.hpp", "p/examples/include/tools.hpp", "p_tests/include/p/tools.hpp"],
 )

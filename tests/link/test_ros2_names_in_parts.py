@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from follow_kit import ROS2_CMAKE, ROS2_HEAD, follow
+import pytest
+from follow_kit import ROS2_CMAKE, ROS2_HEAD, explicit, follow, ros2_cpp
 
 from haros_ci.model.architecture import Endpoint
 
@@ -82,3 +83,30 @@ def test_names_that_are_one_of_several() -> None:
     assert publishers(several + publish) == [("/a", ["conditions"]), ("/b", ["conditions"])]
     some = 'std::string name = "a"; if (std::rand()) name = std::string(argv[1]) + "/b";'
     assert publishers(some + publish) == [("/?/b", ["name", "conditions"]), ("/a", ["conditions"])]
+
+
+#: What is declared for each element of a list that is not known, then for each of another list; and what of it is made, ``never`` where it is ruled out.
+ELEMENTS = (
+    ('auto t = declare_parameter(s + ".type", "scan");', 't == "scan"', "first, never second"),
+    ('declare_parameter(s + ".type", "scan"); auto t = declare_parameter(o + ".type", "zone");', 't == "zone"', "first, never second"),
+    ('auto t = dog(this, s + ".type", "scan"); t = dog(this, o + ".type", "zone");', 't == "zone"', "first, never second"),
+    ('declare_parameter(s + ".type", "scan"); auto t = dog(this, o + ".type", "zone");', 't == "none"', "never first, second"),
+    (
+        'declare_parameter(s + ".type", "scan"); declare_parameter(o + ".type", "zone"); auto t = get_parameter(s + ".type").as_string();',
+        't == "scan"',
+        "first, second",
+    ),
+    ('declare_parameter(s + ".type", "scan"); auto t = get_parameter(s + ".type").as_string();', 't == "scan"', "first, never second"),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("body", "test", "expected"), ELEMENTS)
+def test_two_names_of_which_the_same_parts_are_known_are_two(body: str, test: str, expected: str) -> None:
+    ends = f'if ({test}) create_publisher<String>("first", 1); else create_publisher<String>("second", 1);'
+    before = (
+        "std::vector<std::string> names();\nstd::string dog(rclcpp::Node * node, const std::string & n, const std::string & d) {\n"
+        "if (node->has_parameter(n)) { return node->get_parameter(n).as_string(); }\nreturn node->declare_parameter(n, d); }\n"
+    )
+    (found,) = ros2_cpp(f"for (auto s : names()) for (auto o : names()) {{ {body} {ends} }}", before=before).nodes
+    made = sorted(explicit(found), key=lambda end: end.name)
+    assert ", ".join("never " * end.is_ruled_out + end.name.strip("/") for end in made) == expected

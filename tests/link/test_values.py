@@ -160,6 +160,21 @@ UNKNOWN = (
     case("read from a stream", 'std::string s = "a"; std::cin >> s; ADV(s, 1);', "/?"),
     case("getline", 'std::string s = "a"; std::getline(std::cin, s); ADV(s, 1);', "/?"),
     case("swap", 'std::string s = "a", t = "b"; std::swap(s, t); ADV(s, 1);', "/b"),
+    case(
+        "pointers swapped",
+        'std::shared_ptr<std::string> p(new std::string("a")), q(new std::string("b")); std::swap(p, q); ADV(*p, 1);',
+        "/b",
+    ),
+    case(
+        "swap of pointers",
+        'std::shared_ptr<std::string> p(new std::string("a")), q(new std::string("b")); p.swap(q); ADV(*q, 1);',
+        "/a",
+    ),
+    case(
+        "swap with what is not known",
+        'std::shared_ptr<std::string> p(new std::string("a")); p.swap(acme::pointer()); ADV(*p, 1);',
+        "/?",
+    ),
     case("swap of members", 'std::string s = "a", t = "b"; s.swap(t); ADV(t, 1);', "/a"),
     case("replace_all", 'std::string s = "a"; boost::replace_all(s, "a", "b"); ADV(s, 1);', "/b"),
     case("to_lower", 'std::string s = "A"; boost::algorithm::to_lower(s); ADV(s, 1);', "/a"),

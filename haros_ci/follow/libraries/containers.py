@@ -10,6 +10,7 @@ from haros_ci.follow import alternatives, assignments, construct, conversions, i
 from haros_ci.follow.frames import Frame, of_element
 from haros_ci.follow.libraries import tuples
 from haros_ci.follow.walk import Walk
+from haros_ci.index.types import is_smart_pointer
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
 from haros_ci.values import iterators
@@ -220,21 +221,27 @@ def mapped(walk: Walk, frame: Frame, receiver: Mapped, name: str, args: tuple[Pa
 
 
 def swapped(walk: Walk, args: tuple[PassedArgument, ...]) -> Value | None:
-    """``swap(a, b)`` of texts, numbers and whole containers; None for all else."""
+    """``swap(a, b)`` of texts, numbers, pointers and whole containers; None for all else."""
     one, other = args[0].cell, args[1].cell
     plain = (Known, Text, Choice, Opaque)
     if one is None or other is None:
         return None
-    if isinstance(one.value, plain) and isinstance(other.value, plain):
-        return _swap(walk, one, other)
+    is_plain = isinstance(one.value, plain) and isinstance(other.value, plain)
+    if is_plain or (_is_pointer(one) and _is_pointer(other)):
+        return swap(walk, one, other)
     if isinstance(one.value, Sequence) and isinstance(other.value, Sequence):
-        return _swap(walk, one.value.content, other.value.content)
+        return swap(walk, one.value.content, other.value.content)
     if isinstance(one.value, Mapped) and isinstance(other.value, Mapped):
-        return _swap(walk, one.value.content, other.value.content)
+        return swap(walk, one.value.content, other.value.content)
     return None
 
 
-def _swap(walk: Walk, one: Cell[Content], other: Cell[Content]) -> Value:
+def _is_pointer(cell: Cell) -> bool:
+    return cell.type is not None and (is_smart_pointer(cell.type) or "*" in cell.type.marks)
+
+
+def swap(walk: Walk, one: Cell[Content], other: Cell[Content]) -> Value:
+    """Let two variables hold what the other one has held."""
     before = one.value
     walk.state.write(one, other.value)
     walk.state.write(other, before)

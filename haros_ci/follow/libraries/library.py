@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from haros_ci import syntax
 from haros_ci.follow import callbacks, methods, thrown, unknown_calls
 from haros_ci.follow.frames import Frame
+from haros_ci.follow.libraries import containers, given_away, harmless
 from haros_ci.follow.libraries import cpp as library_cpp
-from haros_ci.follow.libraries import given_away, harmless
 from haros_ci.follow.libraries import python as library_python
 from haros_ci.follow.ros import ros2_nodes
 from haros_ci.follow.walk import Walk
@@ -27,6 +27,12 @@ def pointer_method(walk: Walk, cell: Cell, name: str, args: tuple[PassedArgument
     """A method of a smart pointer itself; its value is the object that it points to."""
     if name == "reset":
         walk.state.write(cell, args[0].value if args else NONE)
+        return NONE
+    if name == "swap":
+        other = args[0].cell if args else None
+        if other is not None:
+            return containers.swap(walk, cell, other)
+        walk.state.forget(cell, Opaque("it is swapped with what is not known", None, cell.type))
         return NONE
     if name in ("get", "release"):
         return cell.value

@@ -78,6 +78,7 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
             value=None if entry.each is not None else value,
             implicit=entry.implicit,
             is_exact=applied.is_exact,
+            is_behind=applied.is_behind,
             unknowns=tuple(unknowns),
             written=written,
             is_strict=entry.strict and not (walk.trying or walk.dead or applied.frame.is_dead),

@@ -118,21 +118,14 @@ def _named(applied: Applied, entry: Entry, provided: Value | None, node: RosNode
             conditions=tuple(walk.conditions),
             implicit=entry.implicit,
             is_exact=applied.is_exact,
-            unknowns=(*unknowns, *_beyond(applied)),
+            is_behind=applied.is_behind,
+            unknowns=tuple(unknowns),
             node=node.whole if node is not None else None,
             qos=qos,
             written=text,
         ),
     )
     return None
-
-
-def _beyond(applied: Applied) -> Unknowns:
-    """Why what stands behind a return that is taken as things are may not be made; no statement around it says so."""
-    walk = applied.walk
-    if walk.dead or not (applied.frame.is_dead or walk.beyond):
-        return []
-    return [("conditions", "as things are, the code returns before it comes to this", applied.location)]
 
 
 def _parameter(
@@ -204,7 +197,8 @@ def _parameter(
             value=data,
             implicit=entry.implicit,
             is_exact=applied.is_exact,
-            unknowns=(*unknowns, *_beyond(applied)),
+            is_behind=applied.is_behind,
+            unknowns=tuple(unknowns),
             node=node.whole if node is not None else None,
             effective=effective if entry.kind == "parameters" else None,
             read_only=read_only,

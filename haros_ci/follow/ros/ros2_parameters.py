@@ -12,7 +12,7 @@ from haros_ci.follow.ros import ros2_nodes
 from haros_ci.graph.names import pattern
 from haros_ci.graph.ros2_process import NO_NAME, RosNode, fits
 from haros_ci.index.ros_types import ros2_parameter_type
-from haros_ci.values.abstract import NONE, TRUE, Cell, Known, Object, Opaque, Sequence, Value
+from haros_ci.values.abstract import NONE, TRUE, Cell, Known, Object, Opaque, Sequence, Value, join
 from haros_ci.values.state import Held
 
 if TYPE_CHECKING:
@@ -54,13 +54,14 @@ LISTED = "[listed]"
 def parameter(applied: Applied, node: RosNode, name: str, is_declared: bool = False) -> Value | None:
     """What *node* has for a parameter: what it has declared or set itself, else what it is given; None if nothing.
 
-    Where it *is_declared* now, only what it has for certain counts: of the rest this is the first declaration.
+    Where it *is_declared* now, only what it has for certain counts: of the rest this is the first declaration. So it is
+    of a name of which parts are not known: another one has those of its own.
     """
     own = applied.walk.declared.value
     if isinstance(own, Opaque):
         return own
     held = own.get(f"{node.whole.name}:{name}")
-    if held is not None and (held.is_certain or not is_declared):
+    if held is not None and not (is_declared and ("?" in name or not held.is_certain)):
         return None if held.value == NONE else held.value
     if "?" in name and _has_like(own, node, name):
         return Opaque(NO_NAME, applied.location)
@@ -133,7 +134,8 @@ def remember(applied: Applied, full: str, value: Value) -> None:
     name = full.partition(":")[2]
     if "?" in name and not is_telling(name):
         return  # one more under a name that is not known; the others stay as they are
-    walk.state.write(walk.declared, {**own, full: Held(value)})
+    before = own.get(full) if "?" in name else None  # which may be another one of which the same parts are known
+    walk.state.write(walk.declared, {**own, full: Held(join(before.value, value) if before is not None else value)})
 
 
 def gotten(applied: Applied, found: list[tuple[Value, Value | None]]) -> Value:

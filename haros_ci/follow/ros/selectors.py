@@ -50,6 +50,11 @@ class Applied:
     #: Whether the exact tier has filled a blank of the call.
     is_exact: bool = False
 
+    @property
+    def is_behind(self) -> bool:
+        """Whether the call, or one around it, stands behind an early way out that is taken as things are."""
+        return self.frame.is_dead or self.walk.beyond > 0
+
 
 def given(args: tuple[PassedArgument, ...], where: str) -> PassedArgument | None:
     if where.isdigit():
