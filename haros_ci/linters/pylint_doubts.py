@@ -37,6 +37,9 @@ _NEAR = 40
 _LONGEST = 400
 _NAME = re.compile(r"[A-Za-z_][\w.]*")
 _OF_SHAPES = re.compile(r"\.(?:reshape|transpose|resize)[ \t]*\(")
+_BRACKET_OR_SHAPE = re.compile(rf"{_OF_SHAPES.pattern}|[\[({{\])}}]")
+#: Lines of a statement that are looked at.
+_STATEMENT_LINES = 40
 #: ``[call(x) for x in them]``, over several lines, too.
 _COMPREHENSION = re.compile(
     r"[\[{(][^\[\]{}]{0,300}?\w\([^\[\]{}]{0,300}?\)\s*(?:\S{0,40}\s+)?for\s[^\n]{1,200}?\sin\s"
@@ -88,11 +91,8 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
         return _has_items(text, line)
     if rule == "dangerous-default-value":
         return is_only_read(text, line)
-    if (
-        rule == "too-many-function-args"
-    ):  # NumPy's take a shape as one argument or as several, which pylint does not know
-        lines = text.split("\n")
-        return 0 < line <= len(lines) and _OF_SHAPES.search(lines[line - 1], column) is not None
+    if rule == "too-many-function-args":
+        return _is_of_shapes(text, line, column)
     if rule == "not-callable":
         return _is_tested(text, line, column) or is_left_to_subclasses(text, line, column)
     if rule == "bad-thread-instantiation":
@@ -109,6 +109,27 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
         return _has_fallback(text, line)
     if rule == "anomalous-backslash-in-string":  # Python 2 says nothing of it
         return runs_only_on_python2(text)
+    return False
+
+
+def _is_of_shapes(text: str, line: int, column: int) -> bool:
+    """Whether a call of NumPy's that takes a shape as one argument or as several, which pylint does not know, ends the expression there.
+
+    The place of the call is where what it is a method of begins, which may be lines above: ``np.array([…]).reshape(3, 3)``.
+    """
+    lines = text.split("\n")
+    if not 0 < line <= len(lines):
+        return False
+    if _OF_SHAPES.search(lines[line - 1], column) is not None:
+        return True
+    depth = 0
+    for number, part in enumerate(lines[line - 1 : line - 1 + _STATEMENT_LINES]):
+        for found in _BRACKET_OR_SHAPE.finditer(part, column if number == 0 else 0):
+            if depth == 0 and found[0].startswith("."):
+                return True
+            depth += 1 if found[0][-1] in "([{" else -1
+        if depth <= 0:
+            return False
     return False
 
 

@@ -79,7 +79,9 @@ def test_one_cause_at_several_places(rest: str) -> None:
 QUIET = [
     pytest.param([missing(3), missing(9, subject=("demo/listener",))], id="two subjects"),
     pytest.param([missing(3, subject=()), missing(9, subject=())], id="no subject"),
-    pytest.param([missing(3), replace(missing(9), message="demo/talker is a library.")], id="the subject in other words"),
+    pytest.param(
+        [missing(3), replace(missing(9), message="demo/talker is a library.")], id="the subject in other words"
+    ),
     pytest.param([lacking("rospy", 3), lacking("roscpp", 4)], id="errors at two lines: each is mended by itself"),
     pytest.param([unused("a", 1), unused("b", 1, "b.launch")], id="two files"),
     pytest.param([unused("a", 1), replace(unused("b", 2), message="another sentence of it")], id="other words"),
