@@ -54,6 +54,31 @@ QUIET = [
 ]
 
 
+@pytest.mark.parametrize(
+    ("url", "person", "expected"),
+    [
+        ("http://wiki.ros.org/map_server", GRETE, {"src/map_more"}),
+        ("https://github.com/ros-planning/amcl.git", GRETE, {"src/map_more"}),
+        ("http://www.ros.org/wiki/amcl", GRETE, {"src/map_more"}),
+        ("https://github.com/ros-perception/slam_gmapping/issues", GRETE, {"src/map_more"}),
+        ("http://wiki.ros.org/map_server", ADA, set()),  # by the same people
+        ("http://wiki.ros.org/map_more_of_ours", GRETE, set()),  # not public
+        ("http://wiki.ros.org/map_server/Tutorials", GRETE, set()),  # another page
+        ("https://example.org/map_server", GRETE, set()),
+        ("http://wiki.ros.org/", GRETE, set()),
+    ],
+)
+def test_copies_under_another_name(tmp_path: Path, url: str, person: tuple[str, str], expected: set[str]) -> None:
+    packages = {**OWN, "src/map_more": ("map_more_of_ours", (person,), "1.2.0")}
+    for path, (name, people, version) in packages.items():
+        (tmp_path / path).mkdir(parents=True)
+        text = manifest(name, people, version)
+        is_copy = path == "src/map_more"
+        text = text.replace("<license>", f'<url type="website">{url}</url><license>') if is_copy else text
+        (tmp_path / path / "package.xml").write_text(text)
+    assert set(copies(discover(tmp_path, (".",)))) == expected
+
+
 @pytest.mark.parametrize(("packages", "expected"), FIRES)
 def test_copies(
     tmp_path: Path, packages: dict[str, tuple[str, tuple[tuple[str, str], ...], str]], expected: set[str]
