@@ -80,12 +80,13 @@ def _is_foreign(package: Package, people: frozenset[str], words: set[str], works
 
 
 def _may_be_public(package: Package, workspace: Workspace) -> bool:
-    if package.version in _UNRELEASED or package.path == ".":
+    if package.path == ".":
         return False
+    if _is_archived(package.path):
+        return True
     is_package = knowledge().is_package
-    return (
+    return package.version not in _UNRELEASED and (
         is_package(package.name) is True
-        or _is_archived(package.path)
         or any(is_package(name) is True for name in _PAGE.findall(_manifest(package, workspace)))
     )
 

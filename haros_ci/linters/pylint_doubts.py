@@ -27,6 +27,8 @@ from haros_ci.results.scope import scopes
 _CALLEE = re.compile(r"(?<!\w)(\w+)[ \t]*\(")
 #: The idiom of ROS 2's tutorials: ``self.subscription  # prevent unused variable warning``.
 _KEPT = re.compile(r"\A[^#]*#.*\b(?:unused|warnings?|lint\w*|pylint|flake8|noqa|keep|reference)\b", re.IGNORECASE)
+#: A conversion that takes a number as well as the text of a variable.
+_CONVERTED = re.compile(r"\b(?:int|float|bool|str)\([ \t]*os\.(?:getenv|environ\.get)[ \t]*\(")
 #: What is evaluated to see whether it raises.
 _RAISING = re.compile(
     r"\s*(?:async\s+)?with\b.*\b(?:raises|assertRaises\w*|warns|assertWarns\w*|suppress|deprecated_call)\b|\s*try\s*:"
@@ -79,6 +81,8 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
         return is_call or is_stub(text, line) or _is_on_purpose(text, line)
     if rule == "unreachable":
         return _is_unwritten(text, line) or is_text(text, line)
+    if rule == "invalid-envvar-default":  # int() and float() take the default as well as the text
+        return 0 < line <= text.count("\n") + 1 and _CONVERTED.search(text.split("\n")[line - 1]) is not None
     if rule == "implicit-str-concat":
         return is_one_text(text, line)
     if rule == "too-many-format-args":

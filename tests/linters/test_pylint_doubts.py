@@ -75,6 +75,8 @@ GET = "def get():\n    if os.name == 'nt':\n        return 1\n    termios.tcseta
 REFUTED += [
     ("too-many-function-args", "a = points.reshape(-1, 1, 2)\n", "a = "),
     ("too-many-function-args", "a.transpose (0, 2, 1)\n", "a.tr"),
+    ("invalid-envvar-default", "RANK = int(os.getenv('RANK', -1))\n", "os.getenv"),
+    ("invalid-envvar-default", "rate = 2 * float( os.environ.get('RATE', 1.5))\n", "os.environ"),
     ("too-many-function-args", "a = np.array([\n    f(1),\n]).reshape(3, 3)\n", "np.array"),
     ("too-many-function-args", "a = np.array(\n    [f(1)]\n)[0].T.reshape(\n    3, 3)\n", "np.array"),
     ("possibly-used-before-assignment", MODULE + GET, "termios.tcsetattr"),
@@ -159,6 +161,8 @@ STANDS = [
         "'\\(",
     ),
     ("too-many-function-args", "shape(1, 2, 3)\n", "shape"),
+    ("invalid-envvar-default", "RANK = os.getenv('RANK', -1)\n", "os.getenv"),
+    ("invalid-envvar-default", "print(os.getenv('RANK', -1))\n", "os.getenv"),
     ("too-many-function-args", "a = f(\n    b.reshape(3, 3),\n    2)\n", "f("),
     ("too-many-function-args", "a = f(\n    2)\nb.reshape(3, 3)\n", "f("),
     ("too-many-function-args", "reshape(1, 2, 3)\n", "reshape"),

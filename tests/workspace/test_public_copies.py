@@ -34,6 +34,7 @@ FIRES = [
     ({**OWN, "src/urg_node": LASER}, {"src/urg_node"}),
     ({**OWN, "src/urg/urg_node": LASER, "src/urg/msgs": ("urg_c", (GRETE,), "1.0.0")}, {"src/urg"}),
     ({**OWN, "src/urg-humble/urg_of_ours": ("urg_of_ours", (GRETE,), "1.0.0")}, {"src/urg-humble"}),
+    ({**OWN, "src/link-melodic-devel/link_more": ("link_more", (GRETE,), "0.0.0")}, {"src/link-melodic-devel"}),
     ({**OWN, "src/arm-master/arm_more": ("arm_more", (GRETE,), "1.0.0")}, {"src/arm-master"}),
     ({"src/mine": ("mine_of_ours", (TODO,), "0.0.0"), "src/urg_node": LASER}, {"src/urg_node"}),
     ({**OWN, "src/a": LASER, "src/b": ("amcl", (GRETE, TODO), "1.0.0")}, {"src/a", "src/b"}),
@@ -47,6 +48,8 @@ QUIET = [
     {**OWN, "src/urg_node": ("urg_node", (GRETE,), "0.0.0")},  # never released
     {**OWN, "src/urg_of_ours": ("urg_of_ours", (GRETE,), "1.0.0")},  # not public
     {"src/urg_more": ("urg_more_of_ours", (ADA,), "1.0.0"), "src/urg_node": LASER},  # a family of names
+    {**OWN, "src/link-melodic-devel/link_more": ("link_more", (ADA,), "0.0.0")},
+    {**OWN, "src/link-melodic-devel/link_more": ("link_more", (TODO,), "0.0.0")},
     {".": LASER},
     {"src-master/arm_of_ours": ("arm_of_ours", (ADA,), "1.0.0")},  # all of it is an archive
     {"src-master/arm_of_ours": ("arm_of_ours", (ADA,), "1.0.0"), "src-master/leg": ("leg_of_ours", (ADA,), "1.0.0")},
