@@ -125,3 +125,17 @@ def test_generate_messages_without_an_interface(lists: str, extra: dict[str, str
     assert [("without an interface" in text, "message_runtime" in text) for text in found] == (
         [(True, False)] if count == 1 else [(False, False), (False, True)]
     )
+
+
+@pytest.mark.parametrize(
+    ("installed", "count"),
+    [("scripts/pilot", 0), ("scripts/other", 1), ("scripts/pilot.py", 0), ("scripts/pilot.sh", 1)],
+)
+def test_a_script_that_install_names_without_its_ending(installed: str, count: int, tmp_path: Path) -> None:
+    files = {
+        "package.xml": MANIFEST.format("demo", ROS1 + "<depend>rospy</depend>"),
+        "CMakeLists.txt": CATKIN.format("demo", "install(PROGRAMS %s DESTINATION lib/demo)" % installed),
+        "scripts/pilot.py": "#!/usr/bin/env python3\nimport rospy\nrospy.init_node('pilot')\nrospy.spin()\n",
+        "launch/a.launch": '<launch><node pkg="demo" type="pilot.py" name="pilot"/></launch>\n',
+    }
+    assert len(messages("target-not-installed", files, tmp_path)) == count
