@@ -34,6 +34,7 @@ FIRES = [
         "src/demo/models",
     ),
     ("third_party/json/json.hpp", (), (), "third_party"),
+    ("3rd/json/json.hpp", (), (), "3rd"),
     ("src/demo/3rdparty/a.cpp", (), (), "src/demo/3rdparty"),
     ("src/Vendor/a/b/c.cpp", (), (), "src/Vendor"),
     ("external/planner_ros/src/a.cpp", (), (), "external"),
