@@ -139,3 +139,21 @@ def test_a_script_that_install_names_without_its_ending(installed: str, count: i
         "launch/a.launch": '<launch><node pkg="demo" type="pilot.py" name="pilot"/></launch>\n',
     }
     assert len(messages("target-not-installed", files, tmp_path)) == count
+
+
+@pytest.mark.parametrize(
+    ("tags", "count"),
+    [
+        ("<build_depend>rospy std_msgs</build_depend>", 1),
+        ("<build_depend>\n  rospy\n  std_msgs\n</build_depend><exec_depend>rospy std_msgs</exec_depend>", 2),
+        ("<build_depend>rospy</build_depend><build_depend>std_msgs</build_depend>", 0),
+        ("<build_depend>\n  rospy\n</build_depend>", 0),
+        ("<build_depend>${A} ${B}</build_depend>", 0),
+        ("<!-- <build_depend>rospy std_msgs</build_depend> -->", 0),
+        ("<url>rospy std_msgs</url>", 0),
+    ],
+)
+def test_several_names_in_one_tag(tags: str, count: int, tmp_path: Path) -> None:
+    files = {"package.xml": MANIFEST.format("demo", ROS1 + tags), "CMakeLists.txt": CATKIN.format("demo", "")}
+    found = messages("misspelt-dependency", files, tmp_path)
+    assert len(found) == count and all("2 names, rospy and std_msgs" in text for text in found)
