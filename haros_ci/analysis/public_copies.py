@@ -19,6 +19,7 @@ from haros_ci.model.workspace import Workspace
 from haros_ci.workspace.third_party import around
 
 _PERSON = re.compile(r"<(?:maintainer|author)\b([^<>]{0,300})>([^<>]{0,300})<")
+_REMARK = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _MAIL = re.compile(r"email\s*=\s*[\"']([^\"'<>]{1,200})[\"']")
 #: A page or repository of what the package was before it got another name: ``http://wiki.ros.org/map_server``.
 _PAGE = re.compile(
@@ -27,7 +28,8 @@ _PAGE = re.compile(
 )
 #: What templates put in the place of a name or an address.
 _NOBODY = re.compile(
-    r"to-?do|example\.|\byou(?:r|@)|^(?:user|root|ubuntu|ros|pi|robot|admin|maintainer)\b|localhost", re.IGNORECASE
+    r"to-?do|example\.|jane doe|\byou(?:r|@)|^(?:user|root|ubuntu|ros|pi|robot|admin|maintainer)\b|localhost",
+    re.IGNORECASE,
 )
 #: The version of templates: nothing that was released has it.
 _UNRELEASED = ("", "0.0.0")
@@ -92,7 +94,9 @@ def _may_be_public(package: Package, workspace: Workspace) -> bool:
 
 
 def _manifest(package: Package, workspace: Workspace) -> str:
-    return workspace.text("package.xml" if package.path == "." else f"{package.path}/package.xml")
+    """The text of a manifest without comments, in which templates keep people and pages that are nobody's."""
+    text = workspace.text("package.xml" if package.path == "." else f"{package.path}/package.xml")
+    return _REMARK.sub("", text)
 
 
 def _is_archived(path: str) -> bool:

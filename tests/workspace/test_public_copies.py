@@ -57,6 +57,15 @@ QUIET = [
 ]
 
 
+def test_the_people_of_a_template_are_nobody(tmp_path: Path) -> None:
+    """catkin_create_pkg leaves an author in a comment, in the manifest of a copy and in that of one's own package."""
+    jane = '<!-- <author email="jane.doe@example.com">Jane Doe</author> --><license>'
+    for path, (name, people, version) in {**OWN, "src/urg_node": LASER}.items():
+        (tmp_path / path).mkdir(parents=True)
+        (tmp_path / path / "package.xml").write_text(manifest(name, people, version).replace("<license>", jane))
+    assert set(copies(discover(tmp_path, (".",)))) == {"src/urg_node"}
+
+
 @pytest.mark.parametrize(
     ("url", "person", "expected"),
     [
