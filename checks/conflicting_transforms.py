@@ -8,7 +8,7 @@ from itertools import combinations
 
 from haros_ci.api import ALWAYS, Check, Finding, Level, Location, Project, System, command, together
 from haros_ci.api.launch import FileUse, IncludeUse, ProgramUse
-from haros_ci.api.robots import Broadcast, at_odds, broadcasts
+from haros_ci.api.robots import Broadcast, at_odds, broadcasts, origin
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -17,6 +17,10 @@ def check(project: Project) -> Iterator[Finding]:
             continue
         by_child: dict[tuple[str, str], list[Broadcast]] = {}
         for broadcast in broadcasts(project, system):
+            if broadcast.parent == broadcast.child:
+                if origin(broadcast) != "robot":
+                    yield _in_itself(broadcast, system)
+                continue
             by_child.setdefault((broadcast.topic, broadcast.child), []).append(broadcast)
         by_nodes: dict[tuple[int, int], list[tuple[Broadcast, Broadcast]]] = {}
         for several in by_child.values():
@@ -89,6 +93,18 @@ def conflict(pairs: list[tuple[Broadcast, Broadcast]], system: System) -> Findin
         ),
         level=None if parents else Level.WARNING,
         apart=(one.child, str(one.at)),
+    )
+
+
+def _in_itself(broadcast: Broadcast, system: System) -> Finding:
+    """A transform that tf does not take in (``TF_SELF_TRANSFORM``); nothing else suffers from it."""
+    return Finding(
+        at=broadcast.at,
+        message=f"{broadcast.node} broadcasts frame {broadcast.child!r} in {broadcast.parent!r}: parent and child are the same frame, "
+        f"and tf rejects the transform; name another parent, or remove the broadcaster; {seen_with(system)}",
+        about=(broadcast.child, broadcast.node),
+        level=Level.WARNING,
+        apart=(broadcast.child,),
     )
 
 

@@ -35,6 +35,8 @@ PARTS = {
     1: (("message_generation", "genmsg"), ("message_runtime",)),
 }
 
+#: Commands that list interfaces.
+LISTS = ("add_message_files", "add_service_files", "add_action_files", "rosidl_generate_interfaces")
 #: Options of rosidl_generate_interfaces() that end the list of DEPENDENCIES.
 KEYWORDS = ("ADD_LINTER_TESTS", "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK", "LIBRARY_NAME")
 #: Packages that come with the generator, at least in some distributions.
@@ -127,7 +129,7 @@ def _parts(package: ProjectPackage, call: CMakeCommand, ros: int) -> Iterator[Fi
             "on a machine with only the declared dependencies the generator is missing",
             Level.ERROR if is_missing else Level.WARNING,
         )
-    if not {need.name for need in needs(package, *EXPORTED)} & {*runtimes, *generators}:
+    if _makes_some(package) and not {need.name for need in needs(package, *EXPORTED)} & {*runtimes, *generators}:
         effect, level = "on a machine with only the declared dependencies its interfaces may not load", Level.WARNING
         bringing = next(
             (need.name for need in needs(package, *EXPORTED) if brings(package, (need.name,), *runtimes)), None
@@ -137,14 +139,22 @@ def _parts(package: ProjectPackage, call: CMakeCommand, ros: int) -> Iterator[Fi
         yield _missing(package, call, runtimes[0], "exec_depend", effect, level)
 
 
+def _makes_some(package: ProjectPackage) -> bool:
+    """Whether there is an interface to make, or a list of them: generate_messages() alone makes nothing."""
+    return bool(package.build.interfaces or package.commands(*LISTS))
+
+
 def _missing(package: ProjectPackage, call: CMakeCommand, name: str, kind: str, effect: str, level: Level) -> Finding:
     kind = {"exec_depend": "run_depend"}.get(kind, kind) if package.raw.format == 1 else kind
     fix = add_dependency(package, kind, name)
+    does, at, advice = "generates interfaces", "interfaces are generated here", "add"
+    if not _makes_some(package):
+        does, at, advice = f"calls {call.name}() without an interface", "it is called here", "remove the call, or add"
     return Finding(
         at=place(package, None),
-        message=f"{package} generates interfaces, but does not depend on {name}: {effect}; add {dependency_tags(package, kind, name)}{said_misplaced(package, (name,))}",
+        message=f"{package} {does}, but does not depend on {name}: {effect}; {advice} {dependency_tags(package, kind, name)}{said_misplaced(package, (name,))}",
         about=(package.name, name),
-        related=((call.location, "interfaces are generated here"),),
+        related=((call.location, at),),
         fixes=() if fix is None else (fix,),
         level=level,
         apart=(name,),

@@ -21,6 +21,8 @@ _ENDS = ("DEPENDENCIES", "PACKAGE", "NOINSTALL", "ADD_LINTER_TESTS", "SKIP_INSTA
 _COPY = re.compile(r"(?:[_-](?i:backup|bak|old|copy|orig|tmp|unused|deprecated)|(?<=[a-z\d])(?:Backup|Copy|Old))\d*$")
 _COMMENT = re.compile(r"#[^\n]*")
 _NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
+#: What actionlib_msgs adds to the name of an action for its messages.
+_OF_ACTION = ("Action", "ActionGoal", "ActionResult", "ActionFeedback", "Goal", "Result", "Feedback")
 _ASIDE = ("deprecated", "unused", "old", "backup", "test", "tests", "examples")
 
 
@@ -31,7 +33,9 @@ def check(project: Project) -> Iterator[Finding]:
         left = [
             interface
             for interface in package.build.interfaces
-            if not (commands and interface.is_generated) and _is_own(interface, package)
+            if not (commands and interface.is_generated)
+            and _is_own(interface, package)
+            and not _is_of_an_action(interface, package)
         ]
         if commands:
             yield from _in_vain(package, commands)
@@ -56,6 +60,14 @@ def _is_own(interface: Interface, package: ProjectPackage) -> bool:
         return False
     beside = {posixpath.dirname(other.path) for other in package.build.interfaces if other.is_generated}
     return directory in beside or directory in {package.inside(kind) for kind in _KINDS}
+
+
+def _is_of_an_action(interface: Interface, package: ProjectPackage) -> bool:
+    """Whether add_action_files() makes a message of this name from an action of the package (genaction.py of actionlib_msgs)."""
+    return interface.kind == "msg" and any(
+        other.kind == "action" and other.is_generated and interface.name in {f"{other.name}{end}" for end in _OF_ACTION}
+        for other in package.build.interfaces
+    )
 
 
 def _is_kept(interface: Interface, package: ProjectPackage) -> bool:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, is_slip, listed
@@ -14,8 +15,11 @@ from haros_ci.api.packages import (
     imports_of,
     needs_of,
     normal,
+    place,
+    word,
 )
 
+_NAME = re.compile(r"[A-Za-z][\w-]{1,100}")
 #: The most names of one package for which a correction is searched, and the most needs that are compared with them.
 MAX_UNKNOWN = 100
 MAX_NEEDS = 2_000
@@ -24,6 +28,7 @@ MAX_NEEDS = 2_000
 def check(project: Project) -> Iterator[Finding]:
     sources = project.sources
     for package in project.packages:
+        yield from _together(package)
         declared = _declared(package)
         unknown = [name for name in sorted(declared) if _is_nowhere(name, package)]
         if not unknown or package.manifest is None:
@@ -45,6 +50,20 @@ def check(project: Project) -> Iterator[Finding]:
                     meant.setdefault(first_provider(there, package), need)
             if meant:
                 yield _finding(package, name, meant)
+
+
+def _together(package: ProjectPackage) -> Iterator[Finding]:
+    """Tags that hold several names: each is read as one name with blanks in it."""
+    for child in package.manifest.children if package.manifest is not None else ():
+        names = word(child).split() if child.tag.endswith("depend") else []
+        if 1 < len(names) <= MAX_UNKNOWN and all(map(_NAME.fullmatch, names)):
+            yield Finding(
+                at=place(package, child),
+                message=f"a <{child.tag}> of {package.name} holds {len(names)} names, {listed(names)}, and is read as one, which is neither a "
+                "ROS package nor a rosdep key: rosdep stops here, and the build order leaves them out; write a tag for each",
+                about=(package.name, word(child)),
+                apart=(child.tag, *names),
+            )
 
 
 def _is_nowhere(name: str, package: ProjectPackage) -> bool:

@@ -245,7 +245,7 @@ def _without_bit(package: ProjectPackage, paths: list[str], why: str, level: Lev
 
 def _unpacked(script: Installed, package: ProjectPackage) -> Iterator[Finding]:
     """install(DIRECTORY) gives its files no execute bit, unless its arguments ask for it."""
-    if _gives_modes(script, package) or script.keeps_mode:
+    if _gives_modes(script, package) or script.keeps_mode or _changes_modes(package):
         return
     inside = [file.path for file in package.files if file.path.startswith(f"{script.path}/")]
     programs = [path for path in inside if package.project.text(path).startswith("#!")]
@@ -320,6 +320,11 @@ def _gives_modes(script: Installed, package: ProjectPackage) -> bool:
     """Whether the command says which modes the files get, or is not one that is known."""
     commands = [command for command in package.commands("install") if command.location == script.location]
     return not commands or any(word in command.arguments for command in commands for word in _MODES)
+
+
+def _changes_modes(package: ProjectPackage) -> bool:
+    """Whether a command of the build sets modes by itself, of which files is not followed: ``execute_process(COMMAND chmod …)``."""
+    return any("chmod" in word.lower() for command in package.build.commands for word in command.arguments)
 
 
 def _is_relayed(script: Installed, package: ProjectPackage) -> bool:

@@ -13,7 +13,6 @@ from haros_ci.api.packages import (
     CMakeCommand,
     add_dependency,
     is_built_against,
-    may_appear,
     may_have_more,
     may_set_variables,
 )
@@ -23,7 +22,6 @@ _GIVEN = re.compile(
     r".*__\w+|.*_(?:generate_messages|gencpp|genpy|geneus|genlisp|gennodejs|gencfg|EXPORTED_TARGETS)\w*"
     r"|all|clean|install|test|tests|run_tests|doxygen|uninstall|rebuild_cache|.*(?:::|\$|/).*|-.*|"
 )
-_QUIET = frozenset(("catkin_package", "include_directories", "install", "target_include_directories"))
 #: Commands that make no target, though they may name one like their package.
 _NO_TARGETS = frozenset(
     (
@@ -117,10 +115,6 @@ def _unknown(package: ProjectPackage, command: CMakeCommand, is_open: bool) -> I
                         f"{target.name}"
                     ),
                 )
-        for word in command.after("INCLUDE_DIRS", *_KEYWORDS):
-            path = command.place(word) if package.project.workspace.names else None
-            if path is not None and not package.project.exists(path) and not may_appear(package, path, _QUIET):
-                yield word, "this directory does not exist, and catkin_package() stops the build"
     elif command.name == "ament_export_libraries":
         yield from _exported(package, words)
     elif command.name == "ament_export_dependencies":

@@ -148,3 +148,22 @@ def test_what_an_interpreter_is_given_may_be_started_by_others(
 ) -> None:
     files = filled({"write.py": WRITER, **more}) | {"CMakeLists.txt": WRITER_CMAKE}
     assert len(said(CHECK, Example("", True, files), tmp_path)) == count
+
+
+@pytest.mark.parametrize(
+    ("command", "count"),
+    [
+        ("execute_process(COMMAND chmod +x ${CMAKE_INSTALL_PREFIX}/lib/demo/talker.py)", 0),
+        ('install(CODE "execute_process(COMMAND chmod +x ${CMAKE_INSTALL_PREFIX}/lib/demo/talker.py)")', 0),
+        ("file(CHMOD scripts/talker.py PERMISSIONS OWNER_EXECUTE)", 0),
+        ("execute_process(COMMAND ls scripts)", 1),
+        ("# execute_process(COMMAND chmod +x talker.py)", 1),
+    ],
+)
+def test_a_build_that_changes_modes_by_itself(command: str, count: int, tmp_path: Path) -> None:
+    cmake = (
+        "cmake_minimum_required(VERSION 3.8)\nproject(demo)\nfind_package(ament_cmake REQUIRED)\n"
+        f"install(DIRECTORY scripts/ DESTINATION lib/demo)\n{command}\nament_package()\n"
+    )
+    files = filled({"scripts/talker.py": f"#!/usr/bin/env python3\n{CODE}", "CMakeLists.txt": cmake})
+    assert len(findings(tmp_path, files)) == count

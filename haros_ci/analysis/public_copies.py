@@ -19,10 +19,17 @@ from haros_ci.model.workspace import Workspace
 from haros_ci.workspace.third_party import around
 
 _PERSON = re.compile(r"<(?:maintainer|author)\b([^<>]{0,300})>([^<>]{0,300})<")
+_REMARK = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _MAIL = re.compile(r"email\s*=\s*[\"']([^\"'<>]{1,200})[\"']")
+#: A page or repository of what the package was before it got another name: ``http://wiki.ros.org/map_server``.
+_PAGE = re.compile(
+    r"<url\b[^<>]{0,100}>\s*https?://(?:www\.)?(?:wiki\.ros\.org|ros\.org/wiki|index\.ros\.org/p|github\.com/[\w.-]{1,100})/"
+    r"([\w-]{1,100})(?:\.git)?(?:/issues|/wiki)?/?\s*<"
+)
 #: What templates put in the place of a name or an address.
 _NOBODY = re.compile(
-    r"to-?do|example\.|\byou(?:r|@)|^(?:user|root|ubuntu|ros|pi|robot|admin|maintainer)\b|localhost", re.IGNORECASE
+    r"to-?do|example\.|jane doe|\byou(?:r|@)|^(?:user|root|ubuntu|ros|pi|robot|admin|maintainer)\b|localhost",
+    re.IGNORECASE,
 )
 #: The version of templates: nothing that was released has it.
 _UNRELEASED = ("", "0.0.0")
@@ -55,10 +62,10 @@ def quiet(workspace: Workspace, settings: Settings) -> Workspace:
 def copies(workspace: Workspace) -> frozenset[str]:
     """The outermost directories in which all packages are copies of public ones.
 
-    A package is one if a distribution has its name, or it lies in an archive that was downloaded, and if it names people, none of whom any
-    other package names; outside of archives its name may not begin as one of those either. With nothing of its own a workspace is the original.
+    A package is one if a distribution has its name, or that of the page or repository that it names, or it lies in an archive that was
+    downloaded, and if it names people, none of whom any other package names; outside of archives its name may not begin as one of those either. With nothing of its own a workspace is the original.
     """
-    candidates = [package for package in workspace.packages if _may_be_public(package)]
+    candidates = [package for package in workspace.packages if _may_be_public(package, workspace)]
     own = [package for package in workspace.packages if package not in candidates]
     if not own:
         return frozenset()
@@ -74,10 +81,22 @@ def _is_foreign(package: Package, people: frozenset[str], words: set[str], works
     return bool(by) and people.isdisjoint(by) and (_is_archived(package.path) or _first_word(package.name) not in words)
 
 
-def _may_be_public(package: Package) -> bool:
-    if package.version in _UNRELEASED or package.path == ".":
+def _may_be_public(package: Package, workspace: Workspace) -> bool:
+    if package.path == ".":
         return False
-    return knowledge().is_package(package.name) is True or _is_archived(package.path)
+    if _is_archived(package.path):
+        return True
+    is_package = knowledge().is_package
+    return package.version not in _UNRELEASED and (
+        is_package(package.name) is True
+        or any(is_package(name) is True for name in _PAGE.findall(_manifest(package, workspace)))
+    )
+
+
+def _manifest(package: Package, workspace: Workspace) -> str:
+    """The text of a manifest without comments, in which templates keep people and pages that are nobody's."""
+    text = workspace.text("package.xml" if package.path == "." else f"{package.path}/package.xml")
+    return _REMARK.sub("", text)
 
 
 def _is_archived(path: str) -> bool:
@@ -86,9 +105,8 @@ def _is_archived(path: str) -> bool:
 
 def _people(package: Package, workspace: Workspace) -> frozenset[str]:
     """Names and addresses of who maintains or wrote a package, without those of templates."""
-    text = workspace.text("package.xml" if package.path == "." else f"{package.path}/package.xml")
     found: set[str] = set()
-    for attributes, name in _PERSON.findall(text):
+    for attributes, name in _PERSON.findall(_manifest(package, workspace)):
         mail = _MAIL.search(attributes)
         found.update(part.strip().lower() for part in (name, mail[1] if mail else ""))
     return frozenset(word for word in found if word and not _NOBODY.search(word))

@@ -95,7 +95,9 @@ def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, unde
                 failures.setdefault(check.id, Notification(Level.ERROR, message, tool=tool))
             except Overrun:
                 failures[check.id] = _ended(check, tool, f" on {system.name}")
-    chosen = [(best, _other_names(best, alike)) for alike in by_key.values() for best in [_best(alike.values())]]
+    chosen = [
+        (best, _other_names(best, alike.values())) for alike in by_key.values() for best in [_best(alike.values())]
+    ]
     used = {
         checked.system.name: checked.system
         for checked, _ in chosen
@@ -258,11 +260,18 @@ def _best(alike: Iterable[_ConfirmedFinding]) -> _ConfirmedFinding:
     return min(alike, key=lambda checked: checked.rank)
 
 
-def _other_names(best: _ConfirmedFinding, alike: Iterable[tuple[str, ...]]) -> tuple[str, ...]:
-    """The names of which the same is to be said at the same places as of those that *best* is about."""
-    own = subject(best.finding.about)
-    others = [group for group in alike if group != own]
-    return tuple(sorted({name for names in others for name in names} - {*own})) or tuple(sorted(map(", ".join, others)))
+def _other_names(best: _ConfirmedFinding, alike: Iterable[_ConfirmedFinding]) -> tuple[str, ...]:
+    """The names of which the same is to be said at the same places as of those that *best* is about: of channels, else of nodes."""
+    others = [checked.finding.about for checked in alike if checked is not best]
+    channels = {name for about in others for name in _channels(about)} - _channels(best.finding.about)
+    groups = [subject(about) for about in others]
+    names = channels or {name for group in groups for name in group} - {*subject(best.finding.about)}
+    return tuple(sorted(names)) or tuple(sorted(map(", ".join, groups)))
+
+
+def _channels(about: Iterable[About]) -> set[str]:
+    """The names that the ends among *about* have."""
+    return {end.name for end in about if isinstance(end, End)}
 
 
 def _result(checked: _ConfirmedFinding, others: tuple[str, ...], tool: str) -> Result:

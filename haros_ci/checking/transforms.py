@@ -111,6 +111,8 @@ def _static(node: SystemNode) -> Iterator[Broadcast]:
     topic = _topic(node, "/tf" if node.package == "tf" else "/tf_static")
     if topic is None or not child or "?" in parent + child:
         return
+    if parent != child and parent.lstrip("/") == child.lstrip("/"):
+        return  # kept apart by a tf_prefix in tf, and nothing at all in tf2
     is_static = node.package == "tf2_ros"
     yield Broadcast(
         child.lstrip("/"), parent.lstrip("/"), is_static, node, node.location, f"{node} publishes it", topic, values

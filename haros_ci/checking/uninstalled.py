@@ -91,8 +91,21 @@ def _is_left_out(package: ProjectPackage, other_uninstalled: Uninstalled) -> boo
     is_aside = all(_ASIDE.search(place.path.rpartition("/")[2].lower()) for place, _ in other_uninstalled.related)
     if other_uninstalled.kind == "executable" and is_aside and is_said_not_installed(package, other_uninstalled.at):
         return True
+    if other_uninstalled.kind == "script" and _is_meant(package, other_uninstalled.at.path):
+        return True
     words = left_out_on_purpose(package)
     return bool(words) and not words.isdisjoint((other_uninstalled.name, posixpath.basename(other_uninstalled.name)))
+
+
+def _is_meant(package: ProjectPackage, path: str) -> bool:
+    """Whether an install() names the script without its ending, as a file that is not there: that is a finding by itself."""
+    commands = package.commands("install", "catkin_install_python")
+    return any(
+        place == posixpath.splitext(path)[0] and not package.project.exists(place)
+        for command in commands
+        for place in map(command.place, command.arguments)
+        if place is not None
+    )
 
 
 def may_be_installed(package: ProjectPackage, target: Target) -> bool:

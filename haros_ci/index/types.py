@@ -155,7 +155,7 @@ def resolve_type(
         else:
             spaces = {*index.opened(source)}
             name = _inside_interfaces(index, name, source, spaces)
-            whole = _by_include(index, head, source, scope) if head[:1].isupper() else head
+            whole = _by_include(index, head, source, scope) if head != head.lower() else head
             if whole == head and head not in spaces and name.startswith(f"{head}::"):
                 name = _of_library(index, name, spaces, scope)
             name = f"{whole}::{tail}" if whole != head else name
@@ -189,7 +189,7 @@ def _by_include(index: Index, name: str, source: Source, scope: str) -> str:
     spaces = {*index.opened(source)} | {scope.partition("::")[0]} - {""}
     if not spaces:
         return name
-    included = index.messages(source) if name[:1].isupper() else {}
+    included = index.messages(source) if name != name.lower() else {}  # REP 144: packages are in lower case
     for suffix in ("", "ConstPtr", "Ptr"):
         found = included.get(name.removesuffix(suffix))
         if found and found.partition("::")[0] in spaces:

@@ -9,6 +9,8 @@ from functools import lru_cache
 
 from haros_ci.linters.constant_switches import is_switched_by_hand
 from haros_ci.linters.cppcheck_conditions import OF_VALUES, has_large_constant, is_spelled_out
+from haros_ci.linters.cppcheck_lifetimes import OF_LIFETIMES, may_be_alive
+from haros_ci.linters.cppcheck_registers import OF_FIRMWARE, is_of_firmware
 from haros_ci.linters.cppcheck_uses import (
     has_no_truth_value,
     is_array_that_is_copied,
@@ -97,6 +99,10 @@ def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
     variable of its own, and looks at one preprocessor configuration.
     """
     if rule == "assignBoolToPointer" and has_no_truth_value(_line(text, line)):
+        return True
+    if rule in OF_LIFETIMES and may_be_alive(rule, message, line, text):
+        return True
+    if rule in OF_FIRMWARE and is_of_firmware(rule, _line(text, line), text):
         return True
     if rule == "autoVariables" and is_array_that_is_copied(line, text):
         return True

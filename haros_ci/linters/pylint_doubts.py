@@ -27,6 +27,8 @@ from haros_ci.results.scope import scopes
 _CALLEE = re.compile(r"(?<!\w)(\w+)[ \t]*\(")
 #: The idiom of ROS 2's tutorials: ``self.subscription  # prevent unused variable warning``.
 _KEPT = re.compile(r"\A[^#]*#.*\b(?:unused|warnings?|lint\w*|pylint|flake8|noqa|keep|reference)\b", re.IGNORECASE)
+#: A conversion that takes a number as well as the text of a variable.
+_CONVERTED = re.compile(r"\b(?:int|float|bool|str)\([ \t]*os\.(?:getenv|environ\.get)[ \t]*\(")
 #: What is evaluated to see whether it raises.
 _RAISING = re.compile(
     r"\s*(?:async\s+)?with\b.*\b(?:raises|assertRaises\w*|warns|assertWarns\w*|suppress|deprecated_call)\b|\s*try\s*:"
@@ -37,6 +39,9 @@ _NEAR = 40
 _LONGEST = 400
 _NAME = re.compile(r"[A-Za-z_][\w.]*")
 _OF_SHAPES = re.compile(r"\.(?:reshape|transpose|resize)[ \t]*\(")
+_BRACKET_OR_SHAPE = re.compile(rf"{_OF_SHAPES.pattern}|[\[({{\])}}]")
+#: Lines of a statement that are looked at.
+_STATEMENT_LINES = 40
 #: ``[call(x) for x in them]``, over several lines, too.
 _COMPREHENSION = re.compile(
     r"[\[{(][^\[\]{}]{0,300}?\w\([^\[\]{}]{0,300}?\)\s*(?:\S{0,40}\s+)?for\s[^\n]{1,200}?\sin\s"
@@ -76,6 +81,8 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
         return is_call or is_stub(text, line) or _is_on_purpose(text, line)
     if rule == "unreachable":
         return _is_unwritten(text, line) or is_text(text, line)
+    if rule == "invalid-envvar-default":  # int() and float() take the default as well as the text
+        return 0 < line <= text.count("\n") + 1 and _CONVERTED.search(text.split("\n")[line - 1]) is not None
     if rule == "implicit-str-concat":
         return is_one_text(text, line)
     if rule == "too-many-format-args":
@@ -88,11 +95,8 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
         return _has_items(text, line)
     if rule == "dangerous-default-value":
         return is_only_read(text, line)
-    if (
-        rule == "too-many-function-args"
-    ):  # NumPy's take a shape as one argument or as several, which pylint does not know
-        lines = text.split("\n")
-        return 0 < line <= len(lines) and _OF_SHAPES.search(lines[line - 1], column) is not None
+    if rule == "too-many-function-args":
+        return _is_of_shapes(text, line, column)
     if rule == "not-callable":
         return _is_tested(text, line, column) or is_left_to_subclasses(text, line, column)
     if rule == "bad-thread-instantiation":
@@ -109,6 +113,27 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
         return _has_fallback(text, line)
     if rule == "anomalous-backslash-in-string":  # Python 2 says nothing of it
         return runs_only_on_python2(text)
+    return False
+
+
+def _is_of_shapes(text: str, line: int, column: int) -> bool:
+    """Whether a call of NumPy's that takes a shape as one argument or as several, which pylint does not know, ends the expression there.
+
+    The place of the call is where what it is a method of begins, which may be lines above: ``np.array([…]).reshape(3, 3)``.
+    """
+    lines = text.split("\n")
+    if not 0 < line <= len(lines):
+        return False
+    if _OF_SHAPES.search(lines[line - 1], column) is not None:
+        return True
+    depth = 0
+    for number, part in enumerate(lines[line - 1 : line - 1 + _STATEMENT_LINES]):
+        for found in _BRACKET_OR_SHAPE.finditer(part, column if number == 0 else 0):
+            if depth == 0 and found[0].startswith("."):
+                return True
+            depth += 1 if found[0][-1] in "([{" else -1
+        if depth <= 0:
+            return False
     return False
 
 

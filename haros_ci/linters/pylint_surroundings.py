@@ -120,9 +120,9 @@ def _is_python2_around(path: str, workspace: Workspace) -> bool:
 
 
 def _is_usual(text: str, texts: Iterable[str]) -> bool:
-    """Whether several files that do not ask for Python 3 mix tabs and blanks: they would have been seen to fail on it."""
+    """Whether the file asks for what Python 3 does, or several that do not ask for Python 3 mix tabs and blanks: they would have been seen to fail on it."""
     mixed = (other for other in texts if not names_python3(other) and _TAB.search(other) and _BLANKS.search(other))
-    return not names_python3(text) and sum(1 for _ in mixed) >= _MANY_MIXED
+    return not names_python3(text) and (imports_future(text) or sum(1 for _ in mixed) >= _MANY_MIXED)
 
 
 def _is_starred(result: Result, workspace: Workspace) -> bool:

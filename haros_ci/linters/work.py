@@ -64,6 +64,8 @@ class Work:
     def take(self, unit: Unit, answer: Answer) -> None:
         self.answered.add(unit.file.path)
         self.results.update(answer.results)
+        if unit.file.third_party:
+            return  # a copy of another project has no findings, so none is missing
         for gave_up in answer.gave_up:
             note = f"{self.linter.NAME} could not analyse this file: {gave_up.message}"
             self.notifications.append(Notification(Level.WARNING, note, self.linter.NAME, gave_up.unit, gave_up.line))

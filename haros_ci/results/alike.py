@@ -30,7 +30,8 @@ def joined(results: Sequence[Result]) -> tuple[Result, ...]:
     """*results* with those that are alike as one, at the place of the first.
 
     Those of one rule, level, state and line are alike whatever they say; warnings and notes also if they say the same, but for
-    names, of one file. Errors at two lines stay two: each is mended by itself. Those that stand for others already stay, too.
+    names, of one file. Errors at two lines stay two, as each is mended by itself, unless they say the same of the same subject: that has
+    one cause, as with a program that two branches of a launch file start. Those that stand for others already stay, too.
     """
     groups: dict[tuple[object, ...], list[int]] = defaultdict(list)
     for i, result in enumerate(results):
@@ -54,12 +55,16 @@ def _alike(indexes: Sequence[int], results: Sequence[Result]) -> Iterator[list[i
         line = results[i].location.line
         if line is not None:
             by_line[line].append(i)
-    by_shape: dict[str, list[int]] = defaultdict(list)
+    by_shape: dict[tuple[str, ...], list[int]] = defaultdict(list)
     for found in by_line.values():
         if len(found) > 1:
             yield found
-        elif results[found[0]].level is not Level.ERROR:
-            by_shape[_WORD.sub("_", results[found[0]].message)].append(found[0])
+            continue
+        result = results[found[0]]
+        if result.level is not Level.ERROR:
+            by_shape[(_WORD.sub("_", result.message),)].append(found[0])
+        elif result.subject:  # what follows the first semicolon is advice, and the configuration that shows it
+            by_shape[(result.message.partition("; ")[0].rstrip("."), *result.subject)].append(found[0])
     yield from (found for found in by_shape.values() if len(found) > 1)
 
 

@@ -26,6 +26,8 @@ _TREES: tuple[tuple[str, str, tuple[str, ...]], ...] = (
     ("cereal", "cereal", ("cereal.hpp", "access.hpp", "archives/json.hpp")),
     ("asio", "asio", ("io_context.hpp", "buffer.hpp", "detail/config.hpp")),
     ("websocketpp", "websocketpp", ("endpoint.hpp", "connection.hpp", "config/core.hpp")),
+    ("yolov5", "models", ("yolo.py", "common.py", "experimental.py")),
+    ("yolov5", "utils", ("general.py", "plots.py", "torch_utils.py")),
     ("libusb", "libusb", ("libusb.h", "libusbi.h", "core.c")),
     ("lwip", "lwip", ("tcp.h", "pbuf.h", "netif.h")),
     ("freertos", "", ("tasks.c", "queue.c", "list.c", "include/FreeRTOS.h")),

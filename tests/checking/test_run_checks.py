@@ -99,6 +99,18 @@ def test_the_same_in_two_configurations_is_told_once() -> None:
     assert messages(*both) == ["/talker meets /listener; in demo/launch/all.launch.py"]
 
 
+def test_of_other_topics_the_nodes_are_not_named() -> None:
+    both = [node("/talker", end("publishers", "/chat", 7)), node("/pilot", end("publishers", "/drive", 7))]
+    check = Check(
+        id="c",
+        summary="s",
+        level=Level.NOTE,
+        run=lambda found: [Finding(at=e.location, message=f"{e.name} is here", about=(e,)) for e in found.ends],
+    )
+    (result,) = run_checks((check,), (system(*both),), "haros-ci").results
+    assert result.message.endswith("; likewise for /drive")
+
+
 def test_other_names_at_the_same_places_are_counted() -> None:
     other = [replace(each, name="/left" + each.name) for each in (TALKER, LISTENER)]
     assert messages(system(TALKER, LISTENER), system(*other, name="b")) == [

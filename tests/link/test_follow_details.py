@@ -86,6 +86,18 @@ SERVICES = (
 )
 
 
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [("MmCLI", "mm_srvs/MmCLI"), ("mmCLI", "mm_srvs/mmCLI"), ("mmWaveCLI", None)],
+)
+def test_the_namespace_around_says_the_package_of_a_service(name: str, expected: str | None) -> None:
+    """A class of a service need not begin with a capital letter; one without its header has no package that is known."""
+    method = f"bool on({name}::Request & q, {name}::Response & r) {{ return true; }}"
+    before = f"#include <mm_srvs/MmCLI.h>\n#include <mm_srvs/mmCLI.h>\nnamespace mm_srvs {{ {method} }}\n"
+    found = types(cpp('nh.advertiseService("a", mm_srvs::on);', before), "servers")
+    assert found == [("/a", expected)]
+
+
 @pytest.mark.parametrize(("code", "kind", "expected"), SERVICES)
 def test_services_and_actions(code: str, kind: str, expected: str | None, request: pytest.FixtureRequest) -> None:
     if code in DEFECTS:

@@ -31,6 +31,27 @@ REFUTED = [
     ("assignBoolToPointer", "Boolean value assigned to pointer.", 'm.def("f", &f, "on"_a = false);'),
     ("selfAssignment", "Redundant assignment of '\"a\"' to itself.", 'm.def("f", &f, "a"_a="a");'),
 ]
+UNUSED_ACCESS = "Redundant code: Found unused member access."
+OBJECTS = "Comparing pointers that point to different objects"
+SYMBOLS = "extern uint32_t _data, _edata;\nextern char _end[];\n"
+REFUTED += [
+    ("constStatement", UNUSED_ACCESS, "  i2cPort->SR2; // un-stretch the clock\n"),
+    ("constStatement", UNUSED_ACCESS, "(void) ports[2]->DR;\n"),
+    ("constStatement", UNUSED_ACCESS, "device->port->STATUS.reg;\n"),
+    ("comparePointers", OBJECTS, "for (; to < &_edata;) *to++ = 0;\n" + SYMBOLS),
+    ("comparePointers", OBJECTS, "if (&_data != from)\n" + SYMBOLS),
+    ("subtractPointers", OBJECTS, "size_t n = _end - start;\n" + SYMBOLS),
+]
+KEPT = "Non-local variable 'handle' will use pointer to local variable 'name'."
+POINTS = "Returning object that points to local variable 'view' that will be invalid when returning."
+ITSELF = "Redundant assignment of 'low' to itself."
+REFUTED += [
+    ("danglingLifetime", KEPT, "handle = connect_to(name.data(), 5);\n"),
+    ("danglingLifetime", KEPT, "handle = lib::open(name.data());\n"),
+    ("returnDanglingLifetime", POINTS, "auto view = table(); const auto & e = view.data[i]; return out;\n"),
+    ("selfAssignment", ITSELF, "(low > a) ? low = a : low = low;\n"),
+    ("selfAssignment", ITSELF, "if (a) low = 1; else low = low;\n"),
+]
 SAME = "Same expression on both sides of '{}'."
 REFUTED += [
     ("duplicateExpression", SAME.format("-"), "double m = X(1-1) - X(2-1);\n"),
@@ -67,6 +88,20 @@ REFUTED += [
     ("missingReturn", EXIT, "  THROW_ERROR(a,\n    b(1));\n}\n"),
 ]
 STANDS = [
+    ("danglingLifetime", KEPT, "handle = name.data();\n"),
+    ("danglingLifetime", KEPT, "handle = &name;\n"),
+    ("danglingLifetime", KEPT, "handle = std::addressof(name);\n"),
+    ("danglingLifetime", KEPT, "handle = open_it(other);\n"),
+    ("returnDanglingLifetime", POINTS, "Table view; const auto & e = view.data[i]; return out;\n"),
+    ("returnDanglingLifetime", POINTS, "auto view = table(); return &view;\n"),
+    ("selfAssignment", ITSELF, "low = low;\n"),
+    ("selfAssignment", ITSELF, "if (a) low = low;\n"),
+    ("constStatement", UNUSED_ACCESS, "  message->data;\n"),
+    ("constStatement", UNUSED_ACCESS, "  point.X;\n"),
+    ("constStatement", UNUSED_ACCESS, "  port->SR2 == 1;\n"),
+    ("comparePointers", OBJECTS, "if (first < &second)\nint second;\n" + SYMBOLS),
+    ("comparePointers", OBJECTS, "if ((uint32_t *)a < b)\n" + SYMBOLS),
+    ("nullPointer", "Null pointer dereference: _end", "*_end = 0;\n" + SYMBOLS),
     ("duplicateExpression", SAME.format("-"), "m = x - x;\n"),
     ("duplicateExpression", SAME.format("-"), "m = a1 - a1 + f(1);\n"),
     ("duplicateExpression", SAME.format("-"), "m = x[1] - x[1];\n"),

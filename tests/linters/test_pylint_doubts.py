@@ -75,6 +75,10 @@ GET = "def get():\n    if os.name == 'nt':\n        return 1\n    termios.tcseta
 REFUTED += [
     ("too-many-function-args", "a = points.reshape(-1, 1, 2)\n", "a = "),
     ("too-many-function-args", "a.transpose (0, 2, 1)\n", "a.tr"),
+    ("invalid-envvar-default", "RANK = int(os.getenv('RANK', -1))\n", "os.getenv"),
+    ("invalid-envvar-default", "rate = 2 * float( os.environ.get('RATE', 1.5))\n", "os.environ"),
+    ("too-many-function-args", "a = np.array([\n    f(1),\n]).reshape(3, 3)\n", "np.array"),
+    ("too-many-function-args", "a = np.array(\n    [f(1)]\n)[0].T.reshape(\n    3, 3)\n", "np.array"),
     ("possibly-used-before-assignment", MODULE + GET, "termios.tcsetattr"),
     ("possibly-used-before-assignment", MODULE + GET.replace("termios.tc", "tty.tc"), "tty.tcsetattr"),
     ("possibly-used-before-assignment", "if a:\n  from b import c\nc()\n", "c()\n"),
@@ -157,6 +161,10 @@ STANDS = [
         "'\\(",
     ),
     ("too-many-function-args", "shape(1, 2, 3)\n", "shape"),
+    ("invalid-envvar-default", "RANK = os.getenv('RANK', -1)\n", "os.getenv"),
+    ("invalid-envvar-default", "print(os.getenv('RANK', -1))\n", "os.getenv"),
+    ("too-many-function-args", "a = f(\n    b.reshape(3, 3),\n    2)\n", "f("),
+    ("too-many-function-args", "a = f(\n    2)\nb.reshape(3, 3)\n", "f("),
     ("too-many-function-args", "reshape(1, 2, 3)\n", "reshape"),
     ("too-many-function-args", "a.reshape(1).fill\nf(1, 2)\n", "f(1"),
     (

@@ -375,6 +375,7 @@ def of_tabs(root: Path, text: str, keys: str, more: dict[str, str], message: str
         (MIXED, "", PRINTING),
         (MIXED, "", {"b/b.py": "try:\n    go()\nexcept ValueError, e:\n    pass\n"}),
         (MIXED.replace("env python", "env python2"), "", {}),
+        (MIXED.replace("def", "from __future__ import print_function\ndef"), "", {}),
         (MIXED, "", {**{f"b/{name}.py": MIXED for name in "bcd"}, "b/e.py": "#!/usr/bin/env python3\n"}),
     ],
 )
@@ -387,6 +388,8 @@ def test_tabs_of_python_2(tmp_path: Path, text: str, keys: str, more: dict[str, 
     ("text", "keys", "more"),
     [
         (MIXED, "", {}),
+        (MIXED.replace("def", "from __future__ import annotations\ndef"), "", {}),
+        (MIXED.replace("env python\n", "env python3\nfrom __future__ import print_function\n"), "", {}),
         (MIXED.replace("env python", "env python3"), KEY, PRINTING),
         (MIXED, "", {"b/b.py": 'print "b"\n', "b/c.py": "#!/usr/bin/env python3\n"}),
         (MIXED, "<export><build_type>ament_python</build_type></export>", PRINTING),

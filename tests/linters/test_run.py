@@ -131,6 +131,13 @@ def test_many_bad_files_cost_bounded_work(tmp_path: Path) -> None:
     assert named, "single files are named"
 
 
+def test_nothing_is_missing_where_a_copy_of_another_project_is_given_up(tmp_path: Path) -> None:
+    made = workspace(tmp_path, {"a.py": "# refuse no\n", "3rd/b.py": "# refuse no\n"})
+    made = replace(made, files=tuple(replace(f, third_party="3rd" if "3rd" in f.path else "") for f in made.files))
+    (done,) = lint(made, [FakeLinter()], LintOptions(), MemoryStore(), everything)
+    assert [note.path for note in done.notifications] == ["a.py"]
+
+
 def test_a_file_given_up_is_a_notification(tmp_path: Path) -> None:
     done = run(tmp_path, {**CLEAN, "b.py": "\n# refuse\n"})
     (note,) = done.notifications

@@ -64,7 +64,24 @@ def test_many_are_counted() -> None:
     assert len(one.copies) == 8
 
 
+def missing(line: int, rest: str = "", subject: tuple[str, ...] = ("demo/talker",)) -> Result:
+    message = f"package demo builds or installs no program 'talker': this node cannot start{rest}."
+    return Result("haros-ci", "unknown-executable", Level.ERROR, message, Location("a.launch", line), subject=subject)
+
+
+@pytest.mark.parametrize("rest", ["", "; seen with roslaunch demo a.launch sim:=1", "; did you mean 'talk'?"])
+def test_one_cause_at_several_places(rest: str) -> None:
+    (one,) = joined([missing(3), missing(9, rest), missing(12)])
+    assert one.message.endswith("; and 2 more like it (lines 9 and 12)")
+    assert [copy.location.line for copy in one.copies] == [9, 12]
+
+
 QUIET = [
+    pytest.param([missing(3), missing(9, subject=("demo/listener",))], id="two subjects"),
+    pytest.param([missing(3, subject=()), missing(9, subject=())], id="no subject"),
+    pytest.param(
+        [missing(3), replace(missing(9), message="demo/talker is a library.")], id="the subject in other words"
+    ),
     pytest.param([lacking("rospy", 3), lacking("roscpp", 4)], id="errors at two lines: each is mended by itself"),
     pytest.param([unused("a", 1), unused("b", 1, "b.launch")], id="two files"),
     pytest.param([unused("a", 1), replace(unused("b", 2), message="another sentence of it")], id="other words"),

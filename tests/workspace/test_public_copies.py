@@ -34,6 +34,7 @@ FIRES = [
     ({**OWN, "src/urg_node": LASER}, {"src/urg_node"}),
     ({**OWN, "src/urg/urg_node": LASER, "src/urg/msgs": ("urg_c", (GRETE,), "1.0.0")}, {"src/urg"}),
     ({**OWN, "src/urg-humble/urg_of_ours": ("urg_of_ours", (GRETE,), "1.0.0")}, {"src/urg-humble"}),
+    ({**OWN, "src/link-melodic-devel/link_more": ("link_more", (GRETE,), "0.0.0")}, {"src/link-melodic-devel"}),
     ({**OWN, "src/arm-master/arm_more": ("arm_more", (GRETE,), "1.0.0")}, {"src/arm-master"}),
     ({"src/mine": ("mine_of_ours", (TODO,), "0.0.0"), "src/urg_node": LASER}, {"src/urg_node"}),
     ({**OWN, "src/a": LASER, "src/b": ("amcl", (GRETE, TODO), "1.0.0")}, {"src/a", "src/b"}),
@@ -47,11 +48,47 @@ QUIET = [
     {**OWN, "src/urg_node": ("urg_node", (GRETE,), "0.0.0")},  # never released
     {**OWN, "src/urg_of_ours": ("urg_of_ours", (GRETE,), "1.0.0")},  # not public
     {"src/urg_more": ("urg_more_of_ours", (ADA,), "1.0.0"), "src/urg_node": LASER},  # a family of names
+    {**OWN, "src/link-melodic-devel/link_more": ("link_more", (ADA,), "0.0.0")},
+    {**OWN, "src/link-melodic-devel/link_more": ("link_more", (TODO,), "0.0.0")},
     {".": LASER},
     {"src-master/arm_of_ours": ("arm_of_ours", (ADA,), "1.0.0")},  # all of it is an archive
     {"src-master/arm_of_ours": ("arm_of_ours", (ADA,), "1.0.0"), "src-master/leg": ("leg_of_ours", (ADA,), "1.0.0")},
     {},
 ]
+
+
+def test_the_people_of_a_template_are_nobody(tmp_path: Path) -> None:
+    """catkin_create_pkg leaves an author in a comment, in the manifest of a copy and in that of one's own package."""
+    jane = '<!-- <author email="jane.doe@example.com">Jane Doe</author> --><license>'
+    for path, (name, people, version) in {**OWN, "src/urg_node": LASER}.items():
+        (tmp_path / path).mkdir(parents=True)
+        (tmp_path / path / "package.xml").write_text(manifest(name, people, version).replace("<license>", jane))
+    assert set(copies(discover(tmp_path, (".",)))) == {"src/urg_node"}
+
+
+@pytest.mark.parametrize(
+    ("url", "person", "expected"),
+    [
+        ("http://wiki.ros.org/map_server", GRETE, {"src/map_more"}),
+        ("https://github.com/ros-planning/amcl.git", GRETE, {"src/map_more"}),
+        ("http://www.ros.org/wiki/amcl", GRETE, {"src/map_more"}),
+        ("https://github.com/ros-perception/slam_gmapping/issues", GRETE, {"src/map_more"}),
+        ("http://wiki.ros.org/map_server", ADA, set()),  # by the same people
+        ("http://wiki.ros.org/map_more_of_ours", GRETE, set()),  # not public
+        ("http://wiki.ros.org/map_server/Tutorials", GRETE, set()),  # another page
+        ("https://example.org/map_server", GRETE, set()),
+        ("http://wiki.ros.org/", GRETE, set()),
+    ],
+)
+def test_copies_under_another_name(tmp_path: Path, url: str, person: tuple[str, str], expected: set[str]) -> None:
+    packages = {**OWN, "src/map_more": ("map_more_of_ours", (person,), "1.2.0")}
+    for path, (name, people, version) in packages.items():
+        (tmp_path / path).mkdir(parents=True)
+        text = manifest(name, people, version)
+        is_copy = path == "src/map_more"
+        text = text.replace("<license>", f'<url type="website">{url}</url><license>') if is_copy else text
+        (tmp_path / path / "package.xml").write_text(text)
+    assert set(copies(discover(tmp_path, (".",)))) == expected
 
 
 @pytest.mark.parametrize(("packages", "expected"), FIRES)

@@ -21,7 +21,20 @@ def eigen(root: str = EIGEN) -> tuple[str, ...]:
 
 #: Path, other files, directories asked about, and the directory of the copy.
 FIRES = [
+    (
+        "src/demo/net/utils/plots.py",
+        ("src/demo/net/utils/general.py", "src/demo/net/utils/torch_utils.py"),
+        (),
+        "src/demo/net/utils",
+    ),
+    (
+        "src/demo/models/yolo.py",
+        ("src/demo/models/common.py", "src/demo/models/experimental.py"),
+        (),
+        "src/demo/models",
+    ),
     ("third_party/json/json.hpp", (), (), "third_party"),
+    ("3rd/json/json.hpp", (), (), "3rd"),
     ("src/demo/3rdparty/a.cpp", (), (), "src/demo/3rdparty"),
     ("src/Vendor/a/b/c.cpp", (), (), "src/Vendor"),
     ("external/planner_ros/src/a.cpp", (), (), "external"),
@@ -67,6 +80,12 @@ QUIET = [
     ("fw/board/src/a.c", ("fw/board/src/stm32f4xx_gpio.c", "fw/board/inc/stm32f4xx_gpio.h"), ()),
     ("fw/stm32f4xx_lib/src/a.c", ("fw/stm32f4xx_lib/inc/stm32f4xx_gpio.h",), ()),
     ("fw/os/tasks.c", ("fw/os/queue.c", "fw/os/list.c"), ()),
+    ("src/demo/utils/plots.py", ("src/demo/utils/general.py",), ()),
+    (
+        "src/demo/detect.py",
+        ("src/demo/models/yolo.py", "src/demo/models/common.py", "src/demo/models/experimental.py"),
+        (),
+    ),
 ]
 
 

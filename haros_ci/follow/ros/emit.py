@@ -262,7 +262,7 @@ def _is_interface(applied: Applied, kind: Type, result: str) -> bool:
         inner = pointee(held)
     if result in SERIALISED.values():
         return True
-    if package[:1].isupper() and package not in COMMON:  # REP 144: packages are in lower case
+    if package != package.lower() and package not in COMMON:  # REP 144: packages are in lower case
         return any(f"{package}::{name}" in included.values() for included in index.included.values())
     heads = (inner.name, inner.name.rpartition("::")[0], f"{package}::{name}", package)
     return not any(head in index.classes or head in index.aliases for head in heads)

@@ -38,6 +38,10 @@ class Programs:
     builds: Mapping[str, Build]
     known: Collection[tuple[str, str]]
     _found: dict[tuple[str, str, str, int], tuple[bool | None, tuple[str, ...], bool]] = field(default_factory=dict)
+    _versions: dict[str, int | None] = field(default_factory=dict, init=False)
+
+    def __post_init__(self) -> None:
+        self._versions = {package.name: package.ros for package in self.finder.workspace.packages}
 
     def completed(self, use: ProgramUse) -> ProgramUse:
         key = (use.kind, use.package, use.program, use.ros)
@@ -51,6 +55,8 @@ class Programs:
         start = self.finder.files.directories.get(use.package)
         if start is None or build is None:
             return None, (), False
+        if self._versions.get(use.package) not in (None, use.ros):
+            return None, (), False  # the package of this name for the other ROS, which is another one
         if (use.package, use.program) in self.known or (use.kind == "nodelet" and self._is_described(use.program)):
             return True, (), False
         names = self._classes(build, use) if use.kind != "executable" else build.programs()

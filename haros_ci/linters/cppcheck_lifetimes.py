@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Pointers of which cppcheck says that they outlive what they point to, though they need not point there, and values that are kept on purpose."""
+
+from __future__ import annotations
+
+import re
+
+OF_LIFETIMES = frozenset({"danglingLifetime", "returnDanglingLifetime", "selfAssignment"})
+#: ``Non-local variable 'handle' will use pointer to local variable 'name'.``
+_KEPT = re.compile(r"[Vv]ariable '([A-Za-z_]\w*)' will use (?:pointer|object) to local variable '([A-Za-z_]\w*)'")
+#: ``Returning object that points to local variable 'view' that will be invalid when returning.``
+_RETURNED = re.compile(r"points to local variable '([A-Za-z_]\w*)'")
+_ITSELF = re.compile(r"assignment of '([^']{1,80})' to itself")
+#: Functions of the standard library that give back what they are given, or what points to it.
+_PASSING = frozenset(
+    "addressof as_bytes as_const begin bind c_str cbegin cend crbegin data end forward get make_pair make_tuple max min move rbegin ref cref span "
+    "static_cast reinterpret_cast const_cast dynamic_cast string_view tie".split()
+)
+#: Lines above the report that are looked at.
+_NEAR = 60
+
+
+def may_be_alive(rule: str, message: str, line: int, text: str) -> bool:
+    """Whether what cppcheck says by *rule* at *line* of *text* rests on what it cannot know, or is meant.
+
+    It takes what any function returns for a pointer to its arguments, a handle of a C library too, and what a member of a local object points to
+    for a part of that object; and a branch that leaves a variable as it is may say so.
+    """
+    lines = text.split("\n")
+    if not 0 < line <= len(lines):
+        return False
+    near = "\n".join(lines[max(line - 1 - _NEAR, 0) : line])
+    if rule == "selfAssignment":
+        itself = _ITSELF.search(message)
+        return itself is not None and _is_other_branch(itself[1], line, lines)
+    if rule == "danglingLifetime":
+        kept = _KEPT.search(message)
+        return kept is not None and _is_returned_by_a_call(kept[1], kept[2], near)
+    returned = _RETURNED.search(message)
+    return returned is not None and _is_of_a_view(returned[1], near)
+
+
+def _is_returned_by_a_call(name: str, local: str, near: str) -> bool:
+    """Whether all that *name* is set to with *local* in it are calls of functions that are not known to pass their arguments on."""
+    assigned = re.findall(rf"\b{name}\s*=(?!=)\s*([^;{{}}]{{1,600}});", near)
+    sources = [source for source in assigned if re.search(rf"\b{local}\b", source)]
+    calls = [re.match(r"(?:[\w.]+(?:->|::))*(\w+)\s*\(", source) for source in sources]
+    return bool(calls) and all(call is not None and call[1] not in _PASSING for call in calls)
+
+
+def _is_of_a_view(local: str, near: str) -> bool:
+    """Whether the element is one of what a member of *local* points to, an object of a type that is not named: ``auto & e = view.data[i];``."""
+    element = re.search(rf"\bauto\s*&\s*\w+\s*=\s*{local}\s*\.\s*\w+\s*\[", near)
+    return element is not None and re.search(rf"\bauto\s+{local}\s*=", near) is not None
+
+
+def _is_other_branch(name: str, line: int, lines: list[str]) -> bool:
+    """Whether *name* keeps its value in an ``else``, or in the second half of ``?:``: the other branch sets it."""
+    word = re.escape(name)
+    here = lines[line - 1][:1000]
+    if re.search(rf"\?[^;?]{{0,400}}:\s*\(?\s*{word}\s*=\s*{word}\b", here) or re.search(
+        rf"\belse\s*\{{?\s*{word}\s*=", here
+    ):
+        return True
+    before = [other.strip() for other in lines[max(line - 4, 0) : line - 1] if other.strip() not in ("", "{")]
+    return bool(before) and re.fullmatch(r"\}?\s*else\s*\{?\s*(?://.*)?", before[-1]) is not None

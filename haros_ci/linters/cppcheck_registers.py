@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Statements of firmware that cppcheck calls redundant or wrong: reads of device registers, and symbols of the linker's script."""
+
+from __future__ import annotations
+
+import re
+
+OF_FIRMWARE = frozenset({"constStatement", "comparePointers", "subtractPointers"})
+#: ``i2c->SR2;``: members that CMSIS and makers' headers declare volatile; to read them changes what the device does.
+_REGISTER = re.compile(
+    r"[ \t]*(?:\([ \t]*void[ \t]*\)[ \t]*)?\(?[A-Za-z_]\w{0,80}\)?(?:\[[^\]\n]{0,80}\])?(?:(?:->|\.)\w{1,80}){0,4}->[A-Z][A-Z0-9_]{0,80}"
+    r"(?:\[[^\]\n]{0,80}\])?(?:\.\w{1,80}){0,2}[ \t]*;"
+)
+_NAME = re.compile(r"(?<![\w.>])[A-Za-z_]\w{0,80}")
+_LONGEST = 1000
+#: Words of a declaration that are no names of symbols.
+_TYPES = frozenset("extern const volatile unsigned signed char short int long float double void struct".split())
+_TYPES |= {f"{sign}int{size}_t" for sign in ("", "u") for size in (8, 16, 32, 64)}
+
+
+def is_of_firmware(rule: str, line: str, text: str) -> bool:
+    """Whether *line* of *text* reads a register for its effect, or compares addresses that a linker's script gives.
+
+    The symbols of a script are declared ``extern``; which of them belong to one region is not known in C.
+    """
+    line = line[:_LONGEST]
+    if rule == "constStatement":
+        return _REGISTER.match(line) is not None
+    names = set(_NAME.findall(line))
+    declared = (match[0] for match in re.finditer(r"^[ \t]*extern\b[^;(){}]{1,400};", text, re.MULTILINE))
+    return any(names & set(_NAME.findall(declaration)) - _TYPES for declaration in declared)
