@@ -4,7 +4,10 @@
 A directive stays as it is if its target is relative and cannot climb out of any directory that it may be looked for in, or
 climbs, but to a file that is there. All others are overwritten with blanks, so that lines and columns stay: absolute
 targets, targets that a macro makes, what cannot be read. The search is for the words, wherever they stand: in comments and
-strings, too, as a tool's idea of where these end may be another one.
+strings, too, as a tool's idea of where these end may be another one. There the words alone go, and what is blanked behind them ends
+no comment or text that may be open: what is none to a compiler stays code.
+
+``#line`` goes as well: by it a tool would say of code that it stands in another file.
 """
 
 from __future__ import annotations
@@ -13,8 +16,11 @@ import re
 from collections.abc import Callable, Iterator
 from posixpath import normpath
 
+#: What may stand between words: cppcheck takes each control character for a blank.
+_BETWEEN = r"[\x00-\x09\x0b-\x20]"
+_BLANKS = "".join(map(chr, (*range(0x0A), *range(0x0B, 0x21))))
 #: A line that goes on in the next (C++ standard, [lex.phases] 2), some compilers allow blanks between.
-_SPLICE = r"(?:\\|\?\?/)[ \t\v\f\r]*\n"
+_SPLICE = rf"(?:\\|\?\?/){_BETWEEN}*\n"
 _SPLICES = re.compile(_SPLICE)
 _ENDS = re.compile(rf"{_SPLICE}|[\r\n]")
 #: A text without any of these has nothing to look at, once lines are spliced.
@@ -22,7 +28,7 @@ _MARKS = ("include", "import", "embed", "pragma")
 #: What introduces a directive, in all spellings ([lex.digraph]; trigraphs until C++17).
 _HASH = re.compile(r"#|%:|\?\?=")
 _USUAL_HASH = re.compile("#")
-_BLANK = re.compile(rf"(?:[ \t\v\f\r]|{_SPLICE})*")
+_BLANK = re.compile(rf"(?:{_BETWEEN}|{_SPLICE})*")
 _WORD = re.compile(rf"(?:[A-Za-z_0-9]|{_SPLICE})+")
 _OPENING = frozenset({"include", "include_next", "import", "embed"})
 #: A pragma that opens the file that it names (GCC, "Other Directives"; clang and MSVC have more).
@@ -36,8 +42,18 @@ def _spliced(word: str) -> str:
 _HAS = re.compile("|".join(map(_spliced, ("__has_include_next", "__has_include", "__has_embed"))))
 #: What may stand before the name of such a function where it is only asked whether there is one.
 _ASKED = re.compile(r"(?:defined(?:[ \t]*\()?|#[ \t]*ifn?def)[ \t]*$")
+#: What sets the line, and the file, that a tool names (C++ standard, [cpp.line]; "Preprocessor Output" of GCC's manual for ``# 1 "a.cpp"``).
+_MOVES = re.compile(rf"(?:#|%:|\?\?=){_BETWEEN}*(?:/\*|line|[0-9])")
+#: What ends a comment, or a raw text ([lex.string]): to blank it would make code a part of either.
+_CLOSING = re.compile(r"\*/|\)[^()\\\s\"]{0,16}\"|\r(?!\n)")
+#: Comments and blanks, as far as they stand in one line.
+_COMMENTS = re.compile(rf"(?:{_BETWEEN}|/\*(?:[^*]|\*(?!/))*\*/)*")
+#: Characters before a directive that are looked at.
+_NEAR = 400
+#: A byte-order mark of UTF-8, read as Latin-1.
+_BOM = "\xef\xbb\xbf"
 #: An import of a header (C++20), and what it follows: the beginning of a line or a statement, a comment, ``export``.
-_IMPORT = re.compile(rf"(?<![A-Za-z0-9_]){_spliced('import')}(?=(?:[ \t\v\f\r]|{_SPLICE}|/\*)*[\"<])")
+_IMPORT = re.compile(rf"(?<![A-Za-z0-9_]){_spliced('import')}(?=(?:{_BETWEEN}|{_SPLICE}|/\*)*[\"<])")
 _BEFORE_IMPORT = (";", "{", "}", "*/", "export", "\n")
 _DRIVE = re.compile(r"[A-Za-z]:")
 
@@ -51,7 +67,7 @@ def confined(text: str, directory: str, exists: Exists) -> str:
     nothing had to go.
     """
     plain = _SPLICES.sub("", text) if "\\" in text or "??/" in text else text
-    if not any(mark in plain for mark in _MARKS):
+    if not any(mark in plain for mark in _MARKS) and _MOVES.search(plain) is None:
         return text
     gaps = _Gaps(text)
     doomed = [*_directives(text, directory, exists, gaps)]
@@ -77,30 +93,62 @@ _Doomed = tuple[int, int, str]
 
 
 def _directives(text: str, directory: str, exists: Exists, gaps: _Gaps) -> Iterator[_Doomed]:
-    done = 0
+    done = line = 0
     hashes = _HASH if "%:" in text or "??=" in text else _USUAL_HASH
     for match in hashes.finditer(text):
         if match.start() < done:
             continue
-        word, end = gaps.word(gaps.after(match.end()))
-        if word in _OPENING:
-            target, done = gaps.target(end)
-            if target is None or not _is_inside(target, directory, exists):
-                yield match.start(), done, ""
-        elif word == "pragma":
-            done = gaps.end_of_line(end)
-            if _PRAGMA.search(_SPLICES.sub("", text[end:done])) and _names_outside(text[end:done]):
-                yield match.start(), done, ""
+        at = gaps.after(match.end())
+        word, end = gaps.word(at)
+        behind = _behind(word, end, match.start(), directory, exists, gaps)
+        if (
+            behind is not None or match.start() < line
+        ):  # nothing else may become a directive in place of one that is gone
+            yield match.start(), match.end(), ""
+        if behind is not None:
+            yield at, end, ""
+            start, done = behind if gaps.begins_line(match.start()) else (end, end)
+            yield start, done, ""
+            line = gaps.end_of_line(done)
+
+
+def _behind(word: str, end: int, hash_at: int, directory: str, exists: Exists, gaps: _Gaps) -> tuple[int, int] | None:
+    """What has to go behind the *word* of a directive, from and to; None if the directive stays."""
+    text = gaps.text
+    if word in _OPENING:
+        target, done = gaps.target(end)
+        if target is not None:
+            if _is_inside(target, directory, exists):
+                return None
+            if _CLOSING.search(target):
+                return end, end
+            ends = gaps.end_of_line(done)
+            comment = text.find("/*", done, ends)
+            end, done = done - len(target), ends if comment < 0 else comment
+    elif word == "pragma":
+        done = gaps.end_of_line(end)
+        if not _PRAGMA.search(_SPLICES.sub("", text[end:done])) or not _names_outside(text[end:done]):
+            return None
+    elif word == "line" or word[:1].isdigit():
+        done = gaps.end_of_line(end)
+        before = gaps.before(hash_at).rstrip(_BLANKS)
+        if before and not before.endswith("*/"):
+            return None
+    else:
+        return None
+    closing = _CLOSING.search(text, end, done)
+    return end, done if closing is None else closing.start()
 
 
 def _imports(text: str, directory: str, exists: Exists, gaps: _Gaps) -> Iterator[_Doomed]:
     done = 0
     for match in _IMPORT.finditer(text):
-        before = text[max(0, match.start() - 400) : match.start()].rstrip(" \t\v\f\r")
+        before = text[max(0, match.start() - _NEAR) : match.start()].rstrip(_BLANKS)
         if match.start() < done or (before and not before.endswith(_BEFORE_IMPORT)):
             continue
         target, done = gaps.target(match.end())
         if target is None or not _is_inside(target, directory, exists):
+            done = match.end()
             yield match.start(), done, ""
 
 
@@ -112,15 +160,24 @@ def _questions(text: str, directory: str, exists: Exists, gaps: _Gaps) -> Iterat
             continue
         opening = gaps.after(match.end())
         if text[opening : opening + 1] != "(":
-            line = text.rfind("\n", 0, match.start()) + 1
-            if not _ASKED.search(text[line : match.start()]):
+            if not _ASKED.search(gaps.before(match.start())):
                 yield match.start(), match.end(), "0"
             continue
         target, done = gaps.target(opening + 1, ")")
-        if target is None or not _is_inside(target, directory, exists):
-            closing = gaps.after(done)
-            done = closing + 1 if text[closing : closing + 1] == ")" else done
-            yield match.start(), done, "0"
+        if target is not None and _is_inside(target, directory, exists):
+            continue
+        yield match.start(), match.end(), "0"
+        closing = gaps.after(done)
+        done = closing + 1 if text[closing : closing + 1] == ")" else done
+        is_condition = _HASH.match(gaps.before(match.start()).lstrip(_BLANKS)) is not None
+        if (
+            is_condition
+            and _CLOSING.search(text, opening, done + 20) is None
+            and (target or '"' not in text[opening:done])
+        ):
+            yield opening, done, ""
+        else:
+            done = match.end()
 
 
 def _is_inside(target: str, directory: str, exists: Exists) -> bool:
@@ -189,6 +246,18 @@ class _Gaps:
         end = text.find(stop, at, line)
         return None, line if end < 0 else end
 
+    def before(self, at: int) -> str:
+        """What stands before a position in its logical line, without splices; of much the end."""
+        near = _SPLICES.sub("", self.text[max(at - _NEAR, 0) : at]).removeprefix(_BOM)
+        return near[max(near.rfind("\n"), near.rfind("\r")) + 1 :]
+
+    def begins_line(self, at: int) -> bool:
+        """Whether nothing but blanks and comments stands before a position in its line, also of a comment that began above."""
+        before = self.before(at)
+        if _COMMENTS.fullmatch(before):
+            return True
+        return before.rstrip(_BLANKS).endswith("*/") and '"' not in before and len(before) < _NEAR - 20
+
     def end_of_line(self, at: int) -> int:
         """Where the logical line ends that a position is in."""
         first, last = self._line
@@ -199,7 +268,7 @@ class _Gaps:
                 if end < 0:
                     last = len(self.text)
                     break
-                before = self.text[max(last - 1, 0) : end].rstrip(" \t\v\f\r")
+                before = self.text[max(last - 1, 0) : end].rstrip(_BLANKS)
                 if not before.endswith(("\\", "??/")):
                     last = end
                     break

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -206,3 +207,31 @@ def test_shards_say_the_same(trap: Trap) -> None:
     for n, file in enumerate(files, 1):
         assert trap.start("check", f"--shard={n}/2", f"--output=shard={file}", *options).returncode == 0
     assert trap.command("merge", "--output=json", *options, *files) == trap.command("check", "--output=json", *options)
+
+
+DEFECT = "int f(int x) { int *unset = 0; return *unset + x; }\n"
+#: Text around the defect by which a tool would say of it that it stands in another file, or take it for a comment.
+DIRECTIVES = {
+    "another file": f'#line 1 "other.cpp"\n{DEFECT}',
+    "another file, as compilers write it": f'# 1 "/etc/passwd" 3\n{DEFECT}',
+    "another file, behind a comment": f'/*\n*/ #line 1 "other.cpp"\n{DEFECT}',
+    "another file, behind a control character": f'\x01#\x02line 1 "other.cpp"\n{DEFECT}',
+    "another line": f"#line 700\n{DEFECT}",
+    "a directive in a comment": f"/*#include*/\n{DEFECT}/**/\n",
+    "a directive in a comment of two lines": f"/*\n#include*/\n{DEFECT}/**/\n",
+    "a directive in a text": f'const char *s = "#include"; {DEFECT}',
+    "a directive in a raw text": f'const char *s = R"(\n#include)";\n{DEFECT}const char *t = R"()";\n',
+    "a question in a text": f'const char *s = "__has_include("; {DEFECT}',
+    "a line that ends with a carriage return": f"#define X <vector>\n#include X\r{DEFECT}",
+    "a directive behind another one": f'#include "/usr/include/stdio.h" #if 0\n{DEFECT}#include "/usr/include/stdio.h" #endif\n',
+}
+
+
+@pytest.mark.parametrize("name", DIRECTIVES)
+def test_directives_hide_no_code(name: str, trap: Trap) -> None:
+    pull_request(trap, lambda t: None, lambda t: t.write(A, DIRECTIVES[name]))
+    outcome = trap.run("--baseline-rev=main", "--ignore=pylint,cpplint,metrics,ruff", "--select=nullPointer")
+    where = re.split("\r\n|\n|\r", DIRECTIVES[name][: DIRECTIVES[name].index(DEFECT)])
+    assert (A, len(where), "nullPointer") in outcome.findings(), outcome.notes()
+    assert outcome.code == 1
+    assert_harmless(trap, outcome)

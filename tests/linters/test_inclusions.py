@@ -78,6 +78,11 @@ STAYS = [
     "#error /etc/passwd",
     "#if X\n#else\n#endif",
     "import std;",
+    'f("see #12"); // #3',
+    "int line = 3; // # line",
+    "#define LINE(x) #x",
+    "a ## 1",
+    "#error in line 3",
     "int import = 1; f(import < 3);",
     'reimport("/x");',
     "// includes are in /etc",
@@ -94,7 +99,72 @@ def test_it_goes(text: str) -> None:
     assert [i for i, c in enumerate(made) if c == "\n"] == [
         i for i, c in enumerate(f"int a;\n{text}\nint b;\n") if c == "\n"
     ]
-    assert '"/' not in made and "</" not in made and "../" not in made
+    plain = made.replace("\\\n", "")
+    assert not any(word in plain for word in ("include", "import", "embed", "pragma"))
+
+
+#: What has to go, behind what a compiler takes for something else, and what has to stay of it.
+AROUND = [
+    ("/*#include*/ CODE", "CODE"),
+    ("/*\n#include*/ CODE", "*/ CODE"),
+    ('/*\n#include "/x*/ CODE "', "*/ CODE"),
+    ("/*\n#/**/include\nCODE", "/**/"),
+    ("/*\n#include /**/ CODE", "*/ CODE"),
+    ('/*#pragma comment "a"*/ CODE', "*/ CODE"),
+    ('/*\n#pragma comment "a"*/ CODE', "*/ CODE"),
+    ('s = "#include"; CODE', '"; CODE'),
+    ('s = "#include"/"; CODE', '"/"; CODE'),
+    ('s = "*/#include"/"; CODE', '"/"; CODE'),
+    ('s = R"(\n#include)"; CODE', ')"; CODE'),
+    ('s = R"x(\n#include )x"; CODE', ')x"; CODE'),
+    ('s = R"(\n#include "/x)"; CODE "', '"/x)"; CODE'),
+    ('s = R"(\n#include </x)"; CODE >', '</x)"; CODE'),
+    ('s = "__has_include("; CODE', '("; CODE'),
+    ('s = "__has_include("/"; CODE', '("/"; CODE'),
+    ('s = R"(\n#if __has_include(X)"; CODE', '(X)"; CODE'),
+    ('s = ";import "/*"*/+"; CODE', '"/*"*/+"; CODE'),
+    ("#include X\rCODE", "\rCODE"),
+    ('#pragma comment "a"\rCODE', "\rCODE"),
+    ('#include "/x\rCODE"', "\rCODE"),
+]
+
+
+@pytest.mark.parametrize(("text", "left"), AROUND)
+def test_code_around_it_stays(text: str, left: str) -> None:
+    made = confined(f"{text}\nint b;\n", "src", THERE)
+    assert made != f"{text}\nint b;\n" and left in made and made.endswith("\nint b;\n")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        '#line 1 "b.cpp"',
+        "#line 7",
+        '  #  line\t7 "b.cpp"',
+        '# 1 "/etc/passwd" 3',
+        '\x01#\x02line 1 "b.cpp"',
+        '#li\\\nne 1 "b.cpp"',
+        '/* a */ # /* b */ line 1 "b.cpp"',
+        '/*\n*/ #line 1 "b.cpp"',
+        '\\\n#line 1 "b.cpp"',
+        '\r#line 1 "b.cpp"',
+        '%:line 1 "b.cpp"',
+        "#line LINE",
+        "#pragma once\n#line 1",
+    ],
+)
+def test_no_line_is_another_one(text: str) -> None:
+    for before in ("", "\xef\xbb\xbf", "int a;\n"):
+        made = confined(f"{before}{text}\nint b;\n", "src", THERE)
+        assert "line" not in made.replace("\\\n", "") and "# 1" not in made and made.endswith("\nint b;\n")
+
+
+@pytest.mark.parametrize("rest", ["#if 0", "/**/ #if 0", "// #if 0", '#line 1 "x"', "%:if 0"])
+@pytest.mark.parametrize("gone", ['#include "/x"', "#include X", '#pragma comment "a"', "#line 1", "# 1"])
+def test_nothing_becomes_a_directive(gone: str, rest: str) -> None:
+    """Behind a directive there is no other one; that it is gone makes none."""
+    made = confined(f"{gone} {rest}\nint b;\n", "src", THERE)
+    assert "#" not in made and "%:" not in made
 
 
 @pytest.mark.parametrize("text", STAYS)
@@ -112,6 +182,8 @@ PIECES = [
     "embed",
     "pragma",
     "dependency",
+    "line 1",
+    ')"',
     '"/x"',
     "</x>",
     '"a.h"',
@@ -140,6 +212,12 @@ def test_hostile_texts_end() -> None:
         "#include \\\n",
         "#pragma \\\n",
         "\\\n",
+        "#line ",
+        "#1",
+        "/**/",
+        "/*#include*/",
+        '"#include"',
+        "#include )",
     ):
         text = piece * (300_000 // len(piece))
         assert len(confined(text, "", THERE)) == len(text)
