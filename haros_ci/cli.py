@@ -25,6 +25,7 @@ from haros_ci.commands.flags import (
     report_options,
     system_options,
     timings_options,
+    verify_options,
     what_options,
     workspace_options,
 )
@@ -270,6 +271,16 @@ def monitor(**flags: Any) -> int:
     from haros_ci.commands import monitor as monitor_command
 
     return monitor_command.monitor(flags)
+
+
+@haros_ci.command()
+@verify_options
+@workspace_options
+def verify(**flags: Any) -> int:
+    """Look for runs that keep the properties of the nodes and violate those of the configuration (docs/verify.md)."""
+    from haros_ci.commands import verify as verify_command
+
+    return verify_command.verify(flags)
 
 
 @haros_ci.command()
