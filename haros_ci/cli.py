@@ -25,12 +25,12 @@ from haros_ci.commands.flags import (
     report_options,
     system_options,
     timings_options,
-    verify_options,
     what_options,
     workspace_options,
 )
 from haros_ci.commands.manual import EXIT_CODES, Group
 from haros_ci.commands.rule_flags import explain_options, rules_options, version_option
+from haros_ci.commands.verify_flags import verify
 from haros_ci.errors import EXIT_INTERRUPTED, EXIT_TOOL_TROUBLE, EXIT_USAGE, RunFailure, UserError
 from haros_ci.interruption import Interrupted, listening
 from haros_ci.streams import flushed, prepare_streams, write_to_stderr
@@ -273,14 +273,7 @@ def monitor(**flags: Any) -> int:
     return monitor_command.monitor(flags)
 
 
-@haros_ci.command()
-@verify_options
-@workspace_options
-def verify(**flags: Any) -> int:
-    """Look for runs that keep the properties of the nodes and violate those of the configuration (docs/verify.md)."""
-    from haros_ci.commands import verify as verify_command
-
-    return verify_command.verify(flags)
+haros_ci.add_command(verify)
 
 
 @haros_ci.command()

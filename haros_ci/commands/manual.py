@@ -136,7 +136,7 @@ EXAMPLES: Mapping[str, tuple[tuple[str, str], ...]] = {
         ("a question, not in any project file", "haros-ci verify --property 'globally: no /cmd_vel {linear.x > 1.0}'"),
         (
             "counterexamples that the monitor replays",
-            "haros-ci verify --traces found && haros-ci monitor --jsonl found/001-stops.jsonl",
+            "haros-ci verify --traces found",
         ),
     ),
     "rules": (

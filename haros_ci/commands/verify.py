@@ -23,7 +23,7 @@ from haros_ci.pipeline import finished, found, own_run, selection_of
 from haros_ci.registry import registry
 from haros_ci.report.escape import terminal
 from haros_ci.report.verify_mermaid import render
-from haros_ci.report.verify_text import ShownFinding, ShownStep, Verification, as_json, said, text
+from haros_ci.report.verify_text import ShownFinding, ShownStep, Verification, as_json, step_text, text
 from haros_ci.results import own
 from haros_ci.results.coverage import coverage
 from haros_ci.results.result import Notification, Related, Report, Result
@@ -150,7 +150,7 @@ def _flow(one: ShownFinding) -> Iterator[Related]:
     """The places in the source that publish and receive the messages of a counterexample, in their order."""
     for number, step in enumerate(one.run.steps if one.run is not None else ()):
         again = "repeats from here: " if one.run is not None and one.run.loop == number else ""
-        message = f"{again}t = {step.time:+.4f} s: {said(step)}{f' ({step.role})' if step.role else ''}"
+        message = f"{again}t = {step.time:+.4f} s: {step_text(step)}{f' ({step.role})' if step.role else ''}"
         for place in step.places:
             yield Related(place, message)
         yield from _receivers(step)

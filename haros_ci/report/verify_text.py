@@ -135,7 +135,7 @@ def run_lines(run: ShownRun) -> Iterator[str]:
             due = None
         if run.loop == number:
             yield f"repeats from here, every {run.period:g} s:"
-        yield f"{f'{step.time:+.4f} s':>14}  {said(step)}{f'  <- {step.role}' if step.role else ''}"
+        yield f"{f'{step.time:+.4f} s':>14}  {step_text(step)}{f'  <- {step.role}' if step.role else ''}"
     if run.loop is None:
         yield f"{'':>14}  then nothing" if run.steps else f"{'':>14}  nobody ever publishes anything"
     if due is not None:
@@ -146,7 +146,7 @@ def _violated(time: float) -> str:
     return f"{f'{time:+.4f} s':>14}  violated"
 
 
-def said(step: ShownStep) -> str:
+def step_text(step: ShownStep) -> str:
     """An event in words, without its time."""
     return f"{step.node} {'receives' if step.receives else 'publishes'} {step.topic}{values_text(step.values)}"
 

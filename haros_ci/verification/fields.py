@@ -2,7 +2,7 @@
 """The parts of messages that properties ask for: one variable for each, of the type that the interface has.
 
 Whole numbers have the range of their type, floating point numbers are real ones (no NaN, no infinity, nothing is rounded). Of texts only
-those that properties name are told apart from each other and from all others.
+those that properties name are distinguished from each other, and from all others.
 """
 
 from __future__ import annotations
@@ -86,7 +86,7 @@ class Fields:
     def _event(self, claim: Claim, event: Event) -> None:
         if event.predicate is None:
             return
-        wanted = dict(_uses(event.predicate))
+        uses = dict(_uses(event.predicate))
         for part in parts(event.predicate):
             if isinstance(part, Literal) and isinstance(part.value, str):
                 self.text(part.value)
@@ -95,7 +95,7 @@ class Fields:
                 continue
             owner = owner_of(claim, event, chain)
             if owner is not None:
-                self._chain(claim, event, chain, claim.name(owner), wanted.get(id(chain), Kind.REAL))
+                self._chain(claim, event, chain, claim.name(owner), uses.get(id(chain), Kind.REAL))
 
     def text(self, value: str) -> int:
         """The number that stands for a text."""

@@ -79,13 +79,13 @@ def never_ends(claim: Claim) -> bool:
 def confirmed(problem: Problem, claim: Claim, axioms: tuple[Claim, ...], run: Run) -> Run | str:
     """*run* with what the monitor says of it; a sentence where it disagrees."""
     watching, outcome = held_against(problem, claim, run)
-    wanted = (Verdict.VIOLATED, Verdict.UNDECIDED) if never_ends(claim) else (Verdict.VIOLATED,)
-    if outcome.verdict not in wanted:
+    expected = (Verdict.VIOLATED, Verdict.UNDECIDED) if never_ends(claim) else (Verdict.VIOLATED,)
+    if outcome.verdict not in expected:
         return f"the replay disagrees: the monitor says {outcome.verdict.value}"
     for axiom in axioms:
-        monitor, said = held_against(problem, axiom, run)
+        monitor, kept = held_against(problem, axiom, run)
         is_due = run.loop is None and monitor.open_end() is not None
-        if said.verdict is Verdict.VIOLATED or is_due:
+        if kept.verdict is Verdict.VIOLATED or is_due:
             return f"the replay disagrees: the run does not keep the axiom {axiom.title}"
     steps = list(run.steps)
     roles = [(witness.number - 1, witness.role) for witness in outcome.witnesses]

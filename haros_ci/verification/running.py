@@ -62,12 +62,12 @@ def _watched(problem: Problem, passed: frozenset[int]) -> Iterator[Finding]:
     frames = _Frames(pipe)
     asked, ends = -1, time.monotonic() + problem.limits.budget * FACTOR + GRACE
     try:
-        while (said := frames.next(ends)) is not None:
-            if isinstance(said, Finding):
-                yield said
-                passed |= {said.number}
+        while (value := frames.next(ends)) is not None:
+            if isinstance(value, Finding):
+                yield value
+                passed |= {value.number}
             else:
-                asked, seconds = said
+                asked, seconds = value
                 ends = time.monotonic() + seconds * FACTOR + GRACE
     finally:
         with suppress(ProcessLookupError):
@@ -97,10 +97,10 @@ class _Frames:
                 return None
             self.data += more
         size = self._size()
-        said = pickle.loads(bytes(self.data[WIDTH : WIDTH + size]))
+        value = pickle.loads(bytes(self.data[WIDTH : WIDTH + size]))
         del self.data[: WIDTH + size]
-        self.is_whole = said is None
-        return said
+        self.is_whole = value is None
+        return value
 
     def _size(self) -> int:
         return int.from_bytes(self.data[:WIDTH], "big")

@@ -135,8 +135,8 @@ def _with_latency(group: Group, sought: Sought, found: Finding) -> Finding:
     if sought.proof is not None:
         latency = greatest_latency(problem, claim, sought.proof)
         if latency is not None:
-            said = f"proved up to a latency of {_time(latency)}"
-            return replace(found, latency=latency, of_latency=said, derivation=sentence(problem, claim, sought.proof))
+            words = f"proved up to a latency of {_time(latency)}"
+            return replace(found, latency=latency, of_latency=words, derivation=sentence(problem, claim, sought.proof))
     if found.run is None:
         return found
     latency = _bisected(group, claim, len(found.run.steps), looped=found.run.loop is not None)
