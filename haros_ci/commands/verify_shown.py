@@ -96,7 +96,8 @@ def sentence(answer: Finding, budget: float) -> str:
             count = len(answer.run.steps) if answer.run is not None else 0
             return f"{answer.reason} (a run of {count} {'event' if count == 1 else 'events'}, replayed)"
         case Result.VACUOUS:
-            return f"nothing puts it to the test in runs of up to {events}; what excludes it:"
+            length = "" if answer.is_whole else f" in runs of up to {events}"
+            return f"nothing puts it to the test{length}; what excludes that:"
         case Result.CONTRADICTORY:
             return "no run keeps these axioms, so that anything would follow:"
         case Result.NOT_MODELLED:

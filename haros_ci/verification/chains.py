@@ -16,6 +16,7 @@ from typing import Any
 
 import z3
 
+from haros_ci.behaviour.meaning import free_variables
 from haros_ci.behaviour.text import canonical, time_text
 from haros_ci.behaviour.tree import Event, PatternKind, ScopeKind
 from haros_ci.verification.fields import Fields, Slot
@@ -86,6 +87,19 @@ class Prover:
         if kind is PatternKind.NO:
             return self._all(self.claim.stated.pattern.behaviour, self._impossible)
         return None
+
+    def untestable(self) -> Proof | None:
+        """A proof that nothing ever puts the claim to the test: its scope cannot open, or its trigger (``requires``: its behaviour) cannot come."""
+        pattern, scope = self.claim.stated.pattern, self.claim.stated.scope
+        first = {PatternKind.REQUIRES: pattern.behaviour, PatternKind.SOME: (), PatternKind.NO: ()}
+        for events in (scope.activator, first.get(pattern.kind, pattern.trigger)):
+            found = self._all(events, self._impossible) if events and not self._asks(events) else None
+            if found is not None:
+                return found
+        return None
+
+    def _asks(self, events: tuple[Event, ...]) -> bool:
+        return any(next(free_variables(event), None) is not None for event in events)
 
     def _all(self, events: tuple[Event, ...], prove: Any) -> Proof | None:
         found = NOTHING

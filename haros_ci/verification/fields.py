@@ -90,6 +90,10 @@ class Fields:
         for part in parts(event.predicate):
             if isinstance(part, Literal) and isinstance(part.value, str):
                 self.text(part.value)
+        for array in _measured(event.predicate):
+            owner = owner_of(claim, event, array)
+            if owner is not None:
+                self._put(_length(claim.name(owner), array, claim.typed(event, array)))
         for chain in chains_of(event.predicate):
             if claim.constants(event, chain) is not None:
                 continue
@@ -109,10 +113,6 @@ class Fields:
                 self._put(_length(topic, base, claim.typed(event, base)))
             expression = base
         self._put(_slot(topic, chain, claim.typed(event, chain), use))
-
-    def length(self, topic: str, array: Expression, typed: Any) -> Slot:
-        """The slot of the length of an array."""
-        return self._put(_length(topic, array, typed))
 
     def _put(self, slot: Slot) -> Slot:
         known = self.slots.get((slot.topic, slot.key))
@@ -136,6 +136,17 @@ def chains_of(expression: Expression) -> Iterator[Expression]:
     for child in children(expression):
         if not (isinstance(expression, Call) and expression.name == "len"):
             yield from chains_of(child)
+
+
+def _measured(expression: Expression) -> Iterator[Expression]:
+    """The chains of fields whose length is asked."""
+    for part in parts(expression):
+        if isinstance(part, Call) and part.name == "len" and len(part.arguments) == 1:
+            (argument,) = part.arguments
+            if not isinstance(argument, (Field, Item)):
+                raise NotModelled(f"the function len in {expression_text(part)}")
+            path_of(argument)
+            yield argument
 
 
 def path_of(chain: Expression | None) -> tuple[str | int, ...]:
@@ -173,6 +184,8 @@ def owner_of(claim: Claim, event: Event, chain: Expression) -> Event | None:
 
 def _length(topic: str, array: Expression, typed: Any) -> Slot:
     low, high, known = 0, LONGEST_ARRAY, isinstance(typed, FieldType) and bool(typed.form)
+    if isinstance(typed, FieldType) and not typed.form:
+        raise NotModelled(f"the length of a text: {expression_text(array)}")
     if known and typed.form in ("array", "bounded"):
         high = min(typed.size, LONGEST_ARRAY)
         low = high if typed.form == "array" else 0

@@ -24,8 +24,6 @@ from haros_ci.verification.problem import Claim, Problem
 Tell = Callable[[int, float], None]
 #: The share of a budget for proofs, and for runs without a loop where there are others, too.
 FOR_PROOFS, FOR_SILENCE = 0.2, 0.6
-#: Events of the runs that must put a claim to the test of which there is a proof.
-MOST_OF_PROVED = 8
 
 
 @dataclass(slots=True)
@@ -41,6 +39,7 @@ class Sought:
     is_tested: bool = False
     against: tuple[int, ...] = ()
     is_vacuous: bool = False
+    is_untestable: bool = False
     looked: int = 0
     is_stuck: bool = False
     proof: Proof | None = None
@@ -72,17 +71,22 @@ class Group:
             for sought in self.claims:
                 sought.is_stuck = False
             for length in range(int(is_looped), self.problem.limits.depth + 1):
-                waiting = [sought for sought in self.claims if self.is_open(sought, length, is_looped=is_looped)]
+                waiting = [sought for sought in self.claims if self.is_open(sought, is_looped=is_looped)]
                 if not waiting:
                     break
                 self.look(waiting, length, is_looped=is_looped)
         self.look_for_reasons()
 
-    def is_open(self, sought: Sought, length: int, *, is_looped: bool) -> bool:
-        """Whether there is something to ask about runs of this length."""
-        if sought.broken is not None or sought.is_stuck or (is_looped and not self.wants_loop(sought)):
+    def is_open(self, sought: Sought, *, is_looped: bool) -> bool:
+        """Whether there is something to ask."""
+        if (
+            sought.broken is not None
+            or sought.is_stuck
+            or sought.is_untestable
+            or (is_looped and not self.wants_loop(sought))
+        ):
             return False
-        return not sought.is_proved or (not sought.is_tested and length <= MOST_OF_PROVED)
+        return not sought.is_proved or not sought.is_tested
 
     def wants_loop(self, sought: Sought) -> bool:
         """Whether endless runs can say more."""
@@ -98,7 +102,12 @@ class Group:
         with self.timed([sought]):
             seconds = self.problem.limits.budget * FOR_PROOFS
             self.tell(sought.claim.number, seconds)
-            sought.proof = Prover(self.problem, sought.claim, self.cone.axioms, self.fields, seconds).proof()
+            prover = Prover(self.problem, sought.claim, self.cone.axioms, self.fields, seconds)
+            if (untestable := prover.untestable()) is not None:
+                sought.is_untestable = sought.is_vacuous = True
+                sought.against = untestable.axioms
+                return
+            sought.proof = prover.proof()
             sought.is_proved = sought.proof is not None and suffices(self.problem, sought.claim, sought.proof)
 
     @contextmanager
@@ -160,7 +169,7 @@ class Group:
 
     def look_for_reasons(self) -> None:
         """Which axioms keep a claim from being put to the test, or exclude each other."""
-        untested = [sought for sought in self.claims if not sought.is_tested and sought.broken is None]
+        untested = [sought for sought in self.claims if self.may_be_vacuous(sought)]
         if not untested:
             return
         length = max(sought.looked for sought in untested)
@@ -178,6 +187,11 @@ class Group:
                 sought.is_vacuous, sought.looked = True, length
                 sought.against = self.smallest(runs, runs.core(), seconds, formula.tested)
             runs.solver.pop()
+
+    def may_be_vacuous(self, sought: Sought) -> bool:
+        """Whether no run puts a claim to the test, of all lengths that were asked for."""
+        is_whole = sought.looked >= self.problem.limits.depth or not self.is_consistent
+        return is_whole and not sought.is_tested and sought.broken is None and not sought.is_untestable
 
     def smallest(self, runs: Bounded, core: tuple[int, ...], seconds: float, *parts: Any) -> tuple[int, ...]:
         """Of the axioms *core*, which together exclude *parts*, none that can be left out."""

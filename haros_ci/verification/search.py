@@ -119,7 +119,8 @@ def _concluded(group: Group, sought: Sought) -> Finding:
     if group.contradiction:
         return replace(base, result=Result.CONTRADICTORY, axioms=group.contradiction)
     if sought.is_vacuous:
-        return replace(base, result=Result.VACUOUS, axioms=sought.against, depth=sought.looked)
+        depth = 0 if sought.is_untestable else sought.looked
+        return replace(base, result=Result.VACUOUS, axioms=sought.against, depth=depth, is_whole=sought.is_untestable)
     if sought.is_proved:
         return _with_latency(group, sought, replace(base, result=Result.PROVED, axioms=axioms, derivation=derivation))
     if depth < 0:
