@@ -21,7 +21,7 @@ from haros_ci.behaviour.text import canonical, time_text
 from haros_ci.behaviour.tree import Event, PatternKind, ScopeKind
 from haros_ci.verification.fields import Fields, Slot
 from haros_ci.verification.predicates import Compiler, Message, Value, both, no
-from haros_ci.verification.problem import ENVIRONMENT, MILLISECOND, Claim, Problem
+from haros_ci.verification.problem import MILLISECOND, Claim, Problem
 from haros_ci.verification.unrolling import _range, _variable
 
 #: Links of a chain, and questions to the solver for one claim.
@@ -145,7 +145,7 @@ class Prover:
         """How what the behaviour needs follows from *met*, of whoever published it."""
         if path and self._is_one_of(met, self.claim.stated.pattern.trigger, named):
             return NOTHING
-        if len(path) >= MOST_LINKS or ENVIRONMENT in self.problem.publishers(met.topic):
+        if len(path) >= MOST_LINKS:
             return None
         found: Proof | None = None
         for node in self.problem.publishers(met.topic):
