@@ -28,6 +28,8 @@ DOORS: dict[str, set[str]] = {
     "behaviour": {"bounded_yaml", "interfaces", "model"},
     # properties against messages; where those come from it does not know
     "monitoring": {"behaviour"},
+    # runs as formulas; the monitor is the judge of what is found
+    "verification": {"behaviour", "errors", "interfaces", "interruption", "monitoring"},
     # programs as front ends write them: typed nodes and their codec
     "syntax": set(),
     "changes": {"interfaces", "model", "syntax"},
@@ -118,6 +120,7 @@ DOORS: dict[str, set[str]] = {
         "syntax",
         "systems",
         "timing",
+        "verification",
         "workspace",
     },
     "baselines": {"config", "errors", "model", "results", "timing", "workspace"},
@@ -205,6 +208,7 @@ DOORS: dict[str, set[str]] = {
     "commands": {
         "analysis",
         "baselines",
+        "behaviour",
         "bounded_yaml",
         "changes",
         "config",
@@ -229,6 +233,7 @@ DOORS: dict[str, set[str]] = {
         "starting",
         "streams",
         "timing",
+        "verification",
         "workspace",
         "writing",
     },

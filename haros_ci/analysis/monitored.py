@@ -3,14 +3,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.analysis.inspection import Architectures, project_of
 from haros_ci.behaviour.declared import WORKSPACE, Owner, Stated, in_file
 from haros_ci.behaviour.meaning import mistakes
-from haros_ci.behaviour.messages import Constant, Scene
+from haros_ci.behaviour.messages import Constant, Scene, Typed
 from haros_ci.behaviour.text import canonical
 from haros_ci.behaviour.tree import Event, Expression, Property
 from haros_ci.checking.kinds import TOPIC
@@ -27,7 +27,10 @@ COMMAND_LINE = "command line"
 
 @dataclass(frozen=True, slots=True)
 class Monitored:
-    """A property with its monitor. *node* is the instance that a property of a node is about, "" for others; *location* is None on the command line."""
+    """A property with its monitor. *node* is the instance that a property of a node is about, "" for others; *location* is None on the command line.
+
+    *typed* says what a field of one of its events is.
+    """
 
     title: str
     text: str
@@ -35,6 +38,7 @@ class Monitored:
     node: str
     monitor: Monitor
     location: Location | None
+    typed: Callable[[Event, Expression], Typed]
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +59,7 @@ class Chosen:
     types: Mapping[str, tuple[str, ...]]
     ros: int
     notes: tuple[str, ...]
+    system: System | None = None
 
 
 def chosen(
@@ -78,7 +83,7 @@ def chosen(
     found = [one for stated in picked if _is_sound(stated) for one in _monitored(properties, stated, system, notes)]
     types = {topic.name: topic.types for topic in system.topics if not _is_of_libraries(topic)} if system else {}
     ros = system.ros if system else 1
-    return Chosen(name, tuple(found), _publishers(system), types, ros, tuple(notes))
+    return Chosen(name, tuple(found), _publishers(system), types, ros, tuple(notes), system)
 
 
 def _system(every: Iterable[System], name: str) -> System | None:
@@ -137,10 +142,13 @@ def _monitored(properties: Properties, stated: Stated, system: System | None, no
     assert property is not None
     scenes = {id(event): scene for event, scene in properties.scenes(stated)}
 
-    def constant(event: Event, expression: Expression) -> Any:
+    def typed(event: Event, expression: Expression) -> Typed:
         scene: Scene | None = scenes.get(id(event))
-        typed = scene.typed(expression) if scene is not None else None
-        return typed.value if isinstance(typed, Constant) else None
+        return scene.typed(expression) if scene is not None else None
+
+    def constant(event: Event, expression: Expression) -> Any:
+        found = typed(event, expression)
+        return found.value if isinstance(found, Constant) else None
 
     given = property.metadata_of("id")
     text = canonical(property)
@@ -157,7 +165,13 @@ def _monitored(properties: Properties, stated: Stated, system: System | None, no
             notes.append(f"{title}: {names}")
             continue
         yield Monitored(
-            title, text, stated, node.name if node is not None else "", monitor_of(property, names, constant), location
+            title,
+            text,
+            stated,
+            node.name if node is not None else "",
+            monitor_of(property, names, constant),
+            location,
+            typed,
         )
 
 

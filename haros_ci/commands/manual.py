@@ -130,6 +130,15 @@ EXAMPLES: Mapping[str, tuple[tuple[str, str], ...]] = {
         ("findings for code scanning", "haros-ci monitor --bag run --output sarif=monitor.sarif"),
         ("what ROSMonitoring records for it", "haros-ci monitor --export rosmonitoring=monitor.yaml"),
     ),
+    "verify": (
+        ("the properties of a configuration", "haros-ci verify --configuration robot"),
+        ("with messages that take up to 20 ms", "haros-ci verify --network async --latency 20"),
+        ("a question, not in any project file", "haros-ci verify --property 'globally: no /cmd_vel {linear.x > 1.0}'"),
+        (
+            "counterexamples that the monitor replays",
+            "haros-ci verify --traces found",
+        ),
+    ),
     "rules": (
         ("what is on in a profile", "haros-ci rules --profile strict --enabled"),
         ("rules of one tool, by a part of the name", "haros-ci rules undeclared --tool haros-ci"),
@@ -183,6 +192,10 @@ named, or about all systems of the workspace. haros-ci check does the same for t
 PATH is the workspace (default: here) with the project file. Properties are those of the configuration and of its nodes, under the names
 that its launch files give them; --property takes the id of one, or a text in HPL. Bags need the extra: pip install 'haros-ci[bags]'.
 """,
+    "verify": """
+PATH is the workspace (default: here) with the project file. Properties of the configuration are verified; those of its nodes, and its
+assumptions, are taken for granted. Nothing is run. It needs the extra: pip install 'haros-ci[verify]'.
+""",
     "init": """
 Looks at PATH (default: here): packages, languages, other people's code, settings of linters. What is there already is left as it is,
 and haros-ci says what to add by hand.
@@ -211,6 +224,7 @@ SHORT: Mapping[str, str] = {
     "policy": "Write a security policy (SROS2) of what the nodes do.",
     "query": "Ask a query of the running systems, as HAROS does.",
     "rules": "List the rules, all or those of a FILTER.",
+    "verify": "Look for runs that violate properties.",
 }
 
 

@@ -90,13 +90,14 @@ FAILED_QUERY = Rule(
 
 VIOLATED = Rule(
     id="hpl-violated",
-    summary="Property that a recording violates.",
+    summary="Property that a recording violates, or a run that its axioms allow.",
     level=Level.ERROR,
     help=(
-        "Reported by 'haros-ci monitor' at the line of the property; an assumption that does not hold is a warning. The messages of the code "
+        "Reported by 'haros-ci monitor' and 'haros-ci verify' at the line of the property; an assumption that does not hold is a warning. The messages of the code "
         "flow, in this order, are what the property forbids, or lack what it demands; each step is a place in the source that publishes the "
         "message. Correct what these nodes do, or the property if it asks for too much: a window ends before its bound, so that an answer at "
-        "exactly 100 ms is not within 100 ms (docs/hpl.md). docs/monitor.md has the verdicts."
+        "exactly 100 ms is not within 100 ms (docs/hpl.md). The run of 'haros-ci verify' is what the properties of the nodes allow: it may be these that say too "
+        "little. docs/monitor.md and docs/verify.md have the verdicts."
     ),
     precision="very-high",
     tags=("ros", "properties", "correctness"),
@@ -104,12 +105,13 @@ VIOLATED = Rule(
 
 NEVER_EXERCISED = Rule(
     id="hpl-never-exercised",
-    summary="Property that a recording says nothing of.",
+    summary="Property that nothing puts to the test.",
     level=Level.NOTE,
     help=(
         "Reported by 'haros-ci monitor' at the line of the property. Its scope never opened, its trigger never came, or the recording does not "
         "have the topics of its behaviour, so that nothing was put to the test. Record a run in which it happens, or look at the names in the "
-        "property: they are those of the running system, those of a node's property the ones in its code (docs/monitor.md)."
+        "property: they are those of the running system, those of a node's property the ones in its code (docs/monitor.md). 'haros-ci verify' "
+        "reports it where no run that keeps the axioms puts the property to the test, and as a warning where none keeps them; it names them (docs/verify.md)."
     ),
     precision="very-high",
     tags=("ros", "properties"),
@@ -117,18 +119,19 @@ NEVER_EXERCISED = Rule(
 
 UNDECIDED = Rule(
     id="hpl-undecided",
-    summary="Property that is still open at the end of a recording.",
+    summary="Property of which it is not known whether it holds.",
     level=Level.NOTE,
     help=(
         "Reported by 'haros-ci monitor' at the line of the property. The recording ended before what the property demands was due, a message "
         "that it depends on could not be read, or more messages would have to be kept than the limit allows; the message says which. Record "
-        "for longer, or with the definitions of the types (docs/monitor.md)."
+        "for longer, or with the definitions of the types (docs/monitor.md). 'haros-ci verify' reports it where the time for a property was spent "
+        "before an answer, or where the property has a construct that cannot be searched for; the message names it (docs/verify.md)."
     ),
     precision="very-high",
     tags=("ros", "properties"),
 )
 
-#: What is said of recordings alone: no run of ``check`` reports it.
+#: What is said of recordings, and of runs that are searched for: no run of ``check`` reports it.
 OF_RECORDINGS = {rule.id: rule for rule in (VIOLATED, NEVER_EXERCISED, UNDECIDED)}
 RULES = {
     rule.id: rule

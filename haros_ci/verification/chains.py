@@ -1,0 +1,337 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Proofs by composition: a property that follows from axioms link by link, for runs of any length.
+
+``causes``: each trigger reaches a node that promises an answer, whose subscriber promises a further one, up to the behaviour; the bounds, and the
+latency of each link, add up. ``requires``: each publisher of the behaviour promises what must have come before, and so does each publisher of that.
+``no``: no publisher may send it. The values of messages are kept along the chain, and each link is a question to the solver without any run in it.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import z3
+
+from haros_ci.behaviour.meaning import free_variables
+from haros_ci.behaviour.text import canonical, time_text
+from haros_ci.behaviour.tree import Event, PatternKind, ScopeKind
+from haros_ci.verification.fields import Fields, Slot
+from haros_ci.verification.predicates import Compiler, Message, Value, both, no
+from haros_ci.verification.problem import MILLISECOND, Claim, Problem
+from haros_ci.verification.unrolling import _range, _variable
+
+#: Links of a chain, and questions to the solver for one claim.
+MOST_LINKS, MOST_QUESTIONS = 8, 500
+
+
+@dataclass(frozen=True, slots=True)
+class Met:
+    """A message in a proof: on *topic*, with these *values*, of which *known* holds."""
+
+    topic: str
+    message: Message
+    known: tuple[Any, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Proof:
+    """Its links in words, the axioms, the sum of their bounds in nanoseconds (None: one has none), and how often a message is received."""
+
+    links: tuple[str, ...]
+    axioms: tuple[int, ...]
+    bound: int | None
+    hops: int
+
+    def then(self, other: Proof) -> Proof:
+        total = None if self.bound is None or other.bound is None else self.bound + other.bound
+        return Proof(
+            tuple(dict.fromkeys((*self.links, *other.links))),
+            tuple(dict.fromkeys((*self.axioms, *other.axioms))),
+            total,
+            self.hops + other.hops,
+        )
+
+    def beside(self, other: Proof) -> Proof:
+        """Both, of which either may happen."""
+        bound = None if self.bound is None or other.bound is None else max(self.bound, other.bound)
+        joined = self.then(other)
+        return Proof(joined.links, joined.axioms, bound, max(self.hops, other.hops))
+
+
+NOTHING = Proof((), (), 0, 0)
+
+
+class Prover:
+    """Looks for a proof of *claim* from the global axioms of *problem*."""
+
+    def __init__(
+        self, problem: Problem, claim: Claim, axioms: tuple[Claim, ...], fields: Fields, seconds: float
+    ) -> None:
+        self.problem, self.claim, self.fields = problem, claim, fields
+        self.axioms = tuple(axiom for axiom in axioms if axiom.stated.scope.kind is ScopeKind.GLOBALLY)
+        self.ends = time.monotonic() + seconds
+        self.questions = 0
+        self.made = 0
+
+    def proof(self) -> Proof | None:
+        """A proof without regard to bounds; None if there is none."""
+        kind, scope = self.claim.stated.pattern.kind, self.claim.stated.scope.kind
+        if kind is PatternKind.CAUSES and scope in (ScopeKind.GLOBALLY, ScopeKind.AFTER):
+            return self._all(self.claim.stated.pattern.trigger, self._caused)
+        if kind is PatternKind.REQUIRES and scope in (ScopeKind.GLOBALLY, ScopeKind.UNTIL):
+            return self._all(self.claim.stated.pattern.behaviour, self._required)
+        if kind is PatternKind.NO:
+            return self._all(self.claim.stated.pattern.behaviour, self._impossible)
+        return None
+
+    def untestable(self) -> Proof | None:
+        """A proof that nothing ever puts the claim to the test: its scope cannot open, or its trigger (``requires``: its behaviour) cannot come."""
+        pattern, scope = self.claim.stated.pattern, self.claim.stated.scope
+        first = {PatternKind.REQUIRES: pattern.behaviour, PatternKind.SOME: (), PatternKind.NO: ()}
+        for events in (scope.activator, first.get(pattern.kind, pattern.trigger)):
+            found = self._all(events, self._impossible) if events and not self._asks(events) else None
+            if found is not None:
+                return found
+        return None
+
+    def _asks(self, events: tuple[Event, ...]) -> bool:
+        return any(next(free_variables(event), None) is not None for event in events)
+
+    def _all(self, events: tuple[Event, ...], prove: Any) -> Proof | None:
+        found = NOTHING
+        for event in events:
+            met = self._fresh(self.claim, event)
+            known = {event.alias: met.message} if event.alias is not None else {}
+            inner = prove(met, known, ())
+            if inner is None:
+                return None
+            found = found.beside(inner) if found is not NOTHING else inner
+        return found
+
+    # causes
+
+    def _caused(self, met: Met, named: Mapping[str, Message], path: tuple[int, ...]) -> Proof | None:
+        """How the behaviour follows from *met*."""
+        if path and self._is_one_of(met, self.claim.stated.pattern.behaviour, named):
+            return NOTHING
+        if len(path) >= MOST_LINKS:
+            return None
+        for axiom in self._promising(PatternKind.CAUSES, path):
+            event = self._matched(met, axiom, axiom.stated.pattern.trigger)
+            if event is None or not self._arrives(met.topic, axiom):
+                continue
+            found = self._branches(
+                axiom,
+                event,
+                met,
+                axiom.stated.pattern.behaviour,
+                partial(self._caused, named=named, path=(*path, axiom.number)),
+            )
+            if found is not None:
+                return self._link(axiom).then(found)
+        return None
+
+    def _arrives(self, topic: str, axiom: Claim) -> bool:
+        """Whether each message on *topic* comes to the node of *axiom*; of the configuration's own it is enough that it is published."""
+        return not self.problem.network.loses and (not axiom.node or self.problem.hears(axiom.node, topic))
+
+    # requires
+
+    def _required(self, met: Met, named: Mapping[str, Message], path: tuple[int, ...]) -> Proof | None:
+        """How what the behaviour needs follows from *met*, of whoever published it."""
+        if path and self._is_one_of(met, self.claim.stated.pattern.trigger, named):
+            return NOTHING
+        if len(path) >= MOST_LINKS:
+            return None
+        found: Proof | None = None
+        for node in self.problem.publishers(met.topic):
+            inner = self._required_of(node, met, named, path)
+            if inner is None:
+                return None
+            found = inner if found is None else found.beside(inner)
+        return found
+
+    def _required_of(self, node: str, met: Met, named: Mapping[str, Message], path: tuple[int, ...]) -> Proof | None:
+        excluded = self._excluded(node, met)
+        if excluded is not None:
+            return excluded
+        for axiom in self._promising(PatternKind.REQUIRES, path):
+            event = self._matched(met, axiom, axiom.stated.pattern.behaviour) if axiom.node in (node, "") else None
+            if event is None:
+                continue
+            found = self._branches(
+                axiom,
+                event,
+                met,
+                axiom.stated.pattern.trigger,
+                partial(self._required, named=named, path=(*path, axiom.number)),
+            )
+            if found is not None:
+                return self._link(axiom).then(found)
+        return None
+
+    # no
+
+    def _impossible(self, met: Met, named: Mapping[str, Message], path: tuple[int, ...]) -> Proof | None:
+        """Why nobody publishes *met*: each publisher excludes it, or needs for it what is impossible itself."""
+        found: Proof | None = None
+        for node in self.problem.publishers(met.topic):
+            inner = self._excluded(node, met) or self._needs_impossible(node, met, path)
+            if inner is None:
+                return None
+            found = inner if found is None else found.beside(inner)
+        return found
+
+    def _needs_impossible(self, node: str, met: Met, path: tuple[int, ...]) -> Proof | None:
+        if len(path) >= MOST_LINKS:
+            return None
+        for axiom in self._promising(PatternKind.REQUIRES, path):
+            event = self._matched(met, axiom, axiom.stated.pattern.behaviour) if axiom.node in (node, "") else None
+            if event is None:
+                continue
+            found = self._branches(
+                axiom,
+                event,
+                met,
+                axiom.stated.pattern.trigger,
+                partial(self._impossible, named={}, path=(*path, axiom.number)),
+            )
+            if found is not None:
+                return self._link(axiom).then(found)
+        return None
+
+    def _excluded(self, node: str, met: Met) -> Proof | None:
+        """Why *node* never publishes *met*: what its ``no`` axioms (and those of the configuration) say together."""
+        used, parts = [], []
+        for axiom in self._promising(PatternKind.NO, ()):
+            if axiom.node not in (node, "") or axiom.stated.pattern.bound is not None:
+                continue
+            events = [event for event in axiom.stated.pattern.behaviour if axiom.name(event) == met.topic]
+            parts += [Compiler(axiom, self.fields).holds(event, met.message, {}) for event in events]
+            used += [axiom] if events else []
+        if not used or not self._follows(met.known, z3.Or(*parts)):
+            return None
+        for axiom, part in zip(used, parts):  # one of them alone, where that is enough
+            if len(used) == len(parts) and len(used) > 1 and self._follows(met.known, part):
+                return self._link(axiom)
+        found = NOTHING
+        for axiom in used:
+            found = found.then(self._link(axiom))
+        return found
+
+    # links
+
+    def _promising(self, kind: PatternKind, path: tuple[int, ...]) -> list[Claim]:
+        return [a for a in self.axioms if a.stated.pattern.kind is kind and a.number not in path]
+
+    def _link(self, axiom: Claim) -> Proof:
+        hops = 1 if axiom.node and axiom.stated.pattern.kind is not PatternKind.NO else 0
+        window = 0 if axiom.stated.pattern.kind is PatternKind.NO else axiom.window
+        return Proof(
+            (f"{axiom.node or 'the configuration'}: {canonical(axiom.stated)}",), (axiom.number,), window, hops
+        )
+
+    def _matched(self, met: Met, axiom: Claim, events: tuple[Event, ...]) -> Event | None:
+        """The event of *events* that *met* certainly is."""
+        for event in events:
+            if axiom.name(event) == met.topic and self._follows(
+                met.known, Compiler(axiom, self.fields).holds(event, met.message, {})
+            ):
+                return event
+        return None
+
+    def _branches(self, axiom: Claim, first: Event, met: Met, events: tuple[Event, ...], go_on: Any) -> Proof | None:
+        """A proof for each event that *axiom* says there is one of."""
+        found: Proof | None = None
+        for event in events:
+            named = {first.alias: met.message} if first.alias is not None else {}
+            inner = go_on(self._fresh(axiom, event, named, met.known))
+            if inner is None:
+                return None
+            found = inner if found is None else found.beside(inner)
+        return found
+
+    def _is_one_of(self, met: Met, events: tuple[Event, ...], named: Mapping[str, Message]) -> bool:
+        compiler = Compiler(self.claim, self.fields)
+        return any(
+            self.claim.name(event) == met.topic and self._follows(met.known, compiler.holds(event, met.message, named))
+            for event in events
+        )
+
+    def _fresh(
+        self, claim: Claim, event: Event, named: Mapping[str, Message] | None = None, known: tuple[Any, ...] = ()
+    ) -> Met:
+        """Any message that is one of *event*."""
+        topic = claim.name(event)
+        self.made += 1
+        values: dict[str, Value] = {}
+        ranges: list[Any] = []
+        slots = {slot.key: slot for slot in self.fields.of(topic)}
+        for slot in slots.values():
+            term = _variable(slot, f"proof {self.made} {topic} {slot.key}")
+            ranges += _range(slot, term)
+            values[slot.key] = Value(slot.kind, term)
+        values = {
+            key: Value(value.kind, value.term, _there(slots, slots[key], values)) for key, value in values.items()
+        }
+        message = values.__getitem__
+        return Met(topic, message, (*known, *ranges, Compiler(claim, self.fields).holds(event, message, named or {})))
+
+    def _follows(self, known: tuple[Any, ...], goal: Any) -> bool:
+        """Whether *goal* holds wherever all of *known* does."""
+        self.questions += 1
+        left = self.ends - time.monotonic()
+        if self.questions > MOST_QUESTIONS or left <= 0:
+            return False
+        solver = z3.Solver()
+        solver.set("timeout", max(1, int(min(left, 1.0) * 1000)))
+        solver.add(*known, no(goal))
+        return bool(solver.check() == z3.unsat)
+
+
+def _there(slots: Mapping[str, Slot], slot: Slot, values: Mapping[str, Value]) -> Any:
+    """Whether the items that a slot goes through are in their arrays."""
+    lengths = {other.path: other for other in slots.values() if other.is_length}
+    return both(
+        *(values[lengths[slot.path[:n]].key].term > part for n, part in enumerate(slot.path) if isinstance(part, int))
+    )
+
+
+def sentence(problem: Problem, claim: Claim, proof: Proof) -> tuple[str, ...]:
+    """The links of a proof, and what their bounds come to."""
+    found = list(proof.links)
+    pattern = claim.stated.pattern
+    if proof.bound is not None and pattern.kind is not PatternKind.NO:
+        total = time_text(proof.bound / 1000 / MILLISECOND)
+        network = problem.network
+        if network.is_async and proof.hops and network.high is not None:
+            latency = time_text(network.high / 1000 / MILLISECOND)
+            found.append(f"together within {total} and {proof.hops} times a latency of at most {latency}")
+        else:
+            found.append(f"together within {total}")
+    return tuple(found)
+
+
+def suffices(problem: Problem, claim: Claim, proof: Proof) -> bool:
+    """Whether the bounds of a proof keep that of the claim."""
+    window = claim.window
+    if window is None or claim.stated.pattern.kind is PatternKind.NO:
+        return True
+    if proof.bound is None:
+        return False
+    network = problem.network
+    if not network.is_async or not proof.hops:
+        return proof.bound <= window
+    return network.high is not None and proof.bound + proof.hops * network.high <= window
+
+
+def greatest_latency(problem: Problem, claim: Claim, proof: Proof) -> int | None:
+    """The greatest latency of an asynchronous network at which a proof keeps the claim's bound, in nanoseconds; None where there is none."""
+    window = claim.window
+    if not problem.network.is_async or window is None or proof.bound is None or not proof.hops or proof.bound > window:
+        return None
+    return (window - proof.bound) // proof.hops
