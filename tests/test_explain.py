@@ -65,8 +65,36 @@ def test_the_bad_example_has_the_line_and_the_good_one_its_counterpart() -> None
 def test_a_rule_of_a_tool_has_its_words_and_an_example(no_tools: None) -> None:
     rule = next(rule for tool, rule in RULES if (tool, rule.id) == ("pylint", "dangerous-default-value"))
     text = "\n".join(explain.short("pylint", rule))
-    assert "What:    Many words of the tool." in text and "\nFix:" in text
+    assert "What:    Many words of the tool." in text and "\nWhy/fix:" in text
     assert "  def add(item, queue=None):" in text and "pylint: disable=dangerous-default-value" in text
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [
+        ("One sentence.", "One sentence."),
+        ("A sentence. " * 60, "A sentence."),
+        ("A part; " * 80, "A part."),
+        ("word " * 200, "..."),
+    ],
+)
+def test_a_long_paragraph_ends_with_a_sentence(text: str, shown: str) -> None:
+    lines = explain._labelled("What", text)
+    assert len(lines) <= explain.PARAGRAPH and lines[-1].endswith(shown)
+
+
+@pytest.mark.parametrize(
+    ("rule", "good"),
+    [
+        ("undeclared-launch-dependency", "Good: It is declared, package.xml:"),
+        ("undeclared-dependency", "Good: It is declared, scan_filter/package.xml:"),
+        ("header-not-set", "Good: Both are set, src/scan.cpp:"),
+        ("frame-leading-slash", "Good: Without a slash, tracker.py:"),
+        ("unknown-target", "Good: All are made, CMakeLists.txt:"),
+    ],
+)
+def test_the_good_example_is_the_bad_one_mended(rule: str, good: str) -> None:
+    assert good in explain.short("haros-ci", next(check for check in CHECKS if check.id == rule))
 
 
 def test_no_boilerplate_where_the_tool_has_words(no_tools: None) -> None:

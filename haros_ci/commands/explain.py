@@ -20,7 +20,7 @@ from haros_ci.results.rule import Rule
 #: The most lines of the short form, and the widest.
 LINES, COLUMNS = 30, 100
 #: The most lines of a paragraph in the short form.
-PARAGRAPH = 4
+PARAGRAPH = 5
 #: How levels look on a terminal.
 COLORS = {"error": "red", "warning": "yellow", "note": "cyan"}
 _MARK = re.compile(r"\s*(?:#|//|<!--)\s*expect: [^\n]*?(?:-->)?\s*$")
@@ -97,7 +97,8 @@ def short(tool: str, rule: Rule, others: Iterable[str] = ()) -> list[str]:
     else:
         advice, _, suppress = page.rpartition("*Suppress*")
         words = _own_words(tool, rule)
-        paragraphs = [_labelled("What", words.partition("\n\n## Preview")[0]), _labelled("Fix", advice)]
+        label = "Why/fix" if has_reason(rule.id) else "Fix"  # a text of its own says both
+        paragraphs = [_labelled("What", words.partition("\n\n## Preview")[0]), _labelled(label, advice)]
         pair = _pair(rule)
         bad, good = (("", pair[0]), ("", pair[1])) if pair is not None else (("", ""), ("", ""))
         silence = _labelled("Silence", suppress or _how_to_silence(name, rule))
@@ -123,7 +124,16 @@ def _labelled(label: str, text: str) -> list[str]:
     whole_words = f"{label + ':':<9}{plain}".replace("haros: ignore", "haros:\0ignore")  # to be copied from one line
     lines = textwrap.wrap(whole_words, COLUMNS, subsequent_indent=" " * 9, break_on_hyphens=False)
     lines = [line.replace("\0", " ") for line in lines]
-    return lines if len(lines) <= PARAGRAPH else [*lines[: PARAGRAPH - 1], f"{lines[PARAGRAPH - 1][: COLUMNS - 4]} ..."]
+    return lines if len(lines) <= PARAGRAPH else _cut(lines[:PARAGRAPH])
+
+
+def _cut(lines: list[str]) -> list[str]:
+    """*lines* up to the last sentence, or part of one, that ends in them; if none does, dots say that it goes on."""
+    ends = [(row, end.start()) for row, line in enumerate(lines) for end in re.finditer(r"[.;](?= |$)", line)]
+    if not ends:
+        return [*lines[:-1], f"{lines[-1][: COLUMNS - 4]} ..."]
+    row, end = ends[-1]
+    return [*lines[:row], f"{lines[row][:end]}."]
 
 
 def _how_to_silence(name: str, rule: Rule) -> str:
@@ -147,6 +157,14 @@ def _example(page: str, title: str, like: str = "") -> tuple[str, str]:
     ending = like.rpartition(".")[2]
     fitting = (file for file in files if "expect: " in file[1] or (ending and file[0].endswith(f".{ending}")))
     return next(fitting, files[0] if files else ("", ""))
+
+
+def has_reason(rule: str) -> bool:
+    """Whether the rule of a linter has a text of its own, rather than the advice of its group."""
+    from haros_ci.linters.catalogue.clang_tidy_texts import TEXTS
+    from haros_ci.linters.catalogue.reasons import BY_RULE
+
+    return rule in BY_RULE or rule in TEXTS
 
 
 def _pair(rule: Rule) -> tuple[str, str] | None:
@@ -196,6 +214,6 @@ def painted(text: str) -> str:
         text,
         flags=re.M,
     )
-    label = r"^(What|Why|Fix|Bad|Good|Silence|Profiles|Also|More|See|Tags|Aliases)(?=:)"
+    label = r"^(What|Why|Why/fix|Fix|Bad|Good|Silence|Profiles|Also|More|See|Tags|Aliases)(?=:)"
     text = re.sub(label, lambda m: click.style(m[1], bold=True), text, flags=re.M)
     return re.sub(r"^#{1,3} .*$", lambda m: click.style(m[0], bold=True), text, flags=re.M)
