@@ -33,7 +33,7 @@ class Effects:
         numbers = self._writers.get(cell, [])
         if cell not in self._sides:
             values = [self.every[number][cell] for number in numbers]
-            back = list(accumulate(reversed(values), lambda one, other: joined(other, one)))
+            back = list(accumulate(reversed(values), lambda later, value: joined(value, later)))
             self._sides[cell] = list(accumulate(values, joined)), back[::-1]
         before, after = self._sides[cell]
         place = bisect_left(numbers, own)

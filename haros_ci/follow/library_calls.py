@@ -120,7 +120,7 @@ def _filled(
 ) -> Value:
     """A text or container that is constructed.
 
-    ``Names(2, "a")`` and ``Names{"a", "b"}`` of another name of a list's type are not told apart by the facts of the code.
+    The facts of the code do not say which of ``Names(2, "a")`` and ``Names{"a", "b"}`` stands there, of another name of a list's type.
     """
     if not isinstance(callee, syntax.Name) or _last(callee.name) == _last(kind.name):
         return construct.create(walk, frame, kind, args, location)
@@ -129,7 +129,7 @@ def _filled(
         return construct.create(walk, frame, kind, args, location)
     if len(args) >= BRACED or all(map(braces.is_text, args)):
         return braces.from_list(walk, frame, kind, Sequence(Cell(tuple(Cell(argument.value) for argument in args))))
-    return walk.opaque("braces and parentheses are not told apart under another name of its type", frame, None, kind)
+    return walk.opaque("whether it is made with braces is not known under another name of its type", frame, None, kind)
 
 
 def _last(name: str) -> str:
