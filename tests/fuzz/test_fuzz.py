@@ -63,6 +63,7 @@ NOT_FUZZED = {
     "registry": "reads pages of the program's checks",
     "report.model_sqlite": "reads the database that it has just made",
     "starting.files": "reads files of the program",
+    "verification.running": "reads how much memory this process has",
     "workspace.base": "reads what it has written",
     "workspace.discover": "opens files, and hands bytes to the readers",
     "workspace.files": "opens files; workspace.content decodes",
