@@ -123,6 +123,13 @@ def test_properties_of_the_configuration_under_the_axioms_of_its_nodes(
 
 
 @needs_solver
+def test_the_page_shows_what_is_printed(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    main(["verify", "--no-cache", "--property", "alarms", "--property", "quick"])
+    page = (Path(__file__).resolve().parents[1] / "docs/verify.md").read_text(encoding="utf-8")
+    assert f"```text\n{capsys.readouterr().out}```" in page
+
+
+@needs_solver
 def test_a_later_network_has_its_latency(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
     code, found = verify(capsys, "--property", "alarms", "--network", "async", "--latency", "5")
     (alarms,) = found["properties"]

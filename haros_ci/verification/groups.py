@@ -13,7 +13,7 @@ import z3
 
 from haros_ci.verification.bounded import Bounded, bounded
 from haros_ci.verification.chains import Proof, Prover, suffices
-from haros_ci.verification.cones import Cone
+from haros_ci.verification.cones import Cone, may_go_on
 from haros_ci.verification.counterexamples import Completed, completed
 from haros_ci.verification.fields import Fields
 from haros_ci.verification.outcomes import Run
@@ -41,6 +41,7 @@ class Sought:
     is_vacuous: bool = False
     is_untestable: bool = False
     looked: int = 0
+    looked_at_loops: int = 0
     is_stuck: bool = False
     proof: Proof | None = None
     is_proved: bool = False
@@ -146,7 +147,10 @@ class Group:
             self.ask_for_violation(sought, runs, formula, seconds, is_looped=is_looped)
         if not sought.is_tested and sought.broken is None and not sought.is_stuck:
             sought.is_tested = runs.check(formula.tested, seconds=max(0.1, seconds / 4)) == z3.sat
-            sought.looked = max(sought.looked, runs.run.length)
+            if is_looped:
+                sought.looked_at_loops = runs.run.length
+            else:
+                sought.looked = runs.run.length
         runs.solver.pop()
 
     def ask_for_violation(
@@ -177,16 +181,22 @@ class Group:
         runs = bounded(self.problem, self.cone, self.fields, length)
         seconds = max(1.0, self.problem.limits.budget / 4)
         if not self.is_consistent and runs.check(seconds=seconds) == z3.unsat:
-            self.contradiction = self.smallest(runs, runs.core(), seconds)
+            core = self.smallest(runs, runs.core(), seconds)
+            self.contradiction = () if self.may_go_on(core) else core
         for sought in untested:
             self.tell(sought.claim.number, seconds)
             runs.solver.push()
             formula = Formula(sought.claim, runs.run)
             runs.solver.add(*formula.constraints)
             if runs.check(formula.tested, seconds=seconds) == z3.unsat:
-                sought.is_vacuous, sought.looked = True, length
-                sought.against = self.smallest(runs, runs.core(), seconds, formula.tested)
+                core = self.smallest(runs, runs.core(), seconds, formula.tested)
+                if sought.looked_at_loops >= length or not self.may_go_on(core):
+                    sought.is_vacuous, sought.looked, sought.against = True, length, core
             runs.solver.pop()
+
+    def may_go_on(self, numbers: tuple[int, ...]) -> bool:
+        """Whether these axioms can demand messages for ever, so that only a run with a loop could keep them."""
+        return may_go_on(axiom for axiom in self.cone.axioms if axiom.number in numbers)
 
     def may_be_vacuous(self, sought: Sought) -> bool:
         """Whether no run puts a claim to the test, of all lengths that were asked for."""

@@ -117,12 +117,14 @@ def _concluded(group: Group, sought: Sought) -> Finding:
         )
         return _with_latency(group, sought, found)
     if group.contradiction:
-        return replace(base, result=Result.CONTRADICTORY, axioms=group.contradiction)
+        return replace(base, result=Result.CONTRADICTORY, axioms=group.contradiction, depth=sought.looked)
     if sought.is_vacuous:
         depth = 0 if sought.is_untestable else sought.looked
         return replace(base, result=Result.VACUOUS, axioms=sought.against, depth=depth, is_whole=sought.is_untestable)
     if sought.is_proved:
         return _with_latency(group, sought, replace(base, result=Result.PROVED, axioms=axioms, derivation=derivation))
+    if not group.is_consistent and not sought.is_proved:
+        return replace(base, result=Result.UNDETERMINED, reason="no run that keeps all axioms was found")
     if depth < 0:
         return replace(base, result=Result.UNDETERMINED, reason="the budget was spent before an answer")
     return _with_latency(group, sought, base)
