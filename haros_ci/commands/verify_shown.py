@@ -99,7 +99,7 @@ def sentence(answer: Finding, budget: float) -> str:
             length = "" if answer.is_whole else f" in runs of up to {events}"
             return f"nothing puts it to the test{length}; what excludes that:"
         case Result.CONTRADICTORY:
-            return f"no run of up to {events} keeps these axioms, so that anything would follow:"
+            return "no run keeps these axioms, so that anything would follow:"
         case Result.NOT_MODELLED:
             return f"formulas do not have {answer.reason}"
         case _:

@@ -11,9 +11,10 @@ from typing import Any
 
 import z3
 
+from haros_ci.behaviour.tree import PatternKind
 from haros_ci.verification.bounded import Bounded, bounded
 from haros_ci.verification.chains import Proof, Prover, suffices
-from haros_ci.verification.cones import Cone, may_go_on
+from haros_ci.verification.cones import Cone
 from haros_ci.verification.counterexamples import Completed, completed
 from haros_ci.verification.fields import Fields
 from haros_ci.verification.outcomes import Run
@@ -41,7 +42,6 @@ class Sought:
     is_vacuous: bool = False
     is_untestable: bool = False
     looked: int = 0
-    looked_at_loops: int = 0
     is_stuck: bool = False
     proof: Proof | None = None
     is_proved: bool = False
@@ -147,10 +147,7 @@ class Group:
             self.ask_for_violation(sought, runs, formula, seconds, is_looped=is_looped)
         if not sought.is_tested and sought.broken is None and not sought.is_stuck:
             sought.is_tested = runs.check(formula.tested, seconds=max(0.1, seconds / 4)) == z3.sat
-            if is_looped:
-                sought.looked_at_loops = runs.run.length
-            else:
-                sought.looked = runs.run.length
+            sought.looked = max(sought.looked, runs.run.length)
         runs.solver.pop()
 
     def ask_for_violation(
@@ -172,31 +169,34 @@ class Group:
             sought.is_stuck = True
 
     def look_for_reasons(self) -> None:
-        """Which axioms keep a claim from being put to the test, or exclude each other."""
+        """Which axioms keep a claim from being put to the test, or exclude each other: not only in short runs."""
         untested = [sought for sought in self.claims if self.may_be_vacuous(sought)]
         if not untested:
             return
-        length = max(sought.looked for sought in untested)
-        self.tell(untested[0].claim.number, self.problem.limits.budget)
-        runs = bounded(self.problem, self.cone, self.fields, length)
         seconds = max(1.0, self.problem.limits.budget / 4)
-        if not self.is_consistent and runs.check(seconds=seconds) == z3.unsat:
-            core = self.smallest(runs, runs.core(), seconds)
-            self.contradiction = () if self.may_go_on(core) else core
+        self.tell(untested[0].claim.number, self.problem.limits.budget)
+        if not self.is_consistent:
+            self.contradiction = self.excluded_demand(seconds)
+        length = max(sought.looked for sought in untested)
+        runs = bounded(self.problem, self.cone, self.fields, length, is_prefix=True)
         for sought in untested:
             self.tell(sought.claim.number, seconds)
             runs.solver.push()
             formula = Formula(sought.claim, runs.run)
             runs.solver.add(*formula.constraints)
             if runs.check(formula.tested, seconds=seconds) == z3.unsat:
-                core = self.smallest(runs, runs.core(), seconds, formula.tested)
-                if sought.looked_at_loops >= length or not self.may_go_on(core):
-                    sought.is_vacuous, sought.looked, sought.against = True, length, core
+                sought.is_vacuous, sought.looked = True, length
+                sought.against = self.smallest(runs, runs.core(), seconds, formula.tested)
             runs.solver.pop()
 
-    def may_go_on(self, numbers: tuple[int, ...]) -> bool:
-        """Whether these axioms can demand messages for ever, so that only a run with a loop could keep them."""
-        return may_go_on(axiom for axiom in self.cone.axioms if axiom.number in numbers)
+    def excluded_demand(self, seconds: float) -> tuple[int, ...]:
+        """An axiom that demands what others exclude, with these; () if none is found."""
+        for axiom in self.cone.axioms:
+            if axiom.stated.pattern.kind is PatternKind.SOME and not axiom.stated.scope.activator:
+                prover = Prover(self.problem, axiom, self.cone.axioms, self.fields, seconds)
+                if (found := prover.excluded(axiom.stated.pattern.behaviour)) is not None:
+                    return tuple(sorted({axiom.number, *found.axioms}))
+        return ()
 
     def may_be_vacuous(self, sought: Sought) -> bool:
         """Whether no run puts a claim to the test, of all lengths that were asked for."""

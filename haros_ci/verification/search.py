@@ -123,10 +123,13 @@ def _concluded(group: Group, sought: Sought) -> Finding:
         return replace(base, result=Result.VACUOUS, axioms=sought.against, depth=depth, is_whole=sought.is_untestable)
     if sought.is_proved:
         return _with_latency(group, sought, replace(base, result=Result.PROVED, axioms=axioms, derivation=derivation))
-    if not group.is_consistent and not sought.is_proved:
-        return replace(base, result=Result.UNDETERMINED, reason="no run that keeps all axioms was found")
     if depth < 0:
         return replace(base, result=Result.UNDETERMINED, reason="the budget was spent before an answer")
+    if not sought.is_tested:
+        what = "puts it to the test" if group.is_consistent else "keeps all axioms"
+        return replace(
+            base, result=Result.UNDETERMINED, reason=f"no run of so few events ({depth}) {what}; longer ones may"
+        )
     return _with_latency(group, sought, base)
 
 

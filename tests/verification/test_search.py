@@ -83,6 +83,7 @@ PROVED, NONE, VIOLATED, VACUOUS = Result.PROVED, Result.NONE, Result.VIOLATED, R
         ("globally: /c causes /a", VIOLATED, 3),
         ("globally: /a {x > 6} causes /c", VACUOUS, 0),
         ("after /c {x > 5}: no /a", VACUOUS, 0),
+        ("globally: /b {x > 5} requires /c", VACUOUS, 0),
         ("globally: /c requires (/a or /b)", PROVED, 0),
         ("after /a {x = 1} until /a {x = 2}: /c requires /b", VIOLATED, 6),
         ("after /a until /a {x = 2}: /a {x = 1} causes /b within 20 ms", VIOLATED, 7),
@@ -138,6 +139,19 @@ def test_axioms_that_exclude_each_other_are_named() -> None:
     axioms = (("/src", "globally: some /a"), ("/src", "globally: no /b"), ("/src", "globally: no /a"))
     found = answer("globally: no /a {x = 1}", axioms=axioms)
     assert (found.result, found.axioms) == (Result.CONTRADICTORY, (0, 2))
+    chain = (("/src", "globally: some /a"), ("/first", "globally: /a causes /b"), ("/first", "globally: no /b"))
+    found = answer("globally: no /b {x = 1}", axioms=chain)
+    assert (found.result, found.axioms) == (Result.CONTRADICTORY, (0, 1, 2))
+
+
+def test_a_run_that_is_too_short_is_no_contradiction() -> None:
+    axioms = (("/src", "globally: some /a"), *AXIOMS)
+    few = "no run of so few events (1) {}; longer ones may"
+    found = answer("globally: no /b {x > 4}", axioms=axioms, limits=Limits(1, 20))
+    assert (found.result, found.reason) == (Result.UNDETERMINED, few.format("keeps all axioms"))
+    found = answer("after /a {x = 1}: no /b {x = 2}", limits=Limits(1, 20))
+    assert (found.result, found.reason) == (Result.UNDETERMINED, few.format("puts it to the test"))
+    assert answer("after /a {x = 1}: no /b {x = 6}", limits=Limits(1, 20)).result is PROVED
 
 
 def test_axioms_that_go_on_for_ever_have_runs_with_a_loop() -> None:
