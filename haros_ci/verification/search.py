@@ -35,6 +35,7 @@ def findings(
     problem: Problem, tell: Tell = nobody, passed: Callable[[int], bool] = lambda number: False
 ) -> Iterator[Finding]:
     """What is found out about each claim but those that are *passed* over, in groups of the same cone."""
+    problem = problem.settled()
     left: list[tuple[int, str]] = []
     axioms = tuple(_modelled(problem, problem.axioms, left))
     refused: list[tuple[int, str]] = []

@@ -135,6 +135,14 @@ def test_a_message_is_lost_only_where_a_queue_can_overflow() -> None:
     assert found.result is VIOLATED
 
 
+@pytest.mark.parametrize("network", [AT_ONCE, LATER])
+def test_a_topic_that_a_node_has_by_its_promise_alone_is_published_by_it(network: Network) -> None:
+    axioms = (("/first", "globally: /z {x > 1} forbids /z"), ("/second", "globally: no /z {x = 7}"))
+    found = answer("globally: /z causes /z {x = 7} within 1 ms", axioms=axioms, network=network)
+    assert found.result is VIOLATED and found.run is not None
+    assert {step.node for step in found.run.steps if not step.received} <= {"/first", "/second"}
+
+
 def test_axioms_that_exclude_each_other_are_named() -> None:
     axioms = (("/src", "globally: some /a"), ("/src", "globally: no /b"), ("/src", "globally: no /a"))
     found = answer("globally: no /a {x = 1}", axioms=axioms)
