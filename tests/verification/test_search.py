@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import random
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 from importlib.util import find_spec
@@ -218,3 +220,11 @@ def test_what_is_proved_has_no_counterexample(monkeypatch: pytest.MonkeyPatch, n
     assert {finding.result for finding in search.findings(made)} == {PROVED}
     monkeypatch.setattr(groups, "suffices", lambda *_: False)
     assert {finding.result for finding in search.findings(made)} == {NONE}
+
+
+def test_random_systems_have_no_wrong_answer() -> None:
+    from verification.systems import system, wrong
+
+    seen: Counter[str] = Counter()
+    assert [text for number in range(6) for text in wrong(system(random.Random(f"pytest {number}"), 3), seen)] == []
+    assert seen["async: violated"] and seen["instant: violated"]
