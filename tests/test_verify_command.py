@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
 import threading
@@ -15,6 +16,8 @@ import pytest
 from commandline import TALKER_PACKAGE
 
 from haros_ci.cli import main
+from haros_ci.report.verify_mermaid import render
+from haros_ci.report.verify_text import ShownFinding, ShownRun, ShownStep, Verification, as_json, text
 
 needs_solver = pytest.mark.skipif(find_spec("z3") is None, reason="needs the extra: pip install 'haros-ci[verify]'")
 
@@ -80,9 +83,9 @@ def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def made(path: Path, monkeypatch: pytest.MonkeyPatch, project: str) -> Path:
-    for name, text in {**FILES, "haros.yaml": project}.items():
+    for name, content in {**FILES, "haros.yaml": project}.items():
         (path / name).parent.mkdir(parents=True, exist_ok=True)
-        (path / name).write_text(text, encoding="utf-8")
+        (path / name).write_text(content, encoding="utf-8")
     monkeypatch.chdir(path)
     return path
 
@@ -123,8 +126,18 @@ def test_properties_of_the_configuration_under_the_axioms_of_its_nodes(
 
 
 @needs_solver
+def test_the_page_shows_what_is_printed(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    main(["verify", "--no-cache", "--property", "alarms", "--property", "quick"])
+    page = (Path(__file__).resolve().parents[1] / "docs/verify.md").read_text(encoding="utf-8")
+    assert f"```text\n{capsys.readouterr().out}```" in page
+
+
+@needs_solver
 def test_a_later_network_has_its_latency(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
     code, found = verify(capsys, "--property", "alarms", "--network", "async", "--latency", "5")
+    assert (code, found["properties"][0]["verdict"]) == (0, "undetermined")
+    assert found["properties"][0]["reason"] == "no run of so few events (4) puts it to the test; longer ones may"
+    code, found = verify(capsys, "--property", "alarms", "--network", "async", "--latency", "5", "--depth", "5")
     (alarms,) = found["properties"]
     assert (code, alarms["verdict"], alarms["latency"]) == (1, "violated", "proved up to a latency of 0 s")
     text = "globally: /robot/level as L {data > 50} causes /alarm {data = @L.data} within 120 ms"
@@ -207,21 +220,21 @@ def test_without_the_solver_its_extra_is_named(
     assert "z3-solver, which is not installed" in message and "pip install 'haros-ci[verify]'" in message
 
 
-HOSTILE = "x; end\\n```<img src=x onerror=alert(1)> ##[error] %% {0} @everyone |"
+HOSTILE = "x; end\n```<img src=x onerror=alert(1)> ##[error] %% {0} @everyone | [a](http://b.example) \u202e\x1b[2J"
 
 
-@needs_solver
-def test_hostile_names_stay_in_their_sinks(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    text = f'# title: "{HOSTILE}"\n          # id: ok\n          globally: no /alarm {{data = 7}}'
-    project = PROJECT.split("      properties:")[0] + f"      properties:\n        - |\n          {text}\n"
-    made(tmp_path, monkeypatch, project)
-    launch = FILES["src/demo/launch/demo.launch"].replace("'/alarm'", "'/alarm'").replace("demo.launch", "demo.launch")
-    (tmp_path / "src/demo/launch/demo.launch").write_text(launch)
-    main(["verify", "--no-cache", "--property", "globally: no /alarm {data = 7 or data = 8}", "--output", "mermaid"])
-    page = capsys.readouterr().out
-    assert "<img" not in page and page.count("```") == 2
+def test_hostile_names_stay_in_their_sinks() -> None:
+    step = ShownStep(0.0, HOSTILE, HOSTILE, {HOSTILE: HOSTILE}, role="trigger", receivers=((HOSTILE + "2", None),))
+    later = ShownStep(0.5, HOSTILE, HOSTILE, {}, receives=True, of=0)
+    run = ShownRun((step, later), 0, 1.0, None)
+    one = ShownFinding(HOSTILE, HOSTILE, None, "violated", HOSTILE, HOSTILE, 0, False, "", (HOSTILE,), (), run)
+    found = Verification(HOSTILE, "messages arrive at once", 1, 1.0, (one,), (HOSTILE,), (HOSTILE,))
+    page, printed = render(found), text(found)
+    assert page.count("```") == 2 and "<img" not in page and "](" not in page and "@everyone" not in page
+    inside = re.sub(r"#\d+;", "", page.split("```")[1])  # without entities
+    assert not set(";<>\u202e\x1b") & set(inside.replace("->>", "").replace("-)", ""))
+    assert not {"\x1b", "\u202e"} & set(printed) and "##[" not in printed
+    assert json.loads(as_json(found))["configuration"] == HOSTILE
 
 
 SLOW = [

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from haros_ci.analysis.inspection import Architectures
 from haros_ci.analysis.monitored import Chosen, Monitored, chosen
 from haros_ci.checking.kinds import TOPIC
+from haros_ci.checking.properties import CONTAINERS
 from haros_ci.checking.system import End, System, SystemNode
 from haros_ci.errors import UserError
 from haros_ci.model.architecture import Qos
@@ -29,6 +30,14 @@ class ToVerify:
     chosen: Chosen
     notes: tuple[str, ...]
 
+    @property
+    def incomplete(self) -> tuple[str, ...]:
+        """The nodes that may publish on topics that are not known."""
+        nodes = (node for node in _nodes(self.chosen.system) if node.package not in CONTAINERS)
+        return tuple(
+            node.name for node in nodes if not node.complete or not all(end.known for end in node.of("publishers"))
+        )
+
     def places(self, node: str, topic: str, kind: str) -> tuple[Location, ...]:
         """Where *node* publishes on *topic*, or subscribes to it (*kind* as in the model)."""
         ends = (end for member in _nodes(self.chosen.system) if member.name == node for end in member.of(kind))
@@ -48,10 +57,7 @@ def to_verify(
     every = chosen(workspace, architectures, configuration, (), project_file)
     if every.system is None:
         raise UserError("no configuration is named", help="name one: --configuration NAME")
-    running = {node.name for node in _nodes(every.system)}
-    stated = [item for item in every.properties if not item.node or item.node in running]
-    axioms = [item for item in stated if item.node or item.stated.is_axiom]
-    claims = [item for item in stated if not item.node and not item.stated.is_axiom]
+    axioms, claims = _parted(every)
     notes = list(every.notes)
     if asked:
         picked = chosen(workspace, architectures, every.configuration, asked, project_file)
@@ -63,20 +69,27 @@ def to_verify(
             f"the configuration {every.configuration} has no properties to verify{for_nodes}",
             help="state them in the project file under hpl of the configuration, or give --property 'globally: …'",
         )
-    for found, most, what in ((claims, MOST_CLAIMS, "properties"), (axioms, MOST_AXIOMS, "axioms")):
-        if len(found) > most:
-            notes.append(f"of {len(found)} {what} the first {most} are looked at")
-            del found[most:]
+    notes += [*_cut(claims, MOST_CLAIMS, "properties"), *_cut(axioms, MOST_AXIOMS, "axioms")]
     properties = (*axioms, *claims)
-    made = [_claim(number, item) for number, item in enumerate(properties)]
-    problem = Problem(
-        tuple(_member(node) for node in _nodes(every.system)),
-        tuple(made[: len(axioms)]),
-        tuple(made[len(axioms) :]),
-        network,
-        limits,
-    )
+    made = tuple(_claim(number, item) for number, item in enumerate(properties))
+    members = tuple(_member(node) for node in _nodes(every.system))
+    problem = Problem(members, made[: len(axioms)], made[len(axioms) :], network, limits)
     return ToVerify(problem, properties, every, tuple(notes))
+
+
+def _parted(every: Chosen) -> tuple[list[Monitored], list[Monitored]]:
+    """What is taken for granted, and what is in question."""
+    running = {node.name for node in _nodes(every.system)}
+    stated = [item for item in every.properties if not item.node or item.node in running]
+    axioms = [item for item in stated if item.node or item.stated.is_axiom]
+    return axioms, [item for item in stated if not item.node and not item.stated.is_axiom]
+
+
+def _cut(found: list[Monitored], most: int, what: str) -> Iterator[str]:
+    """Leave out what is too much."""
+    if len(found) > most:
+        yield f"of {len(found)} {what} the first {most} are looked at"
+        del found[most:]
 
 
 def _nodes(system: System | None) -> tuple[SystemNode, ...]:

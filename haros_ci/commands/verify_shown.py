@@ -13,7 +13,7 @@ from haros_ci.behaviour.text import time_text
 from haros_ci.report.verify_text import ShownAxiom, ShownFinding, ShownRun, ShownStep, Verification
 from haros_ci.verification.cones import Cone, open_publishers
 from haros_ci.verification.outcomes import Finding, Result, Run, Step
-from haros_ci.verification.problem import ENVIRONMENT, Network
+from haros_ci.verification.problem import ENVIRONMENT, Network, Problem
 from haros_ci.verification.replay import messages
 
 SECOND = 1_000_000_000
@@ -133,23 +133,35 @@ def assumptions(asked: ToVerify, answers: Sequence[Finding]) -> Iterator[str]:
     """What the answers rest on besides the axioms."""
     problem = asked.problem
     topics = frozenset(topic for answer in answers for topic in answer.topics)
-    numbers = sorted({number for answer in answers for number in answer.cone})
+    numbers = {number for answer in answers for number in (*answer.cone, *answer.axioms)}
     cone = Cone(topics, tuple(axiom for axiom in problem.axioms if axiom.number in numbers))
     outside = [topic for topic in sorted(topics) if problem.publishers(topic) == (ENVIRONMENT,)]
     if outside:
         yield f"anything can come at any time, from outside, on {_names(outside)}: no node of the configuration publishes there"
     for node, of in _grouped(open_publishers(problem, cone)):
         yield f"{node} may publish anything on {_names(of)}: no axiom is about that"
+    yield from _lent(problem, cone)
+    yield from _left_out(asked, answers)
+    if numbers:
+        yield f"nodes keep their properties: {len(numbers)} axioms are used"
+    if topics:
+        yield "floating point numbers are real ones: nothing is rounded, no NaN, no infinity"
+
+
+def _left_out(asked: ToVerify, answers: Sequence[Finding]) -> Iterator[str]:
+    """What is not looked at."""
+    for number, reason in dict.fromkeys(item for answer in answers for item in answer.left):
+        yield f"the axiom {asked.properties[number].title} is left out: formulas do not have {reason}"
+    if asked.incomplete:
+        yield f"not all topics of {_names(asked.incomplete)} are known: what they publish besides is left out"
+
+
+def _lent(problem: Problem, cone: Cone) -> Iterator[str]:
+    """The topics that nodes have by their promises alone."""
     for axiom in cone.axioms:
         lent = [topic for topic in sorted(axiom.promised) if problem.is_lent(axiom, topic)]
         if lent:
             yield f"{axiom.node} publishes on {_names(lent)}: its property {axiom.title} says so, and the model does not have it"
-    for number, reason in dict.fromkeys(item for answer in answers for item in answer.left):
-        yield f"the axiom {asked.properties[number].title} is left out: formulas do not have {reason}"
-    if numbers:
-        yield f"nodes keep their properties: {len(numbers)} axioms are used"
-    if any(answer.topics for answer in answers):
-        yield "floating point numbers are real ones: nothing is rounded, no NaN, no infinity"
 
 
 def _grouped(pairs: Sequence[tuple[str, str]]) -> Iterator[tuple[str, list[str]]]:

@@ -110,20 +110,24 @@ def _lines(found: Verification) -> Iterator[str]:
     yield f"{found.configuration}: {len(found.properties)} properties, {found.network}"
     for one in found.properties:
         yield f"{SIGNS[one.verdict]} {one.verdict}: {one.title}"
-        yield f"    {one.sentence}"
-        if one.latency:
-            yield f"    {one.latency}"
-        yield from (f"      {link}" for link in one.derivation)
-        if one.verdict in ("vacuous", "axioms contradictory"):
-            yield from (f"      {axiom.node or 'the configuration'}: {axiom.title}" for axiom in one.axioms)
-        if one.run is not None:
-            yield from (f"    {line}" for line in run_lines(one.run))
+        yield from (f"    {line}" for line in _finding_lines(one))
     counts = {name: sum(one.verdict == name for one in found.properties) for name in SIGNS}
     yield ", ".join(f"{count} {name}" for name, count in counts.items() if count) or "nothing to verify"
     if found.assumptions:
         yield "assumed:"
         yield from (f"  - {sentence}" for sentence in found.assumptions)
     yield from (f"note: {note}" for note in found.notes)
+
+
+def _finding_lines(one: ShownFinding) -> Iterator[str]:
+    yield one.sentence
+    if one.latency:
+        yield one.latency
+    yield from (f"  {link}" for link in one.derivation)
+    if one.verdict in ("vacuous", "axioms contradictory"):
+        yield from (f"  {axiom.node or 'the configuration'}: {axiom.title}" for axiom in one.axioms)
+    if one.run is not None:
+        yield from run_lines(one.run)
 
 
 def run_lines(run: ShownRun) -> Iterator[str]:

@@ -8,6 +8,7 @@ from typing import Any
 
 import z3
 
+from haros_ci.behaviour.tree import PatternKind
 from haros_ci.verification.cones import Cone, heard
 from haros_ci.verification.fields import Fields
 from haros_ci.verification.patterns import Formula
@@ -43,15 +44,25 @@ class Bounded:
 
 
 def bounded(
-    problem: Problem, cone: Cone, fields: Fields, length: int, *, is_looped: bool = False, is_exact: bool = False
+    problem: Problem,
+    cone: Cone,
+    fields: Fields,
+    length: int,
+    *,
+    is_looped: bool = False,
+    is_exact: bool = False,
+    is_prefix: bool = False,
 ) -> Bounded:
-    """Runs of *length* events (*is_exact*: not fewer) on the topics of *cone* that keep its axioms."""
+    """Runs of *length* events (*is_exact*: not fewer) on the topics of *cone* that keep its axioms; with *is_prefix* beginnings of such runs,
+    which keep those that demand nothing."""
     options = options_of(problem, cone.topics, heard(problem, cone.axioms))
-    run = Unrolling(problem, options, fields, length, is_looped=is_looped, is_exact=is_exact)
+    run = Unrolling(problem, options, fields, length, is_looped=is_looped, is_exact=is_exact, is_prefix=is_prefix)
     solver = z3.Solver()
     solver.add(*run.constraints)
     literals = {}
     for axiom in cone.axioms:
+        if is_prefix and axiom.stated.pattern.kind in (PatternKind.SOME, PatternKind.CAUSES):
+            continue
         formula = Formula(axiom, run)
         literals[axiom.number] = z3.Bool(f"axiom {axiom.number}")
         solver.add(*formula.constraints, z3.Implies(literals[axiom.number], z3.Not(formula.violated)))

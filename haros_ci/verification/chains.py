@@ -93,10 +93,14 @@ class Prover:
         pattern, scope = self.claim.stated.pattern, self.claim.stated.scope
         first = {PatternKind.REQUIRES: pattern.behaviour, PatternKind.SOME: (), PatternKind.NO: ()}
         for events in (scope.activator, first.get(pattern.kind, pattern.trigger)):
-            found = self._all(events, self._impossible) if events and not self._asks(events) else None
+            found = self.excluded(events)
             if found is not None:
                 return found
         return None
+
+    def excluded(self, events: tuple[Event, ...]) -> Proof | None:
+        """A proof that none of *events* of the claim can come; None for no events."""
+        return self._all(events, self._impossible) if events and not self._asks(events) else None
 
     def _asks(self, events: tuple[Event, ...]) -> bool:
         return any(next(free_variables(event), None) is not None for event in events)
@@ -177,14 +181,29 @@ class Prover:
     # no
 
     def _impossible(self, met: Met, named: Mapping[str, Message], path: tuple[int, ...]) -> Proof | None:
-        """Why nobody publishes *met*: each publisher excludes it, or needs for it what is impossible itself."""
-        found: Proof | None = None
+        """Why nobody publishes *met*: it would demand what is impossible, or each publisher excludes it, or needs for it what is impossible."""
+        found = self._demands_impossible(met, path)
+        if found is not None:
+            return found
         for node in self.problem.publishers(met.topic):
             inner = self._excluded(node, met) or self._needs_impossible(node, met, path)
             if inner is None:
                 return None
             found = inner if found is None else found.beside(inner)
         return found
+
+    def _demands_impossible(self, met: Met, path: tuple[int, ...]) -> Proof | None:
+        if len(path) >= MOST_LINKS:
+            return None
+        for axiom in self._promising(PatternKind.CAUSES, path):
+            event = self._matched(met, axiom, axiom.stated.pattern.trigger)
+            if event is None or not self._arrives(met.topic, axiom):
+                continue
+            go_on = partial(self._impossible, named={}, path=(*path, axiom.number))
+            found = self._branches(axiom, event, met, axiom.stated.pattern.behaviour, go_on)
+            if found is not None:
+                return self._link(axiom).then(found)
+        return None
 
     def _needs_impossible(self, node: str, met: Met, path: tuple[int, ...]) -> Proof | None:
         if len(path) >= MOST_LINKS:

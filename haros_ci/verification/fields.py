@@ -201,6 +201,8 @@ def _slot(topic: str, chain: Expression, typed: Any, use: Kind) -> Slot:
     if not isinstance(typed, FieldType):
         if typed is not None:
             raise NotModelled(f"a whole message as a value: {expression_text(chain)}")
+        if str(made.path[-1]).isupper():
+            raise NotModelled(f"{expression_text(chain)}, a constant of a message whose definition is not known")
         return made
     if typed.form:
         raise NotModelled(f"a whole array as a value: {expression_text(chain)}")

@@ -11,6 +11,7 @@ from typing import Any
 
 import z3
 
+from haros_ci.behaviour.tree import PatternKind
 from haros_ci.verification.bounded import Bounded, bounded
 from haros_ci.verification.chains import Proof, Prover, suffices
 from haros_ci.verification.cones import Cone
@@ -168,16 +169,16 @@ class Group:
             sought.is_stuck = True
 
     def look_for_reasons(self) -> None:
-        """Which axioms keep a claim from being put to the test, or exclude each other."""
+        """Which axioms keep a claim from being put to the test, or exclude each other: not only in short runs."""
         untested = [sought for sought in self.claims if self.may_be_vacuous(sought)]
         if not untested:
             return
-        length = max(sought.looked for sought in untested)
-        self.tell(untested[0].claim.number, self.problem.limits.budget)
-        runs = bounded(self.problem, self.cone, self.fields, length)
         seconds = max(1.0, self.problem.limits.budget / 4)
-        if not self.is_consistent and runs.check(seconds=seconds) == z3.unsat:
-            self.contradiction = self.smallest(runs, runs.core(), seconds)
+        self.tell(untested[0].claim.number, self.problem.limits.budget)
+        if not self.is_consistent:
+            self.contradiction = self.excluded_demand(seconds)
+        length = max(sought.looked for sought in untested)
+        runs = bounded(self.problem, self.cone, self.fields, length, is_prefix=True)
         for sought in untested:
             self.tell(sought.claim.number, seconds)
             runs.solver.push()
@@ -187,6 +188,15 @@ class Group:
                 sought.is_vacuous, sought.looked = True, length
                 sought.against = self.smallest(runs, runs.core(), seconds, formula.tested)
             runs.solver.pop()
+
+    def excluded_demand(self, seconds: float) -> tuple[int, ...]:
+        """An axiom that demands what others exclude, with these; () if none is found."""
+        for axiom in self.cone.axioms:
+            if axiom.stated.pattern.kind is PatternKind.SOME and not axiom.stated.scope.activator:
+                prover = Prover(self.problem, axiom, self.cone.axioms, self.fields, seconds)
+                if (found := prover.excluded(axiom.stated.pattern.behaviour)) is not None:
+                    return tuple(sorted({axiom.number, *found.axioms}))
+        return ()
 
     def may_be_vacuous(self, sought: Sought) -> bool:
         """Whether no run puts a claim to the test, of all lengths that were asked for."""

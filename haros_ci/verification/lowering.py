@@ -101,13 +101,8 @@ def _members(quantifier: Quantifier, typed: Callable[[Expression], Typed]) -> li
     found: list[Expression] | None = None
     if isinstance(domain, SetOf):
         found = list(domain.values)
-    elif isinstance(domain, Range) and isinstance(domain.low, Literal) and isinstance(domain.high, Literal):
-        low, high = domain.low.value, domain.high.value
-        if isinstance(low, (int, float)) and isinstance(high, (int, float)) and abs(low) + abs(high) < 1e9:
-            first, last = math.ceil(low), math.floor(high)
-            first += domain.open_low and first == low
-            last -= domain.open_high and last == high
-            found = [_number(value) for value in range(first, min(last + 1, first + MOST_MEMBERS + 1))]
+    elif isinstance(domain, Range):
+        found = _whole_numbers(domain)
     else:
         known = typed(domain)
         if isinstance(known, FieldType) and known.form == "array":
@@ -115,6 +110,19 @@ def _members(quantifier: Quantifier, typed: Callable[[Expression], Typed]) -> li
     if found is None or len(found) > MOST_MEMBERS:
         raise NotModelled(f"a quantifier over {expression_text(domain)}")
     return found
+
+
+def _whole_numbers(domain: Range) -> list[Expression] | None:
+    """Those of a range between literals, or one more than are looked at; None for other ranges."""
+    if not isinstance(domain.low, Literal) or not isinstance(domain.high, Literal):
+        return None
+    low, high = domain.low.value, domain.high.value
+    if isinstance(low, str) or isinstance(high, str) or not abs(low) + abs(high) < 1e9:
+        return None
+    first, last = math.ceil(low), math.floor(high)
+    first += domain.open_low and first == low
+    last -= domain.open_high and last == high
+    return [_number(value) for value in range(first, min(last + 1, first + MOST_MEMBERS + 1))]
 
 
 def _number(value: int) -> Literal:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from haros_ci.behaviour.messages import Typed
 from haros_ci.behaviour.tree import Event, Expression, Property
@@ -120,6 +120,16 @@ class Problem:
 
     def member(self, name: str) -> Member | None:
         return next((member for member in self.members if member.name == name), None)
+
+    def settled(self) -> Problem:
+        """The same problem, in which nodes publish on what they are lent."""
+
+        def whole(member: Member) -> Member:
+            own = (axiom for axiom in self.axioms if axiom.node == member.name)
+            lent = {topic for axiom in own for topic in axiom.promised if self.is_lent(axiom, topic)}
+            return replace(member, publishes=member.publishes | lent)
+
+        return replace(self, members=tuple(map(whole, self.members)))
 
     def hears(self, node: str, topic: str) -> bool:
         """Whether properties of *node* mean the messages that it receives on *topic*, where they depend on it."""

@@ -35,6 +35,7 @@ def findings(
     problem: Problem, tell: Tell = nobody, passed: Callable[[int], bool] = lambda number: False
 ) -> Iterator[Finding]:
     """What is found out about each claim but those that are *passed* over, in groups of the same cone."""
+    problem = problem.settled()
     left: list[tuple[int, str]] = []
     axioms = tuple(_modelled(problem, problem.axioms, left))
     refused: list[tuple[int, str]] = []
@@ -117,7 +118,7 @@ def _concluded(group: Group, sought: Sought) -> Finding:
         )
         return _with_latency(group, sought, found)
     if group.contradiction:
-        return replace(base, result=Result.CONTRADICTORY, axioms=group.contradiction)
+        return replace(base, result=Result.CONTRADICTORY, axioms=group.contradiction, depth=sought.looked)
     if sought.is_vacuous:
         depth = 0 if sought.is_untestable else sought.looked
         return replace(base, result=Result.VACUOUS, axioms=sought.against, depth=depth, is_whole=sought.is_untestable)
@@ -125,6 +126,11 @@ def _concluded(group: Group, sought: Sought) -> Finding:
         return _with_latency(group, sought, replace(base, result=Result.PROVED, axioms=axioms, derivation=derivation))
     if depth < 0:
         return replace(base, result=Result.UNDETERMINED, reason="the budget was spent before an answer")
+    if not sought.is_tested:
+        what = "puts it to the test" if group.is_consistent else "keeps all axioms"
+        return replace(
+            base, result=Result.UNDETERMINED, reason=f"no run of so few events ({depth}) {what}; longer ones may"
+        )
     return _with_latency(group, sought, base)
 
 

@@ -52,7 +52,7 @@ def options_of(problem: Problem, topics: Iterable[str], heard: Iterable[tuple[st
 
 
 class Unrolling:
-    """Runs of *length* events. ``constraints`` say what a run is."""
+    """Runs of *length* events. ``constraints`` say what a run is. With *is_prefix* it goes on: messages can be on their way at its end."""
 
     def __init__(
         self,
@@ -63,9 +63,10 @@ class Unrolling:
         *,
         is_looped: bool = False,
         is_exact: bool = False,
+        is_prefix: bool = False,
     ) -> None:
         self.problem, self.options, self.fields, self.length = problem, options, fields, length
-        self.is_looped = is_looped
+        self.is_looped, self.is_prefix = is_looped, is_prefix
         steps = range(length)
         self.steps = steps
         self.happens = {(i, o): z3.Bool(f"event {i} {n}") for i in steps for n, o in enumerate(options)}
@@ -181,7 +182,8 @@ class Unrolling:
                 if held:
                     self.say(z3.Implies(match, z3.And(*held)))
             self.say(z3.Implies(got[i], one_of(*sources)))
-        self.say(_equal(so_far[self.length], arrived[self.length]))
+        if not self.is_prefix:
+            self.say(_equal(so_far[self.length], arrived[self.length]))
         for i, begins in enumerate(self.loops):
             self.say(z3.Implies(begins, _equal(so_far[i], arrived[i])))
 

@@ -108,6 +108,7 @@ def test_a_formula_says_what_the_closure_says(text: str) -> None:
     ("text", "construct"),
     [
         ("sin(x) > 0", "the function sin"),
+        ("state = DROPPED", "DROPPED, a constant of a message whose definition is not known"),
         ("items[n] > 0", "an index that depends on a message"),
         ("forall i in items: items[@i] > 0", "a quantifier over items"),
         ("forall i in [0 to 1000]: n > @i", "a quantifier over"),

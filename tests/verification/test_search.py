@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import random
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 from importlib.util import find_spec
@@ -83,6 +85,7 @@ PROVED, NONE, VIOLATED, VACUOUS = Result.PROVED, Result.NONE, Result.VIOLATED, R
         ("globally: /c causes /a", VIOLATED, 3),
         ("globally: /a {x > 6} causes /c", VACUOUS, 0),
         ("after /c {x > 5}: no /a", VACUOUS, 0),
+        ("globally: /b {x > 5} requires /c", VACUOUS, 0),
         ("globally: /c requires (/a or /b)", PROVED, 0),
         ("after /a {x = 1} until /a {x = 2}: /c requires /b", VIOLATED, 6),
         ("after /a until /a {x = 2}: /a {x = 1} causes /b within 20 ms", VIOLATED, 7),
@@ -134,10 +137,31 @@ def test_a_message_is_lost_only_where_a_queue_can_overflow() -> None:
     assert found.result is VIOLATED
 
 
+@pytest.mark.parametrize("network", [AT_ONCE, LATER])
+def test_a_topic_that_a_node_has_by_its_promise_alone_is_published_by_it(network: Network) -> None:
+    axioms = (("/first", "globally: /z {x > 1} forbids /z"), ("/second", "globally: no /z {x = 7}"))
+    found = answer("globally: /z causes /z {x = 7} within 1 ms", axioms=axioms, network=network)
+    assert found.result is VIOLATED and found.run is not None
+    assert {step.node for step in found.run.steps if not step.received} <= {"/first", "/second"}
+
+
 def test_axioms_that_exclude_each_other_are_named() -> None:
     axioms = (("/src", "globally: some /a"), ("/src", "globally: no /b"), ("/src", "globally: no /a"))
     found = answer("globally: no /a {x = 1}", axioms=axioms)
     assert (found.result, found.axioms) == (Result.CONTRADICTORY, (0, 2))
+    chain = (("/src", "globally: some /a"), ("/first", "globally: /a causes /b"), ("/first", "globally: no /b"))
+    found = answer("globally: no /b {x = 1}", axioms=chain)
+    assert (found.result, found.axioms) == (Result.CONTRADICTORY, (0, 1, 2))
+
+
+def test_a_run_that_is_too_short_is_no_contradiction() -> None:
+    axioms = (("/src", "globally: some /a"), *AXIOMS)
+    few = "no run of so few events (1) {}; longer ones may"
+    found = answer("globally: no /b {x > 4}", axioms=axioms, limits=Limits(1, 20))
+    assert (found.result, found.reason) == (Result.UNDETERMINED, few.format("keeps all axioms"))
+    found = answer("after /a {x = 1}: no /b {x = 2}", limits=Limits(1, 20))
+    assert (found.result, found.reason) == (Result.UNDETERMINED, few.format("puts it to the test"))
+    assert answer("after /a {x = 1}: no /b {x = 6}", limits=Limits(1, 20)).result is PROVED
 
 
 def test_axioms_that_go_on_for_ever_have_runs_with_a_loop() -> None:
@@ -196,3 +220,11 @@ def test_what_is_proved_has_no_counterexample(monkeypatch: pytest.MonkeyPatch, n
     assert {finding.result for finding in search.findings(made)} == {PROVED}
     monkeypatch.setattr(groups, "suffices", lambda *_: False)
     assert {finding.result for finding in search.findings(made)} == {NONE}
+
+
+def test_random_systems_have_no_wrong_answer() -> None:
+    from verification.systems import system, wrong
+
+    seen: Counter[str] = Counter()
+    assert [text for number in range(6) for text in wrong(system(random.Random(f"pytest {number}"), 3), seen)] == []
+    assert seen["async: violated"] and seen["instant: violated"]

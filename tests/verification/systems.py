@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Random systems, looked at in three networks: the monitor must confirm each counterexample, and nothing that is proved may have one."""
+
+from __future__ import annotations
+
+import random
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import replace
+
+from monitoring.traces import PATTERNS, SCOPES, drawn
+
+from haros_ci.behaviour.parser import parse_property
+from haros_ci.verification.outcomes import Result
+from haros_ci.verification.problem import Claim, Limits, Member, Network, Problem
+
+MS = 1_000_000
+MEMBERS = (
+    Member("/n1", frozenset(("/a", "/b")), {"/d": 2}),
+    Member("/n2", frozenset(("/c",)), {"/a": 1, "/b": 10}),
+    Member("/n3", frozenset(("/b",)), {"/c": 0, "/a": 2}),
+)
+NETWORKS = {
+    "instant": Network(),
+    "async": Network(True, 0, 3 * MS),
+    "async with loss": Network(True, 1 * MS, 4 * MS, True),
+}
+
+
+def system(draw: random.Random, depth: int) -> Problem:
+    """Axioms of the whole, which chains are made of, are more frequent than others."""
+
+    def claim(number: int, node: str) -> Claim:
+        scope = draw.choice(SCOPES) if draw.random() < 0.4 else "globally"
+        return Claim(number, "", parse_property(str(drawn(draw, draw.choice(PATTERNS), scope))), node=node)
+
+    axioms = tuple(claim(n, draw.choice(("/n1", "/n2", "/n3", ""))) for n in range(draw.randrange(2, 6)))
+    return Problem(MEMBERS, axioms, tuple(claim(100 + n, "") for n in range(3)), limits=Limits(depth, 20))
+
+
+def wrong(made: Problem, seen: Counter[str]) -> Iterator[str]:
+    """What must not be, in sentences; *seen* counts the answers."""
+    from haros_ci.verification import groups
+    from haros_ci.verification.search import findings
+
+    for name, network in NETWORKS.items():
+        problem = replace(made, network=network)
+        found = {finding.number: finding for finding in findings(problem)}
+        for finding in found.values():
+            seen[f"{name}: {finding.result.value}"] += 1
+            if "disagrees" in finding.reason:
+                yield f"{name}, {finding.number}: {finding.reason}"
+        proved = tuple(claim for claim in problem.claims if found[claim.number].result is Result.PROVED)
+        usual, groups.suffices = groups.suffices, lambda *_: False
+        try:
+            answers = list(findings(replace(problem, claims=proved)))
+        finally:
+            groups.suffices = usual
+        for finding in answers:
+            if finding.result is Result.VIOLATED:
+                yield f"{name}, {finding.number}: proved and violated"
