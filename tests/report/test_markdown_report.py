@@ -54,7 +54,9 @@ def many(count: int, message: str = "m") -> list[Result]:
 
 def test_what_it_says() -> None:
     text = markdown.render(PLAIN)
-    assert text.startswith("## haros-ci: 4 findings: 2 errors, 2 notes\n\n2 findings at or above 'warning' fail this run.\n")
+    assert text.startswith(
+        "## haros-ci: 4 findings: 2 errors, 2 notes\n\n2 findings at or above 'warning' fail this run.\n"
+    )
     assert text.count("\n| ") == 5 and "Looked at 1 package" in text
     assert "CAUTION" not in text and "more finding" not in text
 
