@@ -29,11 +29,11 @@ def check(system: System) -> Iterator[Finding]:
 
 
 def _finding(channel: Channel, end: End, condition: Condition, counting: list[End]) -> Finding:
-    effect = "it gets no message" if channel.kind == "topic" else "it gets no answer"
+    effect = f"{counting[0].node} gets no {'message' if channel.kind == 'topic' else 'answer'}"
     return Finding(
         at=end.location,
-        message=f"{end.node} is {_article(end.word)} of {channel} only if {condition.condition or condition.statement}, "
-        f"but {counting[0].node} is always {_article(counting[0].word)} of it: if the condition is false, "
+        message=f"{end.node} is {_article(end.word)} of {channel} only under the condition {condition.condition or condition.statement!r}, "
+        f"but {counting[0].node} is always {_article(counting[0].word)} of {channel}: if the condition is false, "
         f"{effect}; create both under the same condition",
         about=(channel, end),
         related=((condition.location, "the condition"), *((other.location, str(other)) for other in counting)),

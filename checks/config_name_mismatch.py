@@ -48,7 +48,7 @@ def _name_spaces(package: ProjectPackage, path: str, name: str) -> Iterator[Find
         yield Finding(
             at=Location(path, text.count("\n", 0, call.start()) + 1),
             message=f"{posixpath.basename(path)} generates {name}Config for the package {other}, but it belongs to {package.name}: the header is "
-            f"{right}, with the class in the name space {other}, and {file.path} {message}, so that it does not build; write "
+            f"{right}, with the class in the namespace {other}, and {file.path} {message}, so that it does not build; write "
             f'"{package.name}" as the package, and in the code {right} and {package.name}::{name}Config',
             about=(package.name, path),
             related=((Location(file.path, line), message),),

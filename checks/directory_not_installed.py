@@ -304,9 +304,10 @@ def _finding(package: ProjectPackage, thing: str, need: _Need, is_idle: bool) ->
         )
     elif need.places:
         many = f"{len(need.places)} places need" if len(need.places) > 1 else "one place needs"
-        message = f"{what} of {package.name} is not installed, but {many} it"
+        message = f"{what} of {package.name} is not installed, but {many} it; {_how(package, is_folder)}"
     else:
-        message = f"{what} of {package.name} is not installed: ros2 launch finds none of its launch files"
+        message = f"{what} of {package.name} is not installed: ros2 launch finds none of its launch files; "
+        message += _how(package, is_folder)
     if not need.wrong and is_folder and package.build.commands:
         fix = install_directory(package, thing)
     return Finding(
@@ -322,6 +323,11 @@ def _finding(package: ProjectPackage, thing: str, need: _Need, is_idle: bool) ->
         else Level.WARNING,
         fixes=(fix,) if fix is not None else (),
     )
+
+
+def _how(package: ProjectPackage, is_folder: bool) -> str:
+    """What to write so that it is installed."""
+    return f"add it to install({'DIRECTORY' if is_folder else 'FILES'} ...)" if package.build.commands else "install it"
 
 
 CHECK = Check(

@@ -33,7 +33,7 @@ def check(properties: Properties) -> Iterator[Finding]:
                 if near
                 else "; state the property for a configuration, or correct the topic"
             )
-            message = f"The node {owner.name} neither publishes nor subscribes to {event.topic}: HAROS drops this property{hint}"
+            message = f"The node {owner.name} neither publishes nor subscribes to {event.topic}: the property says nothing of this node, and HAROS leaves it out{hint}"
             yield found(stated, event.topic_at, message, event.topic)
 
 

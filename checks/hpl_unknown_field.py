@@ -22,7 +22,7 @@ def check(properties: Properties) -> Iterator[Finding]:
                 lacking = scene.typed(part) if isinstance(part, Field) else None
                 if isinstance(lacking, Missing) and lacking.field is part:
                     name, message = part.name, lacking.message
-                    text = f"{message.name} has no field or constant {name}: HAROS drops this property{_meant(name, message.names)}"
+                    text = f"{message.name} has no field or constant {name}: the property cannot be checked, and HAROS leaves it out{_meant(name, message.names)}"
                     yield found(stated, part.name_at, text, event.topic, message.name, name)
 
 

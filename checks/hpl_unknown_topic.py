@@ -25,7 +25,7 @@ def check(properties: Properties) -> Iterator[Finding]:
             name = event.topic if event.topic.startswith("/") else f"/{event.topic}"
             if event.topic.startswith("~") or properties.may_have(owner, event.topic):
                 continue
-            message = f"No node of {owner} publishes or subscribes to {event.topic}: HAROS drops this property{_meant(name, known)}"
+            message = f"No node of {owner} publishes or subscribes to {event.topic}: the property says nothing of this system, and HAROS leaves it out{_meant(name, known)}"
             yield found(stated, event.topic_at, message, event.topic)
 
 

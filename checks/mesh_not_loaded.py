@@ -139,7 +139,7 @@ def fault(mesh: Mesh, project: Project, meshes: list[str]) -> str:
             return ""  # a package whose meshes come from elsewhere
         return (
             f"the mesh {mesh.filename} does not exist: the link is not displayed, and collision checks "
-            f"fail{meant(mesh.similar)}"
+            f"fail{meant(mesh.similar) or '; add the file, or correct its path'}"
         )
     if mesh.path is not None and mesh.path.lower().endswith(".stl") and is_disguised(project.workspace.head(mesh.path)):
         name = mesh.path.rpartition("/")[2]

@@ -36,12 +36,13 @@ def _of_file(system: System, unserved: list[ParameterFileUse], uses: tuple[Param
             )
             if is_meant and _key(node_pattern) not in reported:
                 reported.add(_key(node_pattern))
-                called = f"{use.node}, which" if use.node else f"the node of {'/'.join(use.program)}, which"
+                node = use.node or f"the node of {'/'.join(use.program)}"
                 yield Finding(
                     at=node_pattern.location,
                     message=(
-                        f"the section {node_pattern.pattern} matches no node that gets this file: {called} has another name and gets none "
-                        f"of these parameters; write {_right(use)} or /** here, or name the node {node_pattern.pattern}"
+                        f"no node that loads this file has the name of its section {node_pattern.pattern}: {node} is called "
+                        f"otherwise, so it gets none of these parameters; write {_right(use)} or /** here, or name the node "
+                        f"{node_pattern.pattern}"
                     ),
                     about=(node_pattern.pattern, "/".join(use.program)),
                     flow=(

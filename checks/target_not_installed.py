@@ -97,10 +97,11 @@ def _left_out(package: ProjectPackage, group: list[Uninstalled]) -> Finding:
     first, kind = group[0], group[0].kind
     runner = "ros2 run and launch do" if package.ros == 2 else "in an install space rosrun and roslaunch do"
     names = [other_uninstalled.shown for other_uninstalled in group]
+    command = f"install({'PROGRAMS' if kind == 'script' else 'TARGETS'} ...)"
     if len(group) == 1:
-        message = f"the {kind} {first.shown} is not installed: {runner} not find it"
+        message = f"the {kind} {first.shown} is not installed: {runner} not find it; add it to {command}"
     else:
-        message = f"the {kind}s {_listed(names)} are not installed: {runner} not find them"
+        message = f"the {kind}s {_listed(names)} are not installed: {runner} not find them; add them to {command}"
     things = tuple(other_uninstalled.name for other_uninstalled in group)
     others = ((other_uninstalled.at, f"{other_uninstalled.shown} is not installed") for other_uninstalled in group[1:])
     return Finding(

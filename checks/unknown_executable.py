@@ -32,7 +32,8 @@ def check(system: System) -> Iterator[Finding]:
             continue
         yield Finding(
             at=use.location,
-            message=f"package {use.package} {_WORDS[use.kind]} {use.program!r}: this node cannot start{meant(use.similar)}",
+            message=f"package {use.package} {_WORDS[use.kind]} {use.program!r}: this node cannot start"
+            + (meant(use.similar) or "; correct the name, or build and install it"),
             about=(f"{use.package}/{use.program}",),
             flow=included_by(use),
             apart=(use.program,),

@@ -248,7 +248,7 @@ def test_what_is_not_among_the_worst(value: Measurement) -> None:
 
 def test_the_table() -> None:
     assert table([function("f", 40)], LIMITS, 10) == (
-        "The worst 1, by how often the value holds the limit:\n"
+        "The worst 1, by value divided by limit:\n"
         "  value  limit  metric                 of        what  where\n"
         "  40     10     cyclomatic-complexity  function  f     src/a.cpp:3\n"
         "\n"

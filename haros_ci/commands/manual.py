@@ -13,15 +13,15 @@ Exit codes:
   0    clean, or nothing new
   1    a new, unsuppressed result at or above --fail-on
   2    wrong usage or configuration; a base revision that cannot be had, unless --no-require-baseline
-  3    a tool was missing, crashed or timed out; no baseline under --require-baseline; an output had no room
+  3    a tool was missing, crashed or timed out; no baseline under --require-baseline; an output could not be written
   130  interrupted; 128+N where signal N ended it: 129 SIGHUP, 131 SIGQUIT, 143 SIGTERM
 
 \b
 Environment:
-  HAROS_CI_CACHE       where the cache lies, unless --cache-dir says it
+  HAROS_CI_CACHE       directory of the cache, if --cache-dir is not given
   HAROS_CI_PLUGINS     plug-ins, separated by commas, before those of --plugin
   HAROS_CI_SANDBOX     off: linters run without the sandbox of the kernel
-  HAROS_CI_DEBUG       show the trace of a fault of haros-ci
+  HAROS_CI_DEBUG       show the traceback of an error in haros-ci
   NO_COLOR             no colours
   COLUMNS              width of the text format
   TMPDIR               where temporary files lie (otherwise /dev/shm for a small workspace, or /tmp)
@@ -144,7 +144,7 @@ EXAMPLES: Mapping[str, tuple[tuple[str, str], ...]] = {
         ("rules of one tool, by a part of the name", "haros-ci rules undeclared --tool haros-ci"),
     ),
     "explain": (
-        ("a rule by its id, its catalogue id or HAROS's", "haros-ci explain G06"),
+        ("a rule by its id, its number in docs/checks.md, or its name in HAROS", "haros-ci explain G06"),
         ("the whole page, with all examples", "haros-ci explain topic-type-mismatch --full"),
     ),
     "init": (("see first what would be written", "haros-ci init --dry-run"),),

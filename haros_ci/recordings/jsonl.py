@@ -72,7 +72,7 @@ class JsonLines(Recording):
                 except NoMessage as err:
                     faults += 1
                     if faults == 1:
-                        self.notes.append(f"line {row} is no message: {err}")
+                        self.notes.append(f"line {row} is not a message: {err}")
                     if faults > MOST_FAULTS:
                         raise UserError(
                             f"{self.name}: more than {MOST_FAULTS} lines are no messages",
@@ -121,21 +121,21 @@ def message_of(line: bytes) -> tuple[str, int, Any]:
     try:
         found = json.loads(line, parse_int=_whole)
     except (ValueError, RecursionError):
-        raise NoMessage("it is no JSON, or too long") from None
+        raise NoMessage("it is not JSON, or too long") from None
     if not isinstance(found, dict):
-        raise NoMessage("it is no object")
+        raise NoMessage("it is not a JSON object")
     topic, time = found.get("topic"), found.get("time")
     if topic is None and isinstance(found.get("service"), str):
         raise OfService
     if not isinstance(topic, str) or not topic:
-        raise NoMessage("it has no topic")
+        raise NoMessage("its 'topic' is missing, or not a text")
     if (
         isinstance(time, bool)
         or not isinstance(time, (int, float))
         or not math.isfinite(time)
         or not 0 <= time * SECOND < LATEST
     ):
-        raise NoMessage("it has no time in seconds")
+        raise NoMessage("its 'time' is missing, or not a number of seconds")
     at = time * SECOND if isinstance(time, int) else round(time * SECOND)
     if isinstance(found.get("msg"), dict):
         return full_name(topic), at, found["msg"]

@@ -85,7 +85,7 @@ def _lines(held: Held) -> Iterator[str]:
         if one.verdict == "violated":
             yield from _violation(one, held)
         scopes, triggers, behaviours = one.counts
-        yield f"    scope opened {scopes} times, {triggers} triggers, {behaviours} times the behaviour"
+        yield f"    counted: {scopes} openings of the scope, {triggers} triggers, {behaviours} behaviours"
         if one.note:
             yield terminal(f"    {one.note}")
     counts = {name: sum(one.verdict == name for one in held.properties) for name in SIGNS}

@@ -71,6 +71,11 @@ def compared(report: Report) -> bool:
     return report.baseline is not None and report.baseline.available
 
 
+def baseline(report: Report) -> str:
+    """What findings were compared with, so that *new* has a meaning, else ""."""
+    return f"Compared with {report.baseline.source}." if report.baseline and compared(report) else ""
+
+
 def headline(report: Report, counts: ResultCounts) -> str:
     """``3 new findings: 1 error, 2 warnings``; never without what makes it less than the truth."""
     new = "new " if compared(report) else ""
@@ -106,7 +111,7 @@ def verdict(report: Report, counts: ResultCounts) -> str:
         return "Findings do not fail this run."
     threshold = f"at or above '{report.fail_on.value}'"
     if counts.failing:
-        return f"{plural(counts.failing, 'finding')} {threshold}."
+        return f"{plural(counts.failing, 'finding')} {threshold} {'fails' if counts.failing == 1 else 'fail'} this run."
     return f"Nothing {'new ' if compared(report) else ''}{threshold}."
 
 
@@ -133,7 +138,7 @@ def covered(report: Report) -> str:
 def given_up(report: Report) -> str:
     """How many files each tool could not analyse, or not all of them, else ""."""
     messages = [f"{tool} on {plural(len(files), 'file')}" for tool, files in _given_up(report)]
-    return f"Gave up: {', '.join(messages)}." if messages else ""
+    return f"Not analysed in full: {', '.join(messages)}." if messages else ""
 
 
 def given_up_on(report: Report, printed: Level | None = None) -> tuple[tuple[str, str], ...]:

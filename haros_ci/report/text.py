@@ -201,10 +201,8 @@ def _summary(report: Report, counts: summary.ResultCounts, paint: Paint) -> Iter
     loud = COLORS[Level.ERROR]
     failed = counts.failing or report.failed_tools() or summary.no_baseline(report)
     yield paint(loud if failed else BOLD, summary.headline(report, counts))
-    if known := summary.known(counts):
-        yield f"  {known}"
-    if silenced := counted(report.silenced):
-        yield f"  {silenced}"
+    for line in filter(None, (summary.baseline(report), summary.known(counts), counted(report.silenced))):
+        yield f"  {terminal(line)}"
     yield f"  {summary.verdict(report, counts)}"
     if metrics := summary.metrics(report):
         yield f"  {metrics}"

@@ -46,11 +46,7 @@ def table(values: Iterable[Measurement], limits: Iterable[Limit], most: int) -> 
     rows = [HEAD, *(_row(value, limit) for value, limit in chosen)]
     widths = [max(len(row[column]) for row in rows) for column in range(len(HEAD))]
     lines = ["  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows]
-    return (
-        f"The worst {len(chosen)}, by how often the value holds the limit:\n"
-        + "".join(f"  {line}\n" for line in lines)
-        + "\n"
-    )
+    return f"The worst {len(chosen)}, by value divided by limit:\n" + "".join(f"  {line}\n" for line in lines) + "\n"
 
 
 def _row(value: Measurement, limit: Limit) -> tuple[str, ...]:

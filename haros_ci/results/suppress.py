@@ -117,8 +117,8 @@ class _CommentJudge:
 
 def _unused(directive: Directive, idle: list[str]) -> Result:
     names = ", ".join(f"'{name}'" for name in idle)
-    verb, them = ("reports", "it") if len(idle) == 1 else ("report", "them")
-    message = f"In the comment '{directive.words}', {names} {verb} nothing there. Remove {them}."
+    verb, them = ("suppresses", "it") if len(idle) == 1 else ("suppress", "them")
+    message = f"In the comment '{directive.words}', {names} {verb} no finding. Remove {them}."
     rule = own.UNUSED_SUPPRESSION
     return Result(own.TOOL, rule.id, rule.level, message, directive.place)
 

@@ -271,7 +271,7 @@ def test_text(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run(write(tmp_path, FILES), capfd, "--level", "function", "--metric", "nested_control")
     assert code == 0
     assert out == (
-        "The worst 1, by how often the value holds the limit:\n"
+        "The worst 1, by value divided by limit:\n"
         "  value  limit  metric          of        what  where\n"
         "  6      4      nested-control  function  A f   one/a.cpp:2\n"
         "\n"

@@ -71,7 +71,10 @@ def test_the_rest_of_a_file_is_read(tmp_path: Path) -> None:
         3 * SECOND,
         {"/a", "/b"},
     )
-    assert recording.notes == ["line 2 is no message: it is no JSON, or too long", "1 further lines are no messages"]
+    assert recording.notes == [
+        "line 2 is not a message: it is not JSON, or too long",
+        "1 further lines are no messages",
+    ]
 
 
 def test_a_line_that_is_too_long(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -117,6 +120,6 @@ def test_topics_have_a_bound(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     assert [number for *_, number in recording.messages(frozenset(topics))] == [1, 2, 3]
     assert set(recording.topics) == {"/a", "/b"}
     assert recording.notes == [
-        "line 3 is no message: it is on one more topic than 2",
+        "line 3 is not a message: it is on one more topic than 2",
         "1 further lines are no messages",
     ]

@@ -54,7 +54,9 @@ def many(count: int, message: str = "m") -> list[Result]:
 
 def test_what_it_says() -> None:
     text = markdown.render(PLAIN)
-    assert text.startswith("## haros-ci: 4 findings: 2 errors, 2 notes\n\n2 findings at or above 'warning'.\n")
+    assert text.startswith(
+        "## haros-ci: 4 findings: 2 errors, 2 notes\n\n2 findings at or above 'warning' fail this run.\n"
+    )
     assert text.count("\n| ") == 5 and "Looked at 1 package" in text
     assert "CAUTION" not in text and "more finding" not in text
 
@@ -145,6 +147,6 @@ def test_files_given_up_on_are_named_with_their_reasons() -> None:
     )
     said = markdown.render(replace(PLAIN, notifications=notes))
     head = html.unescape(html.unescape(said).partition("<details>")[0])
-    assert "Gave up: architecture on 6 files." in head
+    assert "Not analysed in full: architecture on 6 files." in head
     assert "launch/4.launch:3</code>: it includes" in head and "launch/5.launch" not in head
     assert "- and 1 more file of architecture" in head and "<b>" not in said

@@ -53,7 +53,7 @@ def test_the_whole() -> None:
         "      base/src/odometry.cpp:6:12: note: Assignment 'p=0', assigned value is 0\n"
         "\n"
         "4 findings: 2 errors, 2 notes\n"
-        "  2 findings at or above 'warning'.\n"
+        "  2 findings at or above 'warning' fail this run.\n"
         "  Looked at 1 package, 3 files, 1,500 lines with cppcheck 2.22, pylint 4.1.0.\n"
         "  Not seen: base/gen is generated when building.\n"
         "  What a rule means: haros-ci explain pylint:undefined-variable\n"
@@ -94,7 +94,11 @@ def test_editors_find_each_finding() -> None:
 def test_only_open_findings_are_shown_and_the_rest_is_counted() -> None:
     said = shown(COMPARED)
     assert len(EDITOR.findall(said)) == 3 and "variableScope" not in said
-    assert "3 new findings: 2 errors, 1 note\n  known: 1 unchanged, 1 updated; gone: 1\n" in said
+    assert COMPARED.baseline is not None
+    assert (
+        f"3 new findings: 2 errors, 1 note\n  Compared with {COMPARED.baseline.source}.\n  known: 1 unchanged, 1 updated; gone: 1\n"
+        in said
+    )
     assert "suppressed: 2\n" in shown(SUPPRESSED) and len(EDITOR.findall(shown(SUPPRESSED))) == 1
 
 
@@ -122,7 +126,7 @@ def test_trouble_is_loud_and_last() -> None:
     )
     assert "error: cppcheck: timed out after 600 s\n" in said
     assert "warning: pylint: base/scripts/teleop.py:3: syntax error\n" in said
-    assert "  Gave up: pylint on 1 file.\n" in said
+    assert "  Not analysed in full: pylint on 1 file.\n" in said
     missing = Notification(Level.ERROR, "mypy is not installed", "mypy")
     assert "error: mypy is not installed\n" in shown(replace(PLAIN, notifications=(missing,)))
     assert "note: .haros-ci.yaml:3: 'cpplint' has no effect.\n" in said
@@ -138,14 +142,14 @@ def test_nothing_found_but_a_tool_failed_is_not_green() -> None:
 @pytest.mark.parametrize("report", [EMPTY, PLAIN, COMPARED], ids=["empty", "plain", "compared"])
 def test_no_trouble_is_said_where_there_is_none(report: Report) -> None:
     said = shown(report)
-    assert not any(word in said for word in ("No baseline", "failed", "Gave up", "baseline create"))
+    assert not any(word in said for word in ("No baseline", "failed", "Not analysed", "baseline create"))
 
 
 def test_much_trouble_is_counted() -> None:
     notes = tuple(Notification(Level.WARNING, "syntax error", "pylint", f"f{n}.py") for n in range(25))
     said = shown(replace(PLAIN, notifications=notes))
     assert said.count("syntax error") == text.MAX_TROUBLE and "and 15 more of pylint" in said
-    assert "Gave up: pylint on 25 files." in said
+    assert "Not analysed in full: pylint on 25 files." in said
 
 
 def test_many_findings_call_for_a_baseline() -> None:
@@ -230,9 +234,9 @@ def test_files_given_up_on_are_named_with_their_reasons() -> None:
     )
     loud = Notification(Level.WARNING, "pylint could not analyse this file: it is odd", "pylint", "a.py")
     said = shown(replace(PLAIN, notifications=(*quiet, loud)))
-    assert "  Gave up: architecture on 7 files, pylint on 1 file.\n" in said
+    assert "  Not analysed in full: architecture on 7 files, pylint on 1 file.\n" in said
     lines = said.splitlines()
-    first = lines.index("  Gave up: architecture on 7 files, pylint on 1 file.") + 1
+    first = lines.index("  Not analysed in full: architecture on 7 files, pylint on 1 file.") + 1
     assert lines[first : first + 6] == [
         *(f"    launch/{number}.launch:3: reason {number}; and 1 more reason" for number in range(5)),
         "    and 2 more files of architecture",

@@ -145,11 +145,11 @@ def test_only_the_line_is_meant() -> None:
 UNUSED = [
     (
         "int a;  // haros: ignore[bad] because\n",
-        "In the comment 'haros: ignore[bad]', 'bad' reports nothing there. Remove it.",
+        "In the comment 'haros: ignore[bad]', 'bad' suppresses no finding. Remove it.",
     ),
     (
         "int a;  // haros: ignore[bad, worse]\n",
-        "In the comment 'haros: ignore[bad, worse]', 'bad', 'worse' report nothing there. Remove them.",
+        "In the comment 'haros: ignore[bad, worse]', 'bad', 'worse' suppress no finding. Remove them.",
     ),
 ]
 
@@ -166,7 +166,7 @@ def test_a_comment_without_a_rule_is_never_called_unused(text: str) -> None:
 
 def test_unused_part_of_a_list() -> None:
     assert run("a.cpp", "int a;  // haros: ignore[bad, worse]\n", 1)[1] == [
-        "In the comment 'haros: ignore[bad, worse]', 'worse' reports nothing there. Remove it."
+        "In the comment 'haros: ignore[bad, worse]', 'worse' suppresses no finding. Remove it."
     ]
 
 
