@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -78,17 +78,21 @@ def unreadable(
     said = _gave_up(runs) if base is not None else []
     if base is None or not said:
         return runs, ()
-    changed = _changed_code(workspace, base)
     wrong = {result.location.path for run in runs for result in run.results if result.rule in _OF_SYNTAX}
-    wrong |= {one.place for one in said if one.is_other_python and (past is None or changed.get(one.place) is None)}
-    said = [one for one in said if one.place in changed.keys() - wrong and workspace.reports_on(one.place)]
+    said = [one for one in _of_change(said, workspace, base, is_known=past is not None) if one.place not in wrong]
     if said and past is not None:
-        known = {(old.tool, base.renames.get(old.path, old.path)) for old in _gave_up(past(base))}
-        said = [one for one in said if (one.tool, one.path) not in known]
+        said = _unknown(said, _gave_up(past(base)), base.renames)
     lost = {one.place: (one.tool, one.reason) for one in reversed(said)}
-    news = {one.notification for one in said}
-    runs = tuple(replace(run, notifications=tuple(n for n in run.notifications if n not in news)) for run in runs)
-    return runs, own.unreadable_results(lost)
+    return _without(runs, {one.notification for one in said}), own.unreadable_results(lost)
+
+
+def _unknown(said: list[_GaveUp], before: list[_GaveUp], renames: Mapping[str, str]) -> list[_GaveUp]:
+    known = {(old.tool, renames.get(old.path, old.path)) for old in before}
+    return [one for one in said if (one.tool, one.path) not in known]
+
+
+def _without(runs: tuple[Run, ...], news: set[Notification]) -> tuple[Run, ...]:
+    return tuple(replace(run, notifications=tuple(n for n in run.notifications if n not in news)) for run in runs)
 
 
 @dataclass(frozen=True)
@@ -117,10 +121,12 @@ def _gave_up(runs: Iterable[Run]) -> list[_GaveUp]:
     return found
 
 
-def _changed_code(workspace: Workspace, base: Base) -> dict[str, SourceFile | None]:
-    """The C++ and Python that is not as in *base*, each with what it was there; None for what is new."""
+def _of_change(said: list[_GaveUp], workspace: Workspace, base: Base, *, is_known: bool) -> list[_GaveUp]:
+    """Those of *said* that are about C++ and Python that is not as in *base*; *is_known* tells whether it is known what was said there."""
     old = {base.renames.get(file.path, file.path): file for file in base.workspace.files}
-    return {file.path: old.get(file.path) for file in workspace.files if _differs(file, old.get(file.path))}
+    changed = {file.path: old.get(file.path) for file in workspace.files if _differs(file, old.get(file.path))}
+    other = {one.place for one in said if one.is_other_python and not (is_known and changed.get(one.place))}
+    return [one for one in said if one.place in changed.keys() - other and workspace.reports_on(one.place)]
 
 
 def _differs(file: SourceFile, old: SourceFile | None) -> bool:
