@@ -3,18 +3,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from haros_ci.config.settings import Settings
+from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
-from haros_ci.results.result import Notification, Run, Silenced
+from haros_ci.results import own
+from haros_ci.results.result import Notification, Result, Run, Silenced
 from haros_ci.results.rule import Level
 from haros_ci.results.silence_words import sentences
 from haros_ci.workspace.base import Base
 
 if TYPE_CHECKING:
     from haros_ci.workspace.past import Past
+
+
+#: Runs, and results on files that a linter cannot analyse.
+Unreadable = tuple[tuple[Run, ...], tuple[Result, ...]]
+
+#: What a linter says of a file that it cannot analyse, and the file that is the reason, if it is another one.
+_SAYS = " could not analyse this file: "
+_AT = re.compile(r" \((?P<path>[^()]+):\d+\)\Z")
+#: Python of another version than the linters': honest code of which it is said.
+_OTHER_PYTHON = ("it is Python 2", "it is for Python 3")
+#: What linters say of code that no interpreter takes; so it is a finding already.
+_OF_SYNTAX = frozenset({"syntax-error", "invalid-syntax", "E999"})
 
 
 def before(settings: Settings) -> Past | None:
@@ -48,6 +64,73 @@ def silenced(workspace: Workspace, base: Base, runs: Iterable[Run]) -> Silenced:
         ((was.path, was.language, text(was.path)) for path, was in old.items() if path not in present),
         runs,
     )
+
+
+def unreadable(
+    workspace: Workspace, base: Base | None, runs: tuple[Run, ...], past: Callable[[Base], Iterable[Run]] | None
+) -> Unreadable:
+    """The *runs* without what they say of code that linters cannot analyse since *base*, and a result for each file of that.
+
+    Such code is C++ or Python that the change alters or adds: what is wrong in it would not be found. *past* gives the runs on *base*, where what
+    could not be analysed is no news; without it that is not known. Of Python of another version than the linters' nothing is said, but where
+    the base revision had it so that they could read it.
+    """
+    said = _gave_up(runs) if base is not None else []
+    if base is None or not said:
+        return runs, ()
+    wrong = {result.location.path for run in runs for result in run.results if result.rule in _OF_SYNTAX}
+    said = [one for one in _of_change(said, workspace, base, is_known=past is not None) if one.place not in wrong]
+    if said and past is not None:
+        said = _unknown(said, _gave_up(past(base)), base.renames)
+    lost = {one.place: (one.tool, one.reason) for one in reversed(said)}
+    return _without(runs, {one.notification for one in said}), own.unreadable_results(lost)
+
+
+def _unknown(said: list[_GaveUp], before: list[_GaveUp], renames: Mapping[str, str]) -> list[_GaveUp]:
+    known = {(old.tool, renames.get(old.path, old.path)) for old in before}
+    return [one for one in said if (one.tool, one.path) not in known]
+
+
+def _without(runs: tuple[Run, ...], news: set[Notification]) -> tuple[Run, ...]:
+    return tuple(replace(run, notifications=tuple(n for n in run.notifications if n not in news)) for run in runs)
+
+
+@dataclass(frozen=True)
+class _GaveUp:
+    """What a *tool* says of the file at *path*, which it cannot analyse; the *reason* is in the file at *place*, which it may include."""
+
+    notification: Notification
+    tool: str
+    path: str
+    place: str
+    reason: str
+
+    @property
+    def is_other_python(self) -> bool:
+        return self.reason.startswith(_OTHER_PYTHON)
+
+
+def _gave_up(runs: Iterable[Run]) -> list[_GaveUp]:
+    found = []
+    for notification in (n for run in runs for n in run.notifications):
+        _, gave_up, reason = notification.message.partition(_SAYS)
+        if gave_up and notification.path is not None:
+            at = _AT.search(reason)
+            place = notification.path if at is None else at["path"]
+            found.append(_GaveUp(notification, notification.tool or "", notification.path, place, reason))
+    return found
+
+
+def _of_change(said: list[_GaveUp], workspace: Workspace, base: Base, *, is_known: bool) -> list[_GaveUp]:
+    """Those of *said* that are about C++ and Python that is not as in *base*; *is_known* tells whether it is known what was said there."""
+    old = {base.renames.get(file.path, file.path): file for file in base.workspace.files}
+    changed = {file.path: old.get(file.path) for file in workspace.files if _differs(file, old.get(file.path))}
+    other = {one.place for one in said if one.is_other_python and not (is_known and changed.get(one.place))}
+    return [one for one in said if one.place in changed.keys() - other and workspace.reports_on(one.place)]
+
+
+def _differs(file: SourceFile, old: SourceFile | None) -> bool:
+    return file.language in ("cpp", "python") and (old is None or old.digest != file.digest)
 
 
 def notices(workspace: Workspace, silence: Silenced) -> Iterator[Notification]:

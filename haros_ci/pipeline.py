@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +13,7 @@ from haros_ci import PROJECT_URL, __version__
 from haros_ci.analysis.inspection import Architectures, inspected_or_kept, is_inspected
 from haros_ci.analysis.public_copies import quiet
 from haros_ci.baselines import at_base, compare, left_out, read_input, sarif_runs, settled
-from haros_ci.brought import before, notices, silenced
+from haros_ci.brought import Unreadable, before, notices, silenced, unreadable
 from haros_ci.config.selection import Selection
 from haros_ci.config.selector import check_selectors, slip_finder
 from haros_ci.config.settings import PROFILES, Settings
@@ -94,21 +95,19 @@ def analyse(
         workspace = settled(workspace, settings, base)
         head, old = (None, None) if recorded is None else recorded(workspace, past)
         left = left_out(workspace, settings, base)
-        runs = examine(workspace, selection, architectures, progress, past, head, left)
+
+        @cache
+        def before_it(it: Workspace) -> tuple[Run, ...]:
+            narrow = narrowed(it, settings, selection)
+            return examine(narrow, selection.over(it.package_finder()), architectures, progress, testimony=old)
+
+        def since(raw: tuple[Run, ...]) -> Unreadable:
+            is_revision = settings.baseline is None
+            return unreadable(workspace, past, raw, (lambda base: before_it(base.workspace)) if is_revision else None)
+
+        runs = examine(workspace, selection, architectures, progress, past, head, left, since)
         runs = tuple(described(run, selection) for run in (*runs, *imported(settings, workspace, selection)))
-        compared = compare(
-            runs,
-            workspace,
-            settings,
-            base,
-            examine=lambda it: examine(
-                narrowed(it, settings, selection),
-                selection.over(it.package_finder()),
-                architectures,
-                progress,
-                testimony=old,
-            ),
-        )
+        compared = compare(runs, workspace, settings, base, examine=before_it)
         silence = silenced(workspace, base, compared.runs) if isinstance(base, Base) else Silenced()
     notes = (*settings.notes, *misfits, *idle_entries(runs, workspace, settings))
     weighed_runs = weighed(compared.runs, compared.baseline, selection)
@@ -187,11 +186,12 @@ def examine(
     base: Base | None = None,
     testimony: Testimony | None = None,
     left: LeftOut | None = None,
+    since: Callable[[tuple[Run, ...]], Unreadable] | None = None,
 ) -> tuple[Run, ...]:
     """What the tools say of one revision: selected, suppressed and fingerprinted; not yet compared with a baseline.
 
     With *base*, the revision before, they also report what has changed. Answers in *testimony* are used instead of running tools; *left* are the
-    files that linters do not report on.
+    files that linters do not report on; *since* tells what the linters cannot analyse since then.
     """
     left = left or LeftOut(workspace)
     known, store = architectures.registry, architectures.store
@@ -199,11 +199,13 @@ def examine(
     raw = lint(
         workspace, known.linters, options, store, selection.wants, progress, testimony.lint if testimony else None
     )
+    raw, lost = (raw, ()) if since is None else since(raw)
     own_one = own_run(workspace, known)
     if testimony is None:
         own_one = inspected_or_kept(own_one, workspace, selection, architectures, progress, base)
     elif is_inspected(workspace, selection, architectures.settings, known):
         own_one = replace(testimony.whole(ARCHITECTURE), tool=own_one.tool, analysed=own_one.analysed)
+    own_one = replace(own_one, results=(*own_one.results, *lost))
     if has_structure(workspace, selection):
         raw = (
             *raw,

@@ -32,7 +32,12 @@ FOLLOWS_INCLUDES = True
 MAX_CONFIGS = 1
 LEVELS = {"error": Level.ERROR, "warning": Level.WARNING}
 #: It could not go on with the file.
-GAVE_UP = frozenset({"syntaxError", "unknownMacro", "preprocessorErrorDirective", "internalError", "internalAstError"})
+GAVE_UP = frozenset(
+    {
+        *("syntaxError", "unknownMacro", "preprocessorErrorDirective", "internalError", "internalAstError"),
+        *("unhandledChar", "includeNestedTooDeeply", "instantiationError", "cppcheckError"),
+    }
+)
 #: It speaks of itself.
 ABOUT_ITSELF = frozenset(
     {"checkersReport", "noValidConfiguration", "toomanyconfigs", "missingInclude", "missingIncludeSystem"}

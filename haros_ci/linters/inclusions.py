@@ -7,7 +7,8 @@ targets, targets that a macro makes, what cannot be read. The search is for the 
 strings, too, as a tool's idea of where these end may be another one. There the words alone go, and what is blanked behind them ends
 no comment or text that may be open: what is none to a compiler stays code.
 
-``#line`` goes as well: by it a tool would say of code that it stands in another file.
+``#line`` goes as well: by it a tool would say of code that it stands in another file. So does ``#error``: cppcheck looks at nothing of a file
+in which it meets one, in whatever configuration.
 """
 
 from __future__ import annotations
@@ -42,8 +43,8 @@ def _spliced(word: str) -> str:
 _HAS = re.compile("|".join(map(_spliced, ("__has_include_next", "__has_include", "__has_embed"))))
 #: What may stand before the name of such a function where it is only asked whether there is one.
 _ASKED = re.compile(r"(?:defined(?:[ \t]*\()?|#[ \t]*ifn?def)[ \t]*$")
-#: What sets the line, and the file, that a tool names (C++ standard, [cpp.line]; "Preprocessor Output" of GCC's manual for ``# 1 "a.cpp"``).
-_MOVES = re.compile(rf"(?:#|%:|\?\?=){_BETWEEN}*(?:/\*|line|[0-9])")
+#: What ends a tool's work, or sets the line and the file that it names (C++ standard, [cpp.error], [cpp.line]; "Preprocessor Output" of GCC's manual for ``# 1 "a.cpp"``).
+_MOVES = re.compile(rf"(?:#|%:|\?\?=){_BETWEEN}*(?:/\*|line|error|[0-9])")
 #: What ends a comment, or a raw text ([lex.string]): to blank it would make code a part of either.
 _CLOSING = re.compile(r"\*/|\)[^()\\\s\"]{0,16}\"|\r(?!\n)")
 #: Comments and blanks, as far as they stand in one line.
@@ -129,7 +130,7 @@ def _behind(word: str, end: int, hash_at: int, directory: str, exists: Exists, g
         done = gaps.end_of_line(end)
         if not _PRAGMA.search(_SPLICES.sub("", text[end:done])) or not _names_outside(text[end:done]):
             return None
-    elif word == "line" or word[:1].isdigit():
+    elif word in ("line", "error") or word[:1].isdigit():
         done = gaps.end_of_line(end)
         before = gaps.before(hash_at).rstrip(_BLANKS)
         if before and not before.endswith("*/"):

@@ -50,7 +50,7 @@ def fingerprint(workspace: Workspace, options: LintOptions) -> str:
 
     own = options.arguments.get(NAME, ()) if options.trust_config else ()
     astroid = installed.distribution("astroid")
-    return json.dumps(["11", sys.version_info[:2], astroid and astroid.version, options.trust_config, own])
+    return json.dumps(["12", sys.version_info[:2], astroid and astroid.version, options.trust_config, own])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -119,7 +119,7 @@ def _is_doubted(report: dict[str, Any], path: str, text: str, doubting: Doubting
     rule, line = report["symbol"], report["line"]
     if doubting.may(path, rule, text) and is_refuted(rule, line, report["column"], text):
         return True
-    return is_silenced(rule, columns.line_of(text, line))
+    return is_silenced(rule, text, line)
 
 
 def _is_of_another_python(text: str, report: dict[str, Any]) -> bool:

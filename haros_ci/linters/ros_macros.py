@@ -164,6 +164,38 @@ FRAMEWORKS = {"catch2": CATCH2, "googletest": GOOGLETEST}
 #: What <cstdint> says on the platforms of ROS; headers test it to tell 32 from 64 bits.
 LIMITS = {"SIZE_MAX": "18446744073709551615UL", "UINTPTR_MAX": "18446744073709551615UL"}
 
+#: What compilers define on the platforms of ROS (GCC's manual, "Common Predefined Macros"; "Tier 1" of REP 2000): without them code that they
+#: compile would not be looked at.
+PLATFORM = {
+    **dict.fromkeys(
+        "__linux__ __linux __gnu_linux__ __unix__ __unix __ELF__ __x86_64__ __x86_64 __amd64__ __LP64__ _LP64".split(),
+        "1",
+    ),
+    **{
+        "__GNUC__": "13",
+        "__GNUC_MINOR__": "2",
+        "__GNUC_PATCHLEVEL__": "0",
+        "__GNUG__": "13",
+        "__VERSION__": '"13.2.0"',
+    },
+    **{
+        "__CHAR_BIT__": "8",
+        "__SIZEOF_SHORT__": "2",
+        "__SIZEOF_INT__": "4",
+        "__SIZEOF_FLOAT__": "4",
+        "__SIZEOF_DOUBLE__": "8",
+    },
+    **dict.fromkeys("__SIZEOF_LONG__ __SIZEOF_LONG_LONG__ __SIZEOF_POINTER__ __SIZEOF_SIZE_T__".split(), "8"),
+    **{
+        "__INT_MAX__": "2147483647",
+        "__LONG_MAX__": "9223372036854775807L",
+        "__SCHAR_MAX__": "127",
+        "__SHRT_MAX__": "32767",
+    },
+    **{"__ORDER_LITTLE_ENDIAN__": "1234", "__ORDER_BIG_ENDIAN__": "4321", "__BYTE_ORDER__": "1234"},
+    **dict.fromkeys("__STDC_HOSTED__ __EXCEPTIONS __GXX_RTTI __DEPRECATED".split(), "1"),
+}
+
 #: Tests of versions in ``#if``: code is read as for a recent ROS.
 TRUE_TESTS = """
 RCLCPP_VERSION_GTE ROS_VERSION_MINIMUM RCUTILS_VERSION_GTE RVIZ_COMMON_VERSION_GTE IMAGE_TRANSPORT_VERSION_GTE
@@ -230,4 +262,11 @@ def _defines() -> Iterable[tuple[str, str]]:
     yield from ((f"{name}(...)", "") for name in (*DECLARATIONS, *ATTRIBUTES))
     yield from ((name, "") for name in DECORATIONS)
     yield from ((f"{name}(...)", "1") for name in TRUE_TESTS)
-    yield from (*FUNCTIONS.items(), *LIMITS.items(), *RETURNS.items(), *OVERRIDES.items(), *QT.items())
+    yield from (
+        *FUNCTIONS.items(),
+        *LIMITS.items(),
+        *PLATFORM.items(),
+        *RETURNS.items(),
+        *OVERRIDES.items(),
+        *QT.items(),
+    )

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
@@ -66,7 +66,8 @@ FILE_NOT_ANALYSED = Rule(
         "the workspace, nowhere, or to a file of another kind. A change could hide any code in such a file. What the base revision has with "
         "the same contents, here or elsewhere, is a message and no finding; a file that was not analysed before and has changed is "
         "reported, as what is in it now is new. So is a file that is too large or too deeply nested to be analysed whole, such as a "
-        "program of many thousand calls, and was not in the base revision. Make the file readable, split it, or leave it out by 'exclude' in "
+        "program of many thousand calls, and was not in the base revision; and C++ or Python that a linter cannot analyse, if it could analyse the file "
+        "in the base revision or the file is new. Make the file readable, split it, or leave it out by 'exclude' in "
         "the project file of the base revision. A comment in the file does not silence this."
     ),
     precision="very-high",
@@ -176,6 +177,12 @@ def cut_results(problems: Iterable[Problem]) -> tuple[Result, ...]:
     """One result for each file that a change has made too large, or too deeply nested, to be analysed whole."""
     sentence = "since this change the checks of the architecture may miss what is wrong in this file"
     return tuple(_unanalysed(problem.path, f"{sentence}: {problem.message}") for problem in problems)
+
+
+def unreadable_results(reasons: Mapping[str, tuple[str, str]]) -> tuple[Result, ...]:
+    """One result for each file of which a linter, by its name, says since a change why it cannot analyse it."""
+    sentence = "cannot analyse this file since this change, so that what is wrong in it is not found"
+    return tuple(_unanalysed(path, f"{tool} {sentence}: {reason}") for path, (tool, reason) in reasons.items())
 
 
 def _unanalysed(path: str, message: str) -> Result:

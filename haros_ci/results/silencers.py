@@ -32,6 +32,9 @@ def _form(name: str, tools: str, kinds: str | frozenset[str], pattern: str, *, b
     return Form(name, tuple(tools.split()), known, re.compile(pattern), beside)
 
 
+#: The first pragma of the comment, in which ``enable=…`` may come before what disables.
+_PYLINT = r"#(?:(?!\bpylint:)[^\n])*\bpylint:(?:(?!\b(?:disable|skip-file)\b)[^\n])*\b(?:disable(?:-next|-msg)?|skip-file)\b[^\n]*"
+
 #: The sources of the patterns are the tools' own: cpplint's _RE_SUPPRESSION, clang-tidy's NoLintDirectiveHandler, flake8's defaults.NOQA_*,
 #: pylint's pragma_parser, mypy's type comments, cppcheck's manual ("Inline suppressions"), the manuals of the others.
 FORMS = (
@@ -45,7 +48,7 @@ FORMS = (
     _form("noqa", "flake8 pylint ruff vulture", "python", r"(?i)#\s*noqa(?:\s*:\s*[A-Z][\w,\s]*)?", beside=True),
     _form("flake8: noqa", "flake8", "python", r"(?i)\A#\s*flake8[:=]\s*noqa\b[^\n]*"),
     _form("ruff: noqa", "ruff", "python", r"(?i)\A#\s*ruff\s*:\s*(?:noqa|ignore|disable)\b[^\n]*"),
-    _form("pylint: disable", "pylint", "python", r"#.*?\bpylint:\s*(?:disable(?:-next|-msg)?|skip-file)\b[^\n]*"),
+    _form("pylint: disable", "pylint", "python", _PYLINT),
     _form("type: ignore", "mypy", "python", r"#\s*type:\s*ignore(?!\w)(?:\[[^\]\n]*\])?"),
     _form("mypy:", "mypy", "python", r"\A#\s*mypy:\s*\S[^\n]*"),
     _form("nosec", "bandit", "python", r"(?i)#\s*nosec[^\n]*", beside=True),

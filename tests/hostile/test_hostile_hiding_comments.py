@@ -55,6 +55,21 @@ def test_they_are_counted_everywhere(trap: Trap) -> None:
     assert_harmless(trap, outcome)
 
 
+def test_a_pragma_that_enables_first_is_counted(trap: Trap) -> None:
+    text = "# pylint: enable=all, disable=undefined-variable\nx = nowhere\n"
+    pull_request(trap, {}, {"a.py": text})
+    outcome = trap.run("--baseline-rev=main", "--ignore=cpplint,metrics,ruff")
+    assert [(c["path"], c["line"], c["comment"]) for c in outcome.report["silenced"]["comments"]] == [
+        ("a.py", 1, "pylint: disable")
+    ]
+
+
+def test_words_in_quotes_silence_nothing(trap: Trap) -> None:
+    pull_request(trap, {}, {"a.py": "x = nowhere + '# noqa: F821'\n"})
+    outcome = trap.run("--baseline-rev=main", "--ignore=cpplint,metrics,ruff")
+    assert ("a.py", 1, "undefined-variable") in outcome.findings()
+
+
 def test_files_that_moved_bring_nothing(trap: Trap) -> None:
     text = DEFECT.replace("\n", "  // haros: ignore[nullPointer] old\n") + "int a;  // NOLINT\nint b;\nint c;\n"
     pull_request(trap, {"src/old.cpp": text}, {"lib/new.cpp": "\n" + text.replace("int b", "  int bb")})

@@ -235,3 +235,103 @@ def test_directives_hide_no_code(name: str, trap: Trap) -> None:
     assert (A, len(where), "nullPointer") in outcome.findings(), outcome.notes()
     assert outcome.code == 1
     assert_harmless(trap, outcome)
+
+
+LINTERS = ("--ignore=metrics,cpplint,ruff", "--select=nullPointer,undefined-variable")
+NOWHERE = "import os\n\n\ndef f():\n    return nowhere + os.sep\n"
+B = "src/b.py"
+#: What keeps a linter from analysing a file that compilers and interpreters take, and which linter says so.
+UNREADABLE = {
+    "a condition of compilers": (A, f"#if __has_builtin(__builtin_expect)\n#endif\n{DEFECT}", "cppcheck"),
+    "a name that is not ASCII": (A, f"int \xe9;\n{DEFECT}", "cppcheck"),
+    "a name in hexadecimal": (A, f"int \\u00e9;\n{DEFECT}", "cppcheck"),
+    "digraphs": (A, f"%:define A 1\n{DEFECT}", "cppcheck"),
+    "a macro that opens a block": (
+        A,
+        f"#ifdef NEVER\n#else\n#define OPEN {{\n#endif\nnamespace a OPEN\nCALL(}}\n{DEFECT}",
+        "cppcheck",
+    ),
+    "a file that includes itself": (A, f'#ifndef TWICE\n#include "a.cpp"\n#define TWICE\n#endif\n{DEFECT}', "cppcheck"),
+    "many conditional operators": (A, f"int a = {'1 ? 2 : ' * 400}3;\n{DEFECT}", "cppcheck"),
+    "a new file": ("src/new.cpp", f"int \\u00e9;\n{DEFECT}", "cppcheck"),
+    "an encoding that only the interpreter knows": (B, f"# -*- coding: utf-7 -*-\n{NOWHERE}", "pylint"),
+    "an encoding that is none": ("src/new.py", f"# -*- coding: punycode -*-\n{NOWHERE}", "pylint"),
+    "another encoding": (B, f"# vim: set fileencoding=utf-16 :\n{NOWHERE}", "pylint"),
+    "Python 2 in a file that was not": (B, f"print 'x'\n{NOWHERE}", "pylint"),
+}
+
+
+@pytest.mark.parametrize("name", UNREADABLE)
+def test_what_a_linter_cannot_analyse_since_a_change(name: str, trap: Trap) -> None:
+    path, text, tool = UNREADABLE[name]
+    pull_request(trap, lambda t: t.write(B, "x = 1\n"), lambda t: t.write(path, text))
+    outcome = trap.run("--baseline-rev=main", *LINTERS)
+    assert outcome.code == 1, outcome.notes()
+    [(place, level, state, message)] = [found for found in told(outcome) if tool in found[3]]
+    assert (place, level, state) == (path, "warning", "new") and message.startswith(f"{tool} cannot analyse this file")
+    assert not [words for _, words in outcome.notes() if words.startswith(f"{tool} could not analyse")], (
+        "it is said once"
+    )
+    assert_harmless(trap, outcome)
+
+
+OLD = f"int \\u00e9;\n{TEXT}"
+READABLE = [
+    Quiet("it was so", lambda t: t.write(A, OLD), lambda t: t.write(A, f"{OLD}int b;\n"), "cppcheck could not analyse"),
+    Quiet(
+        "it was so, and has moved",
+        lambda t: t.write("src/old.cpp", OLD * 9),
+        lambda t: (t.root / "src/old.cpp").rename(t.root / "src/new.cpp"),
+        "cppcheck could not analyse",
+    ),
+    Quiet("nobody changes it", lambda t: t.write("src/old.cpp", OLD), says="cppcheck could not analyse"),
+    Quiet("it is mended", lambda t: t.write(A, OLD), lambda t: t.write(A, TEXT)),
+    Quiet("new Python 2", lambda t: None, lambda t: t.write(B, "print 'x'\n"), "it is Python 2"),
+    Quiet(
+        "Python 2 as before", lambda t: t.write(B, "print 'x'\n"), lambda t: t.write(B, "print 'y'\n"), "it is Python 2"
+    ),
+    Quiet("no base revision", lambda t: None, lambda t: t.write(A, OLD), "cppcheck could not analyse", ()),
+    Quiet(
+        "a header of others that was so",
+        lambda t: [t.write("src/h.hpp", "int \\u00e9;\n"), t.write(A, f'#include "h.hpp"\n{TEXT}')],
+        lambda t: t.write(A, f'#include "h.hpp"\n{TEXT}int b;\n'),
+        "cppcheck could not analyse",
+    ),
+    Quiet(
+        "turned off by the base",
+        lambda t: t.write(".haros-ci.yaml", f"ignore: [{RULE}]\n"),
+        lambda t: t.write(A, OLD),
+    ),
+    Quiet(
+        "an error of the preprocessor", lambda t: None, lambda t: t.write(A, f"#ifndef X\n#error no\n#endif\n{TEXT}")
+    ),
+    Quiet(
+        "another compiler", lambda t: None, lambda t: t.write(A, f"#ifndef __GNUC__\n#if y(\n#endif\n#endif\n{TEXT}")
+    ),
+]
+
+
+@pytest.mark.parametrize("case", READABLE, ids=lambda case: case.name)
+def test_what_linters_could_not_analyse_before(case: Quiet, trap: Trap) -> None:
+    pull_request(trap, case.base, case.head)
+    outcome = trap.run(*case.arguments, *LINTERS)
+    assert outcome.code == 0, (outcome.stderr, outcome.formats["text"])
+    assert told(outcome) == []
+    assert outcome.says(case.says) if case.says else outcome.notes() == [], outcome.notes()
+
+
+def test_a_wrong_file_is_one_finding(trap: Trap) -> None:
+    """What no interpreter takes pylint says itself."""
+    pull_request(trap, lambda t: None, lambda t: t.write(B, "def f(:\n"))
+    outcome = trap.run("--baseline-rev=main", "--ignore=cpplint,ruff")
+    assert {rule for path, _, rule in outcome.findings() if path == B} == {"syntax-error"}
+
+
+def test_a_header_that_no_linter_can_analyse(trap: Trap) -> None:
+    """It is said of the header that the change alters, not of the file that includes it."""
+    pull_request(
+        trap,
+        lambda t: [t.write("src/h.hpp", "int h;\n"), t.write(A, f'#include "h.hpp"\n{TEXT}')],
+        lambda t: t.write("src/h.hpp", f"int \\u00e9;\n{DEFECT}"),
+    )
+    assert [found[:3] for found in told(trap.run("--baseline-rev=main", *LINTERS))] == [("src/h.hpp", "warning", "new")]

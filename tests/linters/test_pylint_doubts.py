@@ -270,10 +270,12 @@ def test_a_line_that_is_not_there(line: int) -> None:
         ("anomalous-backslash-in-string", "a = '\\d'  # noqa", False),
         ("anomalous-backslash-in-string", "a = '\\d'  # W605 is meant", False),
         ("no-such-rule", "a = 1  # noqa: W605", False),
+        ("anomalous-backslash-in-string", "a = '\\d' + '# noqa: W605'", False),
+        ("anomalous-backslash-in-string", 'a = """\n# noqa: W605 """ + \'\\d\'', False),
     ],
 )
 def test_codes_of_other_tools_for_the_same(rule: str, line: str, expected: bool) -> None:
-    assert is_silenced(rule, line) is expected
+    assert is_silenced(rule, line, line.count("\n") + 1) is expected
 
 
 @pytest.mark.parametrize(
