@@ -18,8 +18,9 @@ from haros_ci.verification.unrolling import Option, Unrolling
 
 #: Steps in milliseconds that are tried between two events, in this order.
 STEPS = (10, 1, 100, 1000, 0)
-#: Questions to the solver for rounder numbers, and seconds for all of them.
-MOST_TRIALS, LONGEST_TRIAL = 400, 8.0
+#: Questions to the solver for rounder numbers, and z3's units of work for one of them, so that each machine has the same numbers; seconds for all
+#: of them, which are not spent unless a machine is very slow.
+MOST_TRIALS, MOST_WORK, LONGEST_TRIAL = 300, 3_000_000, 30.0
 #: Real values are multiples of one in so many, where that is possible: floating point numbers hold these exactly.
 PARTS = 16
 
@@ -31,7 +32,8 @@ class Rounding:
         self.solver, self.run, self.model = solver, run, model
         self.trials = 0
         self.ends = time.monotonic() + LONGEST_TRIAL
-        solver.set("timeout", 500)
+        solver.set("timeout", int(LONGEST_TRIAL * 1000))
+        solver.set("rlimit", MOST_WORK)
         for term in (*run.happens.values(), *run.idle, *run.loops):
             solver.add(term == model.eval(term, True))
 
@@ -61,6 +63,7 @@ class Rounding:
             topic = next((o.topic for o in self.run.options if z3.is_true(self.of(self.run.happens[step, o]))), None)
             if topic is not None:
                 self._values(step, topic)
+        self.solver.set("rlimit", 0)
         return self.model
 
     def _exact(self) -> None:
@@ -73,11 +76,9 @@ class Rounding:
             for slot in self.run.fields.of(topic)
             if slot.kind is Kind.REAL and z3.is_true(self.of(one_of(*self._at(step, topic))))
         ]
-        self.solver.set("timeout", 3000)
         if not self.attempt(*times, *values):
             self.attempt(*times)
             self.attempt(*values)
-        self.solver.set("timeout", 500)
 
     def _at(self, step: int, topic: str) -> list[Any]:
         return [self.run.happens[step, option] for option in self.run.options if option.topic == topic]
