@@ -11,7 +11,7 @@ import z3
 from haros_ci.verification.bounded import Bounded, bounded
 from haros_ci.verification.cones import Cone, component
 from haros_ci.verification.fields import Fields
-from haros_ci.verification.models import Rounding, run_of
+from haros_ci.verification.models import LONGEST_TRIAL, Rounding, run_of
 from haros_ci.verification.outcomes import Run
 from haros_ci.verification.patterns import Formula
 from haros_ci.verification.problem import Claim, Problem
@@ -48,7 +48,7 @@ def completed(
         runs, formula = wider
     runs.solver.push()
     runs.solver.add(*runs.axioms.values(), formula.violated)
-    tell(claim.number, problem.limits.budget)
+    tell(claim.number, LONGEST_TRIAL)
     model = Rounding(runs.solver, runs.run, runs.model).rounded()
     runs.solver.pop()
     windows = [axiom.window or 0 for axiom in (*whole.axioms, claim)]

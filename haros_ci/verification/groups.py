@@ -13,13 +13,14 @@ import z3
 
 from haros_ci.behaviour.tree import PatternKind
 from haros_ci.verification.bounded import Bounded, bounded
-from haros_ci.verification.chains import Proof, Prover, suffices
+from haros_ci.verification.chains import Prover
 from haros_ci.verification.cones import Cone
 from haros_ci.verification.counterexamples import Completed, completed
 from haros_ci.verification.fields import Fields
 from haros_ci.verification.outcomes import Run
 from haros_ci.verification.patterns import Formula
 from haros_ci.verification.problem import Claim, Problem
+from haros_ci.verification.proofs import Proof, suffices
 
 #: Says of which claim the solver is asked next, and for how many seconds at most.
 Tell = Callable[[int, float], None]

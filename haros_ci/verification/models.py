@@ -12,13 +12,17 @@ import z3
 
 from haros_ci.verification.fields import LONGEST_ARRAY, Fields, Kind, Slot
 from haros_ci.verification.outcomes import Run, Step
+from haros_ci.verification.predicates import one_of
 from haros_ci.verification.problem import MILLISECOND
 from haros_ci.verification.unrolling import Option, Unrolling
 
 #: Steps in milliseconds that are tried between two events, in this order.
 STEPS = (10, 1, 100, 1000, 0)
-#: Questions to the solver for rounder numbers, and seconds for all of them.
-MOST_TRIALS, LONGEST_TRIAL = 400, 2.0
+#: Questions to the solver for rounder numbers, and z3's units of work for one of them, so that each machine has the same numbers; seconds for all
+#: of them, which are not spent unless a machine is very slow.
+MOST_TRIALS, MOST_WORK, LONGEST_TRIAL = 300, 3_000_000, 30.0
+#: Real values are multiples of one in so many, where that is possible: floating point numbers hold these exactly.
+PARTS = 16
 
 
 class Rounding:
@@ -28,7 +32,8 @@ class Rounding:
         self.solver, self.run, self.model = solver, run, model
         self.trials = 0
         self.ends = time.monotonic() + LONGEST_TRIAL
-        solver.set("timeout", 500)
+        solver.set("timeout", int(LONGEST_TRIAL * 1000))
+        solver.set("rlimit", MOST_WORK)
         for term in (*run.happens.values(), *run.idle, *run.loops):
             solver.add(term == model.eval(term, True))
 
@@ -52,12 +57,31 @@ class Rounding:
 
     def rounded(self) -> Any:
         """The model with round numbers."""
+        self._exact()
         self._times()
         for step in self.run.steps:
             topic = next((o.topic for o in self.run.options if z3.is_true(self.of(self.run.happens[step, o]))), None)
             if topic is not None:
                 self._values(step, topic)
+        self.solver.set("rlimit", 0)
         return self.model
+
+    def _exact(self) -> None:
+        """Numbers that survive being written down: whole milliseconds, and values that floating point numbers hold. The rest is for the eye."""
+        times = [term == z3.ToReal(z3.FreshInt("whole")) for term in self.run.time]
+        values = [
+            PARTS * self.run.value(step, topic, slot.key).term == z3.ToReal(z3.FreshInt("part"))
+            for step in self.run.steps
+            for topic in sorted({option.topic for option in self.run.options})
+            for slot in self.run.fields.of(topic)
+            if slot.kind is Kind.REAL and z3.is_true(self.of(one_of(*self._at(step, topic))))
+        ]
+        if not self.attempt(*times, *values):
+            self.attempt(*times)
+            self.attempt(*values)
+
+    def _at(self, step: int, topic: str) -> list[Any]:
+        return [self.run.happens[step, option] for option in self.run.options if option.topic == topic]
 
     def _times(self) -> None:
         before = z3.RealVal(0)

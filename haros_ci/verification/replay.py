@@ -84,7 +84,8 @@ def confirmed(problem: Problem, claim: Claim, axioms: tuple[Claim, ...], run: Ru
         return f"the replay disagrees: the monitor says {outcome.verdict.value}"
     for axiom in axioms:
         monitor, kept = held_against(problem, axiom, run)
-        is_due = run.loop is None and monitor.open_end() is not None
+        demands = axiom.stated.pattern.kind in (PatternKind.SOME, PatternKind.CAUSES)
+        is_due = demands and run.loop is None and monitor.open_end() is not None
         if kept.verdict is Verdict.VIOLATED or is_due:
             return f"the replay disagrees: the run does not keep the axiom {axiom.title}"
     steps = list(run.steps)

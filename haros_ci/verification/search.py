@@ -11,7 +11,6 @@ import z3
 
 from haros_ci.behaviour.text import time_text
 from haros_ci.verification.bounded import bounded
-from haros_ci.verification.chains import greatest_latency, sentence
 from haros_ci.verification.cones import Cone, cone, may_go_on
 from haros_ci.verification.fields import Fields
 from haros_ci.verification.groups import Group, Sought, Tell
@@ -20,6 +19,7 @@ from haros_ci.verification.outcomes import Finding, Result
 from haros_ci.verification.patterns import Formula
 from haros_ci.verification.predicates import Compiler, Message, Value
 from haros_ci.verification.problem import MILLISECOND, Claim, NotModelled, Problem, events_of
+from haros_ci.verification.proofs import greatest_latency, sentence
 from haros_ci.verification.replay import is_two_sided, never_ends
 from haros_ci.verification.unrolling import _variable
 

@@ -138,7 +138,7 @@ class Unrolling:
 
     def _ranges(self) -> None:
         """The values that the types allow, of what can happen."""
-        for topic in {option.topic for option in self.options}:
+        for topic in sorted({option.topic for option in self.options}):
             for slot in self.fields.of(topic):
                 for i in self.steps:
                     term = self.value(i, topic, slot.key).term
