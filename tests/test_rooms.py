@@ -28,6 +28,8 @@ DOORS: dict[str, set[str]] = {
     "behaviour": {"bounded_yaml", "interfaces", "model"},
     # properties against messages; where those come from it does not know
     "monitoring": {"behaviour"},
+    # properties as files that run beside a system
+    "monitor_files": {"behaviour", "monitoring"},
     # programs as front ends write them: typed nodes and their codec
     "syntax": set(),
     "changes": {"interfaces", "model", "syntax"},
@@ -216,6 +218,7 @@ DOORS: dict[str, set[str]] = {
         "linters",
         "measuring",
         "model",
+        "monitor_files",
         "monitoring",
         "pipeline",
         "plugins",
