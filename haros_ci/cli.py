@@ -24,6 +24,7 @@ from haros_ci.commands.flags import (
     query_options,
     report_options,
     system_options,
+    testgen_options,
     timings_options,
     what_options,
     workspace_options,
@@ -270,6 +271,16 @@ def monitor(**flags: Any) -> int:
     from haros_ci.commands import monitor as monitor_command
 
     return monitor_command.monitor(flags)
+
+
+@haros_ci.command()
+@testgen_options
+@workspace_options
+def testgen(**flags: Any) -> int:
+    """Write property-based tests of the nodes in PATH into DIR (docs/testgen.md)."""
+    from haros_ci.commands import testgen as testgen_command
+
+    return testgen_command.testgen(flags)
 
 
 @haros_ci.command()

@@ -30,6 +30,8 @@ DOORS: dict[str, set[str]] = {
     "monitoring": {"behaviour"},
     # properties as files that run beside a system
     "monitor_files": {"behaviour", "monitoring"},
+    # tests as files, and the modules that they stand on; what is tested is given to it
+    "test_files": {"behaviour", "interfaces", "monitor_files", "monitoring"},
     # programs as front ends write them: typed nodes and their codec
     "syntax": set(),
     "changes": {"interfaces", "model", "syntax"},
@@ -119,6 +121,7 @@ DOORS: dict[str, set[str]] = {
         "scratch",
         "syntax",
         "systems",
+        "test_files",
         "timing",
         "workspace",
     },
@@ -231,6 +234,7 @@ DOORS: dict[str, set[str]] = {
         "shards",
         "starting",
         "streams",
+        "test_files",
         "timing",
         "workspace",
         "writing",
