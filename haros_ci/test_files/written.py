@@ -16,8 +16,8 @@ from haros_ci.monitor_files.literals import literal
 from haros_ci.test_files.monitors import Monitors, monitors_of, roles_of
 from haros_ci.test_files.names import identifier
 from haros_ci.test_files.schemas import Inputs, Sent, gaps_of, hold_of, lists_of, plan_of
-from haros_ci.test_files.suite import Suite, Tested
-from haros_ci.test_files.types import Types
+from haros_ci.test_files.suite import Suite, Tested, Topic
+from haros_ci.test_files.types import Types, call
 
 #: The modules that are copied, and the directory that they are copied to.
 SUPPORT = "property_tests"
@@ -33,7 +33,7 @@ _IMPORTS = {
     "messages": ("array", "floats", "having", "message", "no", "non_finite", "texts", "times", "whole"),
     "plans": ("Input", "Spacing", "between", "either", "in_order", "one", "pause", "perhaps", "plans", "settled"),
     "ros1": ("Edge", "Launch", "Ros1"),
-    "ros2": ("Launch", "Ros2", "Topic", "description"),
+    "ros2": ("Edge", "Launch", "Ros2", "Topic", "case", "description"),
     "trials": ("Trials",),
     "verdicts": ("judged",),
 }
@@ -111,6 +111,8 @@ def _module(suite: Suite, name: str, non_finite: bool) -> tuple[str, str, list[s
     inputs = Inputs(suite, types, {key: function for key, (function, _, _) in predicates.items()})
     tests = [_test(number, item, monitors, inputs) for number, item in enumerate(suite.properties, 1)]
     body = "\n\n".join((_assumptions(suite, monitors, inputs), *tests))
+    if suite.ros == 2:
+        body += _launch_testing([check_name(2, number, item) for number, item in enumerate(properties, 1)])
     events = {id(event): event for item in (*suite.properties, *suite.assumptions) for event in item.parsed.events}
     functions = "".join(
         f"{function} = holds(monitors.{monitors.classes[id(item)]}, {literal(role)}, {literal(events[key].topic)})\n"
@@ -132,7 +134,9 @@ def _imports(text: str, name: str, ros: int) -> str:
     """The imports that *text* needs."""
     used = set(re.findall(r"\w+", text))
     lines = ["import os"]
-    lines += ["", "from hypothesis import strategies as st"] if "st" in used else []
+    lines += [""] if {"st", "pytest"} & used else []
+    lines += ["import pytest"] if "pytest" in used else []
+    lines += ["from hypothesis import strategies as st"] if "st" in used else []
     lines += ["", f"import monitors_{name} as monitors"]
     for module, names in _IMPORTS.items():
         here = [item for item in names if item in used]
@@ -146,21 +150,44 @@ def _system(suite: Suite) -> str:
         f"    Launch({literal(item.package)}, {literal(item.path)}, {literal(item.arguments)}),\n"
         for item in suite.launches
     ]
-    inputs = [f"    {literal(topic.name)}: {literal(topic.type)},\n" for topic in suite.inputs]
-    outputs = [f"    {literal(topic.name)}: {literal(topic.type)},\n" for topic in suite.outputs]
-    edges = [f"    Edge{literal(edge)},\n" for edge in suite.edges]
+    edges = [
+        f"    Edge({literal(node)}, {literal(topic)}, {literal(publishes)}),\n"
+        for node, topic, publishes in suite.edges
+    ]
+    nodes = (
+        f"#: The nodes of them that are started; all if none is named.\nNODES = {literal(list(suite.nodes))}\n"
+        if suite.ros == 1
+        else ""
+    )
+    driver = "Ros1(LAUNCHES, NODES, INPUTS, OUTPUTS, EDGES)" if suite.ros == 1 else "Ros2(INPUTS, OUTPUTS, EDGES)"
     return (
         f"CONFIGURATION = {literal(suite.configuration)}\n"
-        f"#: The launch files, and the nodes of them that are started; all if none is named.\n"
+        f"#: The launch files.\n"
         f"LAUNCHES = [\n{''.join(launches)}]\n"
-        f"NODES = {literal(list(suite.nodes))}\n"
+        f"{nodes}"
         f"#: Open topics, on which the tests publish, and those that they watch.\n"
-        f"INPUTS = {_block('{', inputs, '}')}\n"
-        f"OUTPUTS = {_block('{', outputs, '}')}\n"
+        f"INPUTS = {_block('{', [_topic(topic, suite.ros) for topic in suite.inputs], '}')}\n"
+        f"OUTPUTS = {_block('{', [_topic(topic, suite.ros) for topic in suite.outputs], '}')}\n"
         f"#: Who has to be on which topic before a test begins: node, topic, and whether it publishes.\n"
         f"EDGES = {_block('[', edges, ']')}\n"
         f'FAILURES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "failures")\n'
-        f"TRIALS = Trials(Ros1(LAUNCHES, NODES, INPUTS, OUTPUTS, EDGES), FAILURES)\n"
+        f"TRIALS = Trials({driver}, FAILURES)\n"
+    )
+
+
+def _topic(topic: Topic, ros: int) -> str:
+    """An entry of a map of topics; in ROS 2 with its quality of service."""
+    if ros == 1:
+        return f"    {literal(topic.name)}: {literal(topic.type)},\n"
+    return f"    {literal(topic.name)}: {call('Topic', literal(topic.type), literal(topic.reliable), literal(topic.latched))},\n"
+
+
+def _launch_testing(checks: Sequence[str]) -> str:
+    """What launch_testing looks for in a module."""
+    return (
+        "\n\n@pytest.mark.launch_test\n"
+        "def generate_test_description():\n    return description(LAUNCHES)\n\n\n"
+        f"TestProperties = case({', '.join(checks)})\n"
     )
 
 
@@ -187,7 +214,13 @@ def _claim(item: Tested, monitors: Monitors) -> str:
     )
 
 
+def check_name(ros: int, number: int, item: Tested) -> str:
+    """What the function of a property is called; pytest finds those of ROS 1, and launch_testing the test case of ROS 2."""
+    return f"{'test' if ros == 1 else 'check'}_{number}_{identifier(item.title)}"
+
+
 def _test(number: int, item: Tested, monitors: Monitors, inputs: Inputs) -> str:
+    ros = inputs.suite.ros
     lists = lists_of(item, inputs)
     sent = Sent({f"{role}_{number}": texts for role, texts in lists.items()}, number)
     parts = plan_of(item.parsed, sent)
@@ -210,7 +243,7 @@ def _test(number: int, item: Tested, monitors: Monitors, inputs: Inputs) -> str:
         f"PARTS_{number} = {_block('[', [f'    {part},{NEWLINE}' for part in parts], ']')}\n"
         f"GAPS_{number} = {literal(gaps_of(item.parsed))}\n\n\n"
         f"@judged(\n    TRIALS,\n    CLAIM_{number},\n    ASSUMPTIONS,\n{''.join(drawn)})\n"
-        f"def test_{number}_{identifier(item.title)}(plan):\n"
+        f"def {check_name(ros, number, item)}(plan):\n"
         f"{note if item.patience is not None else ''}"
         f"    TRIALS.holds(CLAIM_{number}, plan, ASSUMPTIONS)\n"
     )

@@ -265,6 +265,29 @@ def test_nothing_of_haros_ci_is_imported_and_python_3_8_reads_it(ros: int) -> No
                 else []
             )
             assert not any(module.startswith("haros_ci") for module in modules)
+        assert not list(_evaluated(tree)), name
+
+
+def _evaluated(tree: ast.AST) -> Iterator[str]:
+    """Generic types that are evaluated when the module is imported, which Python 3.8 cannot: those outside of annotations."""
+    for node in ast.iter_child_nodes(tree):
+        if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING":
+            continue
+        if isinstance(node, ast.Subscript) and ast.unparse(node.value) in (
+            "dict",
+            "list",
+            "tuple",
+            "set",
+            "type",
+            "Callable",
+            "Sequence",
+            "Mapping",
+        ):
+            yield ast.unparse(node)
+        for field in ("annotation", "returns"):
+            if getattr(node, field, None) is not None:
+                setattr(node, field, None)
+        yield from _evaluated(node)
 
 
 #: Texts that would do something if they got out of their literals.

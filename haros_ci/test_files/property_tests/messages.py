@@ -7,14 +7,15 @@ import copy
 import math
 import struct
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, Union
+from typing import TYPE_CHECKING, Any, Union
 
 from hypothesis import strategies as st
 
-Message = dict[str, Any]
 Strategy = Any
-#: The way to a value: names of fields, indices of arrays; ``len`` at its end is the number of items.
-Path = tuple[Union[str, int], ...]
+if TYPE_CHECKING:  # Python 3.8 does not evaluate these
+    Message = dict[str, Any]
+    #: The way to a value: names of fields, indices of arrays; ``LENGTH`` at its end is the number of items.
+    Path = tuple[Union[str, int], ...]
 
 LENGTH = "len()"
 #: Items of an array without a size, and characters of a text.

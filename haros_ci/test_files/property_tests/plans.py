@@ -5,14 +5,17 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hypothesis import strategies as st
 
 Strategy = Any
-#: Messages of a plan by the alias of their event.
-Seen = dict[str, Any]
-Predicate = Callable[[Any], bool]
+if TYPE_CHECKING:  # Python 3.8 does not evaluate these
+    #: Messages of a plan by the alias of their event.
+    Seen = dict[str, Any]
+    Predicate = Callable[[Any], bool]
+    #: What makes steps: it is given ``draw``, the gaps to choose from and the messages seen so far.
+    Part = Callable[[Callable[[Strategy], Any], Sequence[float], Seen], list["Step"]]
 
 #: Seconds between two messages; the first is the simplest.
 GAPS = (0.0, 0.001, 0.01, 0.05)
@@ -46,10 +49,6 @@ class Spacing(NamedTuple):
     seconds: float
     first_is: Predicate | None = None
     second_is: Predicate | None = None
-
-
-#: What makes steps: it is given ``draw``, the gaps to choose from and the messages seen so far.
-Part = Callable[[Callable[[Strategy], Any], Sequence[float], Seen], list[Step]]
 
 
 def between(least: int, most: int, *inputs: Input) -> Part:

@@ -10,8 +10,11 @@ from __future__ import annotations
 import importlib
 import threading
 import time
+import unittest
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
+
+import pytest
 
 from haros_ci.test_files.property_tests.trials import Driver, NotReady
 
@@ -60,6 +63,23 @@ def description(launches: Sequence[Launch]) -> Any:
         for item in launches
     ]
     return LaunchDescription([*included, ReadyToTest()])
+
+
+def case(*checks: Callable[[], None]) -> Any:
+    """The test case that launch_testing looks for: a method for each of *checks*. Flaky ones are skipped with their reason."""
+
+    def method(check: Callable[[], None]) -> Callable[[unittest.TestCase], None]:
+        def run(self: unittest.TestCase) -> None:
+            try:
+                check()
+            except (pytest.skip.Exception, pytest.xfail.Exception) as err:
+                self.skipTest(str(err))
+            except pytest.fail.Exception as err:
+                self.fail(str(err))
+
+        return run
+
+    return type("TestProperties", (unittest.TestCase,), {f"test_{check.__name__}": method(check) for check in checks})
 
 
 class Ros2(Driver):

@@ -9,7 +9,7 @@ import shlex
 import time
 import warnings
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pytest
 from hypothesis import HealthCheck, Phase, errors, given, settings
@@ -35,7 +35,8 @@ SETTINGS = settings(
     suppress_health_check=list(HealthCheck),
 )
 
-Test = Callable[[Any], None]
+if TYPE_CHECKING:  # Python 3.8 does not evaluate this
+    Test = Callable[[Any], None]
 
 
 def judged(
