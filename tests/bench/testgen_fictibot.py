@@ -85,10 +85,10 @@ def built(tutorials: Path, work: Path) -> None:
             for exercise in ("sec2-code-quality/ex1", "sec4-behaviour/ex1"):
                 _patch(space, (tutorials / "exercises" / f"{exercise}.diff").read_text())
             _answer_at_once(space / "src/fictibot_random_controller/src/random_controller.cpp")
-        run = ["catkin_make", "-DPYTHON_EXECUTABLE=/usr/bin/python3"]
+        run = ["catkin_make", "-C", str(space), "-DPYTHON_EXECUTABLE=/usr/bin/python3"]
         with (work / f"{name}.log").open("w") as log:  # messages first: not every package says that it needs them
             for targets in (["fictibot_msgs_generate_messages_cpp", "fictibot_msgs_generate_messages_py"], []):
-                subprocess.run([*run, *targets], cwd=space, check=True, stdout=log, stderr=subprocess.STDOUT)
+                subprocess.run([*run, *targets], check=True, stdout=log, stderr=subprocess.STDOUT)
         print(f"built {space}", flush=True)
 
 
