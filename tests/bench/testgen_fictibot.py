@@ -27,6 +27,9 @@ from typing import Any
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
+from haros_ci.behaviour.clauses import Reader
+from haros_ci.behaviour.comparing import Compared, follows
+from haros_ci.behaviour.deciding import Predicate
 from haros_ci.behaviour.meaning import mistakes
 from haros_ci.behaviour.parser import parse_property
 from haros_ci.behaviour.text import canonical
@@ -101,7 +104,7 @@ def _patch(space: Path, diff: str) -> None:
 def _answer_at_once(path: Path) -> None:
     """The second remedy that the tutorial names for exercise 2: publish in the callback of the bumper, too."""
     text = path.read_text()
-    begin = text.index("{", text.index("::bumper_callback")) + 1
+    begin = text.index("{", text.index("void RandomController::bumper_callback")) + 1
     answer = "\n    if (msg->left || msg->center || msg->right) { command_publisher_.publish(fictibot_msgs::VelocityCommand()); }"
     path.write_text(text[:begin] + answer + text[begin:])
 
@@ -167,13 +170,17 @@ def exercises(work: Path, examples: int) -> None:
 
 
 def mutants(text: str) -> Iterator[str]:
-    """Specification mutants of a property: operators, numbers, conjuncts, predicates, patterns and bounds changed, one at a time."""
+    """Specification mutants of a property: operators, numbers, conjuncts, predicates, patterns and bounds changed, one at a time. What follows of
+    the property is none."""
     found = parse_property(text)
-    made = dict.fromkeys(
-        canonical(mutant) for mutant in _mutants(found) if not mistakes(parse_property(canonical(mutant)))
-    )
-    made.pop(canonical(found), None)
-    yield from made
+    made = dict.fromkeys(canonical(mutant) for mutant in _mutants(found))
+    for mutant in map(parse_property, made):
+        if not mistakes(mutant) and not follows(compared(mutant), compared(found)):
+            yield canonical(mutant)
+
+
+def compared(found: Property) -> Compared:
+    return Compared(found, lambda event: Predicate(event.predicate, Reader(None, event.alias)))
 
 
 def _mutants(found: Property) -> Iterator[Property]:
