@@ -58,7 +58,7 @@ TRUE = {
         "globally: /high_cmd_stop causes /cmd_stop within 250 ms",
         "globally: /high_cmd_vel causes /state {data = 1} within 250 ms",
         "globally: no /state {not data in [-1 to 1]}",
-        "globally: /high_cmd_vel forbids /state {data = 0} within 500 ms",
+        "globally: /state {data = 1} forbids /state {data = 0} within 800 ms",
         "globally: /cmd_stop requires (/high_cmd_stop or /normal_cmd_stop or /low_cmd_stop) within 250 ms",
         "until (/high_cmd_vel or /high_cmd_stop): /normal_cmd_vel as C causes /cmd_vel {linear = @C.linear} within 250 ms",
         "until (/high_cmd_vel or /high_cmd_stop or /normal_cmd_vel or /normal_cmd_stop): /low_cmd_stop causes /cmd_stop within 250 ms",
@@ -78,8 +78,8 @@ def built(tutorials: Path, work: Path) -> None:
         shutil.rmtree(space, ignore_errors=True)
         for package in sorted((tutorials / "src").glob("fictibot_*")):
             shutil.copytree(package, space / "src" / package.name)
-        launch = "<launch><node name='{}' pkg='{}' type='{}'>{}</node></launch>"
-        quick = "<param name='/reaction_time' value='0.1'/>"
+        launch = "<launch>{3}<node name='{0}' pkg='{1}' type='{2}'/></launch>"
+        quick = "<param name='reaction_time' value='0.1'/>"
         package, kind = SAFETY.split("/")
         (space / "src" / package / "launch/quick.launch").write_text(launch.format("safety", package, kind, quick))
         package, kind = MULTIPLEX.split("/")
@@ -242,7 +242,7 @@ def study(work: Path, examples: int, most: int) -> None:
     rows = []
     for node, launch, pause in (
         (SAFETY, "fictibot_safety_controller/launch/quick.launch", 0.3),
-        (MULTIPLEX, "fictibot_multiplex/launch/alone.launch", 1.3),
+        (MULTIPLEX, "fictibot_multiplex/launch/alone.launch", 0.0),
     ):
         every = [mutant for text in TRUE[node] for mutant in mutants(text)]
         chosen = [every[number * len(every) // most] for number in range(min(most, len(every)))]

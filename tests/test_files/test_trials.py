@@ -238,6 +238,21 @@ def test_the_report_has_a_line_for_each_test(tmp_path: Path, monkeypatch: pytest
     assert line["result"] == "failed" and line["messages"] == [{"data": 7}] and line["starts"] > 5
 
 
+def test_what_ends_between_two_examples_is_named(tmp_path: Path) -> None:
+    driver = Answering(always)
+    started = driver.start
+
+    def start() -> None:
+        started()
+        driver.reset = lambda: bool(driver.dead.append("/node ended with exit code 3"))  # type: ignore[method-assign,func-returns-value]
+
+    driver.start = start  # type: ignore[method-assign]
+    text = "globally: no /out {data != 0}"
+    with pytest.warns(UserWarning, match="first /node ended with exit code 3"):
+        result = result_of(driver, tmp_path, text)[0]
+    assert result in ("passed", "failed")
+
+
 def test_shrinking_ends(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(trials_module, "SHRINKING", 0.0)
     result, _ = result_of(Answering(not_twice), tmp_path)

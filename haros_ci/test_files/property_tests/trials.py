@@ -93,6 +93,8 @@ class Tally:
         self.began = time.monotonic()
         self.first: float | None = None
         self.spent = 0.0
+        #: What ended by itself after one example and before the next.
+        self.between: list[str] = []
         self.failing: dict[str, Found] = {}
         self.passing: set[str] = set()
         self.latest: Found | None = None
@@ -147,7 +149,9 @@ class Trials:
     def _example(self, claim: Claim, plan: Sequence[Step], assumptions: Sequence[Claim], fresh: bool) -> Outcome:
         """One run of *plan*, on a *fresh* system or on the one that there is."""
         driver, tally = self.driver, self.tally
-        fresh = fresh or self.fresh_next or self.had >= KEPT or bool(driver.ended())
+        dead = driver.ended() if driver.running else []
+        tally.between.extend(dead)
+        fresh = fresh or self.fresh_next or self.had >= KEPT or bool(dead)
         if not driver.running or (driver.restarts and fresh):
             self._start()
         elif driver.reset():

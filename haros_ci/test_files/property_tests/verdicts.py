@@ -95,6 +95,8 @@ def _result(
             "reset(system) in hooks.py can bring the first state back",
             stacklevel=2,
         )
+    if tally.between:
+        warnings.warn(f"between two examples {len(tally.between)} processes ended, first {tally.between[0]}", stacklevel=2)
     if not tally.exercised:
         return SKIPPED, f"never exercised: none of {tally.examples} examples had what the property is about"
     return PASSED, ""
@@ -104,7 +106,7 @@ def _replayed(trials: Trials, claim: Claim, assumptions: Sequence[Claim], name: 
     """Replay what was found on fresh systems and store its trace."""
     found = trials.tally.latest
     if found is None:
-        raise RuntimeError("Hypothesis reports a failure that no example has shown")
+        return ERROR, "Hypothesis reports a failure that no example has shown"
     outcomes = trials.replayed(claim, found.plan, assumptions)
     failing = [outcome for outcome in outcomes if outcome.fails]
     outcome = min(failing or [found.outcome], key=lambda outcome: len(outcome.trace))
