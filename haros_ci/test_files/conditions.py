@@ -17,7 +17,7 @@ from haros_ci.monitor_files.literals import literal
 from haros_ci.test_files.types import LENGTH, Path, Types, bits_of, call, path_of
 
 #: Alternatives of one strategy, and items by which an array is made longer than a condition asks.
-MOST_ALTERNATIVES, MORE_ITEMS = 12, 4
+MOST_ALTERNATIVES, MORE_ITEMS = 16, 4
 
 Scalar = bool | int | float | str
 Boundaries = Mapping[Path, tuple[Scalar, ...]]

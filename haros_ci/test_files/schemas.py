@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from haros_ci.behaviour.clauses import Clauses, Reader, TooMany
-from haros_ci.behaviour.tree import Event, PatternKind, Property, ScopeKind, Variable, parts
+from haros_ci.behaviour.clauses import Clause, Clauses, Reader, TooMany
+from haros_ci.behaviour.tree import Binary, Event, Expression, PatternKind, Property, ScopeKind, Variable, parts
 from haros_ci.monitor_files.literals import literal
 from haros_ci.test_files.conditions import Boundaries, Scalar, Strategies, both, boundaries
 from haros_ci.test_files.suite import Suite, Tested
@@ -21,6 +21,8 @@ from haros_ci.test_files.types import Path, TooLarge, Types
 #: example goes on after its last message where nothing tells when it is over.
 LONGEST_PAUSE, LONGEST_GAP, HOLD, LONGEST_HOLD = 2.0, 0.2, 0.15, 1.0
 GAPS = (0.0, 0.001, 0.01, 0.05)
+#: Operands of ``or`` that are taken one by one.
+MOST_APART = 6
 
 
 @dataclass(slots=True)
@@ -84,6 +86,21 @@ class Inputs:
         except TooMany:
             return None
 
+    def apart(self, event: Event) -> Clauses | None:
+        """The alternatives of the predicate, before them each operand of ``or`` alone, with none of the others: what one of them does is seen so."""
+        whole, reader = self.clauses(event), Reader(self.scenes[id(event)], event.alias)
+        operands = list(_operands(event.predicate)) if event.predicate is not None else []
+        if whole is None or not 1 < len(operands) <= MOST_APART:
+            return whole
+        found: list[Clause] = []
+        for one in operands:
+            try:
+                rest = [reader.clauses(other, False) for other in operands if other is not one]
+                found += both(reader.clauses(one), *rest) or ()
+            except TooMany:
+                continue
+        return tuple(dict.fromkeys((*found, *whole)))
+
     def matching(self, events: Iterable[Event]) -> Iterator[str]:
         """Inputs for messages that are one of *events*."""
         for event in events:
@@ -92,7 +109,7 @@ class Inputs:
                 continue
             allowed, filters = self._allowed(event.topic, ())
             is_free = asks_others(event)
-            clauses = both(self.clauses(event), allowed)
+            clauses = both(self.apart(event), allowed)
             own = self.predicates.get(id(event))
             text = strategies.those(clauses, [*([own] if own and not is_free else []), *filters])
             if text is None:
@@ -136,6 +153,15 @@ class Inputs:
                         ]
                         names = ", ".join(map(literal, (first.topic, second.topic, pattern.bound.seconds)))
                         yield f"Spacing({names}, {', '.join(whose)})"
+
+
+def _operands(expression: Expression) -> Iterator[Expression]:
+    """The operands of ``or`` at the top of a predicate."""
+    if isinstance(expression, Binary) and expression.operator == "or":
+        yield from _operands(expression.left)
+        yield from _operands(expression.right)
+    else:
+        yield expression
 
 
 def asks_others(event: Event) -> bool:

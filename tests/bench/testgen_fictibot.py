@@ -275,11 +275,19 @@ def study(work: Path, examples: int, most: int) -> None:
         )
 
 
+def speed(work: Path, examples: int) -> None:
+    """One property of the multiplexer, without anything that brings its state back."""
+    node, text = MULTIPLEX, TRUE[MULTIPLEX][1]
+    project(work / "fixed", "fictibot_multiplex/launch/alone.launch", node, {"speed": text}, ())
+    (line,) = tested(work / "fixed", work / "speed", examples)
+    print(json.dumps(line, indent=2))
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("tutorials", type=Path)
     parser.add_argument("work", type=Path)
-    parser.add_argument("what", choices=("build", "exercises", "mutants"))
+    parser.add_argument("what", choices=("build", "exercises", "mutants", "speed"))
     parser.add_argument("--examples", type=int, default=100)
     parser.add_argument("--most", type=int, default=20, help="mutants of each node")
     flags = parser.parse_args()
@@ -287,6 +295,8 @@ def main() -> None:
         built(flags.tutorials.resolve(), flags.work.resolve())
     elif flags.what == "exercises":
         exercises(flags.work.resolve(), flags.examples)
+    elif flags.what == "speed":
+        speed(flags.work.resolve(), flags.examples)
     else:
         study(flags.work.resolve(), flags.examples, flags.most)
 

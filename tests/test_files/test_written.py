@@ -97,6 +97,15 @@ def test_messages_match_the_predicate_and_others_do_not(
             assert not can_be(names["TRIGGERS_1"], lambda m, condition=condition: eval(condition, {"m": m})), condition
 
 
+def test_each_operand_of_or_is_tried_alone(tmp_path: Path) -> None:
+    text = "globally: /bumper {left or not right} causes /stop within 1 s"
+    made = written([suite(text, inputs=("/bumper",))])
+    (found,) = re.findall(r"st\.one_of\((.*?)\n        \)", module_of(made), re.DOTALL)
+    first, second = [line.strip() for line in found.strip().splitlines()][:2]
+    assert first == "having(demo_bumper(), {('left',): st.just(True), ('right',): st.just(True)}),"
+    assert second == "having(demo_bumper(), {('left',): st.just(False), ('right',): st.just(False)}),"
+
+
 @pytest.mark.parametrize(
     ("assumption", "condition"),
     [

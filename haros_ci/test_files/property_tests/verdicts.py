@@ -50,7 +50,7 @@ def judged(
 
     def decorated(test: Test) -> Callable[[], None]:
         def run() -> None:
-            trials.tally = Tally()
+            trials.tally, trials.always_fresh = Tally(), False
             result, message = _result(trials, claim, assumptions, test, plans)
             _record(trials.tally, claim, test.__name__, result)
             if result in (FAILED, ERROR):
@@ -96,7 +96,9 @@ def _result(
             stacklevel=2,
         )
     if tally.between:
-        warnings.warn(f"between two examples {len(tally.between)} processes ended, first {tally.between[0]}", stacklevel=2)
+        warnings.warn(
+            f"between two examples {len(tally.between)} processes ended, first {tally.between[0]}", stacklevel=2
+        )
     if not tally.exercised:
         return SKIPPED, f"never exercised: none of {tally.examples} examples had what the property is about"
     return PASSED, ""
