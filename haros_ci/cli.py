@@ -24,13 +24,13 @@ from haros_ci.commands.flags import (
     query_options,
     report_options,
     system_options,
-    testgen_options,
     timings_options,
     what_options,
     workspace_options,
 )
 from haros_ci.commands.manual import EXIT_CODES, Group
 from haros_ci.commands.rule_flags import explain_options, rules_options, version_option
+from haros_ci.commands.testgen_flags import testgen
 from haros_ci.errors import EXIT_INTERRUPTED, EXIT_TOOL_TROUBLE, EXIT_USAGE, RunFailure, UserError
 from haros_ci.interruption import Interrupted, listening
 from haros_ci.streams import flushed, prepare_streams, write_to_stderr
@@ -273,14 +273,7 @@ def monitor(**flags: Any) -> int:
     return monitor_command.monitor(flags)
 
 
-@haros_ci.command()
-@testgen_options
-@workspace_options
-def testgen(**flags: Any) -> int:
-    """Write property-based tests of the nodes in PATH into DIR (docs/testgen.md)."""
-    from haros_ci.commands import testgen as testgen_command
-
-    return testgen_command.testgen(flags)
+haros_ci.add_command(testgen)
 
 
 @haros_ci.command()

@@ -244,26 +244,6 @@ monitor_options = options(
     click.option("--fail-on", type=LEVELS, help="Lowest level of a finding that fails the run; default: warning."),
 )
 
-#: What ``haros-ci testgen`` has besides.
-testgen_options = options(
-    click.argument("directory", metavar="DIR", type=click.Path(file_okay=False)),
-    click.argument("path", required=False, type=click.Path()),
-    click.option("--configuration", metavar="NAME", help="What is tested."),
-    click.option("--run", is_flag=True, help="Run the tests, too: start the nodes of the launch files (ROS 1)."),
-    click.option(
-        "--examples", type=click.IntRange(1), metavar="N", help="So many examples for each property; default: 100."
-    ),
-    click.option("--non-finite", is_flag=True, help="Send infinities and NaN, too."),
-    click.option(
-        "--patience",
-        type=click.FloatRange(0.01, 60),
-        default=2.0,
-        show_default=True,
-        metavar="SECONDS",
-        help="When an answer counts as missing where the property has no bound.",
-    ),
-)
-
 #: What ``report`` has beside what is analysed.
 page_options = options(
     click.option(

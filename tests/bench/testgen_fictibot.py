@@ -237,13 +237,15 @@ def _changed(part: Expression | None) -> Iterator[Expression | None]:
             yield from (replace(part, high=changed) for changed in _changed(part.high))
 
 
-def study(work: Path, examples: int, most: int) -> None:
+def study(work: Path, examples: int, most: int, only: str) -> None:
     """The true properties, which must pass, and *most* mutants of each node, which should not."""
     rows = []
     for node, launch, pause in (
         (SAFETY, "fictibot_safety_controller/launch/quick.launch", 0.3),
         (MULTIPLEX, "fictibot_multiplex/launch/alone.launch", 0.0),
     ):
+        if only not in node:
+            continue
         every = [mutant for text in TRUE[node] for mutant in mutants(text)]
         chosen = [every[number * len(every) // most] for number in range(min(most, len(every)))]
         stated = {f"true_{number:02}": text for number, text in enumerate(TRUE[node], 1)}
@@ -290,6 +292,9 @@ def main() -> None:
     parser.add_argument("what", choices=("build", "exercises", "mutants", "speed"))
     parser.add_argument("--examples", type=int, default=100)
     parser.add_argument("--most", type=int, default=20, help="mutants of each node")
+    parser.add_argument(
+        "--only", default="", metavar="NODE", help="of the two nodes of mutants the one with this in its name"
+    )
     flags = parser.parse_args()
     if flags.what == "build":
         built(flags.tutorials.resolve(), flags.work.resolve())
@@ -298,7 +303,7 @@ def main() -> None:
     elif flags.what == "speed":
         speed(flags.work.resolve(), flags.examples)
     else:
-        study(flags.work.resolve(), flags.examples, flags.most)
+        study(flags.work.resolve(), flags.examples, flags.most, flags.only)
 
 
 if __name__ == "__main__":
