@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from haros_ci.behaviour.tree import Event, Property
@@ -12,14 +12,11 @@ from haros_ci.monitor_files.core import IMPORTS, core_text
 from haros_ci.monitoring.patterns import monitor_of
 from haros_ci.test_files.suite import Suite
 
-#: The first lines of a module of monitors; annotations are not evaluated, so that Python 3.8 reads them.
+#: How a module of monitors begins.
 _HEAD = """\
 # {mark}; generating again writes it anew.
 \"\"\"The properties as monitors: each takes messages in order of time, and says when it is violated.\"\"\"
 
-from __future__ import annotations
-
-{imports}
 """
 
 
@@ -62,5 +59,10 @@ def monitors_of(suite: Suite, mark: str) -> Monitors:
             continue
         described.append(one)
         classes[id(item)] = f"Property{len(described)}"
+    return Monitors(f"{_HEAD.format(mark=mark)}{module_of(described)}", classes, tuple(left_out))
+
+
+def module_of(described: Sequence[Described]) -> str:
+    """The classes of these properties, ``Property1`` and so on, as a module; annotations are not evaluated, so that Python 3.8 reads them."""
     text, _ = core_text(described)
-    return Monitors(f"{_HEAD.format(mark=mark, imports=IMPORTS)}\n{text}", classes, tuple(left_out))
+    return f"from __future__ import annotations\n\n{IMPORTS}\n\n{text}"
