@@ -76,19 +76,7 @@ class _Finder:
         tested = [node] if node is not None else [item for item in self.system.nodes if item.is_default]
         notes: list[str] = []
         inputs, outputs = self._topics(tested)
-        promised, assumed = [], []
-        for stated in self.stated:
-            for item in self._resolved(stated, node, notes):
-                on = {event.topic for event in item.parsed.events}
-                if missing := on - {*inputs, *outputs}:
-                    if self._is_own(stated, node) and not stated.is_axiom:
-                        notes.append(
-                            f"{item.title}: not tested: the type or the nodes of {', '.join(sorted(missing))} are not known"
-                        )
-                elif stated.is_axiom or (self._is_own(stated, node) and not on & outputs.keys()):
-                    assumed.append(item)
-                elif self._is_own(stated, node):
-                    promised.append(self._bounded(item))
+        promised, assumed = self._sorted(node, inputs, outputs, notes)
         used = {event.topic for item in (*promised, *assumed) for event in item.parsed.events}
         seen = {name: topic for name, topic in outputs.items() if name in used}
         return Suite(
@@ -96,18 +84,34 @@ class _Finder:
             node.name if node is not None else "",
             self.system.ros,
             self.launches,
-            ()
-            if node is None
-            else tuple(dict.fromkeys((*((node.raw.container,) if node.raw.container else ()), node.name))),
+            _started(node),
             tuple(f"{item.name} ({item.type})" for item in tested),
             tuple(inputs[name] for name in sorted(inputs)),
             tuple(seen[name] for name in sorted(seen)),
             tuple(sorted(_edges(tested, inputs, seen))),
-            tuple(promised),
-            tuple(assumed),
+            promised,
+            assumed,
             self.properties.messages(self.system.ros),
             tuple(dict.fromkeys(notes)),
         )
+
+    def _sorted(
+        self, node: SystemNode | None, inputs: Mapping[str, Topic], outputs: Mapping[str, Topic], notes: list[str]
+    ) -> tuple[tuple[Tested, ...], tuple[Tested, ...]]:
+        """What is put to the test, and what is taken for granted: assumptions, and promises about open topics alone."""
+        promised, assumed = [], []
+        for stated in self.stated:
+            is_promise = self._is_own(stated, node) and not stated.is_axiom
+            for item in self._resolved(stated, node, notes):
+                on = {event.topic for event in item.parsed.events}
+                missing = ", ".join(sorted(on - {*inputs, *outputs}))
+                if missing and is_promise:
+                    notes.append(f"{item.title}: not tested: the type or the nodes of {missing} are not known")
+                elif not missing and is_promise and on & outputs.keys():
+                    promised.append(self._bounded(item))
+                elif not missing and (is_promise or stated.is_axiom):
+                    assumed.append(item)
+        return tuple(promised), tuple(assumed)
 
     def _is_own(self, stated: Stated, node: SystemNode | None) -> bool:
         """Whether the property is about this node, or about the configuration if there is none."""
@@ -117,20 +121,26 @@ class _Finder:
 
     def _resolved(self, stated: Stated, node: SystemNode | None, notes: list[str]) -> Iterator[Tested]:
         """The property in the names of the running system, for *node* or for each instance of its node."""
-        parsed, owner = stated.parsed, stated.owner
-        is_of_system = owner.kind == "configuration" and owner.name == self.system.name
-        is_of_node = owner.kind == "node" and (node is None or owner.name == node.type)
-        if parsed is None or mistakes(parsed) or not (is_of_system or is_of_node):
+        parsed = stated.parsed
+        if parsed is None or mistakes(parsed):
             return
-        if is_of_node and not stated.is_axiom and node is None:
-            return  # a suite of its own has it
-        instances = [node] if node is not None else [item for item in self.system.nodes if item.type == owner.name]
-        for instance in instances if is_of_node else [None]:
+        for instance in self._instances(stated, node):
             names = names_in_system(parsed, instance)
             if isinstance(names, str):
                 notes.append(f"{canonical(parsed)}: not tested: {names}")
             else:
                 yield self._tested(stated, parsed, names)
+
+    def _instances(self, stated: Stated, node: SystemNode | None) -> Sequence[SystemNode | None]:
+        """The nodes that the property is about, None for the configuration; promises of a node are in a suite of its own alone."""
+        owner = stated.owner
+        if owner.kind == "configuration" and owner.name == self.system.name:
+            return (None,)
+        if owner.kind != "node" or (node is None and not stated.is_axiom):
+            return ()
+        if node is not None:
+            return (node,) if owner.name == node.type else ()
+        return [item for item in self.system.nodes if item.type == owner.name]
 
     def _tested(self, stated: Stated, parsed: Property, names: Mapping[str, str]) -> Tested:
         made, pairs = renamed(parsed, names)
@@ -178,6 +188,11 @@ def _topic(name: str, ends: Sequence[End]) -> Topic | None:
     asked = [end.qos for end in ends if end.qos is not None]
     reliable = not any(qos.reliability == "best_effort" for qos in asked)
     return Topic(name, kind, reliable, any(qos.durability == "transient_local" for qos in asked))
+
+
+def _started(node: SystemNode | None) -> tuple[str, ...]:
+    """The names of the nodes to start: a nodelet with its manager; () for all."""
+    return () if node is None else tuple(name for name in (node.raw.container, node.name) if name)
 
 
 def _edges(

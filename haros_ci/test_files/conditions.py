@@ -142,14 +142,16 @@ class Strategies:
             least, greatest = self.types.limits(kind.base)
             low, high = _limits(atoms, least, greatest)
             return call("whole", literal(int(low)), literal(int(high)), near=numbers) if low <= high else None
-        bounds = [atom for atom in atoms if not isinstance(atom.value, str)]
-        low, open_low = max(
-            [(-math.inf, False), *((float(a.value), a.operator == ">") for a in bounds if a.operator[0] == ">")]
-        )
-        high, shut = min(
-            [(math.inf, True), *((float(a.value), a.operator == "<=") for a in bounds if a.operator[0] == "<")]
-        )
-        return self.types.floats(low, high, numbers, bits_of(kind), open_low, not shut)
+        (low, open_low), (high, open_high) = _ends(atoms)
+        return self.types.floats(low, high, numbers, bits_of(kind), open_low, open_high)
+
+
+def _ends(atoms: Sequence[Atom]) -> tuple[tuple[float, bool], tuple[float, bool]]:
+    """The least and the greatest number that the bounds of *atoms* leave, each with whether it is itself left out."""
+    bounds = [(atom.operator, float(atom.value)) for atom in atoms if not isinstance(atom.value, str)]
+    low, open_low = max([(-math.inf, False), *((value, sign == ">") for sign, value in bounds if sign[0] == ">")])
+    high, is_shut = min([(math.inf, True), *((value, sign == "<=") for sign, value in bounds if sign[0] == "<")])
+    return (low, open_low), (high, not is_shut)
 
 
 def _as(kind: FieldType, value: Scalar) -> Scalar:

@@ -102,24 +102,14 @@ def _module(suite: Suite, name: str, non_finite: bool) -> tuple[str, str, list[s
     if not properties:
         return "", "", [*monitors.left_out]
     types = Types(suite.messages, suite.ros, non_finite)
-    predicates = {
-        id(event): (f"is_{monitors.classes[id(item)]}_{number}".lower(), item, role)
-        for item in (*suite.properties, *suite.assumptions)
-        for number, (role, event) in enumerate(roles_of(item.parsed), 1)
-        if event.predicate is not None
-    }
-    inputs = Inputs(suite, types, {key: function for key, (function, _, _) in predicates.items()})
+    predicates = _predicates(suite, monitors)
+    inputs = Inputs(suite, types, {key: function for key, (function, _) in predicates.items()})
     tests = [_test(number, item, monitors, inputs) for number, item in enumerate(suite.properties, 1)]
     body = "\n\n".join((_assumptions(suite, monitors, inputs), *tests))
     if suite.ros == 2:
         body += _launch_testing([check_name(2, number, item) for number, item in enumerate(properties, 1)])
-    events = {id(event): event for item in (*suite.properties, *suite.assumptions) for event in item.parsed.events}
-    functions = "".join(
-        f"{function} = holds(monitors.{monitors.classes[id(item)]}, {literal(role)}, {literal(events[key].topic)})\n"
-        for key, (function, item, role) in predicates.items()
-        if re.search(rf"\b{function}\b", body)
-    )
-    known = f"#: The predicates of the properties: whether a message is meant.\n{functions}\n\n" if functions else ""
+    used = "".join(f"{name} = {call}\n" for name, call in predicates.values() if re.search(rf"\b{name}\b", body))
+    known = f"#: The predicates of the properties: whether a message is meant.\n{used}\n\n" if used else ""
     text = (
         f"{_system(suite)}\n\n{''.join(f'{function.rstrip()}{chr(10) * 3}' for function in types.texts)}{known}{body}"
     )
@@ -128,6 +118,18 @@ def _module(suite: Suite, name: str, non_finite: bool) -> tuple[str, str, list[s
         monitors.text,
         [*monitors.left_out, *inputs.left_out],
     )
+
+
+def _predicates(suite: Suite, monitors: Monitors) -> dict[int, tuple[str, str]]:
+    """The predicate of each event by its identity: its name in the module, and the call that makes it."""
+    found: dict[int, tuple[str, str]] = {}
+    for item in (*suite.properties, *suite.assumptions):
+        kind = monitors.classes[id(item)]
+        for number, (role, event) in enumerate(roles_of(item.parsed), 1):
+            if event.predicate is not None:
+                made = f"holds(monitors.{kind}, {literal(role)}, {literal(event.topic)})"
+                found[id(event)] = (f"is_{kind}_{number}".lower(), made)
+    return found
 
 
 def _imports(text: str, name: str, ros: int) -> str:

@@ -212,16 +212,20 @@ _OTHERS = {
 }
 
 
+def _of_binary(part: Binary) -> Iterator[Expression | None]:
+    for other in _OTHERS.get(part.operator, ()):
+        yield replace(part, operator=other)
+    if part.operator in ("and", "or"):
+        yield from (part.left, part.right)
+    yield from (replace(part, left=changed) for changed in _changed(part.left) if changed is not None)
+    yield from (replace(part, right=changed) for changed in _changed(part.right) if changed is not None)
+
+
 def _changed(part: Expression | None) -> Iterator[Expression | None]:
     """*part* with one thing in it changed."""
     match part:
-        case Binary(operator=sign, left=left, right=right):
-            for other in _OTHERS.get(sign, ()):
-                yield replace(part, operator=other)
-            if sign in ("and", "or"):
-                yield from (left, right)
-            yield from (replace(part, left=changed) for changed in _changed(left))
-            yield from (replace(part, right=changed) for changed in _changed(right))
+        case Binary():
+            yield from _of_binary(part)
         case Unary(operator="not", operand=operand):
             yield operand
             yield from (replace(part, operand=changed) for changed in _changed(operand))
@@ -259,22 +263,22 @@ def study(work: Path, examples: int, most: int, only: str) -> None:
                 flush=True,
             )
         rows.append((node, len(every), lines))
-    print(
-        "\n| node | mutants made | tested | killed | flaky | survived | true properties passed | seconds for a killed mutant | examples for it | seconds for an example |\n|---|---|---|---|---|---|---|---|---|---|"
-    )
-    for node, made, lines in rows:
-        of = {
-            result: [line for line in lines if line["kind"] == "mutant" and line["result"] == result]
-            for result in ("failed", "flaky", "passed")
-        }
-        true = [line for line in lines if line["kind"] == "true"]
-        dead = of["failed"]
-        each = [line["seconds"] / line["examples"] for line in lines if line["examples"]]
-        print(
-            f"| {node} | {made} | {len(lines) - len(true)} | {len(dead)} | {len(of['flaky'])} | {len(of['passed'])} "
-            f"| {sum(line['result'] == 'passed' for line in true)} of {len(true)} | {statistics.median(line['seconds'] for line in dead):.1f} "
-            f"| {statistics.median(line['examples'] for line in dead):.0f} | {statistics.median(each):.2f} |"
-        )
+    titles = "node|mutants made|tested|killed|flaky|survived|true ones passed|s for a killed one|examples for it|s for an example"
+    print(f"\n| {titles.replace('|', ' | ')} |\n|{'---|' * (titles.count('|') + 1)}")
+    for row in rows:
+        print(_row(*row))
+
+
+def _row(node: str, made: int, lines: list[dict[str, Any]]) -> str:
+    """A line of the table."""
+    true = [line["result"] for line in lines if line["kind"] == "true"]
+    results = [line["result"] for line in lines if line["kind"] == "mutant"]
+    dead = [line for line in lines if line["kind"] == "mutant" and line["result"] == "failed"]
+    seconds, examples = (statistics.median(line[key] for line in dead) for key in ("seconds", "examples"))
+    one = statistics.median(line["seconds"] / line["examples"] for line in lines if line["examples"])
+    counts = " | ".join(str(results.count(result)) for result in ("failed", "flaky", "passed"))
+    passed = f"{true.count('passed')} of {len(true)}"
+    return f"| {node} | {made} | {len(results)} | {counts} | {passed} | {seconds:.1f} | {examples:.0f} | {one:.2f} |"
 
 
 def speed(work: Path, examples: int) -> None:
