@@ -55,6 +55,12 @@ def test_the_simplest_plan(part: Any, sent: list[Any]) -> None:
     assert topics(find(plans(part), lambda plan: True, settings=FEW)) == sent
 
 
+@FEW
+@given(plans(between(1, 2, A, B), silent=("/b",)))
+def test_nothing_is_sent_on_silent_topics_and_more_on_the_others(plan: Any) -> None:
+    assert topics(plan) in (["/a"], ["/a", "/a"])
+
+
 def test_a_message_can_ask_for_an_earlier_one() -> None:
     first = Input("/a", st.integers(1, 9), "A")
     second = Input("/b", lambda seen: st.just(seen["A"] + 1))

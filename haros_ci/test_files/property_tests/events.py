@@ -16,7 +16,7 @@ def holds(monitor: Callable[[], Any], role: str, topic: str) -> Callable[..., bo
     event = made.roles[topic][role]
 
     def test(message: Any, seen: Mapping[str, Any] | None = None) -> bool:
-        known = {} if not seen else {alias: _kept(made, alias, earlier) for alias, earlier in seen.items()}
+        known = {} if not seen else {alias: _kept(made, alias, earlier) for alias, earlier in seen.items() if alias}
         return bool(made.matches(event, message, known))
 
     return test

@@ -19,6 +19,8 @@ if TYPE_CHECKING:  # Python 3.8 does not evaluate these
 
 #: Seconds between two messages; the first is the simplest.
 GAPS = (0.0, 0.001, 0.01, 0.05)
+#: Where the topics on which nothing is sent stand among the messages that were seen; no alias is empty.
+SILENT = ""
 
 
 class Step(NamedTuple):
@@ -55,9 +57,10 @@ def between(least: int, most: int, *inputs: Input) -> Part:
     """*least* to *most* messages of any of *inputs*."""
 
     def part(draw: Callable[[Strategy], Any], gaps: Sequence[float], seen: Seen) -> list[Step]:
-        if not inputs:
+        here = [item for item in inputs if item.topic not in seen.get(SILENT, ())]
+        if not here:
             return []
-        return [_sent(draw, gaps, seen, inputs) for _ in range(draw(st.integers(least, most)))]
+        return [_sent(draw, gaps, seen, here) for _ in range(draw(st.integers(least, most)))]
 
     return part
 
@@ -112,9 +115,9 @@ def plans(
     """Plans of *parts*; messages come no sooner after each other than the *spacings* allow, and none on topics that are *silent*."""
 
     def drawn(draw: Callable[[Strategy], Any]) -> tuple[Step, ...]:
-        seen: Seen = {}
+        seen: Seen = {SILENT: silent}
         steps = [step for part in parts for step in part(draw, gaps, seen)]
-        return spaced([step for step in steps if step.topic not in silent], spacings)
+        return spaced(steps, spacings)
 
     return st.composite(drawn)()
 
