@@ -30,6 +30,7 @@ from haros_ci.commands.flags import (
 )
 from haros_ci.commands.manual import EXIT_CODES, Group
 from haros_ci.commands.rule_flags import explain_options, rules_options, version_option
+from haros_ci.commands.testgen_flags import testgen
 from haros_ci.commands.verify_flags import verify
 from haros_ci.errors import EXIT_INTERRUPTED, EXIT_TOOL_TROUBLE, EXIT_USAGE, RunFailure, UserError
 from haros_ci.interruption import Interrupted, listening
@@ -273,6 +274,7 @@ def monitor(**flags: Any) -> int:
     return monitor_command.monitor(flags)
 
 
+haros_ci.add_command(testgen)
 haros_ci.add_command(verify)
 
 

@@ -30,6 +30,10 @@ DOORS: dict[str, set[str]] = {
     "monitoring": {"behaviour"},
     # runs as formulas; the monitor is the judge of what is found
     "verification": {"behaviour", "errors", "interfaces", "interruption", "monitoring"},
+    # properties as files that run beside a system
+    "monitor_files": {"behaviour", "monitoring"},
+    # tests as files, and the modules that they stand on; what is tested is given to it
+    "test_files": {"behaviour", "interfaces", "monitor_files", "monitoring"},
     # programs as front ends write them: typed nodes and their codec
     "syntax": set(),
     "changes": {"interfaces", "model", "syntax"},
@@ -119,6 +123,7 @@ DOORS: dict[str, set[str]] = {
         "scratch",
         "syntax",
         "systems",
+        "test_files",
         "timing",
         "verification",
         "workspace",
@@ -220,6 +225,7 @@ DOORS: dict[str, set[str]] = {
         "linters",
         "measuring",
         "model",
+        "monitor_files",
         "monitoring",
         "pipeline",
         "plugins",
@@ -232,6 +238,7 @@ DOORS: dict[str, set[str]] = {
         "shards",
         "starting",
         "streams",
+        "test_files",
         "timing",
         "verification",
         "workspace",

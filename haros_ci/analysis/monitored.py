@@ -86,6 +86,14 @@ def chosen(
     return Chosen(name, tuple(found), _publishers(system), types, ros, tuple(notes), system)
 
 
+def configuration_of(stated: Iterable[Stated], every: Sequence[System], name: str | None) -> System:
+    """The configuration of this *name*, or the only one; UserError where it is not clear which."""
+    found = _system(every, name if name is not None else _only(stated, every, ()))
+    if found is None:
+        raise UserError("no configuration is named", help="name one: --configuration NAME")
+    return found
+
+
 def _system(every: Iterable[System], name: str) -> System | None:
     known = {system.name: system for system in every}
     if name and name not in known:
@@ -160,7 +168,7 @@ def _monitored(properties: Properties, stated: Stated, system: System | None, no
         else [None]
     )
     for node in nodes:
-        names = _names(property, node)
+        names = names_in_system(property, node)
         if isinstance(names, str):
             notes.append(f"{title}: {names}")
             continue
@@ -175,8 +183,8 @@ def _monitored(properties: Properties, stated: Stated, system: System | None, no
         )
 
 
-def _names(property: Property, node: SystemNode | None) -> dict[str, str] | str:
-    """What the topics of *property* are called in the recording; a sentence where that is not known."""
+def names_in_system(property: Property, node: SystemNode | None) -> dict[str, str] | str:
+    """What the topics of *property* are called in the running system; a sentence where that is not known."""
     found: dict[str, str] = {}
     for event in property.events:
         topic = event.topic if event.topic[0] in "/~" else f"/{event.topic}"

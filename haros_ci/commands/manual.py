@@ -38,14 +38,14 @@ Every command has a --help of its own. The pages: https://github.com/haros-ci/ha
 #: The section that an option stands in, by its first name; what is named nowhere stands under Options.
 SECTIONS: Mapping[str, tuple[str, ...]] = {
     "What is looked at": ("--project", "--isolated", "--exclude", "--compile-database", "--stdin-filename", "--configuration", "--launch", "--arg", "--env", "--path", "--no-known-nodes", "--as-running", "--exact"),
-    "What is reported": ("--profile", "--tool", "--select", "--ignore", "--import", "--metric", "--level", "--scope", "--expect", "--check-readme", "--coverage", "--rates", "--dependence", "--affects", "--caused-by", "--observed"),
+    "What is reported": ("--profile", "--tool", "--select", "--ignore", "--import", "--metric", "--level", "--scope", "--expect", "--non-finite", "--patience", "--check-readme", "--coverage", "--rates", "--dependence", "--affects", "--caused-by", "--observed"),
     "What is known already": ("--baseline", "--baseline-rev", "--base", "--no-baseline", "--require-baseline", "--file", "--accept-new", "--force"),
     "What comes out": (
         "--output", "--format", "--sarif-for", "--why", "--statistics", "--show-settings", "--fail-on", "--allow-tool-failure",
         "--exit-code", "--fail-on-match", "--fix", "--diff", "--watch", "--json", "--checks", "--standards", "--quiet", "--worst", "--full", "--enabled",
     ),
     "How it runs": (
-        "--jobs", "--verbose", "--plugin", "--plugin-whitelist", "--plugin-blacklist", "--plugin-export", "--trust-config", "--cache-dir", "--no-cache", "--timings",
+        "--run", "--examples", "--jobs", "--verbose", "--plugin", "--plugin-whitelist", "--plugin-blacklist", "--plugin-export", "--trust-config", "--cache-dir", "--no-cache", "--timings",
         "--shard", "--shard-costs", "--write-costs",
     ),
 }  # fmt: skip
@@ -130,6 +130,13 @@ EXAMPLES: Mapping[str, tuple[tuple[str, str], ...]] = {
         ("findings for code scanning", "haros-ci monitor --bag run --output sarif=monitor.sarif"),
         ("what ROSMonitoring records for it", "haros-ci monitor --export rosmonitoring=monitor.yaml"),
     ),
+    "testgen": (
+        ("tests for the team's repository", "haros-ci testgen robot/test/properties --configuration robot"),
+        (
+            "and run them, in the environment of the built workspace",
+            "haros-ci testgen /tmp/tests --configuration robot --run",
+        ),
+    ),
     "verify": (
         ("the properties of a configuration", "haros-ci verify --configuration robot"),
         ("with messages that take up to 20 ms", "haros-ci verify --network async --latency 20"),
@@ -192,6 +199,11 @@ named, or about all systems of the workspace. haros-ci check does the same for t
 PATH is the workspace (default: here) with the project file. Properties are those of the configuration and of its nodes, under the names
 that its launch files give them; --property takes the id of one, or a text in HPL. Bags need the extra: pip install 'haros-ci[bags]'.
 """,
+    "testgen": """
+PATH is the workspace (default: here) with the project file. The properties of the configuration and of its nodes become tests for pytest
+and Hypothesis, which import nothing of haros-ci. With --run they are run: on a master of their own, with the nodes that the
+configuration's launch files start and no others. --run needs the extra: pip install 'haros-ci[testgen]'.
+""",
     "verify": """
 PATH is the workspace (default: here) with the project file. Properties of the configuration are verified; those of its nodes, and its
 assumptions, are taken for granted. Nothing is run. It needs the extra: pip install 'haros-ci[verify]'.
@@ -224,6 +236,7 @@ SHORT: Mapping[str, str] = {
     "policy": "Write a security policy (SROS2) of what the nodes do.",
     "query": "Ask a query of the running systems, as HAROS does.",
     "rules": "List the rules, all or those of a FILTER.",
+    "testgen": "Write property-based tests of running nodes.",
     "verify": "Look for runs that violate properties.",
 }
 

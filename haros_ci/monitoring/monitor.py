@@ -81,12 +81,18 @@ class Monitor:
         self.known: Known = _NOTHING
         self.scopes = self.triggers = self.behaviours = self.heard = 0
         self.last = 0
-        for role, events in zip(_ROLES, _groups(property)):
+        for role, events in zip(_ROLES, self.events):
             for event in events:
                 roles = self.roles.setdefault(self.name(event), Roles())
                 if getattr(roles, role) is not None:
                     self.leave(f"two of its events are messages on {self.name(event)}")
                 setattr(roles, role, self.part(event, role))
+
+    @property
+    def events(self) -> tuple[tuple[Event, ...], ...]:
+        """The events by their roles: activator, terminator, trigger, behaviour."""
+        scope, pattern = self.property.scope, self.property.pattern
+        return scope.activator, scope.terminator, pattern.trigger, pattern.behaviour
 
     @property
     def topics(self) -> tuple[str, ...]:
@@ -110,12 +116,17 @@ class Monitor:
 
     def part(self, event: Event, role: str) -> Part:
         """What is asked of a message in this role."""
-        others = [other_event for other_event in self.property.events if other_event is not event]
-        asked = [chain for other in others for chain in chains(other.predicate, event.alias)] if event.alias else []
-        own = [*chains(event.predicate, None), *(chains(event.predicate, event.alias) if event.alias else ())]
+        asked, own = self.asked_of(event)
         test = test_of(event, self.constants, self.faults, of_slots=self.is_kept_in_slots(role))
         slots = Slots(event, asked, self.constants) if asked else None
         return Part(event, role, test, slots, Slots(event, [*own, *asked], self.constants))
+
+    def asked_of(self, event: Event) -> tuple[list[Expression], list[Expression]]:
+        """What other events ask of a message of *event*, and what its own predicate asks of it."""
+        others = [other_event for other_event in self.property.events if other_event is not event]
+        asked = [chain for other in others for chain in chains(other.predicate, event.alias)] if event.alias else []
+        own = [*chains(event.predicate, None), *(chains(event.predicate, event.alias) if event.alias else ())]
+        return asked, own
 
     def is_kept_in_slots(self, role: str) -> bool:
         """Whether predicates of this role are asked later, of what was kept."""
@@ -240,11 +251,6 @@ class Monitor:
 def words(events: Iterable[str]) -> str:
     """Topics in a sentence."""
     return " or ".join(events)
-
-
-def _groups(property: Property) -> tuple[tuple[Event, ...], ...]:
-    scope, pattern = property.scope, property.pattern
-    return scope.activator, scope.terminator, pattern.trigger, pattern.behaviour
 
 
 #: Characters of a value that is shown, and values of one message.

@@ -98,15 +98,15 @@ def chains(expression: Expression | None, name: str | None) -> Iterator[Expressi
     """What *expression* asks of the message called *name* (None: of its own): the longest chains of fields and fixed items."""
     if expression is None:
         return
-    if isinstance(expression, (Field, Item, Variable)) and (rooted := _rooted(expression)) is not None:
-        if rooted == (name,):
+    if isinstance(expression, (Field, Item, Variable)) and (root := rooted(expression)) is not None:
+        if root == (name,):
             yield expression
         return
     for child in children(expression):
         yield from chains(child, name)
 
 
-def _rooted(expression: Expression | None) -> tuple[str | None] | None:
+def rooted(expression: Expression | None) -> tuple[str | None] | None:
     """Whose message a chain of fields and fixed items begins at, None if it is no such chain."""
     while True:
         match expression:
@@ -177,9 +177,9 @@ class _Compiler:
         constant = self.constants(self.event, expression)
         if constant is not None:
             return lambda message, known: constant
-        rooted = _rooted(expression)
-        name = rooted[0] if rooted is not None else None
-        if rooted is not None and name not in self.variables:
+        root = rooted(expression)
+        name = root[0] if root is not None else None
+        if root is not None and name not in self.variables:
             if name is not None and name != self.event.alias:
                 return _slot_of(name, key_of(expression))
             if self.of_slots:
