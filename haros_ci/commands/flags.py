@@ -219,6 +219,12 @@ monitor_options = options(
         metavar="rosmonitoring[=PATH]",
         help="Instead: what ROSMonitoring needs to record the topics of the properties.",
     ),
+    click.option(
+        "--generate",
+        metavar="DIR",
+        type=click.Path(file_okay=False),
+        help="Instead: write monitors that run beside the system, a file for each configuration.",
+    ),
     click.option("--property", metavar="ID|TEXT", multiple=True, help="Only these properties; repeatable."),
     click.option(
         "--clock",
