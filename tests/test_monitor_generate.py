@@ -52,7 +52,7 @@ def test_it_judges_as_the_command_does(workspace: Path, capsys: pytest.CaptureFi
     reasons = ("faults", "warning", "reason")
     plain = [{key: value for key, value in one.items() if key not in reasons} for one in ours["properties"]]
     assert plain == [{key: value for key, value in one.items() if key != "reason"} for one in theirs["properties"]]
-    assert main(["report", "--monitor", "report.json", "--output", "page.html", "--no-cache"]) == 0
+    assert main(["report", "--verdicts", "report.json", "--output", "page.html", "--no-cache"]) == 0
 
 
 def test_a_file_for_each_configuration_with_properties(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:  # noqa: F811

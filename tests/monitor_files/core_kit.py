@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from monitoring.traces import PATTERNS, SCOPES, drawn, traced
@@ -168,7 +168,11 @@ BATCH = 60
 
 
 def disagreements(
-    count: int, seed: int, made_of: Any = core, patterns: Sequence[str] = PATTERNS
+    count: int,
+    seed: int,
+    made_of: Any = core,
+    patterns: Sequence[str] = PATTERNS,
+    on_pair: Callable[[Said], Any] = lambda said: None,
 ) -> Iterator[tuple[str, Messages, Said, Said]]:
     """Where generated and offline monitor disagree on *count* random pairs, of all scopes and patterns in turn."""
     draw = random.Random(seed)
@@ -178,6 +182,7 @@ def disagreements(
         for at, (text, messages) in enumerate(pairs):
             (theirs,) = offline([text], messages)
             (ours,) = generated({**made, "PROPERTIES": made["PROPERTIES"][at : at + 1]}, messages, timers=bool(at % 3))
+            on_pair(theirs)
             if ours != theirs:
                 yield text, messages, ours, theirs
 
