@@ -18,7 +18,6 @@ from haros_ci.commands.flags import (
     format_option,
     hpl_options,
     metrics_options,
-    monitor_options,
     page_options,
     policy_options,
     query_options,
@@ -29,6 +28,7 @@ from haros_ci.commands.flags import (
     workspace_options,
 )
 from haros_ci.commands.manual import EXIT_CODES, Group
+from haros_ci.commands.monitor_flags import monitor
 from haros_ci.commands.rule_flags import explain_options, rules_options, version_option
 from haros_ci.commands.testgen_flags import testgen
 from haros_ci.commands.verify_flags import verify
@@ -264,16 +264,7 @@ def hpl(**flags: Any) -> int:
     return hpl_command.hpl(flags)
 
 
-@haros_ci.command()
-@monitor_options
-@workspace_options
-def monitor(**flags: Any) -> int:
-    """Hold properties in HPL against a recording of messages (docs/monitor.md)."""
-    from haros_ci.commands import monitor as monitor_command
-
-    return monitor_command.monitor(flags)
-
-
+haros_ci.add_command(monitor)
 haros_ci.add_command(testgen)
 haros_ci.add_command(verify)
 

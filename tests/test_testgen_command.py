@@ -103,7 +103,9 @@ def test_patience_is_the_bound_of_what_has_none(workspace: Path) -> None:
     assert "causes /level within 500 ms'" in text and "what has not come within 0.5 s counts as missing" in text
 
 
-def test_it_writes_the_same_again_and_nothing_over_other_files(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_it_writes_the_same_again_and_nothing_over_other_files(
+    workspace: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     command = ["testgen", "../t", ".", "--configuration", "demo", "--no-cache"]
     assert main(command) == 0
     before = {path: path.read_bytes() for path in (workspace / "t").rglob("*.py")}
@@ -123,7 +125,9 @@ def test_it_writes_the_same_again_and_nothing_over_other_files(workspace: Path, 
         (["--isolated", "--configuration", "demo/launch/demo.launch"], "no properties to test"),
     ],
 )
-def test_what_cannot_be(arguments: list[str], message: str, workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_cannot_be(
+    arguments: list[str], message: str, workspace: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     assert main(["testgen", "../t", ".", *arguments, "--no-cache"]) == 2
     assert message in capsys.readouterr().err
     assert not (workspace / "t").exists()

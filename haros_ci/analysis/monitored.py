@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.analysis.inspection import Architectures, project_of
@@ -17,6 +17,7 @@ from haros_ci.checking.kinds import TOPIC
 from haros_ci.checking.properties import Properties, node_names, stated_in
 from haros_ci.checking.system import Channel, System, SystemNode, systems
 from haros_ci.errors import UserError
+from haros_ci.model.architecture import Qos
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
 from haros_ci.monitoring.monitor import Monitor
@@ -51,7 +52,8 @@ class Publisher:
 
 @dataclass(frozen=True, slots=True)
 class Chosen:
-    """The *configuration* ("" for none) of ROS 1 or 2, its properties, the publishers of each topic and its types, and sentences about properties that are left out."""
+    """The *configuration* ("" for none) of ROS 1 or 2, its properties, the publishers of each topic, its types and what QoS they offer, the types of services, and sentences
+    about properties that are left out."""
 
     configuration: str
     properties: tuple[Monitored, ...]
@@ -60,6 +62,8 @@ class Chosen:
     ros: int
     notes: tuple[str, ...]
     system: System | None = None
+    qos: Mapping[str, tuple[Qos | None, ...]] = field(default_factory=dict)
+    services: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
 
 def chosen(
@@ -83,7 +87,9 @@ def chosen(
     found = [one for stated in picked if _is_sound(stated) for one in _monitored(properties, stated, system, notes)]
     types = {topic.name: topic.types for topic in system.topics if not _is_of_libraries(topic)} if system else {}
     ros = system.ros if system else 1
-    return Chosen(name, tuple(found), _publishers(system), types, ros, tuple(notes), system)
+    services = {service.name: service.types for service in system.services} if system else {}
+    sure = (name, tuple(found), _publishers(system), types, ros, tuple(notes))
+    return Chosen(*sure, qos=_qos(system), services=services, system=system)
 
 
 def configuration_of(stated: Iterable[Stated], every: Sequence[System], name: str | None) -> System:
@@ -92,6 +98,15 @@ def configuration_of(stated: Iterable[Stated], every: Sequence[System], name: st
     if found is None:
         raise UserError("no configuration is named", help="name one: --configuration NAME")
     return found
+
+
+def with_properties(workspace: Workspace, architectures: Architectures, project_file: str = "") -> tuple[str, ...]:
+    """The configurations of the workspace that have properties, or whose nodes have, in order of their names."""
+    made = architectures.of(workspace)
+    every = tuple(systems(made.architecture, workspace))
+    project = project_of(made, workspace, every, project_file=project_file)
+    stated = stated_in(project) if project.project_file else ()
+    return tuple(sorted(s.name for s in every if any(_is_of(one.owner, s.name, s) for one in stated)))
 
 
 def _system(every: Iterable[System], name: str) -> System | None:
@@ -203,6 +218,15 @@ def names_in_system(property: Property, node: SystemNode | None) -> dict[str, st
 def _is_of_libraries(topic: Channel) -> bool:
     """Whether only client libraries are on the topic."""
     return all(end.implicit for end in topic.ends)
+
+
+def _qos(system: System | None) -> dict[str, tuple[Qos | None, ...]]:
+    """What the publishers of each topic offer; None where that is not known."""
+    found: dict[str, tuple[Qos | None, ...]] = {}
+    for node in system.nodes if system is not None else ():
+        for end in node.of("publishers"):
+            found[end.name] = (*found.get(end.name, ()), end.qos)
+    return found
 
 
 def _publishers(system: System | None) -> dict[str, tuple[Publisher, ...]]:

@@ -208,42 +208,6 @@ hpl_options = options(
     click.option("--fail-on", type=LEVELS, help="Lowest level of a finding that fails the run; default: warning."),
 )
 
-#: What ``haros-ci monitor`` has besides.
-monitor_options = options(
-    click.argument("path", required=False, type=click.Path()),
-    click.option("--bag", metavar="BAG", type=click.Path(), help="A bag of ROS 1 or ROS 2: a file, or a directory."),
-    click.option("--jsonl", metavar="FILE", type=click.Path(), help="A message in each line, as JSON."),
-    click.option("--configuration", metavar="NAME", help="What has been recorded."),
-    click.option(
-        "--export",
-        metavar="rosmonitoring[=PATH]",
-        help="Instead: what ROSMonitoring needs to record the topics of the properties.",
-    ),
-    click.option("--property", metavar="ID|TEXT", multiple=True, help="Only these properties; repeatable."),
-    click.option(
-        "--clock",
-        type=click.Choice(["log", "header"]),
-        default="log",
-        show_default=True,
-        help="Times of recording, or of the messages' headers.",
-    ),
-    click.option(
-        "--output",
-        metavar="FORMAT[=PATH]",
-        multiple=True,
-        shell_complete=completion_of("formats"),
-        help="text, sarif, github, json, junit, gitlab, rdjson, checkstyle, csv or markdown; repeatable.",
-    ),
-    click.option(
-        "--sarif-for",
-        type=click.Choice(["archive", "github"]),
-        default="archive",
-        show_default=True,
-        help="Who reads the SARIF.",
-    ),
-    click.option("--fail-on", type=LEVELS, help="Lowest level of a finding that fails the run; default: warning."),
-)
-
 #: What ``report`` has beside what is analysed.
 page_options = options(
     click.option(

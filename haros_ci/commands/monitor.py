@@ -13,9 +13,10 @@ from typing import Any
 import click
 
 from haros_ci.analysis.inspection import Architectures
-from haros_ci.analysis.monitored import Chosen, Monitored, chosen
+from haros_ci.analysis.monitored import Chosen, Monitored, chosen, with_properties
 from haros_ci.commands.common import reported, settings_from, store_for
 from haros_ci.commands.monitor_export import export, target_of
+from haros_ci.commands.monitor_generate import check_flags, write_files
 from haros_ci.commands.output import parse_outputs
 from haros_ci.config.selection import Selection
 from haros_ci.config.settings import Settings
@@ -45,6 +46,9 @@ SECOND = 1_000_000_000
 
 def monitor(flags: Mapping[str, Any]) -> int:
     """Read, judge, write every output; exit code 1 for a property that is violated, 2 for wrong usage, else 0."""
+    if flags["generate"] is not None:
+        check_flags(flags)
+        return generated(flags, settings_of(flags))
     if flags["export"] is not None:
         target = target_of(flags)
         return export(picked_by(flags, settings_of(flags))[0], target)
@@ -99,6 +103,22 @@ def picked_by(flags: Mapping[str, Any], settings: Settings) -> tuple[Chosen, Wor
     if trouble := store.flush():
         click.echo(f"warning: {trouble}", err=True)
     return picked, workspace, known, selection
+
+
+def generated(flags: Mapping[str, Any], settings: Settings) -> int:
+    """Write a monitor for the configuration that the flags name, else for each that has properties."""
+    if flags["configuration"] is not None or flags["property"]:
+        return write_files(flags["generate"], [picked_by(flags, settings)[0]], settings.project)
+    known = registry(settings)
+    workspace = found(settings, selection_of(settings, known)[0])
+    store = store_for(settings)
+    architectures = Architectures(settings, store, known)
+    where = settings.project_file or ""
+    names = with_properties(workspace, architectures, where)
+    every = [chosen(workspace, architectures, name, (), where) for name in names]
+    if trouble := store.flush():
+        click.echo(f"warning: {trouble}", err=True)
+    return write_files(flags["generate"], every, settings.project)
 
 
 def recording_of(flags: Mapping[str, Any]) -> Recording:

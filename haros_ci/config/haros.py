@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from haros_ci.config.on_violation import check_on_violation
 from haros_ci.config.shapes import File, NamedShape, kind
 from haros_ci.config.suggestion import did_you_mean, quoted
 from haros_ci.config.yaml_lines import YamlValue
@@ -154,6 +155,8 @@ def _check_configurations(file: File, value: YamlValue) -> None:
                 raise file.error(
                     entries["closed"].line, f"'closed' of {what} is neither true nor false", "closed: true"
                 )
+            if "hpl" in entries:
+                check_on_violation(file, entries["hpl"], what)
             if "environment_files" in entries:
                 file.texts(entries["environment_files"], f"environment_files of {what}")
             for key, example in (("args", "args: {robot: kobuki}"), ("environment", "environment: {ROBOT: kobuki}")):

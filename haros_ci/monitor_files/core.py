@@ -3,7 +3,7 @@
 
     text, left_out = core_text(described)
 
-makes a text of Python that defines ``PROPERTIES``, the classes, and ``Monitors``, which takes messages (``parts/suite.py`` says how).
+makes a module of Python that defines ``PROPERTIES``, the classes, and ``Monitors``, which takes messages (``parts/suite.py`` says how).
 """
 
 from __future__ import annotations
@@ -16,20 +16,34 @@ from pathlib import Path
 
 from haros_ci.monitor_files.classes import Described, TooDeep, class_text
 
-PARTS = ("values", "functions", "monitors", "patterns", "suite")
+#: What a core can consist of, and what a program has besides.
+CORE = ("values", "functions", "monitors", "patterns", "suite")
+PROGRAM = ("program", "ros1", "ros2")
 #: What every core has.
 _ROOTS = ("Monitors", "as_json")
-IMPORTS = """\
-import json
-import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import Any
-"""
+_IMPORTS: tuple[tuple[str, tuple[str, ...]], ...] = (
+    ("argparse", ()),
+    ("json", ()),
+    ("math", ()),
+    ("sys", ()),
+    ("threading", ()),
+    ("time", ()),
+    ("collections.abc", ("Callable", "Iterable", "Iterator", "Mapping", "Sequence")),
+    ("contextlib", ("suppress",)),
+    ("dataclasses", ("dataclass", "field")),
+    ("typing", ("Any",)),
+)
 TOO_DEEP = "is left out: more than 30 operators stand within each other in a predicate"
 
 
 def core_text(described: Iterable[Described]) -> tuple[str, tuple[str, ...]]:
-    """The core for these properties, without imports (``IMPORTS``), and a sentence for each that is left out."""
+    """A module that defines the core for these properties, and a sentence for each that is left out."""
+    own, left_out = properties_text(described)
+    return module_text(CORE, _ROOTS, own), left_out
+
+
+def properties_text(described: Iterable[Described]) -> tuple[str, tuple[str, ...]]:
+    """The classes of the properties and the list of them, and a sentence for each that is left out."""
     classes: list[str] = []
     left_out: list[str] = []
     for one in described:
@@ -37,10 +51,26 @@ def core_text(described: Iterable[Described]) -> tuple[str, tuple[str, ...]]:
             classes.append(class_text(f"Property{len(classes) + 1}", one))
         except TooDeep:
             left_out.append(f"{one.title} {TOO_DEEP}")
-    names = [f"Property{number}" for number in range(1, len(classes) + 1)]
-    listed = f"PROPERTIES: list[type[Property]] = [{', '.join(names)}]\n"
-    own = "\n\n".join((*classes, listed))
-    return f"{copied(PARTS, (*_ROOTS, *mentioned(own)))}\n\n{own}", tuple(left_out)
+    names = "".join(f"    Property{number},\n" for number in range(1, len(classes) + 1))
+    return "\n\n".join((*classes, f"PROPERTIES: list[type[Property]] = [\n{names}]\n")), tuple(left_out)
+
+
+def module_text(parts: Sequence[str], roots: Iterable[str], own: str) -> str:
+    """A module of *own*, with the definitions of *parts* that it and *roots* need before it, and the imports before them."""
+    code = f"{copied(parts, (*roots, *mentioned(own)))}\n\n{own}"
+    return f"{imports_of(code)}\n\n{code}"
+
+
+def imports_of(code: str) -> str:
+    """The imports that a text of Python needs."""
+    names = mentioned(code)
+    lines = ["from __future__ import annotations", ""]
+    for module, parts in _IMPORTS:
+        if not parts and module in names:
+            lines.append(f"import {module}")
+        elif found := [part for part in parts if part in names]:
+            lines.append(f"from {module} import {', '.join(found)}")
+    return "".join(f"{line}\n" for line in lines)
 
 
 def copied(parts: Sequence[str], names: Iterable[str]) -> str:
@@ -57,7 +87,7 @@ def copied(parts: Sequence[str], names: Iterable[str]) -> str:
     whole = ""
     was_block = False
     for text in texts:
-        is_block = re.search(r"^(?:def|class) ", text, re.MULTILINE) is not None
+        is_block = re.search(r"^(?:def|class|@)", text, re.MULTILINE) is not None
         whole += ("\n\n\n" if is_block or was_block else "\n") * bool(whole) + text
         was_block = is_block
     return f"{whole}\n"
@@ -71,7 +101,7 @@ def definitions(part: str) -> Mapping[str, str]:
     found: dict[str, str] = {}
     for node in ast.parse(text).body:
         names = _names(node)
-        first = node.lineno - 1
+        first = min(part.lineno for part in (node, *getattr(node, "decorator_list", ()))) - 1
         while first and lines[first - 1].startswith("#:"):
             first -= 1
         for name in names:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from haros_ci.behaviour.tree import Event, Property
 from haros_ci.monitor_files.classes import Described, TooDeep, class_text
-from haros_ci.monitor_files.core import IMPORTS, core_text
+from haros_ci.monitor_files.core import core_text
 from haros_ci.monitoring.patterns import monitor_of
 from haros_ci.test_files.suite import Suite
 
@@ -64,5 +64,4 @@ def monitors_of(suite: Suite, mark: str) -> Monitors:
 
 def module_of(described: Sequence[Described]) -> str:
     """The classes of these properties, ``Property1`` and so on, as a module; annotations are not evaluated, so that Python 3.8 reads them."""
-    text, _ = core_text(described)
-    return f"from __future__ import annotations\n\n{IMPORTS}\n\n{text}"
+    return core_text(described)[0]

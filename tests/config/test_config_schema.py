@@ -12,7 +12,7 @@ import pytest
 
 import haros_ci.config
 from haros_ci import PROJECT_URL
-from haros_ci.config import access, exemptions, project, shapes
+from haros_ci.config import access, exemptions, on_violation, project, shapes
 from haros_ci.config.declared import EXEC_KEYS
 from haros_ci.config.haros import CONFIGURATION_KEYS, IGNORE_KEYS
 from haros_ci.config.project import read_project
@@ -39,6 +39,8 @@ def test_the_same_keys() -> None:
     configuration = SCHEMA["properties"]["configurations"]["additionalProperties"]["anyOf"][1]
     assert set(configuration["properties"]) == set(CONFIGURATION_KEYS)
     assert set(SCHEMA["properties"]["access"]["properties"]) == set(access.KEYS)
+    assert set(DEFS["onViolation"]["properties"]) == set(on_violation.KEYS)
+    assert DEFS["onViolation"]["properties"]["log"]["enum"] == list(on_violation.LEVELS)
     row = DEFS["apiRow"]["properties"]
     assert set(row) == set(ROW_KEYS)
     assert set(row["makes"]["items"]["properties"]) == set(ENTRY_KEYS)
@@ -67,6 +69,8 @@ def test_the_same_words_and_limits() -> None:
 
 
 VALID = [
+    "configurations: {a: {launch: [p/x.launch], hpl: {on_violation: {'*': [{log: warn}], a: [{publish: /b, type: }, {call: /c, type: d/E}]}}}}",
+    "configurations: {a: {launch: [p/x.launch], hpl: {on_violation: }}, b: {launch: [p/x.launch], hpl: [a]}}",
     "",
     "profile: strict",
     "profile:\nselect:\nlevels:\nper-path:\nexclude:\nlinters:\nfail-on:\nanalysis:\nconfigurations:",
@@ -100,6 +104,11 @@ VALID = [
     "workspace: /x\nenvironment: copy\nplugin_blacklist: [radon]\ncpp: {parser_lib: x}",
 ]
 INVALID = [
+    "configurations: {a: {launch: [p/x.launch], hpl: {on_violation: [a]}}}",
+    "configurations: {a: {launch: [p/x.launch], hpl: {on_violation: {a: {log: warn}}}}}",
+    "configurations: {a: {launch: [p/x.launch], hpl: {on_violation: {a: [{log: loud}]}}}}",
+    "configurations: {a: {launch: [p/x.launch], hpl: {on_violation: {a: [{publish: b}]}}}}",
+    "configurations: {a: {launch: [p/x.launch], hpl: {on_violation: {a: [{publish: /b, rate: 3}]}}}}",
     "access: [a]",
     "access: {publsh: {}}",
     "access: {publish: {a: []}}",

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from monitoring.traces import PATTERNS, SCOPES, drawn, traced
@@ -13,7 +13,7 @@ from haros_ci.behaviour.fault import HplFault
 from haros_ci.behaviour.meaning import mistakes
 from haros_ci.behaviour.parser import parse_property
 from haros_ci.monitor_files.classes import Described
-from haros_ci.monitor_files.core import IMPORTS, core_text
+from haros_ci.monitor_files.core import core_text
 from haros_ci.monitoring.monitor import SECOND
 from haros_ci.monitoring.patterns import monitor_of
 from haros_ci.monitoring.watch import Watch
@@ -35,7 +35,7 @@ def core(*texts: str, names: Mapping[str, str] | None = None) -> dict[str, Any]:
 def run(made: str) -> dict[str, Any]:
     """The names that a text of a core defines."""
     found: dict[str, Any] = {"__name__": "generated"}
-    exec(compile(f"from __future__ import annotations\n{IMPORTS}\n{made}", "generated", "exec"), found)
+    exec(compile(made, "generated", "exec"), found)
     return found
 
 
@@ -66,10 +66,8 @@ def offline(texts: Sequence[str], messages: Messages) -> list[Said]:
     """What ``haros_ci/monitoring`` says of the same."""
     watch = Watch(monitor_of(parse_property(text)) for text in texts)
     watch.begin(0)
-    number = 0
-    for topic, message, time in messages:
+    for number, (topic, message, time) in enumerate(messages, 1):
         if topic in watch.topics:
-            number += 1
             watch.take(topic, message, time * MS, number)
     topics = frozenset(topic for topic, _, _ in messages)
     return [
@@ -84,9 +82,9 @@ def offline(texts: Sequence[str], messages: Messages) -> list[Said]:
     ]
 
 
-def random_pair(draw: random.Random, number: int) -> tuple[str, Messages]:
+def random_pair(draw: random.Random, number: int, patterns: Sequence[str] = PATTERNS) -> tuple[str, Messages]:
     """A property and a recording: every second time with predicates about nested fields, arrays and functions."""
-    scope, pattern = SCOPES[number % 4], PATTERNS[number // 4 % 5]
+    scope, pattern = SCOPES[number % 4], patterns[number // 4 % len(patterns)]
     while True:
         text = str(drawn(draw, pattern, scope))
         trace: Messages = [(topic, {"data": data}, time) for topic, data, time in traced(draw, 20)]
@@ -138,7 +136,9 @@ def number(draw: random.Random, depth: int, alias: str) -> str:
     """A random term."""
     if depth <= 0:
         known = (f"{alias}.data", f"{alias}.pose.x") if alias else ("data",)
-        return draw.choice(("data", "pose.x", "pose.y", "list[0]", "list[2]", "len(list)", "-data", "2", "0.5", *known))
+        return draw.choice(
+            ("data", "pose.x", "pose.y", "list[0]", "list[pose.x]", "len(list)", "-data", "2", "0.5", *known)
+        )
     a, b = number(draw, depth - 1, alias), number(draw, depth - 1, alias)
     return draw.choice(
         (
@@ -164,18 +164,25 @@ def message(draw: random.Random, data: int) -> dict[str, Any]:
 
 
 #: Properties of one core: most of the time goes into compiling it.
-BATCH = 100
+BATCH = 60
 
 
-def disagreements(count: int, seed: int, made_of: Any = core) -> Iterator[tuple[str, Messages, Said, Said]]:
+def disagreements(
+    count: int,
+    seed: int,
+    made_of: Any = core,
+    patterns: Sequence[str] = PATTERNS,
+    on_pair: Callable[[Said], Any] = lambda said: None,
+) -> Iterator[tuple[str, Messages, Said, Said]]:
     """Where generated and offline monitor disagree on *count* random pairs, of all scopes and patterns in turn."""
     draw = random.Random(seed)
     for first in range(0, count, BATCH):
-        pairs = [random_pair(draw, at) for at in range(first, min(first + BATCH, count))]
+        pairs = [random_pair(draw, at, patterns) for at in range(first, min(first + BATCH, count))]
         made = made_of(*(text for text, _ in pairs))
         for at, (text, messages) in enumerate(pairs):
             (theirs,) = offline([text], messages)
             (ours,) = generated({**made, "PROPERTIES": made["PROPERTIES"][at : at + 1]}, messages, timers=bool(at % 3))
+            on_pair(theirs)
             if ours != theirs:
                 yield text, messages, ours, theirs
 

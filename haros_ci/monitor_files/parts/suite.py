@@ -52,24 +52,28 @@ class Monitors:
         self.counts = dict.fromkeys(sorted(self.ears), 0)
         self.clock = Clock()
         self.began: int | None = None
+        #: The number of the last message, and the last time.
         self.number = 0
+        self.last = 0
         self.told: set[int] = set()
 
     def start(self, time: int) -> None:
         """The monitor begins."""
         if self.began is None:
+            self.last = time
             self.began = self.clock.at(time)
             for one in self.properties:
                 one.start(self.began)
 
     def on_message(self, topic: str, message: Any, time: int) -> list[Property]:
-        """A message; those on other topics are passed over."""
+        """A message; those on other topics are numbered and passed over."""
+        self.start(time)
+        self.last = time
+        self.number += 1
+        at = self.clock.at(time)
         if topic not in self.ears:
             return []
-        self.start(time)
-        self.number += 1
         self.counts[topic] += 1
-        at = self.clock.at(time)
         for one in self.ears[topic]:
             one.on_message(topic, message, at, self.number)
         return self.news()
@@ -84,6 +88,7 @@ class Monitors:
     def on_timer(self, time: int) -> list[Property]:
         """No message up to *time*."""
         self.start(time)
+        self.last = time
         at = self.clock.at(time)
         for one in self.properties:
             one.on_timer(at)
@@ -100,10 +105,14 @@ class Monitors:
         self.told.update(map(id, found))
         return found
 
-    def finish(self, time: int) -> list[dict[str, Any]]:
-        """The verdicts at the end, as the report has them."""
-        self.start(time)
-        at = self.clock.at(time)
+    @property
+    def has_violation(self) -> bool:
+        return any(one.violation is not None for one in self.properties)
+
+    def finish(self, time: int | None = None) -> list[dict[str, Any]]:
+        """The verdicts at the end, *time* or the last time, as the report has them."""
+        self.start(self.last if time is None else time)
+        at = self.clock.at(self.last if time is None else time)
         came = {topic for topic, count in self.counts.items() if count}
         return [described(one, *one.finish(at, came)) for one in self.properties]
 
