@@ -72,23 +72,23 @@ def unreadable(
     """The *runs* without what they say of code that linters cannot analyse since *base*, and a result for each file of that.
 
     Such code is C++ or Python that the change alters or adds: what is wrong in it would not be found. *past* gives the runs on *base*, where what
-    could not be analysed is no news; without it that is not known. Of Python of another version than the linters' nothing is said, but where
+    could not be analysed is no news; without it that is not known. Of Python of another version than the linters' nothing is a finding, but where
     the base revision had it so that they could read it.
     """
-    said = _gave_up(runs) if base is not None else []
-    if base is None or not said:
+    notes = _gave_up(runs) if base is not None else []
+    if base is None or not notes:
         return runs, ()
     wrong = {result.location.path for run in runs for result in run.results if result.rule in _OF_SYNTAX}
-    said = [one for one in _of_change(said, workspace, base, is_known=past is not None) if one.place not in wrong]
-    if said and past is not None:
-        said = _unknown(said, _gave_up(past(base)), base.renames)
-    lost = {one.place: (one.tool, one.reason) for one in reversed(said)}
-    return _without(runs, {one.notification for one in said}), own.unreadable_results(lost)
+    notes = [one for one in _of_change(notes, workspace, base, is_known=past is not None) if one.place not in wrong]
+    if notes and past is not None:
+        notes = _unknown(notes, _gave_up(past(base)), base.renames)
+    lost = {one.place: (one.tool, one.reason) for one in reversed(notes)}
+    return _without(runs, {one.notification for one in notes}), own.unreadable_results(lost)
 
 
-def _unknown(said: list[_GaveUp], before: list[_GaveUp], renames: Mapping[str, str]) -> list[_GaveUp]:
+def _unknown(notes: list[_GaveUp], before: list[_GaveUp], renames: Mapping[str, str]) -> list[_GaveUp]:
     known = {(old.tool, renames.get(old.path, old.path)) for old in before}
-    return [one for one in said if (one.tool, one.path) not in known]
+    return [one for one in notes if (one.tool, one.path) not in known]
 
 
 def _without(runs: tuple[Run, ...], news: set[Notification]) -> tuple[Run, ...]:
@@ -121,12 +121,12 @@ def _gave_up(runs: Iterable[Run]) -> list[_GaveUp]:
     return found
 
 
-def _of_change(said: list[_GaveUp], workspace: Workspace, base: Base, *, is_known: bool) -> list[_GaveUp]:
-    """Those of *said* that are about C++ and Python that is not as in *base*; *is_known* tells whether it is known what was said there."""
+def _of_change(notes: list[_GaveUp], workspace: Workspace, base: Base, *, is_known: bool) -> list[_GaveUp]:
+    """Those of *notes* that are about C++ and Python that is not as in *base*; *is_known* tells whether the notes there are known."""
     old = {base.renames.get(file.path, file.path): file for file in base.workspace.files}
     changed = {file.path: old.get(file.path) for file in workspace.files if _differs(file, old.get(file.path))}
-    other = {one.place for one in said if one.is_other_python and not (is_known and changed.get(one.place))}
-    return [one for one in said if one.place in changed.keys() - other and workspace.reports_on(one.place)]
+    other = {one.place for one in notes if one.is_other_python and not (is_known and changed.get(one.place))}
+    return [one for one in notes if one.place in changed.keys() - other and workspace.reports_on(one.place)]
 
 
 def _differs(file: SourceFile, old: SourceFile | None) -> bool:
@@ -134,7 +134,7 @@ def _differs(file: SourceFile, old: SourceFile | None) -> bool:
 
 
 def notices(workspace: Workspace, silence: Silenced) -> Iterator[Notification]:
-    """What is said of all this beside the findings."""
+    """What there is to note of all this beside the findings."""
     for problem in workspace.hiding.warnings:
         yield Notification(Level.WARNING, problem.message, path=problem.path)
     for problem in workspace.hiding.notes:

@@ -29,7 +29,7 @@ def check_on_violation(file: File, configuration: YamlValue, what: str) -> None:
     """UserError at what is no list of actions; HAROS lets ``hpl`` be anything, so other keys of it are passed over."""
     hpl = configuration.data
     value = hpl.get(KEY) if isinstance(hpl, dict) else None
-    if value is None:
+    if value is None or value.data is None:
         return
     if not isinstance(value.data, dict):
         raise file.error(

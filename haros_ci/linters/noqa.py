@@ -17,7 +17,7 @@ _OF_CODES = ("ruff:", "flake8:")
 def is_silenced(rule: str, text: str, line: int) -> bool:
     """Whether the author of *text* has silenced on *line* what pylint says by *rule*, under a code of flake8 or ruff for the same defect.
 
-    A comment without codes does not count: it is seldom meant for all tools. Words in quotes are none: nobody would be told of them.
+    A comment without codes does not count: it is seldom meant for all tools. Words in quotes are none: nobody would see that they silence something.
     """
     if _NOQA.search(columns.line_of(text, line)) is None:
         return False

@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import ast
+import sys
+from types import ModuleType
 from typing import Any
 
 import pytest
@@ -85,7 +87,7 @@ def test_names_of_fields_and_variables_are_no_names_of_python(name: str) -> None
 
 
 @pytest.mark.parametrize("name", ["__class__", "__dict__", "__init__", "_fields", "serialize", "mro"])
-def test_predicates_reach_no_insides_of_objects(name: str) -> None:
+def test_predicates_reach_no_insides_of_objects(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     class Message:
         __slots__ = ("x", "_fields")
 
@@ -93,9 +95,10 @@ def test_predicates_reach_no_insides_of_objects(name: str) -> None:
             raise AssertionError
 
     described = Described(monitor_of(parse_property(f"globally: no /a {{{name} = 1 or {name}.x = 1}}")), "a", "b")
-    found: dict[str, Any] = {"__name__": "generated"}
-    exec(monitor_file(Watched("a", 1, {}), [described])[0], found)
-    monitors = found["Monitors"](found["PROPERTIES"])
+    made = ModuleType("generated_for_this_test")
+    monkeypatch.setitem(sys.modules, made.__name__, made)  # where its dataclasses look their module up
+    exec(monitor_file(Watched("a", 1, {"/a": ""}), [described])[0], made.__dict__)
+    monitors = made.__dict__["Monitors"](made.__dict__["PROPERTIES"])
     monitors.on_message("/a", Message(), 0)
     assert monitors.finish(1)[0]["faults"] == 1
 
