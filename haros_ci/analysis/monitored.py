@@ -85,11 +85,19 @@ def chosen(
     notes = [f"{stated.location}: is no HPL; haros-ci hpl says why" for stated in picked if not _is_sound(stated)]
     properties = Properties(project, picked)
     found = [one for stated in picked if _is_sound(stated) for one in _monitored(properties, stated, system, notes)]
-    types = {topic.name: topic.types for topic in system.topics if not _is_of_libraries(topic)} if system else {}
-    ros = system.ros if system else 1
-    services = {service.name: service.types for service in system.services} if system else {}
-    sure = (name, tuple(found), _publishers(system), types, ros, tuple(notes))
-    return Chosen(*sure, qos=_qos(system), services=services, system=system)
+    if system is None:
+        return Chosen(name, tuple(found), _publishers(None), {}, 1, tuple(notes))
+    return Chosen(
+        name,
+        tuple(found),
+        _publishers(system),
+        {topic.name: topic.types for topic in system.topics if not _is_of_libraries(topic)},
+        system.ros,
+        tuple(notes),
+        system,
+        _qos(system),
+        {service.name: service.types for service in system.services},
+    )
 
 
 def configuration_of(stated: Iterable[Stated], every: Sequence[System], name: str | None) -> System:

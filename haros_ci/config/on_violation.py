@@ -64,20 +64,18 @@ def _check_action(file: File, action: YamlValue, what: str) -> None:
         return
     if not isinstance(value.data, str) or not _NAME.fullmatch(value.data):
         raise file.error(value.key_line, f"{quoted(verb)} of {what} must be a full name", f"{verb}: /motors/off")
-    given = action.data.get("type")
-    if (
-        given is not None
-        and given.data is not None
-        and (not isinstance(given.data, str) or not _TYPE.fullmatch(given.data))
-    ):
-        raise file.error(given.key_line, f"'type' of {what} must be a type", "type: std_msgs/Empty")
-    message = action.data.get("message")
-    if (
-        message is not None
-        and message.data is not None
-        and (not isinstance(message.data, dict) or message.size > MOST_VALUES)
-    ):
-        raise file.error(message.key_line, f"'message' of {what} must be a map of fields", "message: {data: true}")
+    _check_message(file, action.data, what)
+
+
+def _check_message(file: File, action: Mapping[Any, YamlValue], what: str) -> None:
+    """UserError at a type or fields that are none."""
+    given, message = action.get("type"), action.get("message")
+    if given is not None and given.data is not None:
+        if not isinstance(given.data, str) or not _TYPE.fullmatch(given.data):
+            raise file.error(given.key_line, f"'type' of {what} must be a type", "type: std_msgs/Empty")
+    if message is not None and message.data is not None:
+        if not isinstance(message.data, dict) or message.size > MOST_VALUES:
+            raise file.error(message.key_line, f"'message' of {what} must be a map of fields", "message: {data: true}")
 
 
 def actions_in(project: Mapping[str, Any], configuration: str) -> dict[str, list[dict[str, Any]]]:
