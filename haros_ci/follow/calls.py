@@ -22,6 +22,7 @@ from haros_ci.follow import (
     methods,
     packs,
     partials,
+    specialisations,
     static_types,
     twins,
 )
@@ -262,6 +263,7 @@ def apply(
         if started is not None:
             return started
     if isinstance(function, Callable):
+        function = specialisations.specialised(walk, frame, function, targs)
         if function.function.body is None and function.function.kind != "constructor":
             source, definition = methods.with_body(walk, [(function.source, function.function)])
             if definition.body is None:
@@ -274,7 +276,7 @@ def apply(
             assert isinstance(this, Object)
             function = Callable(function.source, function.function, this, function.bound, None, this.templates)
             args = args[1:]
-        function = activation.choose(walk, frame, function, args)
+        function = activation.choose(walk, frame, function, args, targs)
         with forwarding.through(walk, function.function, args, location):
             return activation.invoke(walk, frame, function, args, targs)
     if isinstance(function, ClassValue):

@@ -203,13 +203,14 @@ def either(values: list[Value]) -> Value:
 
 def signature(function: Function) -> tuple[str, ...]:
     """The parameters' types as text that a declaration and its definition share, names without their scopes."""
-    return tuple(_plain(parameter.type) for parameter in function.parameters)
+    return tuple(plain(parameter.type) for parameter in function.parameters)
 
 
-def _plain(kind: syntax.Argument, depth: int = 0) -> str:
+def plain(kind: syntax.Argument, depth: int = 0) -> str:
+    """A type as text, names without their scopes."""
     if not isinstance(kind, syntax.Type) or depth > BASES:
         return "?"
-    inner = ",".join(_plain(item, depth + 1) for item in kind.arguments)
+    inner = ",".join(plain(item, depth + 1) for item in kind.arguments)
     return f"{kind.name.rpartition('::')[2]}<{inner}>{kind.marks}"
 
 
