@@ -128,6 +128,7 @@ EXAMPLES: Mapping[str, tuple[tuple[str, str], ...]] = {
             "haros-ci monitor --jsonl run.jsonl --property 'globally: no /error'",
         ),
         ("findings for code scanning", "haros-ci monitor --bag run --output sarif=monitor.sarif"),
+        ("a program that does it while the system runs", "haros-ci monitor --generate monitors --configuration robot"),
         ("what ROSMonitoring records for it", "haros-ci monitor --export rosmonitoring=monitor.yaml"),
     ),
     "testgen": (

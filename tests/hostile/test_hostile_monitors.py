@@ -4,14 +4,13 @@
 from __future__ import annotations
 
 import ast
-import sys
-from types import ModuleType
 from typing import Any
 
 import pytest
 
 from haros_ci.behaviour.parser import parse_property
 from haros_ci.monitor_files.classes import Described
+from haros_ci.monitor_files.core import core_text
 from haros_ci.monitor_files.literals import literal
 from haros_ci.monitor_files.monitor_file import Watched, monitor_file, plain_name
 from haros_ci.monitoring.patterns import monitor_of
@@ -28,7 +27,7 @@ TEXTS = [
     "\x00\x1b[2J\u202e\ufeff\ud800",
     "\N{FULLWIDTH APOSTROPHE}\N{ZERO WIDTH SPACE}x",
 ]
-HARMLESS = {"__import__", "exec", "eval", "compile", "globals"}
+OF_THE_INTERPRETER = {"__import__", "exec", "eval", "compile", "globals"}
 
 
 def constants(text: str) -> set[Any]:
@@ -83,11 +82,11 @@ def test_names_of_fields_and_variables_are_no_names_of_python(name: str) -> None
     described = Described(monitor_of(parse_property(text)), "a", "b")
     made = monitor_file(Watched("a", 1, {}), [described])[0]
     names = {node.id for node in ast.walk(ast.parse(made)) if isinstance(node, ast.Name)}
-    assert not HARMLESS & names
+    assert not OF_THE_INTERPRETER & names
 
 
 @pytest.mark.parametrize("name", ["__class__", "__dict__", "__init__", "_fields", "serialize", "mro"])
-def test_predicates_reach_no_insides_of_objects(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_predicates_reach_no_insides_of_objects(name: str) -> None:
     class Message:
         __slots__ = ("x", "_fields")
 
@@ -95,10 +94,9 @@ def test_predicates_reach_no_insides_of_objects(name: str, monkeypatch: pytest.M
             raise AssertionError
 
     described = Described(monitor_of(parse_property(f"globally: no /a {{{name} = 1 or {name}.x = 1}}")), "a", "b")
-    made = ModuleType("generated_for_this_test")
-    monkeypatch.setitem(sys.modules, made.__name__, made)  # where its dataclasses look their module up
-    exec(monitor_file(Watched("a", 1, {"/a": ""}), [described])[0], made.__dict__)
-    monitors = made.__dict__["Monitors"](made.__dict__["PROPERTIES"])
+    found: dict[str, Any] = {"__name__": "generated"}
+    exec(core_text([described])[0], found)
+    monitors = found["Monitors"](found["PROPERTIES"])
     monitors.on_message("/a", Message(), 0)
     assert monitors.finish(1)[0]["faults"] == 1
 

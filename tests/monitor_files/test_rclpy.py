@@ -82,7 +82,9 @@ class Fake:
         def init(args: Any = None) -> None:
             fake.is_up = True
 
-        profile = lambda **given: types.SimpleNamespace(**given)  # noqa: E731
+        def profile(**given: Any) -> Any:
+            return types.SimpleNamespace(**given)
+
         words = {
             "RELIABLE": "reliable",
             "BEST_EFFORT": "best_effort",
