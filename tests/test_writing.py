@@ -192,6 +192,8 @@ ALLOWED = {
     "report/model_sqlite.py": SCRATCH,
     "api/testing.py": SCRATCH,
     "interfaces/collect.py": "a tool of the project's developers, no command",
+    "monitor_files/parts/": "copied into files that a user runs, beside a system and not here",
+    "test_files/property_tests/": "copied beside tests that a user runs; --run starts them in a directory of the user's",
     "knowledge/facts.py": "a tool of the project's developers, no command",
 }
 NAMES = {"write_text", "write_bytes", "mkdir", "makedirs", "touch", "symlink_to", "hardlink_to"}

@@ -178,7 +178,7 @@ CONTENTS = [
     holding("outside.cpp", b'#include "../outside/error.hpp"\n' + CPP, "nullPointer"),
     holding("beyond.cpp", b'#include "../outside/secret.hpp"\n#include "../../../x.hpp"\n' + CPP, "nullPointer"),
     holding("itself.cpp", b'#pragma once\n#include "itself.cpp"\n' + CPP, "nullPointer"),
-    holding("error.cpp", b'#error "::error::x \x1b[31m ##[error]"\n', "cppcheck could not analyse this file"),
+    holding("error.cpp", b'#error "::error::x \x1b[31m ##[error]"\n' + CPP, "nullPointer"),
     holding("conditions.cpp", b"#if A\n" * 500, ""),
     holding("unclosed.cpp", b"/*" + b"\n" * 100, ""),
     holding("launch/bomb.launch", b'<!DOCTYPE x [<!ENTITY a "a">]><launch>&a;</launch>', "malformed-launch-file"),

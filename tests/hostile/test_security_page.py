@@ -37,6 +37,7 @@ CLASSES = {
     "test_hostile_packages.py": "manifests and CMake",
     "test_hostile_robots.py": "robot descriptions",
     "test_hostile_declarations.py": "declared tools",
+    "test_hostile_monitors.py": "names and texts in monitors that are generated",
 }
 
 

@@ -252,7 +252,7 @@ def test_a_function_returns_by_python_s_macros(tmp_path: Path) -> None:
     assert "missingReturn" in {rule for rule, _, _ in found(run(tmp_path, cppcheck, {"a.cpp": bare}))}
 
 
-@pytest.mark.parametrize("text", ["  SOME_MACRO_OF_OURS(a)\nint f() { return 1; }\n", "int f( {\n", "#error no\n"])
+@pytest.mark.parametrize("text", ["  SOME_MACRO_OF_OURS(a)\nint f() { return 1; }\n", "int f( {\n"])
 def test_cppcheck_names_what_it_gave_up(tmp_path: Path, text: str) -> None:
     done = run(tmp_path, cppcheck, {"a.cpp": text, "b.cpp": "int f() { int* p = 0; return *p; }\n"})
     assert [note.path for note in done.notifications] == ["a.cpp"]
