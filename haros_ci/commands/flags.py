@@ -119,6 +119,14 @@ def output_options(formats: str) -> Callable[[Any], Any]:
     )
 
 
+def finding_options(formats: str) -> Callable[[Any], Any]:
+    """The same of findings alone, which may fail the run."""
+    return options(
+        output_options(formats),
+        click.option("--fail-on", type=LEVELS, help="Lowest level of a finding that fails the run; default: warning."),
+    )
+
+
 report_options = options(
     output_options("text, sarif, github, json, junit, gitlab, rdjson, checkstyle, csv, markdown, html or haros-json"),
     click.option("--baseline", type=click.Path(), help="Known findings: a SARIF log or a .haros-ci-baseline.jsonl."),
@@ -204,8 +212,7 @@ hpl_options = options(
         "--configuration", metavar="NAME", multiple=True, help="The properties are about these configurations."
     ),
     click.option("--node", metavar="PACKAGE/EXECUTABLE", multiple=True, help="The properties are about these nodes."),
-    output_options("text, sarif, github, json, junit, gitlab, rdjson, checkstyle, csv or markdown"),
-    click.option("--fail-on", type=LEVELS, help="Lowest level of a finding that fails the run; default: warning."),
+    finding_options("text, sarif, github, json, junit, gitlab, rdjson, checkstyle, csv or markdown"),
 )
 
 #: What ``report`` has beside what is analysed.

@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from haros_ci.commands.flags import LEVELS, completion_of, options, workspace_options
+from haros_ci.commands.flags import finding_options, options, workspace_options
 from haros_ci.commands.manual import Command
 
 #: What ``haros-ci monitor`` has besides.
@@ -35,21 +35,7 @@ monitor_options = options(
         show_default=True,
         help="Times of recording, or of the messages' headers.",
     ),
-    click.option(
-        "--output",
-        metavar="FORMAT[=PATH]",
-        multiple=True,
-        shell_complete=completion_of("formats"),
-        help="text, sarif, github, json, junit, gitlab, rdjson, checkstyle, csv or markdown; repeatable.",
-    ),
-    click.option(
-        "--sarif-for",
-        type=click.Choice(["archive", "github"]),
-        default="archive",
-        show_default=True,
-        help="Who reads the SARIF.",
-    ),
-    click.option("--fail-on", type=LEVELS, help="Lowest level of a finding that fails the run; default: warning."),
+    finding_options("text, sarif, github, json, junit, gitlab, rdjson, checkstyle, csv or markdown"),
 )
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from haros_ci.commands.flags import LEVELS, completion_of, options, workspace_options
+from haros_ci.commands.flags import finding_options, options, workspace_options
 from haros_ci.commands.manual import Command
 
 #: What ``haros-ci verify`` has beside what all commands have.
@@ -38,21 +38,7 @@ verify_options = options(
     click.option(
         "--traces", metavar="DIR", type=click.Path(file_okay=False), help="Write counterexamples for monitor --jsonl."
     ),
-    click.option(
-        "--output",
-        metavar="FORMAT[=PATH]",
-        multiple=True,
-        shell_complete=completion_of("formats"),
-        help="text, mermaid, sarif, github, json, junit, gitlab, rdjson, checkstyle, csv or markdown; repeatable.",
-    ),
-    click.option(
-        "--sarif-for",
-        type=click.Choice(["archive", "github"]),
-        default="archive",
-        show_default=True,
-        help="Who reads the SARIF.",
-    ),
-    click.option("--fail-on", type=LEVELS, help="Lowest level of a finding that fails the run; default: warning."),
+    finding_options("text, mermaid, sarif, github, json, junit, gitlab, rdjson, checkstyle, csv or markdown"),
 )
 
 

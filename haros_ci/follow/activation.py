@@ -18,7 +18,6 @@ from haros_ci.follow import (
     methods,
     overloads,
     setters,
-    specialisations,
     statements,
     template_arguments,
 )
@@ -50,14 +49,8 @@ ONE_OF = "it is in one of several files of which a build has one"
 TOO_DEEP = "the code is nested too deeply to be followed"
 
 
-def choose(
-    walk: Walk,
-    frame: Frame,
-    function: Callable,
-    args: tuple[call_arguments.PassedArgument, ...],
-    targs: tuple[syntax.Argument, ...] = (),
-) -> Callable:
-    """The overload of a free function or method that takes these arguments, or the specialisation for these template arguments."""
+def choose(walk: Walk, frame: Frame, function: Callable, args: tuple[call_arguments.PassedArgument, ...]) -> Callable:
+    """The overload of a free function or method that takes these arguments."""
     definition = function.function
     if not definition.name or definition.kind == "lambda" or overloads.is_any(walk, definition):
         return function
@@ -70,9 +63,7 @@ def choose(
     if len(candidates) < 2:
         return function
     arguments = (*(call_arguments.PassedArgument(value or Opaque("an argument")) for value in function.bound), *args)
-    source, chosen = specialisations.meant(walk, frame, candidates, targs) or methods.overload(
-        walk, candidates, arguments
-    )
+    source, chosen = methods.overload(walk, candidates, arguments)
     return replace(function, source=source, function=chosen)
 
 

@@ -263,7 +263,8 @@ def apply(
         if started is not None:
             return started
     if isinstance(function, Callable):
-        function = specialisations.specialised(walk, frame, function, targs)
+        specialised = specialisations.specialised(walk, frame, function, targs)
+        function = specialised or function
         if function.function.body is None and function.function.kind != "constructor":
             source, definition = methods.with_body(walk, [(function.source, function.function)])
             if definition.body is None:
@@ -276,7 +277,8 @@ def apply(
             assert isinstance(this, Object)
             function = Callable(function.source, function.function, this, function.bound, None, this.templates)
             args = args[1:]
-        function = activation.choose(walk, frame, function, args, targs)
+        if specialised is None:
+            function = activation.choose(walk, frame, function, args)
         with forwarding.through(walk, function.function, args, location):
             return activation.invoke(walk, frame, function, args, targs)
     if isinstance(function, ClassValue):

@@ -14,18 +14,18 @@ from haros_ci.syntax import Type
 from haros_ci.values.abstract import Callable
 
 
-def specialised(walk: Walk, frame: Frame, function: Callable, targs: Sequence[syntax.Argument]) -> Callable:
-    """*function*, or its specialisation for the template arguments of a call."""
+def specialised(walk: Walk, frame: Frame, function: Callable, targs: Sequence[syntax.Argument]) -> Callable | None:
+    """The specialisation of *function* for the template arguments of a call; None where it has none that is certain."""
     definition = function.function
     if not targs or not definition.name or function.source.separator == "." or function.frame is not None:
-        return function
-    found = meant(
+        return None
+    found = _meant(
         walk, frame, walk.index.near(walk.index.functions, definition.name, function.source, walk.files), targs
     )
-    return function if found is None else replace(function, source=found[0], function=found[1])
+    return None if found is None else replace(function, source=found[0], function=found[1])
 
 
-def meant(walk: Walk, frame: Frame, candidates: Sequence[Found], targs: Sequence[syntax.Argument]) -> Found | None:
+def _meant(walk: Walk, frame: Frame, candidates: Sequence[Found], targs: Sequence[syntax.Argument]) -> Found | None:
     """The one of *candidates* that returns the first template argument of the call, or something of it; None where that is not one alone.
 
     Functions with the same parameters that return other types are no overloads of one another, which C++ forbids, so they are specialisations.
@@ -34,7 +34,7 @@ def meant(walk: Walk, frame: Frame, candidates: Sequence[Found], targs: Sequence
     returned = {plain(item[1].returns) for item in found}
     if len(found) < 2 or len(returned) < len(found) or len({signature(item[1]) for item in found}) > 1:
         return None
-    if not targs or not isinstance(targs[0], Type):
+    if not isinstance(targs[0], Type):
         return None
     sought = plain(walk.type_in(targs[0], frame))
     fitting = [item for item in found if sought in (plain(kind) for kind in _parts(item[1].returns))]

@@ -95,19 +95,18 @@ class Prover:
         """How the behaviour follows from *met*."""
         if path and self._is_one_of(met, self.claim.stated.pattern.behaviour, named):
             return NOTHING
+        return self._by_what_it_causes(met, path, partial(self._caused, named=named))
+
+    def _by_what_it_causes(self, met: Met, path: tuple[int, ...], prove: Any) -> Proof | None:
+        """What *prove*, called with ``path``, proves of all that some axiom promises to follow *met*."""
         if len(path) >= MOST_LINKS:
             return None
         for axiom in self._promising(PatternKind.CAUSES, path):
             event = self._matched(met, axiom, axiom.stated.pattern.trigger)
             if event is None or not self._arrives(met.topic, axiom):
                 continue
-            found = self._branches(
-                axiom,
-                event,
-                met,
-                axiom.stated.pattern.behaviour,
-                partial(self._caused, named=named, path=(*path, axiom.number)),
-            )
+            go_on = partial(prove, path=(*path, axiom.number))
+            found = self._branches(axiom, event, met, axiom.stated.pattern.behaviour, go_on)
             if found is not None:
                 return self._link(axiom).then(found)
         return None
@@ -136,17 +135,18 @@ class Prover:
         excluded = self._excluded(node, met)
         if excluded is not None:
             return excluded
+        return self._by_what_it_requires(node, met, path, partial(self._required, named=named))
+
+    def _by_what_it_requires(self, node: str, met: Met, path: tuple[int, ...], prove: Any) -> Proof | None:
+        """What *prove*, called with ``path``, proves of all that some axiom of *node* demands before *met*."""
+        if len(path) >= MOST_LINKS:
+            return None
         for axiom in self._promising(PatternKind.REQUIRES, path):
             event = self._matched(met, axiom, axiom.stated.pattern.behaviour) if axiom.node in (node, "") else None
             if event is None:
                 continue
-            found = self._branches(
-                axiom,
-                event,
-                met,
-                axiom.stated.pattern.trigger,
-                partial(self._required, named=named, path=(*path, axiom.number)),
-            )
+            go_on = partial(prove, path=(*path, axiom.number))
+            found = self._branches(axiom, event, met, axiom.stated.pattern.trigger, go_on)
             if found is not None:
                 return self._link(axiom).then(found)
         return None
@@ -155,46 +155,16 @@ class Prover:
 
     def _impossible(self, met: Met, named: Mapping[str, Message], path: tuple[int, ...]) -> Proof | None:
         """Why nobody publishes *met*: it would demand what is impossible, or each publisher excludes it, or needs for it what is impossible."""
-        found = self._demands_impossible(met, path)
+        impossible = partial(self._impossible, named={})
+        found = self._by_what_it_causes(met, path, impossible)
         if found is not None:
             return found
         for node in self.problem.publishers(met.topic):
-            inner = self._excluded(node, met) or self._needs_impossible(node, met, path)
+            inner = self._excluded(node, met) or self._by_what_it_requires(node, met, path, impossible)
             if inner is None:
                 return None
             found = inner if found is None else found.beside(inner)
         return found
-
-    def _demands_impossible(self, met: Met, path: tuple[int, ...]) -> Proof | None:
-        if len(path) >= MOST_LINKS:
-            return None
-        for axiom in self._promising(PatternKind.CAUSES, path):
-            event = self._matched(met, axiom, axiom.stated.pattern.trigger)
-            if event is None or not self._arrives(met.topic, axiom):
-                continue
-            go_on = partial(self._impossible, named={}, path=(*path, axiom.number))
-            found = self._branches(axiom, event, met, axiom.stated.pattern.behaviour, go_on)
-            if found is not None:
-                return self._link(axiom).then(found)
-        return None
-
-    def _needs_impossible(self, node: str, met: Met, path: tuple[int, ...]) -> Proof | None:
-        if len(path) >= MOST_LINKS:
-            return None
-        for axiom in self._promising(PatternKind.REQUIRES, path):
-            event = self._matched(met, axiom, axiom.stated.pattern.behaviour) if axiom.node in (node, "") else None
-            if event is None:
-                continue
-            found = self._branches(
-                axiom,
-                event,
-                met,
-                axiom.stated.pattern.trigger,
-                partial(self._impossible, named={}, path=(*path, axiom.number)),
-            )
-            if found is not None:
-                return self._link(axiom).then(found)
-        return None
 
     def _excluded(self, node: str, met: Met) -> Proof | None:
         """Why *node* never publishes *met*: what its ``no`` axioms (and those of the configuration) say together."""
