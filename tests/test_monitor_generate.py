@@ -121,6 +121,16 @@ def test_it_has_no_recording_and_no_output(
     assert "--generate reads no recording" in capsys.readouterr().err
 
 
+def test_a_link_in_place_of_the_file_is_replaced(workspace: Path) -> None:
+    assert generate() == 0
+    place, outside = workspace / "out/monitor_demo.py", workspace / "outside.py"
+    outside.write_text("mine", encoding="utf-8")
+    place.unlink()
+    place.symlink_to(outside)
+    assert generate() == 0
+    assert outside.read_text(encoding="utf-8") == "mine" and not place.is_symlink()
+
+
 def test_without_properties_there_is_nothing(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

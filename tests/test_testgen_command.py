@@ -117,6 +117,20 @@ def test_it_writes_the_same_again_and_nothing_over_other_files(
     assert "not of haros-ci testgen" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("name", ["test_demo.py", "property_tests/ros1.py"])
+def test_no_link_of_a_workspace_leads_it_elsewhere(
+    name: str, workspace: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    command = ["testgen", "../t", ".", "--configuration", "demo", "--no-cache"]
+    assert main(command) == 0
+    place, outside = workspace / "t" / name, workspace / "outside.py"
+    place.rename(outside)
+    place.symlink_to(outside)
+    before = outside.read_bytes()
+    assert main(command) == 2 and "not of haros-ci testgen" in capsys.readouterr().err
+    assert outside.read_bytes() == before and place.is_symlink()
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [

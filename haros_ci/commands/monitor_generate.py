@@ -16,7 +16,7 @@ from haros_ci.model.architecture import Qos
 from haros_ci.monitor_files.classes import Described
 from haros_ci.monitor_files.monitor_file import Watched, monitor_file, plain_name, type_name
 from haros_ci.report.escape import terminal
-from haros_ci.writing import write
+from haros_ci.writing import put_below
 
 
 def check_flags(flags: Mapping[str, Any]) -> None:
@@ -49,10 +49,9 @@ def write_files(directory: str, every: Sequence[Chosen], project: Mapping[str, A
         raise UserError(
             "there are no properties", help="state them in the project file under hpl, or give --property 'globally: …'"
         )
-    for name, text in made.items():
-        path = Path(directory, f"{name}.py")
-        write(text, path)
-        click.echo(f"{terminal(str(path))}", err=True)
+    put_below(Path(directory), {f"{name}.py": text for name, text in made.items()})
+    for name in made:
+        click.echo(terminal(str(Path(directory, f"{name}.py"))), err=True)
     return 0
 
 

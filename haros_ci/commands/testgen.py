@@ -23,7 +23,7 @@ from haros_ci.report.escape import terminal
 from haros_ci.test_files.property_tests.processes import Processes
 from haros_ci.test_files.suite import Suite
 from haros_ci.test_files.written import MARK, written
-from haros_ci.writing import write
+from haros_ci.writing import put_below
 
 #: Seconds that the tests have to end what they have started, after SIGINT and after SIGTERM.
 _GENTLE, _FIRM = 10.0, 5.0
@@ -56,8 +56,7 @@ def testgen(flags: Mapping[str, Any]) -> int:
     folder = Path(flags["directory"])
     for name in result.files:
         _is_ours(folder / name)
-    for name, text in result.files.items():
-        write(text, folder / name)
+    put_below(folder, result.files)
     tests = sorted(name for name in result.files if name.startswith("test_"))
     for name in tests:
         click.echo(str(folder / name))
@@ -66,8 +65,13 @@ def testgen(flags: Mapping[str, Any]) -> int:
 
 def _is_ours(path: Path) -> None:
     """UserError for a file that testgen has not written: it is somebody's work."""
-    if path.is_file() and MARK not in path.read_text(encoding="utf-8", errors="replace")[:2_000]:
+    if path.is_symlink() or (path.is_file() and MARK not in _head(path)):
         raise UserError(f"{path} is there, and not of haros-ci testgen", help="name another directory")
+
+
+def _head(path: Path) -> str:
+    with path.open(encoding="utf-8", errors="replace") as file:
+        return file.read(2_000)
 
 
 def _run(folder: Path, tests: Sequence[str], made: Sequence[Suite], flags: Mapping[str, Any]) -> int:
