@@ -74,7 +74,12 @@ def test_ci_begins_with_lint_and_types() -> None:
     run = (ROOT / ".ci" / "run").read_text(encoding="utf-8")
     parts = [
         run.index(part)
-        for part in ("\n.ci/lint install\n", "\n.ci/lint check > ", "pytest", '\nwait "$lint" || { cat ')
+        for part in (
+            "\n.ci/lint install\n",
+            "\n(.ci/lint check && .ci/site) > ",
+            "pytest",
+            '\nwait "$beside" || { cat ',
+        )
     ]
     assert parts == sorted(parts)
     script = (ROOT / ".ci" / "lint").read_text(encoding="utf-8")

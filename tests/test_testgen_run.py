@@ -162,7 +162,7 @@ def test_a_seeded_bug_is_found_and_shrunk_and_the_trace_is_violated_offline(work
 
 
 def test_without_the_bug_it_passes(workspace: Path) -> None:
-    code, text = ran(workspace, "--configuration", "good", "--run", "--examples", "30")
+    code, text = ran(workspace, "--configuration", "good", "--run", "--examples", "15")
     assert code == 0, text
     lines = reported(workspace)
     assert {line["result"] for line in lines.values()} == {"passed"}
