@@ -63,7 +63,6 @@ NOT_FUZZED = {
     "registry": "reads pages of the program's checks",
     "report.model_sqlite": "reads the database that it has just made",
     "starting.files": "reads files of the program",
-    "commands.testgen": "compares the first line of a file that it is about to write anew",
     "monitor_files.core": "parses files of the program",
     "monitor_files.parts.program": "copied into files that a user runs; not run here",
     "test_files.property_tests.processes": "copied beside tests that a user runs; not run here",
