@@ -13,6 +13,7 @@ from weakref import WeakKeyDictionary
 from haros_ci.checking.check import Finding
 from haros_ci.checking.installing import landings
 from haros_ci.checking.project import Project
+from haros_ci.results.overwritten import is_overwritten
 from haros_ci.results.rule import Level
 
 #: Files whose text may start a script or import a module.
@@ -34,8 +35,13 @@ _kept: WeakKeyDictionary[Project, dict[str, bool]] = WeakKeyDictionary()
 
 
 def weighed(project: Project, findings: Iterable[Finding]) -> Iterator[Finding]:
-    """*findings* on what happens when a line of Python runs; those in files that nothing starts are notes, and say so."""
+    """*findings* on what happens when a line of Python runs; those in files that nothing starts are notes, and say so.
+
+    Those in a function that the file defines again are left out: it never runs.
+    """
     for finding in findings:
+        if finding.at.path.endswith(".py") and is_overwritten(project.text(finding.at.path), finding.at.line or 0):
+            continue
         if finding.level is not Level.NOTE and is_unstarted(project, finding.at.path):
             message = (
                 f"{finding.message.rstrip('. ')} (nothing here starts, installs or imports {basename(finding.at.path)})"

@@ -15,6 +15,7 @@ from haros_ci.linters.cppcheck_uses import (
     has_no_truth_value,
     is_array_that_is_copied,
     is_copied,
+    is_given_back,
     is_meant,
     is_pointed_to,
     is_read_checked,
@@ -103,6 +104,8 @@ def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
     if rule in OF_LIFETIMES and may_be_alive(rule, message, line, text):
         return True
     if rule in OF_FIRMWARE and is_of_firmware(rule, _line(text, line), text):
+        return True
+    if rule == "uninitdata" and is_given_back(message, _line(text, line)):
         return True
     if rule == "autoVariables" and is_array_that_is_copied(line, text):
         return True

@@ -29,6 +29,8 @@ _HOLDERS = (
     r"|(?:std\s*::\s*)?(?:unordered_)?map\s*<[^<>;{{}}]{{0,80}}?,\s*(?:std\s*::\s*)?string\s*>|(?:std\s*::\s*)?vector\s*<\s*(?:std\s*::\s*)?string\s*>)"
     r"\s*(?:&\s*)?\b{name}\b"
 )
+#: ``Memory is allocated but not initialized: cells``
+_ALLOCATED = re.compile(r"not initialized: ([A-Za-z_]\w*)")
 
 
 def is_read_checked(line: int, text: str) -> bool:
@@ -170,3 +172,20 @@ def _closed(text: str, start: int) -> int | None:
         if depth == 0:
             return start + brace.start()
     return None
+
+
+def is_given_back(message: str, line: str) -> bool:
+    """Whether *line* frees, and does no more to, what *message* says is allocated and not initialized: nothing of it is read.
+
+    Objects of a class have their constructors run and their destructors after it; cppcheck reports arrays and structures of numbers too.
+    """
+    name = _ALLOCATED.search(message)
+    if name is None:
+        return False
+    called = re.escape(name[1])
+    freed = rf"\b(?:delete\s*(?:\[\s*\])?\s*\(?|(?:std\s*::\s*)?free\s*\()\s*{called}\b(?!\s*(?:\[|->|\.))"
+    rest = re.sub(freed, "", line[:_LONGEST])
+    if rest == line[:_LONGEST]:
+        return False
+    tested = re.sub(r"\bif\s*\([^()]{0,200}\)", "", rest)
+    return re.search(rf"\b{called}\b(?!\s*=(?!=))", tested) is None

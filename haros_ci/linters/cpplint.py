@@ -36,6 +36,10 @@ LOST = "\ufffd"
 _PARTS = (".cu", ".cuh", ".ipp", ".tpp", ".txx", ".ixx", ".inl", ".impl", ".inc", ".def", ".icc")
 #: The address of a member of what a cast pointer points to, and that of a cast.
 _MEMBER = re.compile(r"&\s?\(\s?\([^()]{1,200}\*\s?\)[^()]{1,200}(?:\([^()]{0,200}\))?\s?\)\s?(?:->|\[)")
+#: How far a member lies in a class, as macros without offsetof() find it: ``&(((T *)0)->member)``, ``&((T *)(1))->member``.
+_OFFSET = re.compile(
+    r"&\s?(?:\(\s?){1,4}[^()]{1,200}\*\s?\)\s?\(?\s?(?:0x[\da-fA-F]+|\d+|NULL|nullptr)[uUlL]{0,3}\s?\)[\s)]{0,8}->"
+)
 _CAST = re.compile(r"&\s?(?:\([\w:<>, ]{1,200}\)\s?\w|(?:static|dynamic|reinterpret|down)_cast\b)")
 _ADDRESS = re.compile(r"&\s?\(")
 _LINE = re.compile(r"(\d+|None):  (.*)  \[([\w/+]+)\] \[(\d)\]$", re.DOTALL)
@@ -46,7 +50,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return "5"
+    return "6"
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -144,6 +148,8 @@ def _is_member(workspace: Workspace, at: Location) -> bool:
     rest = [line.replace("&&", "  ") for line in lines]
     if any(_CAST.search(line) for line in rest):
         return False
+    if any(_OFFSET.search(line) for line in rest):
+        return True
     return any(_MEMBER.search(line) for line in rest) or (rest != lines and not any(_ADDRESS.search(r) for r in rest))
 
 

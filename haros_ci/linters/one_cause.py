@@ -84,6 +84,9 @@ _INSTANCE = re.compile(r"\s*<[^<>']{0,200}>")
 #: A variable in a message: in quotes, or after the colon at the end, where a full stop may follow.
 _NAME = re.compile(r"'(\w+)'|: ([\w.>-]*[\w>-])\.?$")
 
+#: A rule, a path, and what tells the causes in a file apart.
+_Key = tuple[str, str, object]
+
 
 def one_cause(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Result, ...]:
     """*results* in their order, those of one cause as one: the first by place, whose ``related`` also name the others.
@@ -99,26 +102,12 @@ def one_cause(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Re
             candidates[result.rule, result.location.path].append(i)
     merged: dict[int, Result] = {}
     dropped: set[int] = set()
-    lines: dict[tuple[str, str, object], list[int]] = defaultdict(list)
+    lines: dict[_Key, list[int]] = defaultdict(list)
+    calls = _Calls()
     for i, result in enumerate(found):
-        called = _called(result, text) if result.full_id in OF_A_CALL else ""
-        if called:
-            lines[result.full_id, result.location.path, called].append(i)
-        elif result.full_id in OF_A_LINE and result.location.line:
-            lines[result.full_id, result.location.path, result.location.line].append(i)
-        elif result.full_id in OF_A_TEXT and result.location.line:
-            lines["stlcstr", result.location.path, result.location.line].append(i)
-        elif result.full_id in OF_A_THROW and result.location.line:
-            lines["throw", result.location.path, result.location.line].append(i)
-        elif result.tool == TOOL and result.rule not in RULES and result.location.line and "<" in result.message:
-            lines[result.full_id, result.location.path, (result.location.line, _template(result.message))].append(i)
-        elif result.full_id in OF_A_NAME:
-            lines[result.full_id, result.location.path, result.message].append(i)
-        elif result.full_id in (OF_A_DECLARATION | OF_A_CONDITION) and result.location.line:
-            start = _start_of(result, text)
-            lines[result.full_id, result.location.path, start].append(i)
-        elif result.full_id in OF_A_FILE:
-            lines[result.full_id, result.location.path, None].append(i)
+        cause = _cause(result, text, calls)
+        if cause is not None:
+            lines[cause].append(i)
     for i, result in enumerate(found):  # the template itself beside its instances
         key = (result.full_id, result.location.path, (result.location.line, result.message))
         if result.tool == TOOL and key in lines and "<" not in result.message:
@@ -135,6 +124,40 @@ def one_cause(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Re
                 merged[first] = _joined(found[first], [found[i] for i in others])
                 dropped.update(others)
     return tuple(merged.get(i, result) for i, result in enumerate(found) if i not in dropped)
+
+
+def _cause(result: Result, text: Callable[[str], str], calls: _Calls) -> _Key | None:
+    """What *result* is put together with others by, its rule and place alone; None where it stands for itself."""
+    rule, path, line = result.full_id, result.location.path, result.location.line
+    if rule in OF_A_CALL and line:
+        return calls.key((rule, path, _called(result, text) or line), result)
+    if rule in OF_A_LINE and line:
+        return rule, path, line
+    if rule in OF_A_TEXT and line:
+        return "stlcstr", path, line
+    if rule in OF_A_THROW and line:
+        return "throw", path, line
+    if result.tool == TOOL and result.rule not in RULES and line and "<" in result.message:
+        return rule, path, (line, _template(result.message))
+    if rule in OF_A_NAME:
+        return rule, path, result.message
+    if rule in (OF_A_DECLARATION | OF_A_CONDITION) and line:
+        return rule, path, _start_of(result, text)
+    return (rule, path, None) if rule in OF_A_FILE else None
+
+
+class _Calls:
+    """What is wrong with one call, by several rules, is of one cause: it lacks an argument, and has one by the old name."""
+
+    def __init__(self) -> None:
+        self._at: dict[tuple[str, int | None, int | None], _Key] = {}
+        self._same: dict[_Key, _Key] = {}
+
+    def key(self, key: _Key, result: Result) -> _Key:
+        """The key that *result* is put together by: *key*, or that of what was told of the same call before."""
+        at = result.location
+        here = self._at.setdefault((at.path, at.line, at.column), self._same.get(key, key))
+        return self._same.setdefault(key, here)
 
 
 def _template(message: str) -> str:

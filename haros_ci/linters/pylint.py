@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterable, Iterator
 from posixpath import dirname
 from typing import Any
@@ -15,6 +16,7 @@ from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions
 from haros_ci.linters.noqa import is_silenced
 from haros_ci.linters.pylint_config import config_path, inert_options
 from haros_ci.linters.pylint_doubts import is_refuted
+from haros_ci.linters.pylint_statements import is_made_by_hand
 from haros_ci.linters.settings_files import continued
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
@@ -34,6 +36,8 @@ DISABLED = "duplicate-code,cyclic-import"
 LEVELS = {"fatal": Level.ERROR, "error": Level.ERROR, "warning": Level.WARNING}
 #: Messages on the analysis itself.
 TROUBLE = frozenset({"astroid-error", "parse-error", "fatal", "method-check-failed", "config-parse-error"})
+#: What no-value-for-parameter says of ``__new__`` where the class is what it misses.
+_OF_CLASS = re.compile(r"argument '(?:cls|klass|mcs|mcls)'")
 #: Messages on pylint's options, which are not findings in code.
 ABOUT_OPTIONS = frozenset(
     {"unknown-option-value", "unrecognized-option", "useless-option-value", "bad-configuration-section"}
@@ -50,7 +54,7 @@ def fingerprint(workspace: Workspace, options: LintOptions) -> str:
 
     own = options.arguments.get(NAME, ()) if options.trust_config else ()
     astroid = installed.distribution("astroid")
-    return json.dumps(["12", sys.version_info[:2], astroid and astroid.version, options.trust_config, own])
+    return json.dumps(["13", sys.version_info[:2], astroid and astroid.version, options.trust_config, own])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -117,8 +121,11 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
 def _is_doubted(report: dict[str, Any], path: str, text: str, doubting: Doubting) -> bool:
     """Whether the *text* refutes what pylint has *report*, or its author has silenced the same of another tool."""
     rule, line = report["symbol"], report["line"]
-    if doubting.may(path, rule, text) and is_refuted(rule, line, report["column"], text):
-        return True
+    if doubting.may(path, rule, text):
+        if is_refuted(rule, line, report["column"], text):
+            return True
+        if rule == "no-value-for-parameter" and _OF_CLASS.search(report["message"]) is not None:
+            return is_made_by_hand(text, line, report["column"])
     return is_silenced(rule, text, line)
 
 

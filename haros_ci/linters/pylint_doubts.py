@@ -19,9 +19,17 @@ from haros_ci.linters.pylint_idioms import (
     is_stub,
     is_to_fail,
 )
-from haros_ci.linters.pylint_statements import is_of_another, is_one_text, is_surplus, is_test_for_nan, is_text
+from haros_ci.linters.pylint_statements import (
+    is_index_of_array,
+    is_of_another,
+    is_one_text,
+    is_surplus,
+    is_test_for_nan,
+    is_text,
+)
 from haros_ci.linters.python2 import runs_only_on_python2
 from haros_ci.linters.python_defaults import is_only_read
+from haros_ci.results.overwritten import is_overwritten
 from haros_ci.results.scope import scopes
 
 _CALLEE = re.compile(r"(?<!\w)(\w+)[ \t]*\(")
@@ -67,12 +75,21 @@ _OF_CALLS = frozenset(
     "missing-kwoa no-value-for-parameter redundant-keyword-arg too-many-function-args unexpected-keyword-arg".split()
 )
 
+#: What happens when the line is run.
+_RAISED = (
+    _OF_VALUES
+    | _OF_CALLS
+    | {"undefined-variable", "used-before-assignment", "too-few-format-args", "too-many-format-args"}
+)
+
 
 def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
     """Whether the *text* refutes what pylint says by *rule* at *line*, counted from 1, and *column*, from 0."""
     if rule in _OF_VALUES and takes_value(text, line):
         return True
     if rule in _OF_CALLS and is_to_fail(text, line):
+        return True
+    if rule in _RAISED and is_overwritten(text, line):
         return True
     if rule == "no-value-for-parameter":
         return _is_decorated(text, line, column)
@@ -91,6 +108,8 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
         return is_of_another(text, line)
     if rule == "comparison-with-itself":
         return is_test_for_nan(text, line)
+    if rule == "invalid-sequence-index":
+        return is_index_of_array(text, line)
     if rule == "trailing-comma-tuple":
         return _has_items(text, line)
     if rule == "dangerous-default-value":

@@ -116,6 +116,55 @@ def is_test_for_nan(text: str, line: int) -> bool:
     )
 
 
+def is_made_by_hand(text: str, line: int, column: int) -> bool:
+    """Whether ``Class.__new__(Class)`` stands there: the class is given, which pylint takes for an argument that is missing."""
+    place = (line, _byte(text, line, column))
+    return any(
+        isinstance(node, ast.Call)
+        and (node.lineno, node.col_offset) == place
+        and isinstance(node.func, ast.Attribute)
+        and node.func.attr == "__new__"
+        and bool(node.args)
+        for node in nodes(text)
+    )
+
+
+def is_index_of_array(text: str, line: int) -> bool:
+    """Whether an index on *line* is, or is made of, what a function of NumPy gave: ``rows[np.unravel_index(k, shape)[0]]``.
+
+    pylint knows a few of these functions, and not what is in the arrays that they return.
+    """
+    if "numpy" not in text:
+        return False
+    names: set[str] = set()
+    given: set[str] = set()
+    for node in nodes(text):
+        if isinstance(node, ast.Import):
+            names.update(
+                (alias.asname or alias.name) for alias in node.names if alias.name.partition(".")[0] == "numpy"
+            )
+        elif isinstance(node, ast.Assign) and _is_called_on(node.value, names):
+            given.update(
+                inner.id for target in node.targets for inner in ast.walk(target) if isinstance(inner, ast.Name)
+            )
+    return any(
+        isinstance(node, ast.Subscript)
+        and node.slice.lineno <= line <= (node.slice.end_lineno or 0)
+        and any((isinstance(n, ast.Name) and n.id in given) or _is_called_on(n, names) for n in ast.walk(node.slice))
+        for node in nodes(text)
+    )
+
+
+def _is_called_on(node: ast.AST, names: set[str]) -> bool:
+    """Whether *node* is a call of an attribute of one of *names*."""
+    return (
+        isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Attribute)
+        and isinstance(node.func.value, ast.Name)
+        and node.func.value.id in names
+    )
+
+
 def _is_super(node: ast.AST) -> TypeGuard[ast.Call]:
     return isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "super"
 

@@ -39,6 +39,15 @@ _TABS = "inconsistent use of tabs and spaces"
 _TAB, _BLANKS = re.compile(r"^\t", re.MULTILINE), re.compile(r"^ {2,8}\S", re.MULTILINE)
 #: So many files that mix tabs and blanks are no slip.
 _MANY_MIXED = 4
+#: The interpreter of scripts that say no version.
+_PLAIN = re.compile(r"#![^\n]*\bpython(?:[ \t]|$)", re.MULTILINE)
+#: Files that may say for which distribution a workspace is, and what they say then.
+_PAGE = re.compile(
+    r"(?:^|/)(?:readme[^/]*|changelog[^/]*|package\.xml|\.travis\.yml|\.gitlab-ci\.yml|dockerfile[^/]*|[^/]*\.(?:sh|dockerfile)|[^/]*requirements[^/]*\.txt)$"
+    r"|^\.(?:github|circleci)/.*\.ya?ml$",
+    re.IGNORECASE,
+)
+_OF_NEW_ROS = re.compile(r"noetic|python-?3|\bpip3\b|\bfocal\b|20\.04", re.IGNORECASE)
 _ALL = re.compile(r"Undefined variable name '([A-Za-z_]\w*)' in __all__")
 _STARRED = re.compile(r"^[ \t]*from[ \t]+([A-Za-z_]\w*)[ \t]+import[ \t]*\*", re.MULTILINE)
 _EXPORTS = re.compile(r"^__all__\b", re.MULTILINE)
@@ -116,7 +125,16 @@ def _is_python2_around(path: str, workspace: Workspace) -> bool:
     texts = [workspace.text(file.path) for file in workspace.files if file.language == "python"]
     if len(texts) > _MOST_FILES_OF_ALL:
         return False
-    return is_of_python2(workspace.text(path), texts, "") or _is_usual(workspace.text(path), texts)
+    text = workspace.text(path)
+    return is_of_python2(text, texts, "") or _is_usual(text, texts) or _is_of_old_ros(text, texts, workspace)
+
+
+def _is_of_old_ros(text: str, texts: Iterable[str], workspace: Workspace) -> bool:
+    """Whether the file asks for `python`, which is Python 2 up to Melodic, and nothing of the workspace names Python 3 or a distribution that has it."""
+    if not _PLAIN.match(text) or any(map(names_python3, texts)):
+        return False
+    pages = [name for name in sorted(workspace.names) if _PAGE.search(name)][:_MOST_FILES]
+    return not any(_OF_NEW_ROS.search(workspace.text(page)) for page in pages)
 
 
 def _is_usual(text: str, texts: Iterable[str]) -> bool:

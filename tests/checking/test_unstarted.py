@@ -78,3 +78,21 @@ def test_modules_of_ros2(entry: str, expected: Level, tmp_path: Path) -> None:
         "demo/grasp_and_lift.py": SPIN,
     }
     assert level(files, tmp_path) is expected
+
+
+AGAIN = "import rospy\n\n\ndef talk():\n    return rospy.Publisher('a')\n\n\n{}def talk():\n    return 1\n\n\ntalk()\n"
+
+
+@pytest.mark.parametrize(("between", "count"), [("", 0), ("talk()\n\n\n", 1), ("def other():\n    talk()\n\n\n", 0)])
+def test_a_function_that_the_file_defines_again(between: str, count: int, tmp_path: Path) -> None:
+    files = {"package.xml": ROS1, "CMakeLists.txt": CATKIN.format(""), "scripts/talk.py": AGAIN.format(between)}
+    check = next(check for check in checks() if check.id == "missing-argument")
+    assert len(said(check, Example("", True, files), tmp_path)) == count
+
+
+@pytest.mark.parametrize(("kind", "count"), [("String", 1), ("int", 0), ("float", 0), ("dict", 0)])
+def test_a_node_of_a_test_that_takes_any_type(kind: str, count: int, tmp_path: Path) -> None:
+    text = f"import rclpy\nfrom std_msgs.msg import String\n\nnode = rclpy.create_node('n')\nnode.create_publisher({kind}, 'a')\n"
+    files = {"package.xml": ROS2, "setup.py": SETUP.format(""), "demo/__init__.py": "", "demo/talk.py": text}
+    check = next(check for check in checks() if check.id == "missing-argument")
+    assert len(said(check, Example("", True, files), tmp_path)) == count

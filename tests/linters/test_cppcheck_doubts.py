@@ -42,6 +42,35 @@ REFUTED += [
     ("comparePointers", OBJECTS, "if (&_data != from)\n" + SYMBOLS),
     ("subtractPointers", OBJECTS, "size_t n = _end - start;\n" + SYMBOLS),
 ]
+RAW = "Memory is allocated but not initialized: cells"
+REFUTED += [
+    ("uninitdata", RAW, "  delete[] cells;\n"),
+    ("uninitdata", RAW, "  delete [] cells; cells = nullptr;\n"),
+    ("uninitdata", RAW, "  delete cells;\n"),
+    ("uninitdata", RAW, "  if (cells) delete[] cells;\n"),
+    ("uninitdata", RAW, "  if (cells != NULL) { delete[] (cells); }\n"),
+    ("uninitdata", RAW + ".", "  free(cells);\n"),
+    ("uninitdata", RAW, "  std::free( cells );\n"),
+]
+RAW_AND_READ = [
+    "  use(cells);\n",
+    "  use(cells); delete[] cells;\n",
+    "  delete[] cells[2];\n",
+    "  delete cells->next;\n",
+    "  x = cells[1]; delete[] cells;\n",
+    "  if (cells[0]) delete[] others;\n",
+    "  delete[] others;\n",
+    "  return cells;\n",
+    "  memcpy(copy, cells, 3);\n",
+    "",
+]
+
+
+@pytest.mark.parametrize("text", RAW_AND_READ)
+def test_memory_that_is_read_without_a_value(text: str) -> None:
+    assert not is_refuted("uninitdata", RAW, 1, text)
+
+
 KEPT = "Non-local variable 'handle' will use pointer to local variable 'name'."
 POINTS = "Returning object that points to local variable 'view' that will be invalid when returning."
 ITSELF = "Redundant assignment of 'low' to itself."

@@ -101,6 +101,8 @@ NO_VALUE = [("no-value-for-parameter", 2, 1, (2, 14)), ("no-value-for-parameter"
         ([("unexpected-keyword-arg", *NO_VALUE[0][1:]), ("unexpected-keyword-arg", *NO_VALUE[1][1:])], [[2, 3]]),
         ([NO_VALUE[0], ("no-value-for-parameter", 7, 1, (7, 19))], [[2], [7]]),  # another function
         ([NO_VALUE[0], ("unexpected-keyword-arg", *NO_VALUE[1][1:])], [[2], [3]]),  # another fault
+        ([NO_VALUE[0], ("unexpected-keyword-arg", *NO_VALUE[0][1:])], [[2, 2]]),  # of the same call
+        ([*NO_VALUE, ("missing-kwoa", *NO_VALUE[0][1:]), ("missing-kwoa", *NO_VALUE[1][1:])], [[2, 2, 3, 3]]),
         ([NO_VALUE[0], ("no-value-for-parameter", 8, 1, (8, 22))], [[2], [8]]),
         ([("no-value-for-parameter", 9, 1, (9, 19)), ("no-value-for-parameter", 10, 1, (10, 16))], [[9], [10]]),
         ([NO_VALUE[0], ("no-value-for-parameter", 30, 1, (30, 19))], [[2], [30]]),  # a line that is not there

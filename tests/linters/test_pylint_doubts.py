@@ -7,6 +7,7 @@ import pytest
 
 from haros_ci.linters.noqa import is_silenced
 from haros_ci.linters.pylint_doubts import is_refuted
+from haros_ci.linters.pylint_statements import is_made_by_hand
 
 CLICK = "import click\n\n@click.command()\n@click.option('--name')\ndef main(name):\n    print(name)\n\nmain()\n"
 REFUTED = [
@@ -402,3 +403,54 @@ def test_what_is_meant_or_does_no_harm(rule: str, text: str, at: str, expected: 
 def test_one_text_in_two_literals(text: str, expected: bool) -> None:
     line = 2 if text.startswith("log(\n") else 1
     assert is_refuted("implicit-str-concat", line, 0, text) is expected
+
+
+TWICE = "def make():\n    return later\n\n\ndef make():\n    return 1\n"
+
+
+@pytest.mark.parametrize("rule", ["undefined-variable", "no-value-for-parameter", "not-callable"])
+def test_what_a_function_does_that_is_defined_again(rule: str) -> None:
+    assert is_refuted(rule, 2, 11, TWICE)
+
+
+@pytest.mark.parametrize(
+    ("rule", "line", "text"),
+    [
+        ("undefined-variable", 6, TWICE),
+        ("function-redefined", 2, TWICE),
+        ("unused-variable", 2, TWICE),
+        ("undefined-variable", 2, TWICE.replace("\n\n\n", "\n\n\nmake()\n")),
+        ("undefined-variable", 2, "@route\n" + TWICE),
+    ],
+)
+def test_what_such_a_function_does_not_hide(rule: str, line: int, text: str) -> None:
+    assert not is_refuted(rule, line, 11, text)
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("x = Arm.__new__(Arm)\n", True),
+        ("x = arms.Arm.__new__(arms.Arm, 1)\n", True),
+        ("x = Arm.__new__()\n", False),
+        ("x = Arm.load(Arm)\n", False),
+        ("x = Arm(Arm.__new__)\n", False),
+        ("x = 1\n", False),
+    ],
+)
+def test_objects_that_are_made_without_their_constructor(text: str, expected: bool) -> None:
+    assert is_made_by_hand(text, 1, 4) is expected
+
+
+ARRAYS = "import numpy as np\n\n\ndef f(names, m):\n    at = np.unravel_index(np.argmax(m), m.shape)\n    print({})\n"
+
+
+@pytest.mark.parametrize("use", ["names[at[0]]", "f'{names[at[0]]} of {len(names)}'", "names[np.argmax(m)]", "m[at]"])
+def test_elements_of_arrays_as_an_index(use: str) -> None:
+    assert is_refuted("invalid-sequence-index", 6, 10, ARRAYS.format(use))
+
+
+@pytest.mark.parametrize("text", ["names['a']", "names[1.5]", "at[names]", "names[:]", "names", "[at]"])
+def test_what_is_no_index_of_an_array(text: str) -> None:
+    assert not is_refuted("invalid-sequence-index", 6, 10, ARRAYS.format(text))
+    assert not is_refuted("invalid-sequence-index", 6, 10, ARRAYS.format("names[at[0]]").replace("numpy", "other"))

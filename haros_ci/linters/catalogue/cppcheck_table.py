@@ -146,7 +146,7 @@ GROUPS: tuple[Group, ...] = (
         "The null case reaches the dereference, or the test comes too late. Test first, or drop the test.",
         ("correctness", "pointers"),
         (
-            ("nullPointer", "Bw", "Null pointer dereference."),
+            ("nullPointer", "Sw", "Null pointer dereference."),
             ("nullPointerArithmetic", "Bw", "Arithmetic on a null pointer."),
             ("nullPointerArithmeticRedundantCheck", "Rw", "Pointer arithmetic before the null test."),
             ("nullPointerDefaultArg", "Rw", "Dereferenced default argument that may be null."),
@@ -181,7 +181,7 @@ GROUPS: tuple[Group, ...] = (
             ("floatConversionOverflow", "Be", "Floating-point value too large for the target integer."),
             ("integerOverflow", "Se", "Signed integer overflow."),
             ("invalidTestForOverflow", "Sw", "Overflow test that itself relies on overflow."),
-            ("moduloofone", "Rs", "Remainder of division by one."),
+            ("moduloofone", "Ss", "Remainder of division by one."),
             ("nanInArithmeticExpression", "Rs", "NaN in an arithmetic expression."),
             ("shiftNegative", "Se", "Shift by a negative count."),
             ("shiftTooManyBits", "Se", "Shift by too many bits."),

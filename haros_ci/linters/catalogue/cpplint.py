@@ -20,7 +20,7 @@ GROUPS: tuple[Group, ...] = (
             ("runtime/memset", "BG", "Swapped size and value of memset."),
             ("runtime/invalid_increment", "BG", "*count++ instead of (*count)++."),
             ("runtime/init", "BG", "Member initialized with itself."),
-            ("runtime/casting", "RG", "Address of a temporary from a cast."),
+            ("runtime/casting", "SG", "Address of a temporary from a cast."),
             (
                 "runtime/member_string_references",
                 "RG",
@@ -36,7 +36,7 @@ GROUPS: tuple[Group, ...] = (
         "A header is text in every file that includes it, in other packages too: what it opens there nobody can close."
         " Write the names out, or move the directive into a function or a .cpp file.",
         ("headers", "namespace"),
-        (("build/namespaces_headers", "RG", "Unnamed namespace in a header."),),
+        (("build/namespaces_headers", "SG", "Unnamed namespace in a header."),),
     ),
     Group(
         "The compiler or another platform may reject or misread this; write the standard form.",

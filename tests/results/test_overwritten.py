@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A function that its block defines again before anything may call it never runs; all others may."""
+
+from __future__ import annotations
+
+import pytest
+
+from haros_ci.results.overwritten import is_overwritten
+
+FIRST = "def make():\n    return 1\n\n\n"
+SECOND = "def make():\n    return 2\n"
+
+
+@pytest.mark.parametrize(
+    "between",
+    [
+        "",
+        "import os\n\n\n",
+        "LIMIT = 3\n\n\n",
+        "def other():\n    return make()\n\n\n",
+        "@cached\ndef other(a=LIMIT):\n    return make()\n\n\n",
+        "class Other:\n    def run(self):\n        return 1\n\n\n",
+        "'''a text'''\n",
+    ],
+)
+def test_the_first_of_two(between: str) -> None:
+    text = FIRST + between + SECOND
+    assert is_overwritten(text, 2)
+    assert not is_overwritten(text, text.count("\n"))
+
+
+def test_methods_and_inner_functions() -> None:
+    methods = "class Node:\n    def on(self):\n        pass\n\n    def on(self):\n        return 1\n"
+    assert is_overwritten(methods, 3)
+    inner = "def outer():\n    def on():\n        pass\n\n    def on():\n        return 1\n\n    return on\n"
+    assert is_overwritten(inner, 3)
+    assert is_overwritten("def make():\n    return 1\n\n\nclass make:\n    pass\n", 2)
+    assert is_overwritten(FIRST + SECOND + SECOND, 6)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        FIRST,
+        FIRST + "make()\n\n\n" + SECOND,
+        FIRST + "def other():\n    return make()\n\n\nother()\n\n\n" + SECOND,
+        FIRST + "old = make\n\n\n" + SECOND,
+        FIRST + "def other(what=make):\n    return what()\n\n\n" + SECOND,
+        FIRST + "def other(*, what=make):\n    return what()\n\n\n" + SECOND,
+        FIRST + "@make\ndef other():\n    pass\n\n\n" + SECOND,
+        FIRST + "@make\n" + SECOND,
+        FIRST + "class Other:\n    run = make\n\n\n" + SECOND,
+        FIRST + "class Other(make):\n    pass\n\n\n" + SECOND,
+        FIRST + "if LIMIT:\n    def make():\n        return 2\n",
+        "if LIMIT:\n    def make():\n        return 1\nelse:\n    def make():\n        return 2\n",
+        "try:\n    def make():\n        return 1\nexcept NameError:\n    pass\n\n\n" + SECOND,
+        "@overload\n" + FIRST + SECOND,
+        "class A:\n    def on(self):\n        pass\n\n\nclass B:\n    def on(self):\n        pass\n",
+        "class A:\n    @property\n    def on(self):\n        pass\n\n    @on.setter\n    def on(self, value):\n        pass\n",
+        "def broken(:\n    pass\n",
+        "",
+    ],
+)
+def test_functions_that_may_run(text: str) -> None:
+    assert not any(is_overwritten(text, line) for line in range(text.count("\n") + 2))
