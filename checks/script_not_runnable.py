@@ -18,6 +18,7 @@ from haros_ci.api.packages import (
     is_given_to_another,
     is_imported_beside,
     is_made_program_later,
+    is_sourced,
     is_to_be_run,
 )
 
@@ -25,26 +26,23 @@ _PYTHON = re.compile(r"#![ \t]*(?:/usr(?:/local)?/bin/env[ \t]+|/usr/bin/)(pytho
 _MODES = ("USE_SOURCE_PERMISSIONS", "PERMISSIONS", "FILE_PERMISSIONS")
 _SHELL = (".sh", ".bash")
 #: Why the bit counts, of one script and of several.
-_DEVEL = "it does not start from a devel space, which runs it in place"
-_LINKED = "colcon build --symlink-install links to it, and ros2 run does not find it"
-_KEPT = "setup.py installs it with its file mode: ros2 run does not find it"
-_LAUNCHED = "roslaunch does not recognise it as a program"
-_RUN_BY_BUILD = "dynamic_reconfigure runs it during the build, which may stop there"
-_PLURALS = {
-    _DEVEL: "they do not start from a devel space, which runs them in place",
-    _LINKED: "colcon build --symlink-install links to them, and ros2 run does not find them",
-    _KEPT: "setup.py installs them with their file modes: ros2 run does not find them",
-    _LAUNCHED: "roslaunch does not recognise them as programs",
-    _RUN_BY_BUILD: "dynamic_reconfigure runs them during the build, which may stop there",
-}
+_DEVEL = (
+    "it does not start from a devel space, which runs it in place",
+    "they do not start from a devel space, which runs them in place",
+)
+_LINKED = tuple(
+    f"colcon build --symlink-install links to {them}, and ros2 run does not find {them}" for them in ("it", "them")
+)
+_KEPT = (
+    "setup.py installs it with its file mode: ros2 run does not find it",
+    "setup.py installs them with their file modes: ros2 run does not find them",
+)
+_LAUNCHED = ("roslaunch does not recognise it as a program", "roslaunch does not recognise them as programs")
+_RUN_BY_BUILD = tuple(
+    f"dynamic_reconfigure runs {them} during the build, which may stop there" for them in ("it", "them")
+)
 #: So many scripts without their bits show how a workspace is built.
 _FEW = 2
-#: Shell scripts that are sourced: by their names, by their lines, and by who names them.
-_SOURCED = re.compile(
-    r"(?:^|[/_.-])(?:(?:local_)?setup|hooks?|completions?|complete|bashrc|zshrc|aliases|env(?:ironment)?)\.(?:ba|z)?sh$"
-    r"|(?:^|/)(?:\w+[-_])?(?:hooks?|completions?)/[^/]+$|completion\.(?:ba|z)?sh$"
-)
-_SETTING = re.compile(r"#|export\b|source\b|\.\s|alias\b|unset\b|complete\b|[A-Za-z_]\w*=\S*$")
 #: Files that describe the build for people and machines, and the options with which the execute bit of the source counts.
 _TELLING = re.compile(
     r"\.(?:md|rst|txt|sh|bash|zsh|ya?ml|json|toml|py|mk|meta|repos)$|(?:^|/)[^/.]*$|dockerfile|containerfile", re.I
@@ -57,7 +55,7 @@ class _Bit:
     """A script whose execute bit is missing, and why that counts."""
 
     path: str
-    why: str
+    why: tuple[str, ...]
     level: Level = Level.WARNING
 
 
@@ -77,10 +75,10 @@ def _of(
             continue
         if script.kind == "directory":
             yield from _unpacked(script, package)
-        elif script.path not in seen and package.project.text(script.path) and not _is_sourced(script.path, package):
+        elif script.path not in seen and package.project.text(script.path) and not is_sourced(script.path, package):
             seen.add(script.path)
             if not _is_module(script, package, programs):
-                yield from _first_line(script.path, package)
+                yield from _first_line(script.path, package, is_relayed=_is_relayed(script, package))
             yield from _mode(script, package, level, programs)
     yield from _started(package, launched, seen)
     yield from _configured(package)
@@ -88,7 +86,7 @@ def _of(
 
 def _joined(package: ProjectPackage, found: Iterable[Finding | _Bit]) -> Iterator[Finding]:
     """The scripts of a package without the execute bit for which the same is at stake in one finding."""
-    groups: dict[tuple[str, Level], list[str]] = {}
+    groups: dict[tuple[tuple[str, ...], Level], list[str]] = {}
     for finding in found:
         if isinstance(finding, Finding):
             yield finding
@@ -107,21 +105,12 @@ def _is_copied(project: Project) -> bool:
         if package.ros == 2
         for script in package.build.installed
         if script.kind == "program" and not script.keeps_mode and _is_for_programs(script, package)
-        if project.text(script.path).startswith("#!") and not _is_sourced(script.path, package)
+        if project.text(script.path).startswith("#!") and not is_sourced(script.path, package)
     }
     if bits is None or len(paths) < _FEW or not paths.isdisjoint(bits):
         return False
     texts = (path for path in project.workspace.names if _TELLING.search(path))
     return not any(_LINKING.search(project.text(path)) for path in texts)
-
-
-def _is_sourced(path: str, package: ProjectPackage) -> bool:
-    """Whether a shell script is there to be sourced: by its name, or as it only sets things."""
-    if not path.endswith((".sh", ".bash", ".zsh")):
-        return False
-    lines = [line.strip() for line in package.project.text(path).splitlines()[:200]]
-    code = [line for line in lines if line and not line.startswith("#")]
-    return _SOURCED.search(path) is not None or (bool(code) and all(map(_SETTING.match, code)))
 
 
 def _configured(package: ProjectPackage) -> Iterator[_Bit]:
@@ -139,14 +128,14 @@ def _is_for_programs(script: Installed, package: ProjectPackage) -> bool:
     return script.destination in ("bin", f"lib/{package.name}")
 
 
-def _first_line(path: str, package: ProjectPackage) -> Iterator[Finding]:
+def _first_line(path: str, package: ProjectPackage, *, is_relayed: bool = False) -> Iterator[Finding]:
     """The shebang: missing, too low, with a carriage return at its end, of an interpreter that is not there."""
     text = package.project.text(path)
     lines = text.splitlines(keepends=True)
     first, at = lines[0], Location(path, 1)
     if not first.startswith("#!"):
         if (path.endswith(_SHELL) or is_to_be_run(path, package.project)) and not is_given_to_another(path, package):
-            yield _without(path, package, lines)
+            yield _without(path, package, lines, is_relayed)
     elif first.endswith("\r\n"):
         yield Finding(
             at=at,
@@ -174,8 +163,9 @@ def _first_line(path: str, package: ProjectPackage) -> Iterator[Finding]:
         )
 
 
-def _without(path: str, package: ProjectPackage, lines: list[str]) -> Finding:
+def _without(path: str, package: ProjectPackage, lines: list[str], is_relayed: bool) -> Finding:
     """A file that does not begin with a shebang; one further down belongs to the top."""
+    where = " from an install space (a devel space gives it to Python by itself)" if is_relayed else ""
     line = next((number for number, line in enumerate(lines[:30], 1) if line.startswith("#!")), 0)
     fixes: tuple[Fix, ...] = ()
     if line:
@@ -188,7 +178,7 @@ def _without(path: str, package: ProjectPackage, lines: list[str]) -> Finding:
             fixes = (Fix("begin with a shebang", (Edit(path, (1, 1), (1, 1), "#!/usr/bin/env python3\n"),)),)
     return Finding(
         at=Location(path, 1),
-        message=f"{path} is installed as a program and {what}: the start fails with 'Exec format error'; {todo}",
+        message=f"{path} is installed as a program and {what}: the start{where} fails with 'Exec format error'; {todo}",
         about=(package.name, path),
         level=Level.WARNING if path.endswith(_SHELL) else None,
         fixes=fixes,
@@ -207,10 +197,11 @@ def _mode(script: Installed, package: ProjectPackage, level: Level, programs: Pr
             yield Finding(
                 at=script.location,
                 message=(
-                    f"install(FILES) installs {script.path} next to programs, but without the execute bit: ros{_two(package)} "
-                    "run does not find it; use install(PROGRAMS)"
+                    f"install(FILES) installs {script.path} next to programs, but without the execute bit: {_run(package)} does not "
+                    f"find it{_there(package, [script.path])}; use install(PROGRAMS)"
                 ),
                 about=(package.name, script.path),
+                level=Level.WARNING if _there(package, [script.path]) else None,
             )
         return
     bits = package.project.workspace.executables
@@ -220,7 +211,7 @@ def _mode(script: Installed, package: ProjectPackage, level: Level, programs: Pr
     if is_given_to_another(script.path, package):
         return
     if script.keeps_mode:
-        why = _KEPT
+        why: tuple[str, ...] = _KEPT
     elif package.ros == 1:
         why = _DEVEL
     else:
@@ -229,9 +220,9 @@ def _mode(script: Installed, package: ProjectPackage, level: Level, programs: Pr
         yield _Bit(script.path, why, level if why is _LINKED else Level.WARNING)
 
 
-def _without_bit(package: ProjectPackage, paths: list[str], why: str, level: Level) -> Finding:
+def _without_bit(package: ProjectPackage, paths: list[str], why: tuple[str, ...], level: Level) -> Finding:
     """One finding for all *paths*: the first is its place, the others are related."""
-    have, reason = ("has", why) if len(paths) == 1 else ("have", _PLURALS[why])
+    have, reason = ("has", why[0]) if len(paths) == 1 else ("have", why[1])
     return Finding(
         at=Location(paths[0], 1),
         message=f"{listed(paths)} {have} no execute bit: {reason}; set it (git update-index --chmod=+x)",
@@ -256,10 +247,11 @@ def _unpacked(script: Installed, package: ProjectPackage) -> Iterator[Finding]:
             at=script.location,
             message=(
                 f"install(DIRECTORY) installs {', '.join(programs[:3])} next to programs, but without the execute bit: "
-                f"ros{_two(package)} run does not find {('it' if len(programs) == 1 else 'them')}; use install(PROGRAMS), "
-                "or add USE_SOURCE_PERMISSIONS"
+                f"{_run(package)} does not find {('it' if len(programs) == 1 else 'them')}{_there(package, programs)}; use "
+                "install(PROGRAMS), or add USE_SOURCE_PERMISSIONS"
             ),
             about=(package.name, script.path),
+            level=Level.WARNING if _there(package, programs) else None,
         )
 
 
@@ -336,8 +328,15 @@ def _interpreter(line: str) -> str:
     return line[2:].strip().rpartition("/")[2]
 
 
-def _two(package: ProjectPackage) -> str:
-    return "2" if package.ros == 2 else ""
+def _run(package: ProjectPackage) -> str:
+    return "ros2 run" if package.ros == 2 else "rosrun"
+
+
+def _there(package: ProjectPackage, paths: list[str]) -> str:
+    """Where programs of ROS 1 are not found that have the execute bit in the sources: rosrun looks there, too, in a devel space."""
+    bits = package.project.workspace.executables
+    is_found = package.ros == 1 and bits is not None and bits.issuperset(paths)
+    return " in an install space (in a devel space it does, by the bit of the source)" if is_found else ""
 
 
 CHECK = Check(

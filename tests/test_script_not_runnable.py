@@ -167,3 +167,43 @@ def test_a_build_that_changes_modes_by_itself(command: str, count: int, tmp_path
     )
     files = filled({"scripts/talker.py": f"#!/usr/bin/env python3\n{CODE}", "CMakeLists.txt": cmake})
     assert len(findings(tmp_path, files)) == count
+
+
+ROS1 = (
+    '<package format="2"><name>demo</name><version>1.0.0</version><description>d</description><maintainer email="a@example.org">m</maintainer>'
+    "<license>MIT</license><buildtool_depend>catkin</buildtool_depend><depend>rospy</depend></package>\n"
+)
+CATKIN = "cmake_minimum_required(VERSION 3.0)\nproject(demo)\nfind_package(catkin REQUIRED)\ncatkin_package()\n{}\n"
+TALK = "import rospy\n\nif __name__ == '__main__':\n    rospy.init_node('talker')\n"
+PLACE = "DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION}"
+
+
+@pytest.mark.parametrize(
+    ("command", "shebang", "bits", "level", "words"),
+    [
+        (f"install(FILES scripts/talker.py {PLACE})", True, ("scripts/talker.py",), "warning", "rosrun does not find it in an install space (in a"),
+        (f"install(FILES scripts/talker.py {PLACE})", True, (), "error", "rosrun does not find it; use"),
+        (f"install(DIRECTORY scripts/ {PLACE})", True, ("scripts/talker.py",), "warning", "does not find it in an install space (in a"),
+        (f"install(DIRECTORY scripts/ {PLACE})", True, (), "error", "does not find it; use"),
+        (f"catkin_install_python(PROGRAMS scripts/talker.py {PLACE})", False, ("scripts/talker.py",), "error", "the start from an install space (a devel space gives it to Python by itself) fails"),
+        (f"install(PROGRAMS scripts/talker.py {PLACE})", False, ("scripts/talker.py",), "error", "the start fails"),
+    ],
+)  # fmt: skip
+def test_a_devel_space_runs_what_has_its_bit(
+    command: str, shebang: bool, bits: tuple[str, ...], level: str, words: str, tmp_path: Path
+) -> None:
+    text = f"#!/usr/bin/env python3\n{TALK}" if shebang else TALK
+    files = {"package.xml": ROS1, "CMakeLists.txt": CATKIN.format(command), "scripts/talker.py": text}
+    ((_, found, message),) = findings(tmp_path, files, bits or ("other",))
+    assert found == level and words in message
+
+
+@pytest.mark.parametrize("command", ["install(PROGRAMS", "catkin_install_python(PROGRAMS"])
+def test_programs_of_ros_1_that_start(command: str, tmp_path: Path) -> None:
+    text = f"#!/usr/bin/env python3\n{TALK}"
+    files = {
+        "package.xml": ROS1,
+        "CMakeLists.txt": CATKIN.format(f"{command} scripts/talker.py {PLACE})"),
+        "scripts/talker.py": text,
+    }
+    assert findings(tmp_path, files, ("scripts/talker.py",)) == []

@@ -33,7 +33,7 @@ from haros_ci.checking.installing import (
     left_out_on_purpose,
 )
 from haros_ci.checking.interface_uses import interfaces_in_use
-from haros_ci.checking.interpreted import is_given_to_another, is_imported_beside, is_to_be_run
+from haros_ci.checking.interpreted import is_given_to_another, is_imported_beside, is_sourced, is_to_be_run
 from haros_ci.checking.known_commands import is_well_known
 from haros_ci.checking.leftovers import Leftovers
 from haros_ci.checking.lookups import Lookup, lookups
@@ -215,6 +215,7 @@ __all__ = [
     "is_for_tests",
     "is_given_to_another",
     "is_imported_beside",
+    "is_sourced",
     "is_to_be_run",
     "is_made_program_later",
     "writer_of",

@@ -14,6 +14,12 @@ _GIVEN = r"""(?:\bpython[\d.]*|(?i:python)\w*EXECUTABLE\}?|\b(?:source|sh|bash)|
 #: Python files that tools read or load, and do not run.
 _READ = ("launch.py", "__init__.py", "setup.py", "conftest.py")
 _CMAKE = (".cmake", ".cmake.in", "CMakeLists.txt", ".cmake.em")
+#: Shell scripts that are sourced: by their names, by their lines, and by who names them.
+_SOURCED = re.compile(
+    r"(?:^|[/_.-])(?:(?:local_)?setup|hooks?|completions?|complete|bashrc|zshrc|aliases|env(?:ironment)?)\.(?:ba|z)?sh$"
+    r"|(?:^|/)(?:\w+[-_])?(?:hooks?|completions?)/[^/]+$|completion\.(?:ba|z)?sh$"
+)
+_SETTING = re.compile(r"#|export\b|source\b|\.\s|alias\b|unset\b|complete\b|[A-Za-z_]\w*=\S*$")
 
 
 def is_given_to_another(path: str, package: ProjectPackage) -> bool:
@@ -76,3 +82,12 @@ def _imports(text: str) -> bool:
     """Whether the first line that is no comment is one of Python's imports."""
     code = (line for line in text.splitlines()[:100] if line.strip() and not line.startswith("#"))
     return next(code, "").startswith(("import ", "from "))
+
+
+def is_sourced(path: str, package: ProjectPackage) -> bool:
+    """Whether a shell script is there to be sourced: by its name, or as it only sets things."""
+    if not path.endswith((".sh", ".bash", ".zsh")):
+        return False
+    lines = [line.strip() for line in package.project.text(path).splitlines()[:200]]
+    code = [line for line in lines if line and not line.startswith("#")]
+    return _SOURCED.search(path) is not None or (bool(code) and all(map(_SETTING.match, code)))
