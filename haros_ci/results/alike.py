@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from haros_ci.results.result import BaselineState, Related, Result
@@ -22,6 +22,16 @@ NAMED = 5
 #: States of findings that are joined, each with its like.
 UNITED = (None, BaselineState.NEW, BaselineState.UNCHANGED)
 
+#: Rules on names that are not there: a missing import, or a declaration that stands too low, shows at each use. Those of lines that are no further apart
+#: than NEAR have one cause.
+OF_NAMES = frozenset(
+    """
+    flake8:F821 haros-ci:undefined-attribute haros-ci:undefined-field haros-ci:undefined-interface haros-ci:undefined-name
+    haros-ci:unset-launch-argument pylint:undefined-variable ruff:F821
+    """.split()
+)
+NEAR = 3
+
 _WORD = re.compile(r"\w+")
 _TOKEN = re.compile(r"[\w./:-]*\w|[^\w\s]")
 
@@ -31,7 +41,7 @@ def joined(results: Sequence[Result]) -> tuple[Result, ...]:
 
     Those of one rule, level, state and line are alike whatever they say; warnings and notes also if they say the same, but for
     names, of one file. Errors at two lines stay two, as each is mended by itself, unless they say the same of the same subject: that has
-    one cause, as with a program that two branches of a launch file start. Those that stand for others already stay, too.
+    one cause, as with a program that two branches of a launch file start; or the same, but for names that are not there, of neighbouring lines. Those that stand for others already stay, too.
     """
     groups: dict[tuple[object, ...], list[int]] = defaultdict(list)
     for i, result in enumerate(results):
@@ -65,7 +75,30 @@ def _alike(indexes: Sequence[int], results: Sequence[Result]) -> Iterator[list[i
             by_shape[(_WORD.sub("_", result.message),)].append(found[0])
         elif result.subject:  # what follows the first semicolon is advice, and the configuration that shows it
             by_shape[(result.message.partition("; ")[0].rstrip("."), *result.subject)].append(found[0])
-    yield from (found for found in by_shape.values() if len(found) > 1)
+    found_near = _neighbours(by_line, results)
+    near = {i for group in found_near for i in group}
+    yield from found_near
+    for group in by_shape.values():
+        rest = [i for i in group if i not in near]
+        if len(rest) > 1:
+            yield rest
+
+
+def _neighbours(by_line: Mapping[int, Sequence[int]], results: Sequence[Result]) -> list[list[int]]:
+    """The groups of errors on names that are not there, of lines that follow each other closely, which say the same but for the names."""
+    found: list[list[int]] = []
+    shape, last = "", 0
+    for line, here in sorted(by_line.items()):
+        result = results[here[0]]
+        if len(here) > 1 or result.level is not Level.ERROR or result.full_id not in OF_NAMES:
+            continue
+        now = _WORD.sub("_", result.message.partition("; ")[0].rstrip("."))
+        if now == shape and line - last <= NEAR:
+            found[-1].append(here[0])
+        else:
+            found.append([here[0]])
+        shape, last = now, line
+    return [group for group in found if len(group) > 1]
 
 
 def _with(first: Result, others: Sequence[Result]) -> Result:

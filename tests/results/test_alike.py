@@ -103,3 +103,30 @@ QUIET = [
 @pytest.mark.parametrize("results", QUIET)
 def test_others_stay(results: list[Result]) -> None:
     assert list(joined(results)) == results
+
+
+def unknown(name: str, line: int, rule: str = "undefined-variable", more: str = "") -> Result:
+    return Result("pylint", rule, Level.ERROR, f"Undefined variable {name!r}{more}.", Location("a.py", line))
+
+
+def test_names_that_are_not_there_on_neighbouring_lines() -> None:
+    one, other = joined([unknown("rospy", 13), unknown("Pose", 14), unknown("tf", 17), unknown("mock", 48)])
+    assert one.message == "Undefined variable 'rospy'; and the same of Pose and tf (lines 14 and 17)"
+    assert other == unknown("mock", 48)
+    (two,) = joined([unknown("speed", 3, more="; did you mean 'velocity'?"), unknown("mode", 4)])
+    assert [copy.location.line for copy in two.copies] == [4]
+
+
+@pytest.mark.parametrize(
+    "results",
+    [
+        [unknown("rospy", 13), unknown("Pose", 17)],
+        [unknown("rospy", 13), unknown("Pose", 14, more=" in the class")],
+        [unknown("rospy", 13, "not-callable"), unknown("Pose", 14, "not-callable")],
+        [unknown("rospy", 13), replace(unknown("Pose", 14), location=Location("b.py", 14))],
+        [unknown("rospy", 13), replace(unknown("Pose", 14), state=BaselineState.UNCHANGED)],
+        [unknown("rospy", 13), replace(unknown("Pose", 14), suppressions=(Suppression("inSource", "meant"),))],
+    ],
+)
+def test_names_that_have_causes_of_their_own(results: list[Result]) -> None:
+    assert joined(results) == tuple(results)
