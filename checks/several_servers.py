@@ -17,6 +17,13 @@ _OF_LIBRARIES = frozenset(
 )
 #: How servers are ended in rclpy, with what is given.
 _DESTROYED = re.compile(r"\bdestroy_service\s*\(\s*([\w.]{0,80})\s{0,9}(\[?)")
+#: A request of which a handler looks whom it is for: ``if request.drone_id != self.id``.
+_ADDRESSED = re.compile(
+    r"\b(?:if|switch)\b[^\n]{0,80}?\b(?:req|goal)\w{0,20}(?:\.|->)(?:goal(?:\.|->))?\w{0,40}(?:id|name|robot|target|namespace|agent|vehicle|drone|joint)s?\b",
+    re.IGNORECASE,
+)
+#: Lines of a call.
+_LINES = 4
 #: What a call is assigned to, before it.
 _KEPT = re.compile(r"([A-Za-z_][\w.]{0,80})\s{0,9}(?::[^=\n]{0,80})?=(?!=)\s{0,80}\Z")
 #: Two nodes, and what both offer: the channel with the server of each.
@@ -35,7 +42,7 @@ def check(system: System) -> Iterator[Finding]:
         first, *others = _systems_with(pair, system)
         if first[0] is system:
             systems = [first[0], *(other for other, _ in others)]
-            yield _finding(pair, [node for _, node in others], _level(pair, systems))
+            yield _finding(pair, [node for _, node in others], _level(pair, systems), system)
 
 
 def _level(pairs: list[tuple[Channel, End, End]], systems: list[System]) -> Level | None:
@@ -175,18 +182,38 @@ def _statement(lines: list[str], column: int | None) -> str:
     return before if before.strip() else "\n".join((*lines[-3:-1], before))
 
 
-def _finding(found: list[tuple[Channel, End, End]], likewise: list[SystemNode], level: Level | None) -> Finding:
+def _is_addressed(first: End, second: End, system: System) -> bool:
+    """Whether the code of both servers looks whom a request is for."""
+    return all(end.in_source and _ADDRESSED.search(_text(end, system)) is not None for end in (first, second))
+
+
+def _is_absolute(end: End, system: System) -> bool:
+    """Whether the code around *end* has its name with a slash before it: no namespace changes that."""
+    lines = _text(end, system).splitlines()[(end.location.line or 1) - 1 :][:_LINES] if end.in_source else []
+    return re.search(rf"[\"']{re.escape(end.original_name)}[\"']", "\n".join(lines)) is not None
+
+
+def _text(end: End, system: System) -> str:
+    return system.workspace.text(end.location.path) if system.workspace is not None else ""
+
+
+def _finding(
+    found: list[tuple[Channel, End, End]], likewise: list[SystemNode], level: Level | None, system: System
+) -> Finding:
     channel, first, second = found[0]
     if second.node.ros == 1:
         effect = "the server that registers later takes over, and the other one gets no calls"
     elif channel.kind == "action":
         effect = "both get every goal, and a client sees the answers of both"
+    elif _is_addressed(first, second, system):
+        effect = "both get each request, and the client takes the first answer, which may be that of the one that it is not for"
     else:
         effect = "both execute each request, and the client takes the first answer"
     is_twice = first.node is not second.node and first.node.type == second.node.type and second.node.is_launched
     whose = f"{first.node} and {second.node}" if first.node is not second.node else f"two places of {first.node}"
     more = f" and {len(found) - 1} more" if len(found) > 1 else ""
-    advice = "; remap it for one of them, or start them in different namespaces" if is_twice else ""
+    namespaces = "give it a relative name and start them in" if _is_absolute(second, system) else "start them in"
+    advice = f"; remap it for one of them, or {namespaces} different namespaces" if is_twice else ""
     return Finding(
         at=second.node.location if is_twice else named_at(second),
         message=f"{whose} offer the {channel.kind} {channel}{more}: {effect}{advice}",

@@ -8,7 +8,9 @@ from pathlib import Path
 import pytest
 from test_check_levels import CATKIN, CMAKE, ROS1, ROS2, levels
 
-from haros_ci.checking.page import filled
+from haros_ci.api.testing import said
+from haros_ci.checking.page import Example, filled
+from haros_ci.registry import checks
 from haros_ci.results.rule import Level
 
 NODE = "import rclpy\nfrom std_srvs.srv import Trigger\nrclpy.init()\nnode = rclpy.create_node({0!r})\n{1}\nrclpy.spin(node)\n"
@@ -32,6 +34,28 @@ def test_two_servers(files: dict[str, str], expected: Level, tmp_path: Path) -> 
         {"client.py": CLIENT} if any("client.py" in text for text in files.values()) else {}
     )
     assert levels("several-servers", filled(launches | code), tmp_path) == [expected]
+
+
+HANDLER = "def handle(request, response):\n    {}\n    return response\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "body", "words"),
+    [
+        ("reset", "if request.robot_id != NAME:\n        return response", "which may be that of the one that it is not for; remap it for one of them, or start them"),
+        ("reset", "if NAME not in request.targets:\n        return response", "which may be that of the one that it is not for"),
+        ("reset", "print(request.robot_id)", "both execute each request, and the client takes the first answer; remap"),
+        ("reset", "if request.speed > 3:\n        return response", "both execute each request"),
+        ("/reset", "print(request)", "or give it a relative name and start them in different namespaces"),
+        ("reset", "print(request)", "first answer; remap it for one of them, or start them in different namespaces"),
+    ],
+)  # fmt: skip
+def test_two_servers_that_look_whom_a_request_is_for(name: str, body: str, words: str, tmp_path: Path) -> None:
+    made = HANDLER.format(body) + f"node.create_service(Trigger, {name!r}, handle)"
+    files = {"launch/all.launch.xml": f"<launch>{TWO}</launch>\n", "server.py": NODE.format("server", made)}
+    check = next(check for check in checks() if check.id == "several-servers")
+    (result,) = said(check, Example("", True, filled(files)), tmp_path)
+    assert words in result.message
 
 
 RVIZ = '<launch><node pkg="rviz" type="rviz" name="rviz" args="-d $(find demo)/rviz/{}.rviz"/></launch>\n'
