@@ -230,7 +230,7 @@ def _places(missing: _UndeclaredModule) -> Iterator[tuple[Location, str]]:
     if missing.pin is not None:
         yield missing.pin, "pip is asked for a version here"
     elif missing.left is not None:
-        yield missing.left, "pip is asked for it here"
+        yield missing.left, "it is left to pip here"
 
 
 def _fixes(package: ProjectPackage, group: list[_UndeclaredModule]) -> tuple[Fix, ...]:

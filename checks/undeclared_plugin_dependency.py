@@ -35,6 +35,8 @@ _OTHER = re.compile(
 )
 #: So many places of one package are related.
 _SHOWN = 3
+#: Files of parameters for tests: who installs the package does not load them.
+_OF_TESTS = re.compile(r"(?:^|/)(?:tests?_[^/]*|[^/]*_tests?(?:_[^/]*)?\.\w+)$", re.IGNORECASE)
 _ASIDE = re.compile(r"(?:^|/)(?:tests?|examples?|doc|docs)/")
 
 
@@ -81,7 +83,11 @@ def check(project: Project) -> Iterator[Finding]:
 
 
 def _is_aside(use: PackageUse, system: System) -> bool:
-    return is_aside(use, system) or asks_what_is_installed(use.location.path, system)
+    return (
+        _OF_TESTS.search(use.location.path) is not None
+        or is_aside(use, system)
+        or asks_what_is_installed(use.location.path, system)
+    )
 
 
 def _use(needed: str, place: Location) -> PackageUse:

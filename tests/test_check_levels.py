@@ -392,6 +392,33 @@ def test_plugins_of_packages_that_are_not_declared(
 
 
 @pytest.mark.parametrize(
+    ("name", "expected"),
+    [
+        ("nav.yaml", [Level.WARNING]),
+        ("latest.yaml", [Level.WARNING]),
+        ("contest_nav.yaml", [Level.WARNING]),
+        ("test_nav.yaml", [Level.NOTE]),
+        ("nav_test.yaml", [Level.NOTE]),
+        ("nav_test_params.yaml", [Level.NOTE]),
+    ],
+)
+def test_plugins_in_parameters_for_tests(name: str, expected: list[Level], tmp_path: Path) -> None:
+    launch = (
+        "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n"
+        "from launch_ros.substitutions import FindPackageShare\nfrom launch.substitutions import PathJoinSubstitution\n\n\n"
+        f"def generate_launch_description():\n    params = PathJoinSubstitution([FindPackageShare('demo'), 'config', {name!r}])\n"
+        "    return LaunchDescription([Node(package='nav2_controller', executable='controller_server', parameters=[params])])\n"
+    )
+    files = {
+        "package.xml": ROS2.replace("<export>", "<exec_depend>nav2_controller</exec_depend><export>"),
+        "CMakeLists.txt": CMAKE.format("install(DIRECTORY launch config DESTINATION share/demo)"),
+        "launch/a.launch.py": launch,
+        f"config/{name}": 'controller_server:\n  ros__parameters:\n    FollowPath:\n      plugin: "dwb_core::DWBLocalPlanner"\n',
+    }
+    assert levels("undeclared-plugin-dependency", files, tmp_path) == expected
+
+
+@pytest.mark.parametrize(
     ("places", "expected"),
     [
         (("launch/a.launch",), [Level.WARNING]),

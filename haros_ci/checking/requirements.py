@@ -42,6 +42,15 @@ _REMARK = re.compile(r"^[ \t]*#[^\n]*", re.MULTILINE)
 _PIP_INSTALL = re.compile(r"\bpip[23]?[ \t]+install\b((?:[^\n;&|\\]|\\\n){0,400})")
 _REQUIREMENTS_FILE = re.compile(r"(?:-r|--requirement)[ \t=]{0,9}[\"']?([\w./${}~-]{1,200}\.(?:txt|in))")
 
+_READMES = ("README.md", "README.rst", "README.txt", "README")
+#: A sentence, an item of a list, or a row of a table.
+_SENTENCE = re.compile(r"(?:[^\s.]|\.(?!\s)|[ \t]|\n(?!\s*(?:\n|[-*+|#]|\d+\.))){1,2000}")
+_OPTIONAL = re.compile(
+    r"\boptional(?:ly)?\b|\bnot (?:strictly )?(?:required|needed)\b|\bmanaged (?:by|with|through|in|separately)\b|\binstall(?:ed)? (?:separately|by hand|manually)\b",
+    re.IGNORECASE,
+)
+_WORD = re.compile(r"[A-Za-z][\w-]{1,60}")
+
 #: What pip calls the distribution of a module that has another name (its own page in the package index).
 _CALLED = {
     "attr": "attrs",
@@ -64,6 +73,7 @@ _CALLED = {
     "sklearn": "scikit-learn",
     "smbus": "smbus2",
     "socketio": "python-socketio",
+    "torch": "pytorch",
     "usb": "pyusb",
     "websocket": "websocket-client",
     "yaml": "pyyaml",
@@ -129,7 +139,7 @@ def left_to_pip(package: ProjectPackage) -> Mapping[str, Location]:
     """The distributions that *package* leaves to pip on purpose, each with the first place; at the base revision, too, if there is one.
 
     Its setup.py, setup.cfg or pyproject.toml depends on them; or a file of requirements names them, and a page, script or Dockerfile
-    installs what that file names.
+    installs what that file names; or its README says that they are optional, or are not managed by ROS.
     """
     found = _left(package)
     base = package.project.base if found else None
@@ -147,6 +157,8 @@ def _left(package: ProjectPackage) -> dict[str, Location]:
     installed = _installed(project)
     folder, is_own = ("" if package.path == "." else package.path), True
     while True:
+        for name, place in _told(project, folder):
+            found.setdefault(name, place)
         for path in _listed(names).get(folder, ()):
             text = project.text(path)[:_MAX]
             if path.endswith((".txt", ".in")):
@@ -158,6 +170,18 @@ def _left(package: ProjectPackage) -> dict[str, Location]:
         if not folder:
             return found
         folder, is_own = folder.rpartition("/")[0], False
+
+
+def _told(project: Project, folder: str) -> Iterator[tuple[str, Location]]:
+    """The words of the sentences of a README in *folder* by which something is optional, or is not managed by ROS."""
+    inside = f"{folder}/" if folder else ""
+    for path in (f"{inside}{name}" for name in _READMES):
+        text = project.text(path)[:_MAX] if path in project.workspace.names else ""
+        for sentence in _SENTENCE.finditer(text):
+            if _OPTIONAL.search(sentence[0]):
+                line = text.count("\n", 0, sentence.start()) + 1
+                for word in _WORD.findall(sentence[0]):
+                    yield normal(word), Location(path, line)
 
 
 def _depended(path: str, text: str) -> Iterator[tuple[str, int]]:
