@@ -46,8 +46,8 @@ _CORE = frozenset(
 )
 _INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^<>\"\n]{1,200})[>\"]", re.MULTILINE)
 _DEFINED = re.compile(r"^[ \t]*(?:function|macro)[ \t]*\([ \t]*(\w{1,100})", re.IGNORECASE | re.MULTILINE)
-#: What is better than to declare what nothing uses.
-_REMOVE = "nothing else here uses it: remove it from find_package(), or "
+#: Commands that pass on what find_package() found; to name a package there uses nothing of it.
+_PASSING = ("ament_target_dependencies", "ament_export_dependencies")
 #: What sets ROS_DISTRO and ROS_VERSION, and a condition of CMake that reads one of them.
 _ENVIRONMENT = "ros_environment"
 #: What brings it only in distributions after Jazzy, by rosidl_default_generators.
@@ -153,7 +153,8 @@ def _finding(
     others = others_of(providers, name, package) if name != HEADERS else []
     is_tool = name.startswith(_TOOLS) and not any(use.is_header for use in uses)
     kind = "buildtool_depend" if is_tool else "depend"
-    is_idle = not brought and _is_idle(package, name, uses) and not _leads_to_headers(package, name, provisions)
+    idle = _idle_in(package, name, uses) if not brought else ()
+    is_idle = bool(idle) and not _leads_to_headers(package, name, provisions)
     is_certain = not others and is_of_ros(name, package.project) and not is_idle
     fix = add_dependency(package, kind, name) if is_certain else None
     tags = listed([dependency_tags(package, kind, key) for key in keys])
@@ -164,7 +165,7 @@ def _finding(
     return Finding(
         at=last_dependency(package),
         message=f"{package.name} needs {packages} to build ({uses[0].what}), but package.xml does not declare {'it' if len(keys) == 1 else 'them'}: the build "
-        f"fails on a machine without {packages}; {_REMOVE if is_idle else ''}add {tags}{alternative}{said_misplaced(package, providers)}",
+        f"fails on a machine without {packages}; {_removal(idle) if is_idle else ''}add {tags}{alternative}{said_misplaced(package, providers)}",
         about=(package.name, name),
         related=tuple(
             (use.location, f"needs {name}: {use.what}") for item in (uses, *brought) for use in item[:_SHOWN]
@@ -175,35 +176,49 @@ def _finding(
     )
 
 
-def _is_idle(package: ProjectPackage, name: str, uses: list[Need]) -> bool:
-    """Whether find_package() alone names the package *name*: no other command, and no source, interface or launch file."""
+def _removal(commands: Sequence[str]) -> str:
+    """What is better than to declare what nothing uses."""
+    return f"nothing else here uses it: remove it from {listed([f'{command}()' for command in commands])}, or "
+
+
+def _idle_in(package: ProjectPackage, name: str, uses: list[Need]) -> tuple[str, ...]:
+    """The commands that alone name the package *name*, find_package() and those that pass it on; empty where a source, interface or launch file uses it."""
     if any(use.is_header or use.what != f"find_package({name})" for use in uses) or name.startswith(_TOOLS):
-        return False
+        return ()
     word = re.compile(rf"\b{re.escape(name)}\b")
+    passing: list[str] = []
     for command in package.build.commands:
         is_found = command.name == "find_package"
+        if command.name in _PASSING:
+            passing += [command.name] if name in command.arguments else []
+            continue
         if name.lower() in command.name or (not is_found and any(name in argument for argument in command.arguments)):
-            return False
+            return ()
         if (
             is_found
             and command.arguments[:1] != ("catkin",)
             and any(name in argument for argument in command.arguments[1:])
         ):
-            return False
-    if _calls_unknown(package):
-        return False  # the package may define it
+            return ()
+    if _calls_unknown(package) or _is_mentioned(package, name, word):
+        return ()  # a package that is found may define the command
+    return "find_package", *dict.fromkeys(passing)
+
+
+def _is_mentioned(package: ProjectPackage, name: str, word: re.Pattern[str]) -> bool:
+    """Whether a file of the package but for its CMake has the name, or includes what the package *name* provides."""
     known = package.project.knowledge
     for file in package.files:
         if file.language == "cmake":
             continue
         if file.language == "cpp" and name in _CORE:
-            return False  # headers of generated messages need it
+            return True  # headers of generated messages need it
         text = package.project.text(file.path)
         if word.search(text) or any(
             name in (known.provider_of_header(found[1]) or ()) for found in _INCLUDE.finditer(text)
         ):
-            return False
-    return True
+            return True
+    return False
 
 
 def _calls_unknown(package: ProjectPackage) -> bool:
