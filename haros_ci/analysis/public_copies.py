@@ -33,6 +33,9 @@ _NOBODY = re.compile(
 )
 #: The version of templates: nothing that was released has it.
 _UNRELEASED = ("", "0.0.0")
+#: Versions that packages have by chance, and directories that are no stack.
+_USUAL = (*_UNRELEASED, "0.0.1", "0.1.0", "1.0.0")
+_TOP = ("", "src")
 #: A downloaded archive: the name of the repository and that of a branch.
 _ARCHIVE = re.compile(
     r".+-(?:master|main|devel|develop|ros[12]|[a-z]+-devel|groovy|hydro|indigo|jade|kinetic|lunar|melodic|noetic|dashing|eloquent|foxy"
@@ -63,9 +66,10 @@ def copies(workspace: Workspace) -> frozenset[str]:
     """The outermost directories in which all packages are copies of public ones.
 
     A package is one if a distribution has its name, or that of the page or repository that it names, or it lies in an archive that was
-    downloaded, and if it names people, none of whom any other package names; outside of archives its name may not begin as one of those either. With nothing of its own a workspace is the original.
+    downloaded, or it was never released and stands beside one that is in all else its like; and if it names people, none of whom any other package names; outside of archives its name may not begin as one of those either. With nothing of its own a workspace is the original.
     """
     candidates = [package for package in workspace.packages if _may_be_public(package, workspace)]
+    candidates += [package for package in workspace.packages if _is_of_a_stack(package, candidates, workspace)]
     own = [package for package in workspace.packages if package not in candidates]
     if not own:
         return frozenset()
@@ -90,6 +94,23 @@ def _may_be_public(package: Package, workspace: Workspace) -> bool:
     return package.version not in _UNRELEASED and (
         is_package(package.name) is True
         or any(is_package(name) is True for name in _PAGE.findall(_manifest(package, workspace)))
+    )
+
+
+def _is_of_a_stack(package: Package, public: Iterable[Package], workspace: Workspace) -> bool:
+    """Whether *package*, which was never released, stands in one directory with a *public* one of the same version and by one of the same people.
+
+    The packages of a stack get a new version together; versions of templates say nothing. What lies at the top or in ``src`` is no stack.
+    """
+    stack = package.path.rpartition("/")[0]
+    if package in public or stack.rpartition("/")[2] in _TOP or package.version in _USUAL:
+        return False
+    by = _people(package, workspace)
+    return any(
+        other.path.rpartition("/")[0] == stack
+        and other.version == package.version
+        and not by.isdisjoint(_people(other, workspace))
+        for other in public
     )
 
 

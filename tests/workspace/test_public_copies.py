@@ -33,6 +33,7 @@ LASER = ("urg_node", (GRETE,), "1.2.0")
 FIRES = [
     ({**OWN, "src/urg_node": LASER}, {"src/urg_node"}),
     ({**OWN, "src/urg/urg_node": LASER, "src/urg/msgs": ("urg_c", (GRETE,), "1.0.0")}, {"src/urg"}),
+    ({**OWN, "src/urg/urg_node": LASER, "src/urg/more": ("urg_more", (GRETE,), "1.2.0")}, {"src/urg"}),
     ({**OWN, "src/urg-humble/urg_of_ours": ("urg_of_ours", (GRETE,), "1.0.0")}, {"src/urg-humble"}),
     ({**OWN, "src/link-melodic-devel/link_more": ("link_more", (GRETE,), "0.0.0")}, {"src/link-melodic-devel"}),
     ({**OWN, "src/arm-master/arm_more": ("arm_more", (GRETE,), "1.0.0")}, {"src/arm-master"}),
@@ -50,6 +51,14 @@ QUIET = [
     {"src/urg_more": ("urg_more_of_ours", (ADA,), "1.0.0"), "src/urg_node": LASER},  # a family of names
     {**OWN, "src/link-melodic-devel/link_more": ("link_more", (ADA,), "0.0.0")},
     {**OWN, "src/link-melodic-devel/link_more": ("link_more", (TODO,), "0.0.0")},
+    {**OWN, "src/urg_node": LASER, "src/more": ("urg_more", (GRETE,), "1.2.0")},  # no stack: anything lies in src
+    {
+        **OWN,
+        "urg/urg_node": ("urg_node", (GRETE,), "0.1.0"),
+        "urg/more": ("urg_more", (GRETE,), "0.1.0"),
+    },  # a template's version
+    {**OWN, "urg/urg_node": LASER, "urg/more": ("urg_more", (GRETE,), "1.3.0")},
+    {"urg/urg_node": LASER, "urg/more": ("urg_more", (GRETE,), "1.2.0")},  # nothing of its own: the original
     {".": LASER},
     {"src-master/arm_of_ours": ("arm_of_ours", (ADA,), "1.0.0")},  # all of it is an archive
     {"src-master/arm_of_ours": ("arm_of_ours", (ADA,), "1.0.0"), "src-master/leg": ("leg_of_ours", (ADA,), "1.0.0")},
