@@ -54,6 +54,11 @@ from haros_ci.registry import checks
         ("meshes/left_wheel.stl", ["meshes/right_wheel.stl"], "", None),
         ("launch/robot.launch", ["launch/robot_with_a_very_long_arm.launch"], "", None),
         ("launch/robot.launch", [], "", None),
+        ("launch/start_vel_selector.launch", ["launch/start_mode_selector.launch"], "", None),  # another word
+        ("launch/navigation_planner_ros.launch", ["launch/navigation_ui_planner.launch"], "", None),
+        ("config/sim_costmap_params.yaml", ["config/new_costmap_params.yaml"], "", None),
+        ("launch/depthimage_to_scan.launch", ["launch/depth_image_scan.launch"], "", "launch/depth_image_scan.launch"),
+        ("param/frontie_last_params.yaml", ["param/frontier_last_params.yaml"], "", "param/frontier_last_params.yaml"),
         ("", ["launch/robot.launch"], "", None),
         (".launch", ["launch/robot.launch", ""], "", None),
     ],

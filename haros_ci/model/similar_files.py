@@ -11,6 +11,8 @@ from difflib import SequenceMatcher
 #: How alike two names are at least, and how much of the longer one the shorter one is where its words are among the other's.
 _ALIKE = 0.8
 _PART = 0.5
+#: Letters of a word that means something.
+_WORD = 3
 _LONGEST = 200
 _LAUNCH = re.compile(r"[._]launch(?:\.\w+)?$")
 #: Words of which one is not meant by the other.
@@ -68,9 +70,16 @@ def _rank(base: str, stem: str, other: str, name: str, owner: str) -> tuple[int,
         return None
     ratio = _ratio(stem.lower(), name.lower())
     if ratio >= _ALIKE:
-        return 3, ratio
+        return (3, ratio) if _are_slips(left, right) else None
     is_part = (not left or not right) and min(len(stem), len(name)) >= _PART * max(len(stem), len(name))
     return (4, ratio) if is_part else None
+
+
+def _are_slips(left: set[str], right: set[str]) -> bool:
+    """Whether every word of one name that the other lacks is like one of the other's: ``vel`` of ``start_vel`` is no slip of ``mode``."""
+    if not left or not right:
+        return True
+    return all(max(_ratio(word, other) for other in right) >= _PART for word in left if len(word) >= _WORD)
 
 
 def _ratio(one: str, other: str) -> float:
