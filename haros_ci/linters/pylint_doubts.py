@@ -29,7 +29,7 @@ from haros_ci.linters.pylint_statements import (
 )
 from haros_ci.linters.python2 import runs_only_on_python2
 from haros_ci.linters.python_defaults import is_only_read
-from haros_ci.results.overwritten import is_overwritten
+from haros_ci.results.overwritten import is_overwritten, is_used_before
 from haros_ci.results.scope import scopes
 
 _CALLEE = re.compile(r"(?<!\w)(\w+)[ \t]*\(")
@@ -108,6 +108,8 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
         return is_of_another(text, line)
     if rule == "comparison-with-itself":
         return is_test_for_nan(text, line)
+    if rule == "function-redefined":
+        return is_used_before(text, line)
     if rule == "invalid-sequence-index":
         return is_index_of_array(text, line)
     if rule == "trailing-comma-tuple":

@@ -20,20 +20,58 @@ def is_overwritten(text: str, line: int) -> bool:
     return any(first <= line <= last for first, last in _replaced(text))
 
 
+def is_used_before(text: str, line: int) -> bool:
+    """Whether the function or class that *line* of *text* begins has the name of one before it in the block that is used in between.
+
+    Nothing is lost then: the first one is registered as a callback, say, and the second is another's. A decorator may stand at *line*.
+    """
+    return any(line in lines for lines in _used(text))
+
+
+@lru_cache(maxsize=16)
+def _used(text: str) -> tuple[range, ...]:
+    """The lines from the decorators to the head of the definitions that replace what was used."""
+    found: list[range] = []
+    for node in ast.walk(_parsed(text)):
+        if isinstance(node, (ast.Module, *_DEFINITIONS)):
+            before: dict[str, int] = {}
+            for index, statement in enumerate(node.body):
+                if not isinstance(statement, _DEFINITIONS):
+                    continue
+                first = before.get(statement.name)
+                between = node.body[first + 1 : index] if first is not None else []
+                if any(_mentions_now(other, statement.name) for other in between):
+                    lines = [decorator.lineno for decorator in statement.decorator_list] + [statement.lineno]
+                    found.append(range(min(lines), statement.lineno + 1))
+                before[statement.name] = index
+    return tuple(found)
+
+
+def _mentions_now(statement: ast.stmt, name: str) -> bool:
+    """Whether *statement* reads the name as it is run, not in the body of a function."""
+    if isinstance(statement, (ast.FunctionDef, ast.AsyncFunctionDef)):
+        return _may_use(statement, name)
+    return _mentions(statement, name)
+
+
 @lru_cache(maxsize=16)
 def _replaced(text: str) -> tuple[tuple[int, int], ...]:
     """The first and last lines of the functions."""
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            tree = ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return ()
     found: list[tuple[int, int]] = []
-    for node in ast.walk(tree):
+    for node in ast.walk(_parsed(text)):
         if isinstance(node, (ast.Module, *_DEFINITIONS)):
             found.extend(_in_block(node.body))
     return tuple(found)
+
+
+def _parsed(text: str) -> ast.Module:
+    """The file; an empty one where Python cannot parse it."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return ast.Module([], [])
 
 
 def _in_block(block: list[ast.stmt]) -> list[tuple[int, int]]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from haros_ci.results.overwritten import is_overwritten
+from haros_ci.results.overwritten import is_overwritten, is_used_before
 
 FIRST = "def make():\n    return 1\n\n\n"
 SECOND = "def make():\n    return 2\n"
@@ -63,3 +63,39 @@ def test_methods_and_inner_functions() -> None:
 )
 def test_functions_that_may_run(text: str) -> None:
     assert not any(is_overwritten(text, line) for line in range(text.count("\n") + 2))
+
+
+def second(text: str) -> int:
+    """The line of the last definition."""
+    return text[: text.rindex("def make")].count("\n") + 1
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        FIRST + "subscribe(make)\n\n\n" + SECOND,
+        FIRST + "first = make\n\n\n" + SECOND,
+        FIRST + "make()\n\n\n" + SECOND,
+        FIRST + "@make\ndef other():\n    pass\n\n\n" + SECOND,
+        FIRST + "subscribe(make)\n\n\n@decorated\n" + SECOND,
+        "if LIMIT:\n    pass\n\n\nclass A:\n    def make(self):\n        pass\n\n    on = make\n\n    def make(self):\n        return 1\n",
+    ],
+)
+def test_what_is_used_before_it_is_replaced(text: str) -> None:
+    assert is_used_before(text, second(text))
+    assert not is_used_before(text, 1)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        FIRST + SECOND,
+        FIRST + "subscribe(other)\n\n\n" + SECOND,
+        FIRST + "def other():\n    return make()\n\n\n" + SECOND,
+        FIRST + SECOND + "\n\nsubscribe(make)\n",
+        "subscribe(make)\n\n\n" + FIRST + SECOND,
+        "def broken(:\n    pass\n\n\n" + SECOND,
+    ],
+)
+def test_what_is_replaced_unused(text: str) -> None:
+    assert not any(is_used_before(text, line) for line in range(text.count("\n") + 2))
