@@ -51,6 +51,10 @@ class Need:
     is_header: bool
 
 
+#: Frameworks of tests, which ament and catkin find by themselves; packages that install a copy are not what is meant.
+_FRAMEWORKS = frozenset(("gmock", "gtest"))
+
+
 def lacking(package: ProjectPackage, needs: Iterable[Need], provisions: Provisions) -> frozenset[str]:
     """What *package* is advised to declare for *needs*: of each that no dependency brings, the package that brings it."""
     provided = provisions.of(package, tests=False)
@@ -184,6 +188,8 @@ def _keepers(header: str, package: ProjectPackage, sources: Sources, is_known: b
 def _providers(header: str, package: ProjectPackage, sources: Sources) -> frozenset[str]:
     project = package.project
     top, slash, _ = header.partition("/")
+    if top in _FRAMEWORKS:
+        return frozenset()
     if not slash or top == package.name:
         known = project.knowledge.provider_of_header(header) if not slash else None
         return known or frozenset()

@@ -8,6 +8,8 @@ import re
 OF_LIFETIMES = frozenset({"danglingLifetime", "returnDanglingLifetime", "selfAssignment"})
 #: ``Non-local variable 'handle' will use pointer to local variable 'name'.``
 _KEPT = re.compile(r"[Vv]ariable '([A-Za-z_]\w*)' will use (?:pointer|object) to local variable '([A-Za-z_]\w*)'")
+#: ``Non-local variable 'waiting' will use object that points to local variable 'task'.``
+_POINTING = re.compile(r"will use object that points to local variable '([A-Za-z_]\w*)'")
 #: ``Returning object that points to local variable 'view' that will be invalid when returning.``
 _RETURNED = re.compile(r"points to local variable '([A-Za-z_]\w*)'")
 _ITSELF = re.compile(r"assignment of '([^']{1,80})' to itself")
@@ -35,6 +37,9 @@ def may_be_alive(rule: str, message: str, line: int, text: str) -> bool:
         return itself is not None and _is_other_branch(itself[1], line, lines)
     if rule == "danglingLifetime":
         kept = _KEPT.search(message)
+        points = _POINTING.search(message)
+        if points is not None and _is_moved(points[1], lines[line - 1]):
+            return True
         return kept is not None and _is_returned_by_a_call(kept[1], kept[2], near)
     returned = _RETURNED.search(message)
     return returned is not None and _is_of_a_view(returned[1], near)
@@ -46,6 +51,13 @@ def _is_returned_by_a_call(name: str, local: str, near: str) -> bool:
     sources = [source for source in assigned if re.search(rf"\b{local}\b", source)]
     calls = [re.match(r"(?:[\w.]+(?:->|::))*(\w+)\s*\(", source) for source in sources]
     return bool(calls) and all(call is not None and call[1] not in _PASSING for call in calls)
+
+
+def _is_moved(local: str, line: str) -> bool:
+    """Whether the line takes what *local* points to, and moves *local* itself with it: ``all.emplace(task.get(), std::move(task))``."""
+    return re.search(rf"\b{local}\s*\.\s*get\s*\(\s*\)", line) is not None and (
+        re.search(rf"\bstd\s*::\s*move\s*\(\s*{local}\s*\)", line) is not None
+    )
 
 
 def _is_of_a_view(local: str, near: str) -> bool:

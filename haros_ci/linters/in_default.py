@@ -17,7 +17,7 @@ IN_TESTS = frozenset(
     cppcheck:knownEmptyContainer cppcheck:memleak cppcheck:moduloofone cppcheck:nanInArithmeticExpression cppcheck:negativeIndex
     cppcheck:nullPointer cppcheck:oppositeExpression cppcheck:redundantCopy cppcheck:resourceLeak cppcheck:sameIteratorExpression
     cppcheck:selfAssignment cppcheck:staticStringCompare cppcheck:stringCompare cppcheck:unreachableCode
-    cppcheck:unusedAllocatedMemory cppcheck:unusedScopedObject cppcheck:uselessCallsCompare cppcheck:uselessCallsSwap
+    cppcheck:unusedAllocatedMemory cppcheck:unusedScopedObject cppcheck:unusedVariable cppcheck:uselessCallsCompare cppcheck:uselessCallsSwap
     cppcheck:zerodiv
     pylint:abstract-class-instantiated pylint:anomalous-backslash-in-string pylint:assert-on-string-literal
     pylint:assignment-from-no-return pylint:comparison-of-constants pylint:comparison-with-callable pylint:comparison-with-itself

@@ -63,3 +63,11 @@ def test_what_cmake_alone_names(commands: str, where: str, tmp_path: Path) -> No
 )
 def test_what_something_uses(commands: str, code: str, tmp_path: Path) -> None:
     assert "remove it" not in message(commands, code, tmp_path)
+
+
+@pytest.mark.parametrize(("header", "count"), [("gtest/gtest.h", 0), ("gmock/gmock.h", 0), ("tf2/time.h", 1)])
+def test_headers_of_frameworks_of_tests(header: str, count: int, tmp_path: Path) -> None:
+    cmake = CMAKE.replace("find_package(tf2 REQUIRED)\n", "").format("")
+    files = {"package.xml": MANIFEST, "CMakeLists.txt": cmake, "talk.cpp": f"#include <{header}>\n{TALK}"}
+    check = next(check for check in checks() if check.id == "undeclared-dependency")
+    assert len(said(check, Example("", True, files), tmp_path)) == count

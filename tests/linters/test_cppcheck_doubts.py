@@ -42,6 +42,26 @@ REFUTED += [
     ("comparePointers", OBJECTS, "if (&_data != from)\n" + SYMBOLS),
     ("subtractPointers", OBJECTS, "size_t n = _end - start;\n" + SYMBOLS),
 ]
+MOVED = "Non-local variable 'waiting_' will use object that points to local variable 'task'."
+REFUTED += [
+    ("danglingLifetime", MOVED, "waiting_.insert(std::make_pair(task.get(), std::move(task)));\n"),
+    ("danglingLifetime", MOVED, "waiting_.emplace(task . get(), std::move( task ));\n"),
+]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "waiting_.insert(task.get());\n",
+        "waiting_.insert(std::make_pair(task.get(), std::move(other)));\n",
+        "waiting_.insert(std::make_pair(other.get(), &task));\n",
+        "waiting_.push_back(&task); std::move(task);\n",
+    ],
+)
+def test_what_stays_where_it_is(text: str) -> None:
+    assert not is_refuted("danglingLifetime", MOVED, 1, text)
+
+
 RAW = "Memory is allocated but not initialized: cells"
 REFUTED += [
     ("uninitdata", RAW, "  delete[] cells;\n"),
