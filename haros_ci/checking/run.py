@@ -10,6 +10,7 @@ from haros_ci.checking.check import About, Check, Finding
 from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC
 from haros_ci.checking.patience import Overrun, Patience
 from haros_ci.checking.project import Project
+from haros_ci.checking.set_aside import lowered
 from haros_ci.checking.system import Channel, End, System, SystemNode
 from haros_ci.model.location import Location
 from haros_ci.model.presence import assignment, in_words, together
@@ -83,7 +84,7 @@ def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, unde
                     for finding in run(system):
                         if finding.at.path in system.refused and not check.of_refused:
                             continue
-                        checked = _with_arguments(check, finding, system)
+                        checked = _with_arguments(check, lowered(finding, system.workspace), system)
                         if checked is None or (checked.arguments and not confirm(checked)):
                             continue
                         alike = by_key.setdefault(checked.key, {})

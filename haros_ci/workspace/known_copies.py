@@ -34,6 +34,11 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     (r"doctest\.h", r"Copyright.{0,40}\bViktor Kirilov", "doctest"),
     (r"cxxopts\.hpp", r"Copyright.{0,60}\bJarryd Beck", "cxxopts"),
     (r"argparse\.h(?:pp)?", r"Copyright.{0,60}\bPranav Srinivas Kumar|github\.com/p-ranav/argparse", "argparse"),
+    (
+        r"jsoncpp\.cpp|json(?:-forwards)?\.h",
+        r"\bJson-?cpp amalgam(?:at)?ed\b|\bJsonCpp\b.{0,200}\bBaptiste Lepilleur",
+        "jsoncpp",
+    ),
     (r"lodepng\.(?:h|c|cpp)", r"Copyright.{0,40}\bLode Vandevenne", "lodepng"),
     (r"miniz\w*\.[ch]", r"\bRich Geldreich\b|\bminiz\.c \d", "miniz"),
     (r"imgui\w*\.(?:h|cpp)", r"\bdear imgui[,:]", "imgui"),

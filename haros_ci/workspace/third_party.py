@@ -10,7 +10,8 @@ from haros_ci.workspace.library_trees import library_trees, releases
 
 #: Names that a copy's directory has in C++ and Python projects.
 NAMES = frozenset(
-    "third_party thirdparty third-party 3rdparty 3rd_party 3rd-party 3rd vendor vendored external externals extern deps".split()
+    "third_party thirdparty third-party 3rdparty 3rd_party 3rd-party 3rd vendor vendored external externals extern deps"
+    " external_lib external_libs external_library external_libraries".split()
 )
 _LICENCE = re.compile(r"(?:licen[cs]e|copying|unlicense)(?:[-._][\w.-]+)?", re.IGNORECASE)
 _CODE = (".py", ".js", ".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".hxx")

@@ -100,6 +100,7 @@ REFUTED += [
     ("returnDanglingLifetime", POINTS, "auto view = table(); const auto & e = view.data[i]; return out;\n"),
     ("selfAssignment", ITSELF, "(low > a) ? low = a : low = low;\n"),
     ("selfAssignment", ITSELF, "if (a) low = 1; else low = low;\n"),
+    ("selfAssignment", ITSELF, "else if (a > -f(2) && a <= 3) {low = low;}\n"),
 ]
 SAME = "Same expression on both sides of '{}'."
 REFUTED += [

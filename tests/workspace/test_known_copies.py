@@ -19,6 +19,7 @@ FIRES = [
     ("a/httplib.h", "//\n//  httplib.h\n//\n//  Copyright (c) 2023 Yuji Hirose. All rights reserved.\n", "httplib"),
     ("a/tinyxml2.cpp", "/*\nOriginal code by Lee Thomason (www.example.org)\n*/\n", "tinyxml2"),
     ("a/catch.hpp", "/*\n *  Catch v2.13.9\n *  Copyright (c) 2022 Two Blue Cubes Ltd.\n */\n", "catch"),
+    ("a/jsoncpp.cpp", "/// Json-cpp amalgamated source (http://jsoncpp.sourceforge.net/).\n", "jsoncpp"),
     ("a/matplotlibcpp.h", "// Source: https://github.com/lava/matplotlib-cpp\n", "matplotlibcpp"),
     ("a/imgui_draw.cpp", "// dear imgui, v1.89\n", "imgui"),
     (
@@ -36,6 +37,7 @@ QUIET = [
     ("a/settings.hpp", NIELS, 200),
     ("a/json.hpp", "#include <x>\n" + NIELS, 200),
     ("a/json.hpp", 'const char * s = "Copyright Niels Lohmann";\n', 200),
+    ("a/jsoncpp.cpp", "// Reads our settings with JsonCpp\n", 200),
     ("a/matplotlibcpp.h", "// Plots for our robot\n", 200),
     ("a/plots.h", "// After https://github.com/lava/matplotlib-cpp\n", 200),
     ("a/getopt.c", "// Copyright 2020 Somebody Else\n", 200),

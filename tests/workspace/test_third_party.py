@@ -38,6 +38,8 @@ FIRES = [
     ("src/demo/3rdparty/a.cpp", (), (), "src/demo/3rdparty"),
     ("src/Vendor/a/b/c.cpp", (), (), "src/Vendor"),
     ("external/planner_ros/src/a.cpp", (), (), "external"),
+    ("src/demo/external_library/json/a.cpp", (), (), "src/demo/external_library"),
+    ("src/demo/external_libs/a.cpp", (), (), "src/demo/external_libs"),
     ("src/demo/lib/solver/a.c", ("src/demo/lib/solver/LICENSE",), (), "src/demo/lib/solver"),
     ("src/demo/lib/solver/x/a.c", ("src/demo/lib/solver/COPYING.LESSER",), (), "src/demo/lib/solver"),
     ("src/demo/lib/solver/a.c", ("src/demo/lib/solver/license-mit.txt",), (), "src/demo/lib/solver"),

@@ -118,7 +118,7 @@ GROUPS: tuple[Group, ...] = (
             ("selfInitialization", "Be", "Member initialized with itself."),
             ("unassignedVariable", "Ss", "Variable that is read but never assigned."),
             ("uninitStructMember", "Se", "Uninitialized struct member."),
-            ("uninitdata", "Bw", "Uninitialized allocated memory."),
+            ("uninitdata", "Sw", "Uninitialized allocated memory."),
             ("uninitvar", "Sw", "Uninitialized variable."),
         ),
     ),

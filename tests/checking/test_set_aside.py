@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Findings on launch files in directories of what is no longer used are notes, unless something outside names the file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from haros_ci.api.testing import said
+from haros_ci.checking.page import Example
+from haros_ci.registry import checks
+from haros_ci.results.rule import Level
+
+MANIFEST = (
+    '<package format="2"><name>demo</name><version>1.0.0</version><description>d</description>'
+    '<maintainer email="a@b.cd">m</maintainer><license>Apache-2.0</license><buildtool_depend>catkin</buildtool_depend></package>\n'
+)
+BROKEN = '<launch><include file="$(find demo)/launch/not_there.launch"/></launch>\n'
+
+
+def level(files: dict[str, str], tmp_path: Path) -> Level:
+    check = next(check for check in checks() if check.id == "missing-launch-file")
+    (result,) = said(check, Example("", True, {"package.xml": MANIFEST, **files}), tmp_path)
+    assert ("(nothing outside of" in result.message) == (result.level is Level.NOTE)
+    return result.level
+
+
+@pytest.mark.parametrize("folder", ["launch/deprecated", "launch/old", "old/launch", "launch/Archive/2012"])
+def test_in_an_archive(folder: str, tmp_path: Path) -> None:
+    assert level({f"{folder}/drive.launch": BROKEN, "README.md": "# demo\n"}, tmp_path) is Level.NOTE
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        {"launch/drive.launch": BROKEN},
+        {"launch/older/drive.launch": BROKEN},
+        {"launch/deprecated.launch": BROKEN},
+        {"launch/old/drive.launch": BROKEN, "README.md": "roslaunch demo drive.launch\n"},
+        {"launch/old/drive.launch": BROKEN, "launch/all.launch": '<launch><include file="$(find demo)/launch/old/drive.launch"/></launch>\n'},
+        {"launch/old/drive.launch": BROKEN, "scripts/start.sh": "roslaunch demo drive.launch\n"},
+    ],
+)  # fmt: skip
+def test_in_use(files: dict[str, str], tmp_path: Path) -> None:
+    assert level(files, tmp_path) is Level.ERROR
