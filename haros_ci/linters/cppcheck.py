@@ -55,7 +55,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return f"13 {ros_macros.header((), ros_macros.FRAMEWORKS)}"
+    return f"14 {ros_macros.header((), ros_macros.FRAMEWORKS)}"
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:

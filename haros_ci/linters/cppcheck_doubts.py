@@ -86,6 +86,7 @@ _OF_PRINTF = re.compile(r"invalidPrintfArgType_(?:float|sint|uint|p)")
 _ARGUMENT = re.compile(r"argument type is '(?:const )?(\w+)(?: const)?'")
 #: Lines of the last statement that are looked at.
 _STATEMENT_LINES = 8
+_PLACED = re.compile(r"\bnew\s*\([^;]{1,300}\)\s*[A-Za-z_:][\w:<>, ]{0,200}\s*[({]")
 _LOOP = re.compile(r"\bfor\s*\(\s*\w+\s*;")
 _BY_NAME = re.compile(r"%=?\s*(?:\(\s*)?[A-Za-z_]")
 _BY_ONE = re.compile(r"%=?\s*(?:\(\s*)?1\b")
@@ -121,8 +122,8 @@ def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
         return _is_exhaustive(line, text) or _ends(line, text) or _ends_in_macro(line, text)
     if _OF_PRINTF.fullmatch(rule):
         return _is_alias(message, text)
-    if rule == "constStatement" and _LOOP.search(_line(text, line)):  # ``for (i; …)`` where i is set before
-        return True
+    if rule == "constStatement" and (_LOOP.search(_line(text, line)) or _PLACED.search(_line(text, line))):
+        return True  # ``for (i; …)`` where i is set before, and an object that is made in a place
     if rule == "moduloofone":  # by a constant with a name, which may be another number tomorrow
         here = "\n".join(text.split("\n")[max(line - 1, 0) : line + 1])
         return _BY_NAME.search(here) is not None and _BY_ONE.search(here) is None

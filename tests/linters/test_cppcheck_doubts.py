@@ -62,6 +62,20 @@ def test_what_stays_where_it_is(text: str) -> None:
     assert not is_refuted("danglingLifetime", MOVED, 1, text)
 
 
+CAST = "Redundant code: Found unused cast in expression 'static_cast<T*>(ptr)'."
+REFUTED += [
+    ("constStatement", CAST, "new (static_cast<T*>(ptr) ) T (val);\n"),
+    ("constStatement", CAST, "::new(static_cast<void*>(ptr)) std::vector<int>{1};\n"),
+]
+
+
+@pytest.mark.parametrize(
+    "text", ["static_cast<T*>(ptr);\n", "T * n = new T(1); static_cast<T*>(n);\n", "new_one(ptr);\n", "(int) a;\n"]
+)
+def test_values_that_are_dropped(text: str) -> None:
+    assert not is_refuted("constStatement", CAST, 1, text)
+
+
 RAW = "Memory is allocated but not initialized: cells"
 REFUTED += [
     ("uninitdata", RAW, "  delete[] cells;\n"),
