@@ -154,7 +154,7 @@ class _Calls:
         self._same: dict[_Key, _Key] = {}
 
     def key(self, key: _Key, result: Result) -> _Key:
-        """The key that *result* is put together by: *key*, or that of what was told of the same call before."""
+        """The key that *result* is put together by: *key*, or that of the finding on the same call before it."""
         at = result.location
         here = self._at.setdefault((at.path, at.line, at.column), self._same.get(key, key))
         return self._same.setdefault(key, here)
