@@ -109,10 +109,33 @@ CHANGE: tuple[tuple[tuple[str, ...], str, str], ...] = (
         "tests/link/test_environment.py::test_hooks_give_values",
     ),
     (
+        ("names of parameter files such as `test_nav.yaml`",),
+        "undeclared-plugin-dependency of plug-ins in them is a note",
+        "tests/test_check_levels.py::test_plugins_in_parameters_for_tests",
+    ),
+    (
+        (
+            "directories called `deprecated`, `old` …, and launch files, pages and scripts outside of them that name a launch file",
+        ),
+        "what is found in launching a launch file there that nothing outside names is a note",
+        "tests/checking/test_set_aside.py::test_in_an_archive",
+    ),
+    (
+        ("pages, scripts and manifests that name Noetic, Ubuntu 20.04 or Python 3, scripts that ask for `python3`",),
+        "syntax-error (pylint) for tabs among blanks, where nothing in a workspace of ROS 1 does",
+        "tests/linters/test_pylint_surroundings.py::test_tabs_of_python_2",
+    ),
+    (
         ("conditions that do not hold as a node is started (defaults of parameters, launch files)",),
         "type and QoS findings of endpoints that are made only where these hold",
         "tests/link/test_counters.py::test_in_python",
     ),
+)
+
+#: What says that a package leaves a module to pip.
+LEFT_TO_PIP = (
+    *("setup.py", "setup.cfg", "pyproject.toml", "requirements*.txt that pages and scripts install"),
+    "a README that calls a module optional",
 )
 
 #: What is left out where neither a baseline nor a base revision is given, and never with one of them.

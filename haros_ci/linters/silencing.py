@@ -32,7 +32,7 @@ from haros_ci.linters import (
 )
 from haros_ci.linters import tool_switches as reading
 from haros_ci.linters.settings_files import Marks
-from haros_ci.linters.silenced_by_change import CHANGE, FIRST_LOOK
+from haros_ci.linters.silenced_by_change import CHANGE, FIRST_LOOK, LEFT_TO_PIP
 from haros_ci.linters.switches import Switches
 from haros_ci.model.workspace import Workspace
 
@@ -290,7 +290,7 @@ OTHERS: tuple[SilencingRow, ...] = (
     ),
     SilencingRow(
         OWN,
-        ("setup.py", "setup.cfg", "pyproject.toml", "requirements*.txt that pages and scripts install"),
+        LEFT_TO_PIP,
         "undeclared-import of a module that the package leaves to pip is a note",
         SettingOrigin.BASE,
         "tests/checking/test_unreached.py::test_a_change_alone_leaves_nothing_to_pip",
