@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import lru_cache
 from posixpath import basename
 
 from haros_ci.checking.check import Finding
@@ -34,7 +33,6 @@ def _is_archived(path: str) -> bool:
     return any(part.lower() in _ARCHIVES for part in path.split("/")[:-1])
 
 
-@lru_cache(maxsize=256)
 def _is_named(path: str, workspace: Workspace) -> bool:
     name = basename(path)
     beside = (other for other in workspace.names if other.endswith(_NAMING) and not _is_archived(other))
