@@ -6,7 +6,7 @@ from __future__ import annotations
 import hashlib
 import os
 import stat
-from collections.abc import Collection, Container, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
@@ -232,7 +232,7 @@ class TrackedChange:
         return aside
 
     def _used(
-        self, used: UsedCode, analysed: Container[str], scope: AnalysedPaths, excludes: Excludes
+        self, used: UsedCode, analysed: Collection[str], scope: AnalysedPaths, excludes: Excludes
     ) -> Iterator[Problem]:
         """One for each changed file that is code by what uses it, and that is not analysed."""
         if not self.is_known:
@@ -241,6 +241,12 @@ class TrackedChange:
             why = "" if path in analysed else used.why(path)
             if why and self.has_changed(path):
                 yield Problem(path, f"skipped: {why}")
+        for path in sorted(analysed):
+            if path in self.tracked and path not in self.base and used.is_stray_launch(path):
+                yield Problem(
+                    path,
+                    "skipped: a launch file by its text, not by its name, which nothing includes; call it .launch or .launch.xml",
+                )
 
     def _changed_without_language(self, scope: AnalysedPaths, excludes: Excludes) -> list[str]:
         """The changed files in *scope* whose names are those of no language."""

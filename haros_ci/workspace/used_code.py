@@ -18,16 +18,21 @@ from haros_ci.workspace.language import language_of, suffix_of
 #: What is put behind the name of a file of which a build makes one: CMake's, empy's, Jinja's.
 TEMPLATES = frozenset(("in", "em", "template", "tmpl", "tpl", "j2", "jinja", "jinja2"))
 #: Code that no reader here knows, and no other name is needed for: Cython, and Python that is compiled.
-_UNKNOWN = {"pyx": "Cython", "pxi": "Cython", "pyc": "Python that is compiled"}
+_LAUNCH = re.compile(r"(?:\s|<\?[^>]{0,1000}>|<!--(?:[^-]|-(?!->))*-->)*<launch[\s/>]")
+_UNKNOWN = {"pyx": "Cython", "pxi": "Cython", "pyc": "Python that is compiled"} | dict.fromkeys(
+    ("egg", "whl", "pyz"), "an archive of Python"
+)
 _REFERRING = frozenset(("cpp", "python", "cmake", "launch", "setup", "package"))
 _CODE = frozenset(("cpp", "python"))
 
-_INCLUDE = re.compile(
-    r"^[ \t]*(?:#|%:|\?\?=)[ \t]*(?:include|import|embed)[^\"<\n]{0,200}[\"<]([^\">\n]{1,1000})", re.M
-)
-_DEFINE = re.compile(r"^[ \t]*(?:#|%:|\?\?=)[ \t]*define[^\"<\n]{0,200}[\"<]([^\">\n]{1,1000})[\">]", re.M)
+#: What may stand between the words of a directive, once lines are spliced.
+_GAP = r"(?:[ \t]|/\*(?:[^*\n]|\*(?!/)){0,1000}\*/)*"
+_HASH = rf"^{_GAP}(?:#|%:|\?\?=){_GAP}"
+_INCLUDE = re.compile(rf"{_HASH}(?:include|import|embed)[^\"<\n]{{0,1200}}[\"<]([^\">\n]{{1,1000}})", re.M)
+_DEFINE = re.compile(rf"{_HASH}define[^\"<\n]{{0,200}}[\"<]([^\">\n]{{1,1000}})[\">]", re.M)
 #: An #include that a macro makes: then any name in the file may be what it makes.
-_COMPUTED = re.compile(r"^[ \t]*(?:#|%:|\?\?=)[ \t]*include(?:_next)?[ \t]+[A-Za-z_]\w*", re.M)
+_COMPUTED = re.compile(rf"{_HASH}include(?:_next)?{_GAP}[A-Za-z_]\w*", re.M)
+_SPLICE = re.compile(r"(?:\\|\?\?/)[ \t]*\r?\n")
 _PIECE = re.compile(r"[\w.+-]{1,255}")
 
 #: What makes CMake compile, or include, a file whatever its name is.
@@ -39,12 +44,17 @@ _FILLED = re.compile(
     re.I,
 )
 _PROGRAMS = re.compile(r"\bcatkin_install_python\s*\(([^()]{1,20000})\)|\bPROGRAMS\b([^()]{1,20000})", re.I)
+_COMMAND = re.compile(r"\b([A-Za-z_]\w{0,100})[ \t]*\(([^()]{1,20000})\)")
+_IDLE = frozenset(
+    "install message project ament_export_include_directories include_directories set_directory_properties".split()
+)
 _WORD = re.compile(r"[^\s\"';()]{1,1000}")
 
 #: What runs the text of a file as Python.
 _RUNS = re.compile(
     r"(?:(?<![.\w])|\bbuiltins\.)(?:exec|execfile|compile|eval)\s*\("
-    r"|\b(?:SourceFileLoader|spec_from_file_location|run_path|load_source|load_compiled|spec_from_loader)\b"
+    r"|\b(?:SourceFileLoader|spec_from_file_location|run_path|load_source|load_compiled|spec_from_loader|zipimporter|(?:__)?builtins(?:__)?)\b"
+    r"|\bsys\.path\b"
 )
 _IDENTIFIER = re.compile(r"\b[A-Za-z_]\w{0,100}\b")
 _BOUND = re.compile(r"\b([A-Za-z_]\w{0,100})[ \t]*(?::[^=\n]{0,100})?=(?!=)|\bas[ \t]+([A-Za-z_]\w{0,100})")
@@ -52,6 +62,7 @@ _STRING = re.compile(r"[\"']([^\"'\n]{1,1000})[\"']")
 #: How many names in turn may lead from what runs a text to the name of its file.
 _STEPS = 4
 #: A body of a function, which is what findings are in; a template without one has values alone.
+_NO_CPP = re.compile(r"\A#!|^syntax = \"proto[23]\";$", re.M)
 _BODY = re.compile(r"\)[^;{}()]{0,80}\{|\]\s*\{")
 
 
@@ -73,9 +84,11 @@ class UsedCode:
             return "CMake has it compiled, and no C++ file is called so"
         if name in self._of("cmake", _filled) and (language := self._template_of(path, name)):
             return f"a build makes {language} of it"
+        if self._is_among(name, "cmake", _taken) and self._is_cpp(path):
+            return "CMake takes it, it holds functions of C++, and no C++ file is called so"
         if self._is_among(name, "cmake", _programs) and not self._is_binary(path):
             return "CMake installs it as a program, and neither its name nor its first line tells the language"
-        if name in self._of("python", _loaded) and self._workspace.text(path):
+        if name in self._of("python", _loaded) and (name.endswith(".zip") or self._workspace.text(path)):
             return "Python code loads it as Python, and no Python file is called so"
         return ""
 
@@ -85,7 +98,7 @@ class UsedCode:
             return True
         name = directory.rpartition("/")[2]
         stem = path.rpartition("/")[2].partition(".")[0]
-        place = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w.-])")
+        place = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w-])")
         file = re.compile(rf"(?<!\w){re.escape(stem)}(?!\w)")
         is_named = False
         for source in self._files(_REFERRING):
@@ -95,6 +108,14 @@ class UsedCode:
                 if source.language == "cmake" and (name.startswith(".") or "*" in text):
                     return True
         return is_named and any(file.search(self._workspace.text(f.path)) for f in self._files(_REFERRING))
+
+    def is_stray_launch(self, path: str) -> bool:
+        """Whether the file at *path* is a launch file by its text, not by its name, and none that is analysed names it."""
+        name = path.rpartition("/")[2]
+        if language_of(name) != "xml" or not _LAUNCH.match(self._workspace.text(path)):
+            return False
+        others = self._files(("launch", "python", "xml", "yaml"))
+        return not any(name in self._workspace.text(file.path) for file in others if file.path != path)
 
     def _files(self, languages: Collection[str]) -> Iterator[SourceFile]:
         return (file for file in self._workspace.files if file.language in languages)
@@ -118,6 +139,11 @@ class UsedCode:
             return "Python"
         return "C++" if language == "cpp" and _BODY.search(self._workspace.text(path)) else ""
 
+    def _is_cpp(self, path: str) -> bool:
+        """Whether a file has functions of C++, as far as its text tells: Protocol Buffers and shell scripts have what looks like some."""
+        text = self._workspace.text(path)
+        return _BODY.search(text) is not None and ";" in text and not _NO_CPP.search(text)
+
     def _is_binary(self, path: str) -> bool:
         """Whether it is no text, or a script of an interpreter that nobody here knows, such as Perl's."""
         text = self._workspace.text(path)
@@ -125,7 +151,9 @@ class UsedCode:
 
 
 def _included(text: str) -> Iterator[str]:
-    yield from (name for name in _INCLUDE.findall(text))
+    if "\\" in text or "??/" in text:
+        text = _SPLICE.sub("", text)
+    yield from _INCLUDE.findall(text)
     if _COMPUTED.search(text):
         yield from _DEFINE.findall(text)
         yield from _PIECE.findall(text)
@@ -143,6 +171,13 @@ def _filled(text: str) -> Iterator[str]:
             stem, _, suffix = word.rpartition("/")[2].rpartition(".")
             if _CODE & {*made} or (suffix.lower() in TEMPLATES and language_of(stem) in _CODE):
                 yield word
+
+
+def _taken(text: str) -> Iterator[str]:
+    """What commands are given that may copy, read or compile it under another name: all but those that install or say something."""
+    for name, words in _COMMAND.findall(text):
+        if name.lower() not in _IDLE:
+            yield from (word for word in _WORD.findall(words) if "." in word)
 
 
 def _programs(text: str) -> Iterator[str]:

@@ -21,6 +21,24 @@ FIRES = {
     "a name with a blank": ("src/a.cpp", '#include "part.cpp "\n', "part.cpp ", BODY),
     "a macro": ("src/a.cpp", '#define PART "part.inc"\n#include PART\n', "part.inc", BODY),
     "a macro that makes a text": ("src/a.cpp", "#define S(x) #x\n#include S(part.inc)\n", "part.inc", BODY),
+    "a splice": ("src/a.cpp", '#inc\\\nlude "pa\\\nrt.inc"\n', "part.inc", BODY),
+    "comments between": ("src/a.cpp", '/* a */ # /* b */ include /* c */ "part.inc"\n', "part.inc", BODY),
+    "a source of a target": ("CMakeLists.txt", "add_executable(a src/part.dat)\n", "part.dat", BODY),
+    "a copy": ("CMakeLists.txt", "file(COPY_FILE src/part.txt part.cpp)\n", "part.txt", BODY),
+    "a file that is read": ("CMakeLists.txt", "file(READ src/part.txt TEXT)\n", "part.txt", BODY),
+    "a command": (
+        "CMakeLists.txt",
+        "add_custom_command(OUTPUT a.cpp COMMAND cp ${X}/src/part.txt a.cpp)\n",
+        "part.txt",
+        BODY,
+    ),
+    "an archive": ("a.py", "sys.path.insert(0, 'part.zip')\n", "part.zip", "\0"),
+    "another way to exec": (
+        "a.py",
+        "__import__('builtins').exec(open('part.txt').read())\n",
+        "part.txt",
+        "import os\n",
+    ),
     "a template of a header": ("src/a.cpp", '#include "part.hpp.in"\n', "part.hpp.in", BODY),
     "a language": (
         "CMakeLists.txt",
@@ -122,7 +140,16 @@ QUIET = {
         '#define VERSION "@V@"\n',
     ),
     "data that is made": ("CMakeLists.txt", "configure_file(part.yaml.in part.yaml)\n", "part.yaml.in", "a: 1\n"),
-    "a page that is made": ("CMakeLists.txt", "configure_file(part.txt.in part.txt)\n", "part.txt.in", BODY),
+    "a page that is made": ("CMakeLists.txt", "configure_file(part.txt.in part.txt)\n", "part.txt.in", "x\n"),
+    "a text that CMake reads": ("CMakeLists.txt", "file(READ src/part.txt TEXT)\n", "part.txt", "1.2.3\n"),
+    "Protocol Buffers": (
+        "CMakeLists.txt",
+        "add_custom_command(OUTPUT a.cc COMMAND protoc src/part.proto)\n",
+        "part.proto",
+        'syntax = "proto3";\nservice A {\n  rpc B(C) returns (D) {}\n}\nmessage C { int32 a = 1; }\n',
+    ),
+    "a text that is installed": ("CMakeLists.txt", "install(FILES src/part.txt DESTINATION share)\n", "part.txt", BODY),
+    "a directory on the path": ("a.py", "sys.path.append('part')\n", "other", "x"),
     "Perl": ("CMakeLists.txt", "install(PROGRAMS src/part.pl DESTINATION bin)\n", "part.pl", "#!/usr/bin/env perl\n"),
     "a text that is read": ("a.py", "text = open('part.txt').read()\n", "part.txt", "import os\n"),
     "a text beside one that is run": (
@@ -161,6 +188,7 @@ def test_what_is_no_code(name: str, tmp_path: Path) -> None:
         ("CMakeLists.txt", "include_directories(.h)\n", True),
         ("a.py", "sys.path.append('.h')\nimport part\n", True),
         ("a.py", "sys.path.append('.h')\n", False),
+        ("a.py", "import x.h.part\n", False),
         ("a.py", "import part\n", False),
         ("a.cpp", '#include "x.h/part.hpp"\n', False),
         ("a.cpp", '#include "part.h"\n', False),
@@ -177,3 +205,21 @@ def test_a_link_leads_there(tmp_path: Path) -> None:
     (tmp_path / ".h/part.hpp").write_text(BODY)
     (tmp_path / "lib").symlink_to(".h")
     assert UsedCode(discover(tmp_path, (".",))).reaches(".h/part.hpp", ".h")
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "other", "is_stray"),
+    [
+        ("all.xml", "<launch/>\n", "", True),
+        ("all.xml", "<?xml version='1.0'?>\n<!-- a -->\n<launch>\n</launch>\n", "", True),
+        ("all.xml", "<launch/>\n", '<launch><include file="$(find a)/all.xml"/></launch>\n', False),
+        ("all.xml", "<robot/>\n", "", False),
+        ("all.xml", "<robot><launch/></robot>\n", "", False),
+        ("all.launch.xml", "<launch/>\n", "", False),
+        ("all.launch", "<launch/>\n", "", False),
+    ],
+)
+def test_launch_files_by_their_text_alone(name: str, text: str, other: str, is_stray: bool, tmp_path: Path) -> None:
+    (tmp_path / name).write_text(text)
+    (tmp_path / "other.launch").write_text(other)
+    assert UsedCode(discover(tmp_path, (".",))).is_stray_launch(name) is is_stray
