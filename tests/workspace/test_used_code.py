@@ -189,6 +189,7 @@ def test_what_is_no_code(name: str, tmp_path: Path) -> None:
         ("a.py", "sys.path.append('.h')\nimport part\n", True),
         ("a.py", "sys.path.append('.h')\n", False),
         ("a.py", "import x.h.part\n", False),
+        ("a.py", "from .h.part import x\n", True),
         ("a.py", "import part\n", False),
         ("a.cpp", '#include "x.h/part.hpp"\n', False),
         ("a.cpp", '#include "part.h"\n', False),
