@@ -100,7 +100,8 @@ def settled(workspace: Workspace, settings: Settings, base: Base | BaselineUnava
 def _as_known_before(workspace: Workspace, base: Base | BaselineUnavailable) -> Workspace:
     """*workspace*, in which files are generated, and directories or files third-party, if they were so in *base*.
 
-    Else a comment, a licence or a name would keep linters out of a change.
+    Else a comment, a licence or a name would keep linters out of a change. So would a move: a file that was the project's own stays so where
+    it comes to lie among others' code.
     """
     if isinstance(base, BaselineUnavailable):
         files = tuple(replace(file, is_generated=False, third_party="") for file in workspace.files)
@@ -109,9 +110,10 @@ def _as_known_before(workspace: Workspace, base: Base | BaselineUnavailable) -> 
     generated = {base.renames.get(file.path, file.path) for file in before if file.is_generated}
     third_party = {file.third_party for file in before} - {""}
     single = {base.renames.get(file.path, file.path) for file in before if file.third_party == file.path}
+    own = {base.renames[file.path] for file in before if not file.third_party and file.path in base.renames}
 
     def known(file: SourceFile) -> SourceFile:
-        copy = around(file.path, third_party)
+        copy = "" if file.path in own else around(file.path, third_party)
         if not copy and file.third_party and file.path in single:
             copy = file.path
         if copy == file.third_party and not file.is_generated:

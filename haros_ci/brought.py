@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -28,7 +28,8 @@ Unreadable = tuple[tuple[Run, ...], tuple[Result, ...]]
 _SAYS = " could not analyse this file: "
 _AT = re.compile(r" \((?P<path>[^()]+):\d+\)\Z")
 #: Python of another version than the linters': honest code of which it is said.
-_OTHER_PYTHON = ("it is Python 2", "it is for Python 3")
+_NEWER_PYTHON = "it is for Python 3"
+_OTHER_PYTHON = ("it is Python 2", _NEWER_PYTHON)
 #: What linters say of code that no interpreter takes; so it is a finding already.
 _OF_SYNTAX = frozenset({"syntax-error", "invalid-syntax", "E999"})
 
@@ -73,7 +74,8 @@ def unreadable(
 
     Such code is C++ or Python that the change alters or adds: what is wrong in it would not be found. *past* gives the runs on *base*, where what
     could not be analysed is no news; without it that is not known. Of Python of another version than the linters' nothing is a finding, but where
-    the base revision had it so that they could read it.
+    the base revision had it so that they could read it, and where a new file is for a newer one than anything in the base revision: nobody says
+    that the robot has that, and its linters could have been silenced by one line.
     """
     notes = _gave_up(runs) if base is not None else []
     if base is None or not notes:
@@ -81,13 +83,16 @@ def unreadable(
     wrong = {result.location.path for run in runs for result in run.results if result.rule in _OF_SYNTAX}
     notes = [one for one in _of_change(notes, workspace, base, is_known=past is not None) if one.place not in wrong]
     if notes and past is not None:
-        notes = _unknown(notes, _gave_up(past(base)), base.renames)
+        notes = _unknown(notes, _gave_up(past(base)), base)
     lost = {one.place: (one.tool, one.reason) for one in reversed(notes)}
     return _without(runs, {one.notification for one in notes}), own.unreadable_results(lost)
 
 
-def _unknown(notes: list[_GaveUp], before: list[_GaveUp], renames: Mapping[str, str]) -> list[_GaveUp]:
-    known = {(old.tool, renames.get(old.path, old.path)) for old in before}
+def _unknown(notes: list[_GaveUp], before: list[_GaveUp], base: Base) -> list[_GaveUp]:
+    known = {(old.tool, base.renames.get(old.path, old.path)) for old in before}
+    if any(old.is_newer_python for old in before):
+        there = {base.renames.get(file.path, file.path) for file in base.workspace.files}
+        notes = [one for one in notes if one.path in there or not one.is_newer_python]
     return [one for one in notes if (one.tool, one.path) not in known]
 
 
@@ -109,6 +114,10 @@ class _GaveUp:
     def is_other_python(self) -> bool:
         return self.reason.startswith(_OTHER_PYTHON)
 
+    @property
+    def is_newer_python(self) -> bool:
+        return self.reason.startswith(_NEWER_PYTHON)
+
 
 def _gave_up(runs: Iterable[Run]) -> list[_GaveUp]:
     found = []
@@ -125,7 +134,11 @@ def _of_change(notes: list[_GaveUp], workspace: Workspace, base: Base, *, is_kno
     """Those of *notes* that are about C++ and Python that is not as in *base*; *is_known* tells whether the notes there are known."""
     old = {base.renames.get(file.path, file.path): file for file in base.workspace.files}
     changed = {file.path: old.get(file.path) for file in workspace.files if _differs(file, old.get(file.path))}
-    other = {one.place for one in notes if one.is_other_python and not (is_known and changed.get(one.place))}
+    other = {
+        one.place
+        for one in notes
+        if one.is_other_python and not (is_known and (one.is_newer_python or changed.get(one.place)))
+    }
     return [one for one in notes if one.place in changed.keys() - other and workspace.reports_on(one.place)]
 
 

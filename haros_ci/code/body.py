@@ -129,6 +129,16 @@ class Body:
     imports: dict[str, str] = field(default_factory=dict)
     #: There is text in it that no front end understands, or a preprocessor conditional.
     is_partial: bool = False
+    _assigned: dict[str, list[Expression]] | None = field(default=None, repr=False, compare=False)
+
+    def assigned(self, name: str) -> list[Expression]:
+        """What the variable *name* is assigned to, in the order of the text; looked up once for all names, as each may be asked for."""
+        if self._assigned is None:
+            self._assigned = {}
+            for target, _, value, _ in self.sets:
+                if isinstance(target, syntax.Name):
+                    self._assigned.setdefault(str(target.name), []).append(value)
+        return self._assigned.get(name, [])
 
 
 def body_of(function: Function) -> Body:

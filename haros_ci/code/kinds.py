@@ -259,11 +259,7 @@ def _python(code: Codebase, routine: Routine, expression: Expression, steps: int
 
 def _assigned(code: Codebase, routine: Routine, name: str) -> list[Expression]:
     """What a Python name is assigned to in the routine, or else in the module."""
-    found = [
-        value
-        for target, _, value, _ in code.body(routine).sets
-        if isinstance(target, syntax.Name) and target.name == name
-    ]
+    found = code.body(routine).assigned(name)
     if found or routine.outer is None:
         return found
     return _assigned(code, routine.outer, name)

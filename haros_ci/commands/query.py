@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -21,7 +20,7 @@ from haros_ci.query.fault import QueryError, place
 from haros_ci.query.findings import names_of, places_of, provenance
 from haros_ci.query.queries import VARIABLES, Scenes
 from haros_ci.query.values import QueryEntity, QueryList, QueryPair, QueryRecord, Value, words
-from haros_ci.report.escape import terminal
+from haros_ci.report.escape import json_document, terminal
 from haros_ci.workspace.discover import discover
 
 
@@ -93,7 +92,7 @@ def show(matches: list[tuple[str, Value]], format: str) -> None:
             {"configuration": name, "match": as_json(match)} if name else {"match": as_json(match)}
             for name, match in matches
         ]
-        click.echo(json.dumps(found, indent=2, ensure_ascii=False))
+        click.echo(json_document(found, 2))
         return
     for name, match in matches:
         spots = [spot for entity in entities_of(match) for spot in places_of(entity)[:1]]

@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import asdict
 from typing import Any
 
 from haros_ci.model.coverage import AREAS, Counts, Coverage
+from haros_ci.report.escape import json_document
 
 SCHEMA_VERSION = 1
 
@@ -32,7 +32,7 @@ def render(found: Coverage) -> str:
             for site in found.sites
         ],
     }
-    return json.dumps(document, indent=1, ensure_ascii=True) + "\n"
+    return json_document(document, 1) + "\n"
 
 
 def _counts(counts: Counts) -> dict[str, Any]:

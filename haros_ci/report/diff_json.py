@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-import json
 from typing import Any
 
 from haros_ci.model.changes import Change, Changes
 from haros_ci.model.location import Location
+from haros_ci.report.escape import json_document
 
 SCHEMA_VERSION = 1
 
@@ -25,7 +25,7 @@ def render(found: Changes, base: str, head: str | None) -> str:
         ],
         "not_known": found.not_known,
     }
-    return json.dumps(document, indent=1).replace("##[", r"##\u005b") + "\n"
+    return json_document(document, 1) + "\n"
 
 
 def _change(change: Change) -> dict[str, Any]:

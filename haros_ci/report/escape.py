@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 
 REPLACEMENT = "\N{REPLACEMENT CHARACTER}"
@@ -41,6 +42,11 @@ def multiline(text: str) -> str:
 def patch(text: str) -> str:
     """As ``multiline``, for a patch that is read and not applied: a line of context may begin as a workflow command does."""
     return _HEAD.sub(rf"\1{REPLACEMENT}", multiline(text))
+
+
+def json_document(document: object, indent: int) -> str:
+    """*document* as JSON for a file or a log: ASCII alone, so that no name in it moves a cursor or turns a line round, and no command to a runner."""
+    return json.dumps(document, indent=indent, ensure_ascii=True).replace(_COMMAND, r"##\u005b")
 
 
 def workflow_data(text: str) -> str:

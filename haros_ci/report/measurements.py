@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
@@ -14,7 +13,7 @@ from typing import Any
 from haros_ci import __version__
 from haros_ci.model.measurement import Measurement
 from haros_ci.report.csv_table import cell
-from haros_ci.report.escape import terminal
+from haros_ci.report.escape import json_document, terminal
 from haros_ci.report.message import number
 from haros_ci.results.result import Notification
 
@@ -86,7 +85,7 @@ def as_json(values: Iterable[Measurement], limits: Iterable[Limit], notes: Itera
             for n in notes
         ],
     }
-    return json.dumps(document, indent=1, ensure_ascii=False) + "\n"
+    return json_document(document, 1) + "\n"
 
 
 def as_csv(values: Iterable[Measurement], limits: Iterable[Limit]) -> str:

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.model.location import Location
-from haros_ci.report.escape import terminal
+from haros_ci.report.escape import json_document, terminal
 
 #: Columns of a timeline.
 WIDTH = 60
@@ -144,7 +144,7 @@ def as_json(held: Held) -> str:
         "clock": held.clock,
         "properties": [_property(one) for one in held.properties],
     }
-    return json.dumps(document, indent=2) + "\n"
+    return json_document(document, 2) + "\n"
 
 
 def _property(judged: Judged) -> dict[str, Any]:

@@ -3,14 +3,13 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import asdict
 from typing import Any
 
 from haros_ci.model.architecture import Qos
 from haros_ci.model.observed import ComparedTopic, Comparison
 from haros_ci.model.rates import Rate
-from haros_ci.report.escape import terminal
+from haros_ci.report.escape import json_document, terminal
 from haros_ci.report.summary import plural
 
 NOT_ALL = "a recording does not have everything: what it lacks may be unrecorded, or not have happened"
@@ -57,7 +56,7 @@ def _modelled(one: ComparedTopic) -> str:
 
 def as_json(found: Comparison) -> str:
     """The same as data; rates are in hertz, null where they are not known."""
-    return json.dumps(
+    return json_document(
         {
             "configuration": found.configuration,
             "recording": found.recording,
@@ -65,7 +64,7 @@ def as_json(found: Comparison) -> str:
             "topics": [_topic(one) for one in found.topics],
             "unrecorded": [{"name": terminal(name), "publishers": list(nodes)} for name, nodes in found.unrecorded],
         },
-        indent=2,
+        2,
     ) + "\n"  # fmt: skip
 
 

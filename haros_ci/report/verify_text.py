@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.model.location import Location
-from haros_ci.report.escape import terminal
+from haros_ci.report.escape import json_document, terminal
 
 SIGNS = {
     "proved": "+",
@@ -180,7 +180,7 @@ def as_json(found: Verification) -> str:
         "assumptions": list(found.assumptions),
         "notes": list(found.notes),
     }
-    return json.dumps(document, indent=2) + "\n"
+    return json_document(document, 2) + "\n"
 
 
 def _property(one: ShownFinding) -> dict[str, Any]:

@@ -67,7 +67,10 @@ FILE_NOT_ANALYSED = Rule(
         "the same contents, here or elsewhere, is a message and no finding; a file that was not analysed before and has changed is "
         "reported, as what is in it now is new. So is a file that is too large or too deeply nested to be analysed whole, such as a "
         "program of many thousand calls, and was not in the base revision; and C++ or Python that a linter cannot analyse, if it could analyse the file "
-        "in the base revision or the file is new. Make the file readable, split it, or leave it out by 'exclude' in "
+        "in the base revision or the file is new. So is code under a name that is not analysed as code, where analysed files use it: C++ includes it "
+        '(`#include "table.inc"`), CMake makes code of it (property LANGUAGE, a template such as `part.hpp.in`), Python runs it '
+        "(`exec(open(...))`), or it lies in a hidden or otherwise left out directory that they name; Cython (`.pyx`) always. So is a submodule that "
+        "is new and not checked out. Give it the name of its language, make the file readable, split it, or leave it out by 'exclude' in "
         "the project file of the base revision. A comment in the file does not silence this."
     ),
     precision="very-high",

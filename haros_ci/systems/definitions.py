@@ -89,6 +89,7 @@ class _Reader:
 
     def __init__(self, build: Build) -> None:
         self.build = build
+        self.root = min({command.directory for command in build.commands}, key=len, default="")
         self.targets: dict[str, _OfTarget] = {target.name: _OfTarget() for target in build.targets}
         for target in build.targets:
             if target.kind == "alias":
@@ -151,8 +152,7 @@ class _Reader:
                 found.join(macros, is_sure=not own.is_replaced)
             elif not directory or place == "." or directory.startswith(f"{place}/"):
                 found.join(macros, is_sure=False)
-        root = min((command.directory for command in self.build.commands), key=len, default="")
-        found.join(_flags(self.build.flags), is_sure=directory == root and self.build.are_flags_known)
+        found.join(_flags(self.build.flags), is_sure=directory == self.root and self.build.are_flags_known)
         for passed, is_sure in self.passed_on(own, every):
             found.join(passed, is_sure)
         found.maybe |= self.general

@@ -8,11 +8,15 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from haros_ci.model.location import Location
+from haros_ci.model.workspace import Problem
 from haros_ci.workspace.cmake_genex import resolved
 from haros_ci.workspace.cmake_keywords import under
 from haros_ci.workspace.cmake_state import CMakeState, CMakeTarget, EvaluatedCommand
 from haros_ci.workspace.cmake_words import MAYBE, UNKNOWN, bare, inside, is_certain, place, readable
 
+#: Targets of one package; the largest packages of ROS have some dozens. What is asked of each looks at the others.
+MAX_TARGETS = 1_000
+_FULL = " too many targets"
 _CODE = (".c", ".cc", ".cpp", ".cxx", ".c++", ".cu", ".m", ".mm")
 KINDS = {"STATIC": "library", "SHARED": "library", "MODULE": "library", "UNKNOWN": "library"}
 KINDS |= {"OBJECT": "object", "INTERFACE": "interface"}
@@ -48,7 +52,12 @@ def make_target(
         made = CMakeTarget(name, kind, call.location, is_conditional=bool(state.doubts), is_test=is_test)
         if call.name.startswith("cs_"):
             made.properties["SIMPLE"] = "1"
-        state.targets[name] = made
+        if len(state.targets) < MAX_TARGETS:
+            state.targets[name] = made
+        elif state.noted.isdisjoint((_FULL,)):
+            state.noted.add(_FULL)
+            message = f"more than {MAX_TARGETS} targets of one package: the rest is ignored"
+            state.problems[Problem(call.location.path, message, call.location.line)] = None
     else:
         made.sources = dict.fromkeys(made.sources, False)
     return made

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import hashlib
 import os
-import re
 import stat
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import replace
@@ -27,6 +26,7 @@ from haros_ci.workspace.selection import (
     is_never_source,
     output_directories,
 )
+from haros_ci.workspace.used_code import UsedCode
 from haros_ci.workspace.views import doubles
 
 #: Files that a message names; the rest is counted.
@@ -36,7 +36,6 @@ _DATA = frozenset(("yaml", "xml", "dockerfile", "shell", "setup"))
 _UNTOLD = frozenset(("markdown", OTHER))
 _PIECE = 1 << 20
 _MANIFEST = "package.xml"
-_INCLUDE = re.compile(r"^[ \t]*#[ \t]*(?:include|import)[^\"<\n]{0,200}[\"<]([^\">\n]{1,1000})", re.MULTILINE)
 
 
 class TrackedChange:
@@ -104,11 +103,19 @@ class TrackedChange:
     ) -> Workspace:
         """*workspace*, which was made of *candidates*, with all that is to be said of the change."""
         analysed = {file.path: file.language for file in workspace.files}
-        away = tuple(self._led_away(workspace.links, analysed, excludes))
+        used = UsedCode(workspace)
+        aside = self._aside(candidates, scope, excludes)
+        reached = [path for path, directory in aside.items() if used.reaches(path, directory)]
+        unread = (
+            *self._led_away(workspace.links, analysed, excludes),
+            *self._used(used, analysed, scope, excludes),
+            *(Problem(path, f"skipped: it lies in {aside[path]}, which is never analysed") for path in reached),
+            *self._new_submodules(scope),
+        )
         hiding = Hiding(
             warnings=(*self._warnings(candidates, scope), *self._enclosing(candidates, workspace)),
-            notes=(*self._notes(candidates, scope, excludes), *self._included(workspace, scope, excludes)),
-            unread=(*workspace.hiding.unread, *away),
+            notes=tuple(self._notes(sorted(aside.keys() - {*reached}), scope)),
+            unread=(*workspace.hiding.unread, *unread),
             later=tuple(sorted(package.path for package in workspace.packages if self._is_new(package))),
         )
         return replace(workspace, hiding=hiding, problems=tuple(self._problems(workspace, hiding.later)))
@@ -178,25 +185,14 @@ class TrackedChange:
                 return f"it stays a directory of sources, though {prefix}{removed[0]} is gone"
         return "it stays a directory of sources, though it looks like the output of a build now"
 
-    def _notes(self, chosen: Iterable[CandidatePath], scope: AnalysedPaths, excludes: Excludes) -> Iterator[Problem]:
-        """One for all changed files in directories that are never analysed, one for each submodule that is not there."""
+    def _notes(self, aside: list[str], scope: AnalysedPaths) -> Iterator[Problem]:
+        """One for each submodule that is at another commit and not there, one for all changed files *aside*, which nothing analysed refers to."""
         if not self.is_known:
             return
-        read = {candidate.path for candidate in chosen}
-        outputs = output_directories(self.listed, self)
-        known = {parent for path in self.base for parent in _parents(path)}
-        aside = []
-        for path, name in sorted(self.tracked.items()):
-            if path in read or self.base.get(path) == name or scope.given(path) is None:
-                continue
-            if path in self.submodules:
-                if not os.path.lexists(f"{self.root}/{path}/.git"):
-                    text = "the change sets this submodule to another commit, which is not checked out: nothing of it is analysed"
-                    yield Problem(path, f"{text}; check it out (git submodule update --init)")
-                continue
-            hidden = self._never_analysed(path, outputs)
-            if hidden and self._is_code(path, hidden in known) and not _excluded(path, excludes):
-                aside.append(path)
+        for path in self._away(scope):
+            if path in self.base:
+                text = "the change sets this submodule to another commit, which is not checked out: nothing of it is analysed"
+                yield Problem(path, f"{text}; check it out (git submodule update --init)")
         if aside:
             verb = "lies" if len(aside) == 1 else "lie"
             named = _named(aside)
@@ -204,19 +200,53 @@ class TrackedChange:
                 ".", f"{_plural(len(aside), 'changed file')} {verb} in directories that are never analysed: {named}"
             )
 
-    def _included(self, workspace: Workspace, scope: AnalysedPaths, excludes: Excludes) -> Iterator[Problem]:
-        """One for all changed files that C++ includes and that are not analysed, as their names are not those of C++."""
+    def _new_submodules(self, scope: AnalysedPaths) -> Iterator[Problem]:
+        """One for each submodule that was none: what it brings, perhaps in the place of files that were here, is not there to be analysed."""
+        if self.is_known:
+            text = "skipped: a submodule that is not checked out; check it out (git submodule update --init)"
+            yield from (Problem(path, text) for path in self._away(scope) if path not in self.base)
+
+    def _away(self, scope: AnalysedPaths) -> list[str]:
+        """The submodules in *scope* that are not at the base's commit, and not checked out."""
+        return sorted(
+            path
+            for path in self.submodules
+            if self.base.get(path) != self.tracked.get(path) and scope.given(path) is not None
+            if not os.path.lexists(f"{self.root}/{path}/.git")
+        )
+
+    def _aside(self, chosen: Iterable[CandidatePath], scope: AnalysedPaths, excludes: Excludes) -> dict[str, str]:
+        """The changed files of code that lie in directories that are never analysed, by path, each with the outermost of these."""
+        if not self.is_known:
+            return {}
+        read = {candidate.path for candidate in chosen}
+        outputs = output_directories(self.listed, self)
+        known = {parent for path in self.base for parent in _parents(path)}
+        aside: dict[str, str] = {}
+        for path, name in sorted(self.tracked.items()):
+            if path in read or self.base.get(path) == name or scope.given(path) is None or path in self.submodules:
+                continue
+            hidden = self._never_analysed(path, outputs)
+            if hidden and self._is_code(path, hidden in known) and not _excluded(path, excludes):
+                aside[path] = hidden
+        return aside
+
+    def _used(
+        self, used: UsedCode, analysed: Collection[str], scope: AnalysedPaths, excludes: Excludes
+    ) -> Iterator[Problem]:
+        """One for each changed file that is code by what uses it, and that is not analysed."""
         if not self.is_known:
             return
-        others = self._changed_without_language(scope, excludes)
-        names = _included_names(workspace) if others else frozenset()
-        found = [path for path in others if path.rpartition("/")[2] in names and self.has_changed(path)]
-        if found:
-            are = "is" if len(found) == 1 else "are"
-            yield Problem(
-                ".",
-                f"{_plural(len(found), 'changed file')} that C++ includes {are} not analysed, as no C++ file is called so: {_named(found)}",
-            )
+        for path in self._changed_without_language(scope, excludes):
+            why = "" if path in analysed else used.why(path)
+            if why and self.has_changed(path):
+                yield Problem(path, f"skipped: {why}")
+        for path in sorted(analysed):
+            if path in self.tracked and path not in self.base and used.is_stray_launch(path):
+                yield Problem(
+                    path,
+                    "skipped: a launch file by its text, not by its name, which nothing includes; call it .launch or .launch.xml",
+                )
 
     def _changed_without_language(self, scope: AnalysedPaths, excludes: Excludes) -> list[str]:
         """The changed files in *scope* whose names are those of no language."""
@@ -256,12 +286,6 @@ class TrackedChange:
                 continue
             if not _excluded(target, excludes) and os.path.isfile(f"{self.root}/{target}"):
                 yield Problem(path, f"skipped: a symbolic link to {target}, which is not analysed as {language}")
-
-
-def _included_names(workspace: Workspace) -> frozenset[str]:
-    """The names, without directories, of all that C++ files include."""
-    sources = [file.path for file in workspace.files if file.language == "cpp"]
-    return frozenset(name.rpartition("/")[2] for path in sources for name in _INCLUDE.findall(workspace.text(path)))
 
 
 def _object_name(path: str, length: int) -> str | None:

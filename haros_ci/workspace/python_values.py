@@ -7,7 +7,7 @@ import ast
 import math
 import re
 import warnings
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 MAX_TEXT = 10_000
@@ -80,10 +80,16 @@ def value_of(node: ast.expr, names: Mapping[str, Any], depth: int = 0) -> Any:
         return _binary(node.op, value_of(node.left, names, depth + 1), value_of(node.right, names, depth + 1))
     if isinstance(node, ast.JoinedStr):
         parts = [value_of(p.value if isinstance(p, ast.FormattedValue) else p, names, depth + 1) for p in node.values]
-        return "".join(parts) if all(isinstance(p, str) for p in parts) and sum(map(len, parts)) < MAX_TEXT else MISSING
+        return text_of(parts) if parts else ""
     if isinstance(node, ast.Call) and len(node.args) == 1 and not node.keywords and dotted(node.func) in _CASTS:
         return _cast(dotted(node.func), value_of(node.args[0], names, depth + 1))
     return MISSING
+
+
+def text_of(parts: list[Any], join: Callable[[list[str]], str] = "".join) -> Any:
+    """*parts* put together by *join*; MISSING if one of them is no text, or all are too long: a text that doubles would take all memory."""
+    is_text = bool(parts) and all(isinstance(part, str) for part in parts)
+    return join(parts) if is_text and sum(map(len, parts)) < MAX_TEXT else MISSING
 
 
 def _dict(node: ast.Dict, names: Mapping[str, Any], depth: int) -> Any:

@@ -14,7 +14,16 @@ from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
 from haros_ci.workspace.cmake_install import tidy
-from haros_ci.workspace.python_values import MISSING, dotted, is_constant, item_places, parse_python, summands, value_of
+from haros_ci.workspace.python_values import (
+    MISSING,
+    dotted,
+    is_constant,
+    item_places,
+    parse_python,
+    summands,
+    text_of,
+    value_of,
+)
 from haros_ci.workspace.setup_cfg import (
     console_scripts,
     entry_points,
@@ -166,11 +175,10 @@ class _SetupReader:
     def value(self, node: ast.expr) -> Any:
         """As value_of, with os.path.join() of strings."""
         if isinstance(node, ast.Call) and dotted(node.func) in ("os.path.join", "path.join", "join"):
-            parts = [self.value(argument) for argument in node.args]
-            return posixpath.join(*parts) if parts and all(isinstance(part, str) for part in parts) else MISSING
+            return text_of([self.value(argument) for argument in node.args], lambda parts: posixpath.join(*parts))
         if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
-            left, right = self.value(node.left), self.value(node.right)
-            return left + right if isinstance(left, str) and isinstance(right, str) else value_of(node, self.names)
+            made = text_of([self.value(node.left), self.value(node.right)])
+            return value_of(node, self.names) if made is MISSING else made
         return value_of(node, self.names)
 
     def problem(self, node: ast.expr, what: str) -> None:

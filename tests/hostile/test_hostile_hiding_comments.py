@@ -161,11 +161,14 @@ def test_a_change_that_calls_a_directory_third_party(trap: Trap) -> None:
     base = {"demo/package.xml": MANIFEST, "demo/lib/a.cpp": "int a;\n", "vendor/b.cpp": "int b;\n"}
     base |= {"demo/old/c.cpp": "int c;\n", "demo/old/LICENSE": "MIT\n"}
     head = {**base, "demo/lib/a.cpp": DEFECT, "demo/lib/LICENSE": "MIT\n", "third_party/d.cpp": DEFECT}
-    head |= {"vendor/new.cpp": DEFECT, "demo/old/c.cpp": DEFECT}
+    base["demo/lib/own.cpp"] = "".join(f"int own_{number};\n" for number in range(9))
+    head |= {"vendor/new.cpp": DEFECT, "demo/old/c.cpp": DEFECT, "vendor/own.cpp": base["demo/lib/own.cpp"] + DEFECT}
     del head["demo/old/LICENSE"]
     pull_request(trap, base, head)
     paths, unseen = found(trap, "--baseline-rev=main")
-    assert {"demo/lib/a.cpp", "third_party/d.cpp"} <= paths
+    assert {"demo/lib/a.cpp", "third_party/d.cpp", "vendor/own.cpp"} <= paths, (
+        "the project's own code stays so where it moves to"
+    )
     assert not {"vendor/new.cpp", "demo/old/c.cpp"} & paths
     assert any("copies of other projects: demo/old, vendor." in each for each in unseen), unseen
 

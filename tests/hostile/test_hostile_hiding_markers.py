@@ -384,7 +384,7 @@ def test_a_directory_that_becomes_a_submodule_that_is_not_there(trap: Trap) -> N
     pull_request(trap, lambda t: None, head)
     trap.git("checkout", "-q", "head")
     outcome = trap.run("--baseline-rev=main", *QUICK)
-    assert outcome.says("the change sets this submodule to another commit, which is not checked out"), outcome.notes()
+    assert outcome.code == 1 and ("src/arm", None, "file-not-analysed") in outcome.findings(), outcome.notes()
 
 
 # -- directories that are never analysed --------------------------------------------------------------------------
@@ -406,8 +406,32 @@ def test_sources_that_move_where_nobody_looks_are_named(directory: str, trap: Tr
     assert_harmless(trap, outcome)
 
 
+@pytest.mark.parametrize(
+    ("directory", "path", "text"),
+    [
+        ("src/.arm", "src/lift.cpp", '#include ".arm/arm.cpp"\n'),
+        ("src/.arm", "src/CMakeLists.txt", "file(GLOB SOURCES .arm/*.cpp)\n"),
+        ("node_modules", "src/CMakeLists.txt", "add_library(arm ../node_modules/arm.cpp)\n"),
+        ("attic", "src/CMakeLists.txt", "add_library(arm ../attic/arm.cpp)\n"),
+        (".lib", "run.py", "import sys\n\nsys.path.append('.lib')\nimport arm\n"),
+    ],
+)
+def test_sources_that_move_where_nobody_looks_and_are_used_there(
+    directory: str, path: str, text: str, trap: Trap
+) -> None:
+    pull_request(
+        trap,
+        lambda t: [t.write("attic/COLCON_IGNORE", ""), t.write("attic/x.cpp", "")],
+        lambda t: [moved(t, ARM, f"{directory}/arm.cpp"), t.write(path, text)],
+    )
+    outcome = trap.run("--baseline-rev=main", *QUICK)
+    assert outcome.code == 1 and (f"{directory}/arm.cpp", None, "file-not-analysed") in outcome.findings()
+    assert not outcome.says("never analysed"), "it is said once"
+    assert_harmless(trap, outcome)
+
+
 @pytest.mark.parametrize("name", ["lift.inc", "lift.txt", "lift"])
-def test_code_that_is_included_under_any_name_is_named(name: str, trap: Trap) -> None:
+def test_code_that_is_included_under_any_name_is_a_finding(name: str, trap: Trap) -> None:
     """C++ includes what it likes: a header that is called otherwise would leave with all its findings."""
 
     def change(t: Trap) -> None:
@@ -420,8 +444,9 @@ def test_code_that_is_included_under_any_name_is_named(name: str, trap: Trap) ->
         trap, lambda t: [t.write("src/lift.hpp", ""), t.write("src/lift.cpp", '#include "lift.hpp"\n')], change
     )
     outcome = trap.run("--baseline-rev=main", *QUICK)
-    said = f"1 changed file that C++ includes is not analysed, as no C++ file is called so: src/{name}"
-    assert outcome.says(said) and said in outcome.formats["text"], outcome.notes()
+    [found] = [result for result in outcome.report["results"] if result["rule"] == "file-not-analysed"]
+    assert (outcome.code, found["path"], found["state"]) == (1, f"src/{name}", "new")
+    assert "C++ includes it, and no C++ file is called so" in found["message"]
     assert_harmless(trap, outcome)
 
 

@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import json
 import re
+from pathlib import Path
 
 import pytest
 from report_samples import HOSTILE
@@ -86,3 +88,23 @@ def test_nothing_active_is_left(text: str) -> None:
 @pytest.mark.parametrize("text", ["src/base-node.cpp", "The scope of 'x' can be reduced.", "größe 3.5, 'a' \"b\"; 50%"])
 def test_markdown_leaves(text: str) -> None:
     assert escape.markdown(text) == text
+
+
+EVIL = ("\u202ered.py", "\x1b[31m.py", "##[error]x.py", "a\u2028b", "\ud800")
+
+
+@pytest.mark.parametrize("text", EVIL)
+def test_json_is_ascii_and_no_command(text: str) -> None:
+    found = escape.json_document({text: [text]}, 1)
+    assert found.isascii() and "##[" not in found and json.loads(found) == {text: [text]}
+    assert not any(ord(c) < 32 and c != "\n" for c in found)
+
+
+def test_what_commands_print_as_json_goes_through_it() -> None:
+    """A document that is laid out is printed, or shown to people; the rules of ``rules --json`` are haros-ci's own words."""
+    package = Path(escape.__file__).parent
+    texts = {
+        file: file.read_text("utf-8") for room in (package, package.parent / "commands") for file in room.glob("*.py")
+    }
+    by_hand = {file.name for file, text in texts.items() if re.search(r"json\.dumps\([^\n]*\bindent=", text)}
+    assert by_hand == {"escape.py", "rules.py"}

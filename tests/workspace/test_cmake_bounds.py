@@ -168,3 +168,12 @@ def test_any_commands() -> None:
         assert first == built(text, "a")
 
     check()
+
+
+def test_targets_are_bounded() -> None:
+    """Behind a hundred other problems, too."""
+    missing = "".join(f"add_library(m{number} gone{number}.cpp)\n" for number in range(100))
+    build = built(missing + "".join(f"add_executable(t{number} m.cpp)\n" for number in range(1_200)))
+    assert len(build.targets) == 1_000
+    [message] = [message for _, message in messages(build) if "more than 1000 targets" in message]
+    assert message.endswith("the rest is ignored")

@@ -136,6 +136,19 @@ def test_at_the_root() -> None:
     assert [thing.path for thing in setup.installed] == ["bin/tool"]
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "y = 'a'\n" + "y = y + y\n" * 60 + "setup(name=y)",
+        "y = 'a'\n" + "y = os.path.join(y, y)\n" * 60 + "setup(name=y)",
+        "y = ['a']\n" + "y = y + y\n" * 60 + "setup(packages=y, scripts=y)",
+    ],
+)
+def test_texts_that_double_are_not_made(text: str) -> None:
+    found = read(f"#bad\nimport os\n{text}")
+    assert found.distribution is None and len(found.packages) < 10_000 and len(found.installed) < 10_000
+
+
 @pytest.mark.parametrize("text", ["setup(scripts=" + "[" * 150 + "]" * 150 + ")", "setup(" + "a." * 5000 + "b)", "x\0"])
 def test_deep_input_ends(text: str) -> None:
     read(f"#bad\n{text}")

@@ -9,6 +9,7 @@ import warnings
 from collections.abc import Mapping
 
 from haros_ci.extract.python.annotations import NO_TYPE
+from haros_ci.extract.python.encoding import other_encoding
 from haros_ci.extract.python.other_versions import repair
 from haros_ci.extract.python.scope import Bindings, Collected, PythonScope, bound
 from haros_ci.extract.python.source import Edit, Source, source_of
@@ -45,6 +46,11 @@ def tree_of(text: str) -> tuple[ast.Module, Source] | Program:
     text = text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
     if not text.isascii():
         text = text.encode("utf-8", "replace").decode("utf-8")
+    if "coding" in text[:2000] and (encoding := other_encoding(text)):
+        return _failed(
+            1,
+            f"it declares the encoding {encoding!a}, in which code may look like a comment: it is not read; save it as UTF-8",
+        )
     if not _BOUNDS_DEPTH and len(text) > _SMALL_TEXT and longest_chain(text) > _LONGEST_CHAIN:
         return _failed(1, "an expression is too long for this version of Python; run haros-ci on Python 3.11 or later")
     edits: Mapping[int, list[Edit]] = {}

@@ -1,0 +1,203 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Files that analysed code uses as code, though nothing analyses them: their names are those of no language, or nobody looks where they lie.
+
+Compilers and interpreters take a file under any name: ``#include`` does, CMake's property ``LANGUAGE`` makes C++ of any file, a template
+becomes a header, ``exec`` runs any text. Names are looked up in the texts of the workspace; nothing is evaluated.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Collection, Iterable, Iterator
+from fnmatch import fnmatchcase
+
+from haros_ci.model.package import SourceFile
+from haros_ci.model.workspace import Workspace
+from haros_ci.workspace.language import language_of, suffix_of
+
+#: What is put behind the name of a file of which a build makes one: CMake's, empy's, Jinja's.
+TEMPLATES = frozenset(("in", "em", "template", "tmpl", "tpl", "j2", "jinja", "jinja2"))
+#: Code that no reader here knows, and no other name is needed for: Cython, and Python that is compiled.
+_LAUNCH = re.compile(r"(?:\s|<\?[^>]{0,1000}>|<!--(?:[^-]|-(?!->))*-->)*<launch[\s/>]")
+_UNKNOWN = {"pyx": "Cython", "pxi": "Cython", "pyc": "Python that is compiled"} | dict.fromkeys(
+    ("egg", "whl", "pyz"), "an archive of Python"
+)
+_REFERRING = frozenset(("cpp", "python", "cmake", "launch", "setup", "package"))
+_CODE = frozenset(("cpp", "python"))
+
+#: What may stand between the words of a directive, once lines are spliced.
+_GAP = r"(?:[ \t]|/\*(?:[^*\n]|\*(?!/)){0,1000}\*/)*"
+_HASH = rf"^{_GAP}(?:#|%:|\?\?=){_GAP}"
+_INCLUDE = re.compile(rf"{_HASH}(?:include|import|embed)[^\"<\n]{{0,1200}}[\"<]([^\">\n]{{1,1000}})", re.M)
+_DEFINE = re.compile(rf"{_HASH}define[^\"<\n]{{0,200}}[\"<]([^\">\n]{{1,1000}})[\">]", re.M)
+#: An #include that a macro makes: then any name in the file may be what it makes.
+_COMPUTED = re.compile(rf"{_HASH}include(?:_next)?{_GAP}[A-Za-z_]\w*", re.M)
+_SPLICE = re.compile(r"(?:\\|\?\?/)[ \t]*\r?\n")
+_PIECE = re.compile(r"[\w.+-]{1,255}")
+
+#: What makes CMake compile, or include, a file whatever its name is.
+_AS_CODE = re.compile(
+    r"(?<![\w])LANGUAGE\s+\"?(?:C|CXX|CUDA|OBJC|OBJCXX)\b|(?<![\w-])(?:-x\s*;?\s*\"?c\b|-xc|-include|-imacros|/FI)"
+)
+_FILLED = re.compile(
+    r"\b(?:configure_file|em_expand|em_expand_template|expand_template)\s*\(([^()]{1,2000})\)|GENERATE\s+OUTPUT\s+([^()]{1,2000})",
+    re.I,
+)
+_PROGRAMS = re.compile(r"\bcatkin_install_python\s*\(([^()]{1,20000})\)|\bPROGRAMS\b([^()]{1,20000})", re.I)
+_COMMAND = re.compile(r"\b([A-Za-z_]\w{0,100})[ \t]*\(([^()]{1,20000})\)")
+_IDLE = frozenset(
+    "install message project ament_export_include_directories include_directories set_directory_properties".split()
+)
+_WORD = re.compile(r"[^\s\"';()]{1,1000}")
+
+#: What runs the text of a file as Python.
+_RUNS = re.compile(
+    r"(?:(?<![.\w])|\bbuiltins\.)(?:exec|execfile|compile|eval)\s*\("
+    r"|\b(?:SourceFileLoader|spec_from_file_location|run_path|load_source|load_compiled|spec_from_loader|zipimporter|(?:__)?builtins(?:__)?)\b"
+    r"|\bsys\.path\b"
+)
+_IDENTIFIER = re.compile(r"\b[A-Za-z_]\w{0,100}\b")
+_BOUND = re.compile(r"\b([A-Za-z_]\w{0,100})[ \t]*(?::[^=\n]{0,100})?=(?!=)|\bas[ \t]+([A-Za-z_]\w{0,100})")
+_STRING = re.compile(r"[\"']([^\"'\n]{1,1000})[\"']")
+#: How many names in turn may lead from what runs a text to the name of its file.
+_STEPS = 4
+#: A body of a function, which is what findings are in; a template without one has values alone.
+_NO_CPP = re.compile(r"\A#!|^syntax = \"proto[23]\";$", re.M)
+_BODY = re.compile(r"\)[^;{}()]{0,80}\{|\]\s*\{")
+
+
+class UsedCode:
+    """What the analysed files of *workspace* say of others; each question reads the texts when it is first asked."""
+
+    def __init__(self, workspace: Workspace) -> None:
+        self._workspace = workspace
+        self._names: dict[str, frozenset[str]] = {}
+
+    def why(self, path: str) -> str:
+        """Why the file at *path*, whose name is that of no language, is code, as a clause; "" if nothing says so."""
+        name = path.rpartition("/")[2]
+        if suffix := _UNKNOWN.get(suffix_of(name)):
+            return f"it is {suffix}, which is not analysed"
+        if name in self._of("cpp", _included):
+            return "C++ includes it, and no C++ file is called so"
+        if self._is_among(name, "cmake", _compiled):
+            return "CMake has it compiled, and no C++ file is called so"
+        if name in self._of("cmake", _filled) and (language := self._template_of(path, name)):
+            return f"a build makes {language} of it"
+        if self._is_among(name, "cmake", _taken) and self._is_cpp(path):
+            return "CMake takes it, it holds functions of C++, and no C++ file is called so"
+        if self._is_among(name, "cmake", _programs) and not self._is_binary(path):
+            return "CMake installs it as a program, and neither its name nor its first line tells the language"
+        if name in self._of("python", _loaded) and (name.endswith(".zip") or self._workspace.text(path)):
+            return "Python code loads it as Python, and no Python file is called so"
+        return ""
+
+    def reaches(self, path: str, directory: str) -> bool:
+        """Whether analysed files, or links, lead to the file at *path* below *directory*, which nobody enters."""
+        if any(target == directory or target.startswith(f"{directory}/") for _, target in self._workspace.links):
+            return True
+        name = directory.rpartition("/")[2]
+        stem = path.rpartition("/")[2].partition(".")[0]
+        place = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w-])")
+        file = re.compile(rf"(?<!\w){re.escape(stem)}(?!\w)")
+        is_named = False
+        for source in self._files(_REFERRING):
+            text = self._workspace.text(source.path)
+            if name in text and place.search(text):
+                is_named = True
+                if source.language == "cmake" and (name.startswith(".") or "*" in text):
+                    return True
+        return is_named and any(file.search(self._workspace.text(f.path)) for f in self._files(_REFERRING))
+
+    def is_stray_launch(self, path: str) -> bool:
+        """Whether the file at *path* is a launch file by its text, not by its name, and none that is analysed names it."""
+        name = path.rpartition("/")[2]
+        if language_of(name) != "xml" or not _LAUNCH.match(self._workspace.text(path)):
+            return False
+        others = self._files(("launch", "python", "xml", "yaml"))
+        return not any(name in self._workspace.text(file.path) for file in others if file.path != path)
+
+    def _files(self, languages: Collection[str]) -> Iterator[SourceFile]:
+        return (file for file in self._workspace.files if file.language in languages)
+
+    def _of(self, language: str, find: Callable[[str], Iterable[str]]) -> frozenset[str]:
+        if find.__name__ not in self._names:
+            texts = (self._workspace.text(file.path) for file in self._files((language,)))
+            found = (name for text in texts for name in find(text))
+            self._names[find.__name__] = frozenset(name.rpartition("/")[2] for name in found)
+        return self._names[find.__name__]
+
+    def _is_among(self, name: str, language: str, find: Callable[[str], Iterable[str]]) -> bool:
+        names = self._of(language, find)
+        return name in names or any("*" in pattern and fnmatchcase(name, pattern) for pattern in names)
+
+    def _template_of(self, path: str, name: str) -> str:
+        """The language of what a template makes, "" if it is neither C++ nor Python, or holds values alone."""
+        stem, _, suffix = name.rpartition(".")
+        language = language_of(stem) if suffix.lower() in TEMPLATES else "cpp"
+        if language == "python":
+            return "Python"
+        return "C++" if language == "cpp" and _BODY.search(self._workspace.text(path)) else ""
+
+    def _is_cpp(self, path: str) -> bool:
+        """Whether a file has functions of C++, as far as its text tells: Protocol Buffers and shell scripts have what looks like some."""
+        text = self._workspace.text(path)
+        return _BODY.search(text) is not None and ";" in text and not _NO_CPP.search(text)
+
+    def _is_binary(self, path: str) -> bool:
+        """Whether it is no text, or a script of an interpreter that nobody here knows, such as Perl's."""
+        text = self._workspace.text(path)
+        return not text or (text.startswith("#!") and "python" not in text.partition("\n")[0])
+
+
+def _included(text: str) -> Iterator[str]:
+    if "\\" in text or "??/" in text:
+        text = _SPLICE.sub("", text)
+    yield from _INCLUDE.findall(text)
+    if _COMPUTED.search(text):
+        yield from _DEFINE.findall(text)
+        yield from _PIECE.findall(text)
+
+
+def _compiled(text: str) -> Iterable[str]:
+    return (word for word in _WORD.findall(text) if "." in word) if _AS_CODE.search(text) else ()
+
+
+def _filled(text: str) -> Iterator[str]:
+    for pair in _FILLED.findall(text):
+        words = _WORD.findall(" ".join(pair))
+        made = [language_of(word.rpartition("/")[2]) for word in words]
+        for word in words:
+            stem, _, suffix = word.rpartition("/")[2].rpartition(".")
+            if _CODE & {*made} or (suffix.lower() in TEMPLATES and language_of(stem) in _CODE):
+                yield word
+
+
+def _taken(text: str) -> Iterator[str]:
+    """What commands are given that may copy, read or compile it under another name: all but those that install or say something."""
+    for name, words in _COMMAND.findall(text):
+        if name.lower() not in _IDLE:
+            yield from (word for word in _WORD.findall(words) if "." in word)
+
+
+def _programs(text: str) -> Iterator[str]:
+    for one, other in _PROGRAMS.findall(text):
+        yield from _WORD.findall(one or other)
+
+
+def _loaded(text: str) -> Iterator[str]:
+    """The texts that stand where a text is run, or where a name is bound that leads there."""
+    lines = text.split("\n")
+    run = [line for line in lines if _RUNS.search(line)]
+    if not run:
+        return
+    bound: dict[str, list[str]] = {}
+    for line in lines:
+        for names in _BOUND.findall(line):
+            bound.setdefault(names[0] or names[1], []).append(line)
+    seen: set[str] = set()
+    for _ in range(_STEPS):
+        yield from (name for line in run for name in _STRING.findall(line))
+        names = {name for line in run for name in _IDENTIFIER.findall(line) if name in bound} - seen
+        seen |= names
+        run = [line for name in sorted(names) for line in bound[name]]

@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What analysed files say of others: which of these are code, though their names are those of no language."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from haros_ci.workspace.discover import discover
+from haros_ci.workspace.used_code import UsedCode
+
+BODY = "int f(int x) {\n  return x;\n}\n"
+
+#: A file that refers to "src/part.…", its text, and the name and text of the part.
+FIRES = {
+    "an include": ("src/a.cpp", '#include "part.inc"\n', "part.inc", BODY),
+    "an include of another directory": ("src/a.cpp", '#include "../b/./part.x"\n', "part.x", BODY),
+    "an include in brackets, without a suffix": ("src/a.cpp", "#include <part>\n", "part", BODY),
+    "a digraph": ("src/a.cpp", '%:include "part.inc"\n', "part.inc", BODY),
+    "a name with a blank": ("src/a.cpp", '#include "part.cpp "\n', "part.cpp ", BODY),
+    "a macro": ("src/a.cpp", '#define PART "part.inc"\n#include PART\n', "part.inc", BODY),
+    "a macro that makes a text": ("src/a.cpp", "#define S(x) #x\n#include S(part.inc)\n", "part.inc", BODY),
+    "a splice": ("src/a.cpp", '#inc\\\nlude "pa\\\nrt.inc"\n', "part.inc", BODY),
+    "comments between": ("src/a.cpp", '/* a */ # /* b */ include /* c */ "part.inc"\n', "part.inc", BODY),
+    "a source of a target": ("CMakeLists.txt", "add_executable(a src/part.dat)\n", "part.dat", BODY),
+    "a copy": ("CMakeLists.txt", "file(COPY_FILE src/part.txt part.cpp)\n", "part.txt", BODY),
+    "a file that is read": ("CMakeLists.txt", "file(READ src/part.txt TEXT)\n", "part.txt", BODY),
+    "a command": (
+        "CMakeLists.txt",
+        "add_custom_command(OUTPUT a.cpp COMMAND cp ${X}/src/part.txt a.cpp)\n",
+        "part.txt",
+        BODY,
+    ),
+    "an archive": ("a.py", "sys.path.insert(0, 'part.zip')\n", "part.zip", "\0"),
+    "another way to exec": (
+        "a.py",
+        "__import__('builtins').exec(open('part.txt').read())\n",
+        "part.txt",
+        "import os\n",
+    ),
+    "a template of a header": ("src/a.cpp", '#include "part.hpp.in"\n', "part.hpp.in", BODY),
+    "a language": (
+        "CMakeLists.txt",
+        "set_source_files_properties(src/part.dat PROPERTIES LANGUAGE CXX)\n",
+        "part.dat",
+        BODY,
+    ),
+    "a language of a pattern": (
+        "CMakeLists.txt",
+        "file(GLOB A src/*.dat)\nset_source_files_properties(${A} PROPERTIES LANGUAGE CXX)\n",
+        "part.dat",
+        BODY,
+    ),
+    "a language for a compiler": (
+        "CMakeLists.txt",
+        "add_compile_options(-xc++)\nadd_library(a src/part.z)\n",
+        "part.z",
+        BODY,
+    ),
+    "an include of the command line": (
+        "CMakeLists.txt",
+        "add_compile_options(-include src/part.txt)\n",
+        "part.txt",
+        BODY,
+    ),
+    "a header that is made": ("CMakeLists.txt", "configure_file(src/part.h.in part.h @ONLY)\n", "part.h.in", BODY),
+    "a source that is made of any file": (
+        "CMakeLists.txt",
+        "configure_file(src/part.txt part.cpp)\n",
+        "part.txt",
+        BODY,
+    ),
+    "Python that is made": ("CMakeLists.txt", "configure_file(src/part.py.in part.py)\n", "part.py.in", "import os\n"),
+    "a program": (
+        "CMakeLists.txt",
+        "catkin_install_python(PROGRAMS src/part DESTINATION bin)\n",
+        "part",
+        "import os\n",
+    ),
+    "a program of a suffix": (
+        "CMakeLists.txt",
+        "install(PROGRAMS src/part.node DESTINATION bin)\n",
+        "part.node",
+        "#!/usr/bin/python3\n",
+    ),
+    "a text that is run": ("a.py", "exec(open('part.txt').read())\n", "part.txt", "import os\n"),
+    "a text that is run by name": (
+        "a.py",
+        "NAME = 'part.txt'\nwith open(NAME) as file:\n    exec(file.read())\n",
+        "part.txt",
+        "import os\n",
+    ),
+    "a module that is loaded": (
+        "a.py",
+        "SourceFileLoader('part', 'src/part.mod').load_module()\n",
+        "part.mod",
+        "import os\n",
+    ),
+    "Cython": ("a.py", "", "part.pyx", "import os\n"),
+    "compiled Python": ("a.py", "", "part.pyc", "x"),
+}
+QUIET = {
+    "nothing": ("src/a.cpp", BODY, "part.inc", BODY),
+    "an include of another name": ("src/a.cpp", '#include "apart.inc"\n', "part.inc", BODY),
+    "a text": ("src/a.cpp", 'const char *s = "part.inc";\n', "part.inc", BODY),
+    "a macro that nothing includes": ("src/a.cpp", '#define PART "part.inc"\n', "part.inc", BODY),
+    "a macro that includes another": ("src/a.cpp", "#include FT_FREETYPE_H\n", "part.inc", BODY),
+    "a file that is opened": ("src/a.cpp", 'std::ifstream f("part.txt");\n', "part.txt", "x"),
+    "a file that is installed": ("CMakeLists.txt", "install(FILES src/part.txt DESTINATION share)\n", "part.txt", "x"),
+    "a source without a language": ("CMakeLists.txt", "add_library(a src/part.ui)\n", "part.ui", "x"),
+    "the languages of a project": (
+        "CMakeLists.txt",
+        "project(a LANGUAGES CXX)\ninstall(FILES part.txt)\n",
+        "part.txt",
+        "x",
+    ),
+    "the language of a linker": (
+        "CMakeLists.txt",
+        "set_target_properties(a PROPERTIES LINKER_LANGUAGE CXX)\ninstall(FILES part.txt)\n",
+        "part.txt",
+        "x",
+    ),
+    "the language in a condition": (
+        "CMakeLists.txt",
+        "add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-Wall>)\ninstall(FILES part.txt)\n",
+        "part.txt",
+        "x",
+    ),
+    "an include directory": (
+        "CMakeLists.txt",
+        "include_directories(include-x)\ninstall(FILES part.txt)\n",
+        "part.txt",
+        "x",
+    ),
+    "a header of values": (
+        "CMakeLists.txt",
+        "configure_file(part.h.in part.h)\n",
+        "part.h.in",
+        '#define VERSION "@V@"\n',
+    ),
+    "data that is made": ("CMakeLists.txt", "configure_file(part.yaml.in part.yaml)\n", "part.yaml.in", "a: 1\n"),
+    "a page that is made": ("CMakeLists.txt", "configure_file(part.txt.in part.txt)\n", "part.txt.in", "x\n"),
+    "a text that CMake reads": ("CMakeLists.txt", "file(READ src/part.txt TEXT)\n", "part.txt", "1.2.3\n"),
+    "Protocol Buffers": (
+        "CMakeLists.txt",
+        "add_custom_command(OUTPUT a.cc COMMAND protoc src/part.proto)\n",
+        "part.proto",
+        'syntax = "proto3";\nservice A {\n  rpc B(C) returns (D) {}\n}\nmessage C { int32 a = 1; }\n',
+    ),
+    "a text that is installed": ("CMakeLists.txt", "install(FILES src/part.txt DESTINATION share)\n", "part.txt", BODY),
+    "a directory on the path": ("a.py", "sys.path.append('part')\n", "other", "x"),
+    "Perl": ("CMakeLists.txt", "install(PROGRAMS src/part.pl DESTINATION bin)\n", "part.pl", "#!/usr/bin/env perl\n"),
+    "a text that is read": ("a.py", "text = open('part.txt').read()\n", "part.txt", "import os\n"),
+    "a text beside one that is run": (
+        "a.py",
+        "exec(open('version.py').read())\nsetup(long_description=open('part.rst').read())\n",
+        "part.rst",
+        "import os\n",
+    ),
+    "a model that is evaluated": ("a.py", "model.eval('part.pth')\nre.compile('part.pth')\n", "part.pth", "x"),
+    "what is no text": ("a.py", "exec(open('part.txt').read())\n", "part.txt", "\0"),
+    "a method that is called so": ("a.py", "cursor.execute('part.txt')\nre_compiled = 'part.txt'\n", "part.txt", "x"),
+}
+
+
+def why(place: Path, path: str, text: str, name: str, part: str) -> str:
+    for file, data in ((path, text), (f"src/{name}", part)):
+        (place / file).parent.mkdir(exist_ok=True, parents=True)
+        (place / file).write_text(data)
+    return UsedCode(discover(place, (".",))).why(f"src/{name}")
+
+
+@pytest.mark.parametrize("name", FIRES)
+def test_code_under_a_name_of_no_language(name: str, tmp_path: Path) -> None:
+    assert why(tmp_path, *FIRES[name])
+
+
+@pytest.mark.parametrize("name", QUIET)
+def test_what_is_no_code(name: str, tmp_path: Path) -> None:
+    assert why(tmp_path, *QUIET[name]) == ""
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "is_reached"),
+    [
+        ("a.cpp", '#include ".h/part.hpp"\n', True),
+        ("CMakeLists.txt", "include_directories(.h)\n", True),
+        ("a.py", "sys.path.append('.h')\nimport part\n", True),
+        ("a.py", "sys.path.append('.h')\n", False),
+        ("a.py", "import x.h.part\n", False),
+        ("a.py", "from .h.part import x\n", True),
+        ("a.py", "import part\n", False),
+        ("a.cpp", '#include "x.h/part.hpp"\n', False),
+        ("a.cpp", '#include "part.h"\n', False),
+        ("readme.md", ".h/part.hpp\n", False),
+    ],
+)
+def test_who_leads_to_a_directory_that_nobody_enters(path: str, text: str, is_reached: bool, tmp_path: Path) -> None:
+    (tmp_path / path).write_text(text)
+    assert UsedCode(discover(tmp_path, (".",))).reaches(".h/part.hpp", ".h") is is_reached
+
+
+def test_a_link_leads_there(tmp_path: Path) -> None:
+    (tmp_path / ".h").mkdir()
+    (tmp_path / ".h/part.hpp").write_text(BODY)
+    (tmp_path / "lib").symlink_to(".h")
+    assert UsedCode(discover(tmp_path, (".",))).reaches(".h/part.hpp", ".h")
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "other", "is_stray"),
+    [
+        ("all.xml", "<launch/>\n", "", True),
+        ("all.xml", "<?xml version='1.0'?>\n<!-- a -->\n<launch>\n</launch>\n", "", True),
+        ("all.xml", "<launch/>\n", '<launch><include file="$(find a)/all.xml"/></launch>\n', False),
+        ("all.xml", "<robot/>\n", "", False),
+        ("all.xml", "<robot><launch/></robot>\n", "", False),
+        ("all.launch.xml", "<launch/>\n", "", False),
+        ("all.launch", "<launch/>\n", "", False),
+    ],
+)
+def test_launch_files_by_their_text_alone(name: str, text: str, other: str, is_stray: bool, tmp_path: Path) -> None:
+    (tmp_path / name).write_text(text)
+    (tmp_path / "other.launch").write_text(other)
+    assert UsedCode(discover(tmp_path, (".",))).is_stray_launch(name) is is_stray
