@@ -8,7 +8,7 @@ from haros_ci.follow import braces, call_arguments, construct, copies, expressio
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import harmless, library
 from haros_ci.follow.libraries import objects as library_objects
-from haros_ci.follow.ros import api_rows, ros2_nodes
+from haros_ci.follow.ros import api_rows, outside_nodes, ros2_nodes
 from haros_ci.follow.walk import Walk
 from haros_ci.index.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer
 from haros_ci.model.location import Location
@@ -38,7 +38,7 @@ def inherited_call(
         found = api_rows.call(walk, frame, called, this, args, targs, location)
         if found is not None:
             return found
-    return None
+    return outside_nodes.method(walk, frame, this, name, args, targs, location)
 
 
 #: Functions in which callbacks are called.
@@ -61,7 +61,10 @@ def library_call(
     """A function, method or constructor of a library."""
     name = function.name
     if name in SPINNING:
+        outside_nodes.spun(walk, args, location)
         follow.interlude(walk, frame)
+    if name in outside_nodes.STARTING and not walk.quiet:
+        walk.started = walk.started or location
     base, dot, last = name.rpartition(".")
     if last == "__init__" and dot and args and base in walk.rows and isinstance(args[0].value, Object):
         library_objects.construct_library(walk, frame, args[0].value, syntax.Type(base), args[1:], location)
