@@ -164,8 +164,11 @@ def _call_back(walk: Walk, frame: Frame) -> None:
 
 
 def _counted(first: Writes, second: Writes) -> Writes:
-    """What a callback writes when it runs a *second* time; a number that is another one each time is not known."""
-    return {
+    """What a callback writes when it runs a *second* time; a number that is another one each time is not known.
+
+    What it has written the first time alone counts, too: by then it is what the others leave behind.
+    """
+    return {cell: value for cell, value in first.items() if cell not in second} | {
         cell: Opaque(counters.COUNTS, type=cell.type)
         if cell in first and counters.goes_on(cell.value, first[cell], value)
         else value

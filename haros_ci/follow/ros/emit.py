@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from haros_ci import syntax
 from haros_ci.follow import thrown
 from haros_ci.follow.made import MadeEntity, make
-from haros_ci.follow.ros import own_name, paces, ros2_emit
+from haros_ci.follow.ros import own_name, paces, reconfigured, ros2_emit
 from haros_ci.follow.ros.ends import UNNAMED
 from haros_ci.follow.walk import Renamed, Walk
 from haros_ci.graph.names import clean, pattern, resolve
@@ -57,6 +57,9 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
     endpoint_type = _type(applied, entry, unknowns, default)
     if endpoint_type == "bool" and isinstance(value, str) and applied.frame.source.program.language != "python":
         value, default = True, Known(True)  # param<bool>(name, "false"): a pointer that is not null
+    if entry.kind == "setters" and entry.each is not None:
+        value, why = reconfigured.written(applied, walk.context.remap(name))
+        unknowns += [("value", why.reason, why.location or applied.location)] if why is not None else []
     queue = latched = None
     if entry.kind in ("publishers", "subscribers"):
         queue = _integer(applied, entry, "queue_size", unknowns)
@@ -75,7 +78,7 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
             conditions=tuple(walk.conditions),
             queue_size=queue,
             latched=latched,
-            value=None if entry.each is not None else value,
+            value=value,
             implicit=entry.implicit,
             is_exact=applied.is_exact,
             is_behind=applied.is_behind,
