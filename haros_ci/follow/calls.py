@@ -132,6 +132,10 @@ def method_call(
     if isinstance(receiver, Object):
         method = methods.method_of(walk, receiver, name, args)
         if method is not None:
+            specialised = specialisations.specialised(walk, frame, method, targs) if targs else None
+            if specialisations.is_missing(specialised):
+                return library_calls.of_no_specialisation(walk, frame, method, args, location)
+            method = specialised or method
             with forwarding.through(walk, method.function, args, location):
                 return activation.invoke(walk, frame, method, args, targs)
         field = receiver.fields.get(name)
@@ -268,6 +272,8 @@ def apply(
             return started
     if isinstance(function, Callable):
         specialised = specialisations.specialised(walk, frame, function, targs)
+        if specialisations.is_missing(specialised):
+            return library_calls.of_no_specialisation(walk, frame, function, args, location)
         function = specialised or function
         if function.function.body is None and function.function.kind != "constructor":
             source, definition = methods.with_body(walk, [(function.source, function.function)])

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from haros_ci import syntax
-from haros_ci.follow import braces, call_arguments, construct, copies, expressions, follow
+from haros_ci.follow import braces, call_arguments, construct, copies, expressions, follow, specialisations
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import harmless, library
 from haros_ci.follow.libraries import objects as library_objects
@@ -13,7 +13,7 @@ from haros_ci.follow.walk import Walk
 from haros_ci.index.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
-from haros_ci.values.abstract import NONE, Cell, Library, Object, Opaque, Sequence, Value
+from haros_ci.values.abstract import NONE, Callable, Cell, Library, Object, Opaque, Sequence, Value
 
 
 def inherited_call(
@@ -177,6 +177,20 @@ def _one(
             walk.statics[key] = cell
     found: Value = cell.value
     return found
+
+
+def of_no_specialisation(
+    walk: Walk,
+    frame: Frame,
+    function: Callable,
+    args: tuple[call_arguments.PassedArgument, ...],
+    location: Location,
+) -> Value:
+    """A call of a template of which only specialisations for other arguments are seen."""
+    name = function.function.name
+    if walk.relevance.makes(function.function, function.source) or walk.relevance.named(name):
+        walk.gaps.setdefault(specialisations.NOT_SEEN.format(name), location)
+    return library.unknown_call(walk, frame, name, args)
 
 
 def ends_the_program(walk: Walk, frame: Frame, expression: Expression) -> bool:

@@ -32,7 +32,9 @@ def server(params: str = "") -> Node:
 
 
 def python_server() -> Node:
-    text = script("from dynamic_reconfigure.server import Server\nfrom p.cfg import XConfig\nServer(XConfig, lambda c, level: c)\n")
+    text = script(
+        "from dynamic_reconfigure.server import Server\nfrom p.cfg import XConfig\nServer(XConfig, lambda c, level: c)\n"
+    )
     files = {"p/CMakeLists.txt": CMAKE.format("p") + "catkin_install_python(PROGRAMS n.py)\n" + OPTIONS, "p/n.py": text}
     return node(follow(files | {"p/cfg/X.cfg": CFG, "p/l.launch": LAUNCH.format("n.py", "")}))
 
