@@ -15,7 +15,6 @@ from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.ros import (
     behavior_tree_ports,
     behavior_trees,
-    reconfigured,
     ros2_nodes,
     ros2_parameters,
     ros2_selectors,
@@ -302,7 +301,10 @@ def _items(applied: selectors.Applied, entry: Entry) -> list[Mapping[str, Value]
             message = f"the parameters of {name} are in a .cfg that is not in the workspace"
             applied.walk.gaps.setdefault(message, applied.location)
         return []
-    return [reconfigured.item(parameter) for parameter in config.parameters]
+    return [
+        {"name": Known(p.name), "type": Known(p.type), "default": Known(p.default), "group": Known(p.group)}
+        for p in config.parameters
+    ]
 
 
 def parameter_value(applied: selectors.Applied, name: str, default: Value | None) -> Value | None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from haros_ci import syntax
 from haros_ci.follow import thrown
 from haros_ci.follow.made import MadeEntity, make
-from haros_ci.follow.ros import own_name, paces, reconfigured, ros2_emit
+from haros_ci.follow.ros import own_name, paces, ros2_emit
 from haros_ci.follow.ros.ends import UNNAMED
 from haros_ci.follow.walk import Renamed, Walk
 from haros_ci.graph.names import clean, pattern, resolve
@@ -29,6 +29,8 @@ Unknowns = list[tuple[str, str, Location | None]]
 PARAMETERS = ("getters", "setters")
 
 
+#: Why it is not known what a server of dynamic_reconfigure writes.
+RECONFIGURED = "its server writes what is set or its default in the .cfg, and later what somebody asks it for"
 #: The types of data that a parameter of roscpp may have to be read as another.
 _READ: dict[str, tuple[type, ...]] = {"bool": (bool,), "int": (int, float), "double": (int, float), "str": (str,)}
 
@@ -58,8 +60,7 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
     if endpoint_type == "bool" and isinstance(value, str) and applied.frame.source.program.language != "python":
         value, default = True, Known(True)  # param<bool>(name, "false"): a pointer that is not null
     if entry.kind == "setters" and entry.each is not None:
-        value, why = reconfigured.written(applied, walk.context.remap(name))
-        unknowns += [("value", why.reason, why.location or applied.location)] if why is not None else []
+        unknowns.append(("value", RECONFIGURED, applied.location))
     queue = latched = None
     if entry.kind in ("publishers", "subscribers"):
         queue = _integer(applied, entry, "queue_size", unknowns)
@@ -78,7 +79,7 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
             conditions=tuple(walk.conditions),
             queue_size=queue,
             latched=latched,
-            value=value,
+            value=None if entry.each is not None else value,
             implicit=entry.implicit,
             is_exact=applied.is_exact,
             is_behind=applied.is_behind,
