@@ -124,6 +124,7 @@ def _stand_behind(walk: Walk, frame: Frame, path: tuple[Condition, ...], depth: 
 
 def _behind(walk: Walk, frame: Frame, path: tuple[Condition, ...], since: list[Condition]) -> Condition | None:
     """What holds where not all of *path* does but all of *since*; None where no condition says it."""
+    path = tuple(item for item in path if not (item.is_early and item.statement == "catch"))
     words = {condition.statement for condition in path}
     if words == {"switch"} and len(path) == 1:
         return replace(path[0], is_early=True)

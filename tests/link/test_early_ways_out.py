@@ -57,6 +57,7 @@ CPP = (
     ("in a handler", 'try { look(); } catch (...) { return; } ADV("x", 1);', ["catch ..."]),
     ("in an if of a handler", 'try { look(); } catch (...) { if (a()) return; look(); } ADV("x", 1);', ["catch ..."]),
     ("in a handler inside an if", 'if (a()) { try { look(); } catch (...) { return; } } ADV("x", 1);', ["catch ..."]),
+    ("behind a handler that returns", 'if (a()) { try { look(); } catch (...) { return; } if (b()) return; } ADV("x", 1);', ["catch ...", "else a() && b()"]),
     ("continue in a handler", 'for (int i : xs) { try { look(); } catch (...) { continue; } ADV("x", 1); }', ["for int i : xs", "catch ..."]),
     ("continue in a handler, after the loop", 'for (int i : xs) { try { look(); } catch (...) { continue; } } ADV("x", 1);', []),
     ("a handler that goes on", 'try { look(); } catch (...) { a(); } ADV("x", 1);', []),
