@@ -41,7 +41,7 @@ def _meant(walk: Walk, frame: Frame, candidates: Sequence[Found], targs: Sequenc
     """The one of *candidates* that is for the template arguments of a call, as is written behind its name, or as it returns the first of them or something of it.
 
     Functions with the same parameters that return other types are no overloads of one another, which C++ forbids, so they are specialisations.
-    Else it is the template itself, where that can be told.
+    Else it is the template itself, where that is certain.
     """
     if not isinstance(targs[0], Type):
         return None

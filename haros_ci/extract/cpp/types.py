@@ -162,8 +162,7 @@ def _is_of_template(node: Node) -> bool:
 
 
 def _takes_types(unit: Unit, node: Node) -> bool:
-    name = node.prev_sibling
-    return name is not None and unit.cut(name) in _OF_TYPES
+    return node.prev_sibling is not None and unit.cut(node.prev_sibling) in _OF_TYPES
 
 
 def descriptor(unit: Unit, node: Node, depth: int) -> syntax.Type:

@@ -57,11 +57,11 @@ def method(
     base = _base(walk, this)
     if base is None:
         return None
-    _told(walk, this, base, location)
+    _name_it(walk, this, base, location)
     return api_rows.call(walk, frame, f"{handle}{separator}{name}", this, args, targs, location)
 
 
-def _told(walk: Walk, this: Object, base: str, location: Location) -> None:
+def _name_it(walk: Walk, this: Object, base: str, location: Location) -> None:
     """*this* is a node, that of a class or base class *base* which is not here."""
     if this.node is None:
         this.node = ros2_nodes.made(walk, this, None, None, None, this.location or location)
@@ -99,7 +99,7 @@ def _is_node(walk: Walk, value: Object, location: Location) -> None:
     """*value* is a node, as the process spins it."""
     base = _base(walk, value)
     if base is not None:
-        _told(walk, value, base, location)
+        _name_it(walk, value, base, location)
 
 
 def without_node(walk: Walk) -> None:
@@ -120,7 +120,7 @@ def given(walk: Walk, frame: Frame, kind: syntax.Type, this: Object, location: L
         if key in walk.offered:
             continue
         walk.offered.add(key)
-        _told(walk, this, kind.name, location)
+        _name_it(walk, this, kind.name, location)
         with walk.doubted(GIVEN.format(kind.name, owner[1].name)):
             _made(walk, frame, owner, Object(NODES[0], node=this.node), location)
 
