@@ -91,9 +91,9 @@ def invoke(
         templates = {**templates, **of_base} if of_base else templates
     if definition.templates:
         explicit = {
-            n: walk.type_in(t, frame)
+            n: walk.type_in(t, frame) if isinstance(t, syntax.Type) else t
             for n, t in zip(definition.templates, targs, strict=False)
-            if isinstance(t, syntax.Type)
+            if isinstance(t, (syntax.Type, syntax.Number))
         }
         templates = {**templates, **template_arguments.deduced(definition, args), **explicit}
         templates = template_arguments.defaulted(walk, function.source, inner_scope, definition, templates, args)

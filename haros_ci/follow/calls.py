@@ -29,7 +29,7 @@ from haros_ci.follow import (
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import library
 from haros_ci.follow.libraries import objects as library_objects
-from haros_ci.follow.ros import api_rows, forwarding, ros2_parameters
+from haros_ci.follow.ros import api_rows, forwarding, outside_nodes, ros2_parameters
 from haros_ci.follow.walk import Walk
 from haros_ci.index.types import is_smart_pointer, pointee
 from haros_ci.model.location import Location
@@ -121,14 +121,21 @@ def method_call(
     """``receiver.name(args)``."""
     if isinstance(receiver, Library) and receiver.name == "super":
         return super_call(walk, frame, name, args, location)
-    if name.startswith("spin") and isinstance(receiver, Object) and receiver.name.endswith("Executor"):
-        follow.interlude(walk, frame)
+    if isinstance(receiver, Object) and receiver.name.endswith("Executor"):
+        if name.startswith(outside_nodes.HANDED):
+            outside_nodes.spun(walk, args, location)
+        if name.startswith("spin"):
+            follow.interlude(walk, frame)
     modelled = library.method(walk, frame, receiver, cell, name, args, location, targs)
     if modelled is not None:
         return modelled
     if isinstance(receiver, Object):
         method = methods.method_of(walk, receiver, name, args)
         if method is not None:
+            specialised = specialisations.specialised(walk, frame, method, targs) if targs else None
+            if specialisations.is_missing(specialised):
+                return library_calls.of_no_specialisation(walk, frame, method, args, location)
+            method = specialised or method
             with forwarding.through(walk, method.function, args, location):
                 return activation.invoke(walk, frame, method, args, targs)
         field = receiver.fields.get(name)
@@ -149,7 +156,8 @@ def method_call(
             found = api_rows.call(walk, frame, called, receiver, args, targs, location)
             if found is not None:
                 return found
-        return library.unknown_call(walk, frame, f"{receiver.name}::{name}", args)
+        of_node = outside_nodes.method(walk, frame, receiver, name, args, targs, location)
+        return of_node or library.unknown_call(walk, frame, f"{receiver.name}::{name}", args)
     if isinstance(receiver, Opaque):
         kind = receiver.type or (cell.type if cell is not None else None)
         if kind is not None and kind.name:
@@ -264,6 +272,8 @@ def apply(
             return started
     if isinstance(function, Callable):
         specialised = specialisations.specialised(walk, frame, function, targs)
+        if specialisations.is_missing(specialised):
+            return library_calls.of_no_specialisation(walk, frame, function, args, location)
         function = specialised or function
         if function.function.body is None and function.function.kind != "constructor":
             source, definition = methods.with_body(walk, [(function.source, function.function)])

@@ -6,8 +6,7 @@ way puts what stands behind it under the opposite of all that leads there. No co
 
 - a way after which there is no node that runs: an exception that nobody catches, ``exit``, ``return`` of ``main``, one after
   ``shutdown``, and that of a failure from what a framework starts a node with, or from a function whose caller ends the program then;
-- a way that asks whether the program goes on (``ok()``, ``is_shutdown()``), or whether something is there (a null pointer);
-- a way out of a handler of exceptions.
+- a way that asks whether the program goes on (``ok()``, ``is_shutdown()``), or whether something is there (a null pointer).
 """
 
 from __future__ import annotations
@@ -112,7 +111,7 @@ def stand_behind(walk: Walk, frame: Frame, known: int) -> None:
 
 def _stand_behind(walk: Walk, frame: Frame, path: tuple[Condition, ...], depth: int) -> None:
     """The same of one way, behind which not all of *path* holds; a doubt where that is not put together."""
-    if not path or any(condition.statement == "catch" for condition in path):
+    if not path:
         return
     since = walk.conditions[depth:]
     behind = _behind(walk, frame, path, since)
@@ -125,9 +124,12 @@ def _stand_behind(walk: Walk, frame: Frame, path: tuple[Condition, ...], depth: 
 
 def _behind(walk: Walk, frame: Frame, path: tuple[Condition, ...], since: list[Condition]) -> Condition | None:
     """What holds where not all of *path* does but all of *since*; None where no condition says it."""
+    path = tuple(item for item in path if not (item.is_early and item.statement == "catch"))
     words = {condition.statement for condition in path}
     if words == {"switch"} and len(path) == 1:
         return replace(path[0], is_early=True)
+    if "catch" in words:  # no statement says that nothing is thrown
+        return replace(next(item for item in path if item.statement == "catch"), is_early=True)
     left = [item for item in path if item not in since and item.statement in ("if", "else")]
     return _opposite(walk, frame, left) if left and not words & {"switch", "#if"} else None
 

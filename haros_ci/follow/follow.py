@@ -23,7 +23,7 @@ from haros_ci.follow import (
 )
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.made import Root, forget_again, forget_unowned, is_set_in_time, not_ruled_out
-from haros_ci.follow.ros import registration, ros2_nodes
+from haros_ci.follow.ros import outside_nodes, registration, ros2_nodes
 from haros_ci.follow.walk import ROOTS, OutOfSteps, Walk
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
@@ -80,6 +80,7 @@ def follow(walk: Walk, entry: Entry) -> bool:
         return False
     finally:
         forget_unowned(walk)
+        outside_nodes.without_node(walk)
     if walk.context.process is None:
         is_set_in_time(walk)
         registration.forget_unregistered(walk, entry.source)
@@ -93,7 +94,10 @@ def _start(walk: Walk, frame: Frame, entry: Entry) -> None:
     elif entry.definition is not None:
         owner = (entry.source, entry.definition)
         args: tuple[call_arguments.PassedArgument, ...] = _component_arguments(walk, entry)
-        construct.instance(walk, frame, owner, (), args, Location(entry.source.path, entry.definition.line))
+        place = Location(entry.source.path, entry.definition.line)
+        made = construct.instance(walk, frame, owner, (), args, place)
+        if args:
+            outside_nodes.spun(walk, (call_arguments.PassedArgument(made),), place)
         first: list[Root] = []
         if walk.context.process is None:  # what a nodelet's manager calls, before anything is called back
             first, walk.roots[:] = list(walk.roots), []
@@ -160,8 +164,11 @@ def _call_back(walk: Walk, frame: Frame) -> None:
 
 
 def _counted(first: Writes, second: Writes) -> Writes:
-    """What a callback writes when it runs a *second* time; a number that is another one each time is not known."""
-    return {
+    """What a callback writes when it runs a *second* time; a number that is another one each time is not known.
+
+    What it has written the first time alone counts, too: by then it is what the others leave behind.
+    """
+    return {cell: value for cell, value in first.items() if cell not in second} | {
         cell: Opaque(counters.COUNTS, type=cell.type)
         if cell in first and counters.goes_on(cell.value, first[cell], value)
         else value

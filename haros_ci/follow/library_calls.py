@@ -4,16 +4,16 @@
 from __future__ import annotations
 
 from haros_ci import syntax
-from haros_ci.follow import braces, call_arguments, construct, copies, expressions, follow
+from haros_ci.follow import braces, call_arguments, construct, copies, expressions, follow, specialisations
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import harmless, library
 from haros_ci.follow.libraries import objects as library_objects
-from haros_ci.follow.ros import api_rows, ros2_nodes
+from haros_ci.follow.ros import api_rows, outside_nodes, ros2_nodes
 from haros_ci.follow.walk import Walk
 from haros_ci.index.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
-from haros_ci.values.abstract import NONE, Cell, Library, Object, Opaque, Sequence, Value
+from haros_ci.values.abstract import NONE, Callable, Cell, Library, Object, Opaque, Sequence, Value
 
 
 def inherited_call(
@@ -38,7 +38,7 @@ def inherited_call(
         found = api_rows.call(walk, frame, called, this, args, targs, location)
         if found is not None:
             return found
-    return None
+    return outside_nodes.method(walk, frame, this, name, args, targs, location)
 
 
 #: Functions in which callbacks are called.
@@ -61,7 +61,10 @@ def library_call(
     """A function, method or constructor of a library."""
     name = function.name
     if name in SPINNING:
+        outside_nodes.spun(walk, args, location)
         follow.interlude(walk, frame)
+    if name in outside_nodes.STARTING and not walk.quiet:
+        walk.started = walk.started or location
     base, dot, last = name.rpartition(".")
     if last == "__init__" and dot and args and base in walk.rows and isinstance(args[0].value, Object):
         library_objects.construct_library(walk, frame, args[0].value, syntax.Type(base), args[1:], location)
@@ -174,6 +177,20 @@ def _one(
             walk.statics[key] = cell
     found: Value = cell.value
     return found
+
+
+def of_no_specialisation(
+    walk: Walk,
+    frame: Frame,
+    function: Callable,
+    args: tuple[call_arguments.PassedArgument, ...],
+    location: Location,
+) -> Value:
+    """A call of a template of which only specialisations for other arguments are seen."""
+    name = function.function.name
+    if walk.relevance.makes(function.function, function.source) or walk.relevance.named(name):
+        walk.gaps.setdefault(specialisations.NOT_SEEN.format(name), location)
+    return library.unknown_call(walk, frame, name, args)
 
 
 def ends_the_program(walk: Walk, frame: Frame, expression: Expression) -> bool:

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 #: Deeper hierarchies are cut off (and cycles with them).
 BASES = 12
+#: Of a class that is no template, or of which nothing is known.
+NOTHING: Mapping[str, syntax.Argument] = {}
 
 Member = tuple[Source, Field, Type]
 Found = tuple[Source, Function]
@@ -63,9 +65,18 @@ def _field_of(
 
 
 def class_method(
-    walk: Walk, source: Source, definition: Class, name: str, arguments: Given = None, depth: int = 0
+    walk: Walk,
+    source: Source,
+    definition: Class,
+    name: str,
+    arguments: Given = None,
+    depth: int = 0,
+    templates: Mapping[str, syntax.Argument] = NOTHING,
 ) -> Found | None:
-    """The method *name* of a class or its bases; the *arguments* of the call choose between overloads."""
+    """The method *name* of a class or its bases; the *arguments* of the call choose between overloads.
+
+    *templates* are what the template parameters of the class stand for, of which a base class may be one.
+    """
     if source.separator == ".":
         every = linear.of_workspace(linear.order(walk, source, definition))
         found_in = (own_method(walk, where, known, name, arguments) for where, known in every)
@@ -74,10 +85,11 @@ def class_method(
     if candidates:
         return overload(walk, candidates, arguments)
     if depth < BASES:
-        for base in walk.bases(source, definition, {}):
+        for base in walk.bases(source, definition, templates):
             owner = walk.class_of(base.name, source)
             if owner is not None and owner[1] is not definition:
-                found = class_method(walk, owner[0], owner[1], name, arguments, depth + 1)
+                bound = dict(zip(owner[1].templates, base.arguments, strict=False)) if owner[1].templates else NOTHING
+                found = class_method(walk, owner[0], owner[1], name, arguments, depth + 1, bound)
                 if found is not None:
                     return found
     return None
@@ -109,9 +121,15 @@ def as_node(walk: Walk, name: str, source: Source, definition: Class) -> str:
     return "rclpy.node.Node"
 
 
-def library_bases(walk: Walk, source: Source, definition: Class, depth: int = 0) -> list[str]:
-    """The names of all base classes that are not of the workspace."""
-    key = ("bases", id(definition))
+def library_bases(
+    walk: Walk,
+    source: Source,
+    definition: Class,
+    depth: int = 0,
+    templates: Mapping[str, syntax.Argument] = NOTHING,
+) -> list[str]:
+    """The names of all base classes that are not of the workspace; *templates* are what its template parameters stand for."""
+    key = ("bases", id(definition), walk.numbered(templates) if templates else 0)
     if key in walk.found:
         known: list[str] = walk.found[key]
         return known
@@ -119,7 +137,7 @@ def library_bases(walk: Walk, source: Source, definition: Class, depth: int = 0)
     if source.separator == "::" and depth == 0:
         walk.found[key] = found
     if depth < BASES:
-        for base in walk.bases(source, definition, {}):
+        for base in walk.bases(source, definition, templates):
             if source.program.language == "python":
                 owner = python_class(walk, base, source)
                 name = base.name
@@ -132,7 +150,8 @@ def library_bases(walk: Walk, source: Source, definition: Class, depth: int = 0)
             if owner is None:
                 found.append(name)
             elif owner[1] is not definition:
-                found += library_bases(walk, owner[0], owner[1], depth + 1)
+                bound = dict(zip(owner[1].templates, base.arguments, strict=False)) if owner[1].templates else NOTHING
+                found += library_bases(walk, owner[0], owner[1], depth + 1, bound)
     return found
 
 
@@ -141,7 +160,8 @@ def method_of(walk: Walk, this: Object, name: str, arguments: Given = None) -> C
     if this.definition is None:
         return None
     source, definition = this.definition
-    found = class_method(walk, source, definition, name, arguments)
+    templates = this.templates if definition.templates else NOTHING
+    found = class_method(walk, source, definition, name, arguments, 0, templates)
     if found is None:
         return None
     return Callable(found[0], found[1], this, templates=this.templates)

@@ -159,6 +159,8 @@ class Walk:
     #: How often what was made already was made on a way that changes its conditions.
     news: int = 0
     quiet: int = 0
+    #: Where a process of ROS 2 initialises the client library.
+    started: Location | None = None
     #: Where the call stands that a wrapper forwards to an API, and the texts that it is given.
     outer: tuple[Location, frozenset[str]] | None = None
     #: Branches around what is followed that are not taken as things are.

@@ -63,6 +63,21 @@ _TYPEDEFS: dict[str, tuple[str, tuple[Type, ...]]] = {
 }
 
 
+#: ``std::tuple_element_t<1, std::tuple<A, B>>`` and ``typename std::tuple_element<…>::type`` (en.cppreference.com/w/cpp/utility/tuple_element).
+_ELEMENTS = ("tuple_element", "tuple_element_t", "variant_alternative", "variant_alternative_t")
+
+
+def _element(arguments: tuple[Argument, ...], templates: Mapping[str, Argument]) -> Type | None:
+    """The element of a tuple's type, both *arguments* of a look-up of one; None where they do not tell."""
+    number, of = arguments if len(arguments) == 2 else (None, None)
+    if isinstance(number, (syntax.Name, Type)):
+        number = templates.get(number.name)
+    if not isinstance(number, syntax.Number) or not isinstance(of, Type) or not isinstance(number.value, int):
+        return None
+    element = of.arguments[number.value] if 0 <= number.value < len(of.arguments) else None
+    return element if isinstance(element, Type) else None
+
+
 def resolve_type(
     index: Index,
     kind: Type,
@@ -91,6 +106,9 @@ def resolve_type(
         return item
 
     resolved = tuple(inner(item) for item in arguments)
+    if name.removeprefix("std::").removesuffix("::type") in _ELEMENTS:
+        element = _element(resolved, templates)
+        return element.marked(marks) if element is not None else syntax.Type(name, resolved, marks)
     bound = templates.get(name)
     if bound is not None and not isinstance(bound, Type):
         return syntax.Type(name, resolved, marks)

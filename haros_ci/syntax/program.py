@@ -6,7 +6,7 @@ Front ends write it, ``link`` interprets it. It depends on one file's bytes alon
 
 from __future__ import annotations
 
-from haros_ci.syntax.expressions import Expression, Type
+from haros_ci.syntax.expressions import Argument, Expression, Type
 from haros_ci.syntax.node import Record
 from haros_ci.syntax.statements import Block, Init
 
@@ -37,6 +37,7 @@ class Function(Record, frozen=True):
     last part, even where that may be a namespace. *kind*: function, constructor, destructor, lambda, module. *templates* are template
     parameters' names, *template_defaults* the types that some of them stand for where nothing else tells. *body* is None for a declaration; *body_line* and *body_column* are its opening brace's (Python: the
     ``def``'s). *guards* are ``(line, column, text)`` of the ``#if`` lines around it. *captures* are the variables that a lambda captures by value, ``=`` for all but ``&name``.
+    *specialises* are the template arguments of which it is a full specialisation, as far as they are written behind its name.
     """
 
     name: str
@@ -57,6 +58,7 @@ class Function(Record, frozen=True):
     decorators: tuple[Expression, ...] = ()
     template_defaults: tuple[tuple[str, Type], ...] = ()
     captures: tuple[str, ...] = ()
+    specialises: tuple[Argument, ...] = ()
 
 
 class Field(Record, frozen=True):

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from haros_ci import syntax
@@ -38,7 +38,7 @@ class Programs:
 def executables(programs: Programs, *, tests: bool = False) -> dict[tuple[str, str], tuple[Entry, frozenset[str]]]:
     """All node types that can be started, by package and executable: where each begins, and its files.
 
-    Those that are built for tests only come with *tests*.
+    Those that are built for tests only come with *tests*, and the names in the source space of scripts that are installed under others.
     """
     found: dict[tuple[str, str], tuple[Entry, frozenset[str]]] = {}
     named = linkable(programs)
@@ -47,12 +47,13 @@ def executables(programs: Programs, *, tests: bool = False) -> dict[tuple[str, s
             if target.kind != "executable" or (target.is_test and not tests):
                 continue
             files = files_of(programs, target, named)
-            entry = _main(programs, (*target.sources, *target.conditional_sources))
+            entry = main_of(programs, target)
             if entry is not None:
                 entry = of_target(programs, entry, target)
                 found.setdefault((package, target.output), (entry, files))
+        renamed = set() if tests else _renamed(build)
         for path in build.scripts:
-            source = programs.sources.get(path)
+            source = programs.sources.get(path) if path not in renamed else None
             if source is not None and source.program.language == "python":
                 found.setdefault((package, posixpath.basename(path)), (Entry(source), frozenset((path,))))
         for installed in build.installed:
@@ -61,6 +62,14 @@ def executables(programs: Programs, *, tests: bool = False) -> dict[tuple[str, s
                 name = installed.name or posixpath.basename(installed.path)
                 found.setdefault((package, name), (Entry(source), frozenset((installed.path,))))
     return found
+
+
+def _renamed(build: Build) -> set[str]:
+    """The scripts that are installed under other names only (``install(PROGRAMS a.py DESTINATION d RENAME a)``)."""
+    own = {
+        (item.path, item.name or posixpath.basename(item.path)) for item in build.installed if item.kind == "program"
+    }
+    return {path for path, _ in own if (path, posixpath.basename(path)) not in own}
 
 
 def plugins(programs: Programs) -> dict[str, PluginDescription]:
@@ -190,8 +199,9 @@ def linkable(programs: Programs) -> Linkable:
     return by_name, {name: {t.name: t for t in build.targets} for name, build in programs.builds.items()}
 
 
-def _main(programs: Programs, paths: Iterable[str]) -> Entry | None:
-    for path in paths:
+def main_of(programs: Programs, target: Target) -> Entry | None:
+    """The ``main`` of an executable; None where a macro writes it, or none is found."""
+    for path in (*target.sources, *target.conditional_sources):
         source = programs.sources.get(path)
         if source is None:
             continue

@@ -16,7 +16,7 @@ from haros_ci.graph.words import shell_words
 from haros_ci.graph.words import split as words_of
 from haros_ci.model.architecture import Node, Unknown
 from haros_ci.model.location import Location
-from haros_ci.systems.entries import Programs
+from haros_ci.systems.entries import Programs, main_of
 from haros_ci.systems.known.command_lines import specialised
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.known.instantiate import instantiate
@@ -99,6 +99,9 @@ def why(programs: Programs, package: str, name: str, nodelet: str | None) -> str
     for target in build.targets:
         if target.kind == "executable" and target.output == name:
             where = f"{target.location.path}:{target.location.line}"
+            if main_of(programs, target) is not None:
+                what = f"{what} ({where})"
+                return f"{what} is built for tests only" if target.is_test else f"{what} is a program of the other ROS"
             return f"no main function was found in the sources of {what} ({where})"
     return f"package {package} is in the workspace, but no C++ or Python program called {name} was found in it"
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from haros_ci.follow.follow import Entry
 from haros_ci.follow.made import MadeEntity
+from haros_ci.follow.ros import outside_nodes
 from haros_ci.follow.ros.ends import endpoints
 from haros_ci.follow.ros.paces import paces
 from haros_ci.follow.ros.ros2_nodes import ALONE, SIM_TIME, UNDECLARED
@@ -34,6 +35,8 @@ NOTHING = ParameterServer(())
 SERVICES = ("servers", "clients")
 #: What a configuration is called besides in which a node is followed with every plug-in.
 PLUGINS = "plug-ins"
+#: Why nothing is known of a process.
+UNSEEN = "no node is seen in its program"
 #: And in which it is followed with the nodes of every behaviour tree.
 TREES = "behaviour trees"
 
@@ -193,8 +196,11 @@ def nodes_of(
     unknowns = (*node.unknowns, *incomplete(followed, entry, node.location))
     if not followed.nodes:
         ends = endpoints(followed.made, lambda item: item.name, NOTHING)
-        kind = node.kind if is_named or ends or node.source == "launch" else PROGRAM
-        made = replace(node, kind=kind, endpoints=ends, unknowns=unknowns, paces=paces(followed.made))
+        is_node = is_named or ends or node.source == "launch" or outside_nodes.NO_NODE in followed.gaps
+        if node.source != "launch":
+            node = replace(node, name="/?", process="/?") if is_node else node
+        made = replace(node, kind=node.kind if is_node else PROGRAM, endpoints=ends, paces=paces(followed.made))
+        made = replace(made, unknowns=(*unknowns, *_of_no_node(made, followed)))
         return (_with_rules(made, started),), followed.problems
     found: list[Node] = []
     ends_of = _ends(types, followed)
@@ -228,6 +234,14 @@ def nodes_of(
             )
         )
     return tuple(found), followed.problems
+
+
+def _of_no_node(node: Node, followed: Followed) -> Iterable[Unknown]:
+    """What is not known of a process of which no node is seen."""
+    if node.kind != PROGRAM and not followed.gaps and not followed.problems:
+        yield Unknown("endpoints", UNSEEN, node.location)
+    if node.kind != PROGRAM and "?" in node.name and all(unknown.field != "name" for unknown in node.unknowns):
+        yield Unknown("name", UNSEEN, node.location)
 
 
 def _ends(types: Types, followed: Followed) -> Mapping[str, tuple[Endpoint, ...]]:

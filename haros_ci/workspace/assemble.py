@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -16,6 +17,10 @@ from haros_ci.workspace.known_copies import copied_library, is_of_project
 from haros_ci.workspace.package_xml import parse_package, settled, supports_both
 from haros_ci.workspace.third_party import ThirdParty
 from haros_ci.workspace.views import doubles
+
+#: Endings of sketches, and what those include that talk to ROS (wiki.ros.org/rosserial_arduino, micro_ros_arduino, ros2arduino).
+_SKETCHES = (".ino", ".pde")
+_OF_ROS = re.compile(r"#[ \t]*include[ \t]*[<\"](?:ros\.h|rosserial|ArduinoHardware|micro_ros|ros2arduino|rclc?/|rcl/)")
 
 #: A package, and what is wrong with its manifest.
 _Found = tuple[Package, Problem | None]
@@ -131,6 +136,7 @@ def assemble(
     found += doubles((package for package, _ in packages.values()), owned)
     reader = TextReader(root, listed, max_file_size, elsewhere, buffer)
     found += _of_rosbuild(owned, names, reader)
+    found += _of_sketches(names, reader)
     return Workspace(
         root=root,
         packages=tuple(sorted((package for package, _ in packages.values()), key=lambda p: (p.path, p.name))),
@@ -205,6 +211,20 @@ def _of_rosbuild(files: Iterable[SourceFile], names: frozenset[str], reader: Tex
         number = "1 package" if len(found) == 1 else f"{len(found)} packages"
         yield Problem(
             found[0], f"{number} of rosbuild (manifest.xml, no package.xml): their nodes are not in the model"
+        )
+
+
+def _of_sketches(names: frozenset[str], reader: TextReader) -> Iterable[Problem]:
+    """One problem for all sketches of Arduino that talk to ROS (rosserial, micro-ROS, ros2arduino): they are nodes, and are not read."""
+    found = sorted(
+        path
+        for path in names
+        if path.endswith(_SKETCHES) and "examples" not in path.split("/") and _OF_ROS.search(reader.text(path))
+    )
+    if found:
+        others = f" and {len(found) - 1} more" if len(found) > 1 else ""
+        yield Problem(
+            found[0], f"a sketch of Arduino{others}: what such nodes publish and subscribe to is not in the model"
         )
 
 

@@ -48,3 +48,41 @@ template<typename T> void one(ros::NodeHandle& nh, const std::string& name) { nh
 ))  # fmt: skip
 def test_what_is_no_specialisation(before: str, code: str, expected: list[str]) -> None:
     assert names(cpp(code, before)) == expected
+
+
+WRITTEN = """
+template<typename T> void add(ros::NodeHandle& nh, const std::string& n)%s
+template<> void add<int>(ros::NodeHandle& nh, const std::string& n) { nh.advertise<std_msgs::Int32>(n + "_int", 1); }
+template<> void add<k::M>(ros::NodeHandle& nh, const std::string& n) { nh.advertise<std_msgs::Float64>(n + "_m", 1); }
+"""
+OF_CLASS = """
+struct S { ros::NodeHandle nh; template<typename T> void add(const std::string& n); };
+template<> void S::add<int>(const std::string& n) { nh.advertise<std_msgs::Int32>(n + "_int", 1); }
+template<> void S::add<double>(const std::string& n) { nh.advertise<std_msgs::Float64>(n + "_double", 1); }
+"""
+ANY = ' { nh.advertise<std_msgs::String>(n + "_any", 1); }'
+SPACE = "namespace k { struct M {}; }\n"
+
+
+@table((
+    case("the first", 'add<int>(nh, "x");', "/x_int", before=SPACE + WRITTEN % ";"),
+    case("another", 'add<k::M>(nh, "x");', "/x_m", before=SPACE + WRITTEN % ";"),
+    case("another, under a using-directive", 'using namespace k; add<M>(nh, "x");', "/x_m", before=SPACE + WRITTEN % ";"),
+    case("the template itself", 'add<bool>(nh, "x");', "/x_any", before=SPACE + WRITTEN % ANY),
+    case("one of a template with a body", 'add<k::M>(nh, "x");', "/x_m", before=SPACE + WRITTEN % ANY),
+    case("of a method", 'S s; s.add<double>("x"); s.add<int>("y");', "/x_double", "/y_int", before=OF_CLASS),
+))  # fmt: skip
+def test_the_one_that_is_written_for_the_template_arguments(before: str, code: str, expected: list[str]) -> None:
+    assert names(cpp(code, before)) == expected
+
+
+@table((
+    case("of what is written", 'add<bool>(nh, "x");', "add", before=SPACE + WRITTEN % ";"),
+    case("of what is returned", 'k::sent<int>(nh, "a");', "k::sent", before=OF_RESULTS),
+    case("of a method", 'S s; s.add<bool>("x");', "S::add", before=OF_CLASS),
+))  # fmt: skip
+def test_none_is_for_the_template_arguments(before: str, code: str, expected: list[str]) -> None:
+    found = cpp(code, before)
+    assert names(found) == []
+    reason = f"{expected[0]} has specialisations, of which none is for the template arguments of a call"
+    assert [unknown.reason for unknown in found.unknowns] == [reason]

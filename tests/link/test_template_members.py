@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import pytest
+from follow_kit import case, cpp, names, table
 from ros2_cpp_kit import KEPT, component, explicit, last, only, policies
 
 SPECS = """
@@ -82,3 +83,22 @@ def test_what_a_class_template_constructs_is_made_for_each_of_many_arguments() -
         )
     body = "".join(f"P{number} p{number}; p{number}.init(*this);" for number in range(6))
     assert [end.name for end in explicit(component(body, "", before))] == [f"/m{number}" for number in range(6)]
+
+
+OF_TUPLES = """
+struct A { void make(ros::NodeHandle& nh) { nh.advertise<std_msgs::String>("a", 1); } };
+struct B { void make(ros::NodeHandle& nh) { nh.advertise<std_msgs::String>("b", 1); } };
+using All = std::tuple<A, B>;
+template<size_t N> void put(ros::NodeHandle& nh) { std::tuple_element_t<N, All> x; x.make(nh); }
+"""
+
+
+@table((
+    case("an element", "std::tuple_element_t<1, std::tuple<A, B>> x; x.make(nh);", "/b", before=OF_TUPLES),
+    case("of another name", "std::tuple_element_t<0, All> x; x.make(nh);", "/a", before=OF_TUPLES),
+    case("its member", "typename std::tuple_element<1, All>::type x; x.make(nh);", "/b", before=OF_TUPLES),
+    case("by a number that is given", "put<0>(nh); put<1>(nh);", "/a", "/b", before=OF_TUPLES),
+    case("none of that number", "std::tuple_element_t<2, All> x; x.make(nh);", before=OF_TUPLES),
+))  # fmt: skip
+def test_elements_of_the_types_of_tuples(before: str, code: str, expected: list[str]) -> None:
+    assert names(cpp(code, before)) == expected

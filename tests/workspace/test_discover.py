@@ -407,6 +407,36 @@ def test_what_is_no_package_of_rosbuild_is_not_named(tmp_path: Path, files: dict
     assert messages(discover(plant(tmp_path, files), (".",))) == []
 
 
+SKETCH = "a sketch of Arduino{}: what such nodes publish and subscribe to is not in the model"
+
+
+@pytest.mark.parametrize(
+    ("files", "words"),
+    [
+        ({"a/b.ino": b"#include <ros.h>\nros::NodeHandle nh;\n"}, ""),
+        ({"a/b.pde": b'  #  include "ros.h"\n'}, ""),
+        ({"a/b.ino": b"#include <micro_ros_arduino.h>\n", "c/d.ino": b"#include <rcl/rcl.h>\n"}, " and 1 more"),
+        ({"a/b.ino": b"#include <ros2arduino.h>\n"}, ""),
+    ],
+)
+def test_sketches_that_talk_to_ros_are_named_once(tmp_path: Path, files: dict[str, bytes], words: str) -> None:
+    assert messages(discover(plant(tmp_path, files), (".",))) == [(min(files), SKETCH.format(words))]
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        {"a/b.ino": b"#include <Servo.h>\nvoid loop() {}\n"},
+        {"a/b.ino": b""},
+        {"a/b.ino.txt": b"#include <ros.h>\n"},
+        {"ros_lib/examples/Blink/Blink.pde": b"#include <ros.h>\n"},
+        {"a/ros.h": b"#include <rosserial.h>\n"},
+    ],
+)
+def test_other_sketches_are_not_named(tmp_path: Path, files: dict[str, bytes]) -> None:
+    assert messages(discover(plant(tmp_path, files), (".",))) == []
+
+
 def test_a_package_of_rosbuild_that_is_left_out_is_not_named(tmp_path: Path) -> None:
     plant(tmp_path, {f"old/{name}": data for name, data in ROSBUILD.items()})
     assert messages(discover(tmp_path, (".",), exclude=("old",))) == []

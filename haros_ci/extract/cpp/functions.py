@@ -106,7 +106,16 @@ def declare(unit: Unit, declared: types.Declared, before: types.Specifiers, scop
         guards=scope.guards,
         is_static=before.is_static,
         is_virtual=is_virtual,
+        specialises=_specialised(unit, declared, scope),
     )
+
+
+def _specialised(unit: Unit, declared: types.Declared, scope: CppScope) -> tuple[syntax.Argument, ...]:
+    """The template arguments behind the name of a function that is no template itself."""
+    node = declared.node
+    if scope.templates or "<" not in unit.text[node.start_byte : node.end_byte] or "operator" in declared.name:
+        return ()
+    return types.path(unit, node, 0)[1]
 
 
 def _definition(unit: Unit, node: Node) -> tuple[syntax.Block | None, tuple[int, int], tuple[syntax.Initializer, ...]]:

@@ -147,14 +147,22 @@ def arguments(unit: Unit, node: Node, depth: int) -> tuple[syntax.Argument, ...]
             found.append(descriptor(unit, child, depth + 1))
         elif child.kind_id in _IDENTIFIER and _takes_types(unit, node):
             found.append(syntax.Type(unit.cut(child)))  # the first parameter of a constructor outside of its class
+        elif _is_of_template(child):
+            found.append(plain_type(unit, child, depth + 1))  # f(a::g<b::C<D>>()): no variable, which few templates are
         elif child.is_named and child.kind_id != ERROR:
             found.append(expressions.expression(unit, child, depth + 1))
     return tuple(found)
 
 
+def _is_of_template(node: Node) -> bool:
+    """Whether the last part of a qualified name has template arguments."""
+    while node.kind_id in _QUALIFIED:
+        node = node.children[-1]
+    return node.kind_id in _TEMPLATE
+
+
 def _takes_types(unit: Unit, node: Node) -> bool:
-    name = node.prev_sibling
-    return name is not None and unit.cut(name) in _OF_TYPES
+    return node.prev_sibling is not None and unit.cut(node.prev_sibling) in _OF_TYPES
 
 
 def descriptor(unit: Unit, node: Node, depth: int) -> syntax.Type:

@@ -7,7 +7,7 @@ from haros_ci import syntax
 from haros_ci.follow import call_arguments, callbacks, copies, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import library
-from haros_ci.follow.ros import api_rows, ros2_nodes
+from haros_ci.follow.ros import api_rows, outside_nodes, ros2_nodes
 from haros_ci.follow.walk import Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Type
@@ -24,16 +24,21 @@ def summary_object(walk: Walk, owner: tuple[Source, Class], kind: Type, receiver
 
 def owners(walk: Walk, value: Object) -> list[str]:
     """The class names under which rows may know an object's methods: its own, then its libraries' bases."""
+    is_template = value.definition is not None and bool(value.definition[1].templates)
     key = (
         "owners",
         value.name,
         id(value.definition[1]) if value.definition is not None else 0,
         walk.context.process is None,
+        walk.numbered(value.templates) if is_template and value.templates else 0,
     )
     if key in walk.found:
         known: list[str] = walk.found[key]
         return known
-    found = [value.name] if value.definition is None else list(methods.library_bases(walk, *value.definition))
+    templates = value.templates if is_template else methods.NOTHING
+    found = (
+        [value.name] if value.definition is None else list(methods.library_bases(walk, *value.definition, 0, templates))
+    )
     for name in found:
         for row in walk.rows.get(name, ()):
             if row.is_class:
@@ -59,6 +64,7 @@ def library_object(
     this = Object(kind.name, kind.arguments, location=location)
     construct_library(walk, frame, this, kind, args, location)
     _hidden(walk, frame, kind, args, location)
+    outside_nodes.given(walk, frame, kind, this, location)
     if kind.name not in walk.rows:
         ros2_nodes.handed(walk, kind.name, (argument.value for argument in args))
     for argument in args:

@@ -29,6 +29,8 @@ Unknowns = list[tuple[str, str, Location | None]]
 PARAMETERS = ("getters", "setters")
 
 
+#: Why it is not known what a server of dynamic_reconfigure writes.
+RECONFIGURED = "its server writes what is set or its default in the .cfg, and later what somebody asks it for"
 #: The types of data that a parameter of roscpp may have to be read as another.
 _READ: dict[str, tuple[type, ...]] = {"bool": (bool,), "int": (int, float), "double": (int, float), "str": (str,)}
 
@@ -57,6 +59,8 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
     endpoint_type = _type(applied, entry, unknowns, default)
     if endpoint_type == "bool" and isinstance(value, str) and applied.frame.source.program.language != "python":
         value, default = True, Known(True)  # param<bool>(name, "false"): a pointer that is not null
+    if entry.kind == "setters" and entry.each is not None:
+        unknowns.append(("value", RECONFIGURED, applied.location))
     queue = latched = None
     if entry.kind in ("publishers", "subscribers"):
         queue = _integer(applied, entry, "queue_size", unknowns)
