@@ -134,7 +134,8 @@ class Codebase:
         self.routines(source.path)
         found = self._by_function.get(id(function))
         if found is None and function.body is not None:  # a method that is defined through an alias of its class
-            found = self._by_function[id(function)] = Routine(source, function)
+            same = (one for one in self.routines(source.path) if one.function.body is function.body)
+            found = self._by_function[id(function)] = next(same, None) or Routine(source, function)
         return found
 
     def inner(self, routine: Routine, index: int) -> Routine | None:

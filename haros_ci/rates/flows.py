@@ -18,6 +18,7 @@ from haros_ci.rates.publishers import Publishing, publishing
 from haros_ci.rates.runs import TRANSITION, Runs, runs
 from haros_ci.rates.threads import is_joined
 from haros_ci.rates.turns import Paced, turns
+from haros_ci.rates.written import Written
 
 #: Calls inside calls, from a callback to where something is published.
 DEPTH = 8
@@ -75,6 +76,8 @@ class NodeFlows:
 
     code: Codebase
     node: Node
+    #: What the code says where the interpreter does not come by.
+    written: Written
     _known: dict[int, _Context] = field(default_factory=dict)
     _active: set[int] = field(default_factory=set)
     #: Functions at which a search has stopped: what it says is for where it began alone.
@@ -117,8 +120,10 @@ class NodeFlows:
         if paced.hertz and not every:
             rate = exactly(round(paced.hertz, 9))
             rate = rate if paced.made is not None else at_most(rate)
-        else:
+        elif every or paced.made is None:
             rate = self._of_paces(every, "the node is not seen to make the rate of the loop")
+        else:
+            rate = self.written.rate(paced.made)
         if context.is_once:
             return Flow(rate if paced.is_endless else at_most(rate))
         if context.is_alone:
