@@ -84,6 +84,7 @@ class Codebase:
     _by_function: dict[int, Routine] = field(default_factory=dict)
     _bodies: dict[int, Body] = field(default_factory=dict)
     _mentions: dict[tuple[str, ...], frozenset[str]] = field(default_factory=dict)
+    _texts: list[tuple[str, str]] | None = None
     #: Sources that no target compiles: checks of the code pass them over, since they never run.
     unbuilt: frozenset[str] = frozenset()
     _firmware: frozenset[str] | None = None
@@ -146,9 +147,12 @@ class Codebase:
     def mentioning(self, *words: str) -> frozenset[str]:
         """The files of programs whose text contains one of *words*, without firmware and those that no target compiles."""
         if words not in self._mentions:
-            texts = ((source.path, self.text(source.path)) for source in self.sources)
-            self._mentions[words] = frozenset(path for path, text in texts if any(word in text for word in words))
-            self._mentions[words] -= self.unbuilt | self.firmware
+            if self._texts is None:
+                self._texts = [(source.path, self.text(source.path)) for source in self.sources]
+            found: set[str] = set()
+            for word in words:
+                found.update([path for path, text in self._texts if word in text])
+            self._mentions[words] = frozenset(found - self.unbuilt - self.firmware)
         return self._mentions[words]
 
     @property

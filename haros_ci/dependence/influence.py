@@ -219,6 +219,15 @@ def _types(call: syntax.Call) -> list[str]:
 
 def _around(code: Codebase, routine: Routine) -> tuple[Step | None, bool]:
     """The step that a lambda or nested function stands in, and whether it runs only while that does."""
+    key = ("around", id(routine))
+    if key not in code.kept:
+        code.kept[key] = _looked_up(code, routine)
+        code.kept["keep", id(routine)] = routine
+    found: tuple[Step | None, bool] = code.kept[key]
+    return found
+
+
+def _looked_up(code: Codebase, routine: Routine) -> tuple[Step | None, bool]:
     outer = routine.outer
     assert outer is not None
     functions = outer.source.program.functions

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from haros_ci import syntax
 from haros_ci.code import classes, kinds
 from haros_ci.code.body import Call
+from haros_ci.code.callbacks import given_function
 from haros_ci.code.calls import called
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.rates.publishers import related
@@ -22,7 +23,7 @@ BY_VALUE = frozenset(
     "min max clamp abs fabs floor ceil round lround sqrt pow isnan isfinite to_string duration milliseconds microseconds nanoseconds "
     "seconds Duration Rate WallRate from_seconds fromSec toSec ParameterValue Parameter declare_parameter create_wall_timer "
     "createTimer createWallTimer create_timer create_rate sleep sleep_for float int str format print make_unique make_shared "
-    "loginfo logwarn logerr logdebug info warn error debug".split()
+    "bind thread jthread static_cast loginfo logwarn logerr logdebug info warn error debug".split()
 )
 #: Beginnings of the names of macros that only write a log.
 LOGS = ("RCLCPP_", "ROS_", "NODELET_", "RCUTILS_")
@@ -155,10 +156,22 @@ def _is_of(code: Codebase, routine: Routine, owner: classes.Owner) -> bool:
     return own is None or related(code, own, owner)
 
 
-def callers(code: Codebase, calls: tuple[tuple[Routine, Call], ...], position: int, name: str) -> Iterator[Given]:
+def callers(calls: tuple[tuple[Routine, Call], ...], position: int, name: str) -> Iterator[Given]:
     """What *calls* give the parameter *name* at *position* of the function that they call."""
     for where, call in calls:
         words = [value.value for value in call.args if isinstance(value, syntax.Keyword) and value.name == name]
         plain = [value for value in call.args if not isinstance(value, syntax.Keyword)]
         if words or position < len(plain):
             yield Given(where, words[0] if words else plain[position])
+
+
+def bound(code: Codebase, threads: tuple[tuple[Routine, Call], ...], target: Routine, position: int) -> Iterator[Given]:
+    """What the calls that begin *threads* with the function *target* give its parameter at *position*, through a bind or directly."""
+    shift = 1 if target.function.owner and not target.is_python else 0
+    for where, call in threads:
+        for node in everything(call.whole):
+            if not isinstance(node, syntax.Call) or not node.arguments:
+                continue
+            if target in given_function(code, where, node.arguments[0]) and len(node.arguments) > position + 1 + shift:
+                yield Given(where, node.arguments[position + 1 + shift])
+                break

@@ -11,7 +11,7 @@ from haros_ci.code.codebase import Codebase
 from haros_ci.model.architecture import Configuration
 from haros_ci.model.location import Location
 from haros_ci.model.rates import NEVER, CallRate, Rate, Rates, TopicRate, total, unknown
-from haros_ci.rates.flows import Flow, NodeFlows, scaled
+from haros_ci.rates.flows import Filters, Flow, NodeFlows, scaled
 from haros_ci.rates.written import Written
 
 #: Rounds after which a rate that still grows has no bound, and all that there are.
@@ -29,12 +29,15 @@ class _Published:
     reason: str
 
 
-def rates_of(configuration: Configuration, code: Codebase) -> Rates:
-    """The rates of a *configuration*, whose programs are in *code*."""
+def rates_of(configuration: Configuration, code: Codebase, filtered: Filters = lambda location: ()) -> Rates:
+    """The rates of a *configuration*, whose programs are in *code*; *filtered* knows what filters of messages pass on."""
     known = {one.name: one for one in configuration.parameters}
-    ends = (end for node in configuration.nodes for end in node.endpoints)
+    ends = [end for node in configuration.nodes for end in node.endpoints]
     changed = frozenset(end.name for end in ends if end.kind == "setters")
-    nodes = (NodeFlows(code, node, Written(code, node, known, changed)) for node in configuration.nodes)
+    names = frozenset(end.name for end in ends if end.kind == "publishers")
+    nodes = (
+        NodeFlows(code, node, Written(code, node, known, changed), filtered, names) for node in configuration.nodes
+    )
     published = [one for flows in nodes for one in _of_node(flows)]
     topics = _solved(published)
     found = []

@@ -10,13 +10,14 @@ from itertools import product
 
 from haros_ci import syntax
 from haros_ci.code import classes, kinds
+from haros_ci.code.callbacks import Callback
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.model.architecture import Node, Parameter
 from haros_ci.model.location import Location
-from haros_ci.model.rates import Rate, either, exactly, unknown
-from haros_ci.rates.assigned import Assigned, Given, callers, of_local, of_member
+from haros_ci.model.rates import Rate, at_most, either, exactly, unknown
+from haros_ci.rates.assigned import Assigned, Given, bound, callers, of_local, of_member
+from haros_ci.rates.made import REAL, duration, frequency, of_period, position_of
 from haros_ci.rates.runs import runs
-from haros_ci.rates.sleeps import RATES
 from haros_ci.syntax import Expression
 from haros_ci.syntax.walk import everything
 
@@ -26,8 +27,6 @@ VALUES = frozenset("as_double as_int get_value value double_value integer_value"
 GETTERS = frozenset(
     "get_parameter declare_parameter get_parameter_or_default declare_or_get_parameter param get_param".split()
 )
-#: Types that a number may have where it is used.
-REAL = frozenset(("double", "float"))
 NUMBER = re.compile(
     r"(std::)?(u?int\d{0,2}(_t)?|size_t|unsigned|unsigned \w{1,8}|long|long \w{1,8}|short|float|double)"
 )
@@ -41,6 +40,9 @@ class Numbers:
 
     every: frozenset[float] = frozenset()
     reason: str = ""
+
+
+NO_DURATION = Numbers(reason="it is no duration that is understood")
 
 
 @dataclass(slots=True)
@@ -58,7 +60,7 @@ class Written:
         """The turns a second of the rate object that is made at *place*; unknown for a reason."""
         found = None
         for routine in self.code.routines(place.path):
-            found = found or _frequency(self.code, routine, place)
+            found = found or frequency(self.code, routine, place)
         if found is None:
             return unknown("the node is not seen to make the rate of the loop")
         numbers = self.numbers(found[0], found[1], 0)
@@ -69,6 +71,18 @@ class Written:
         for one in positive[1:]:
             result = either(result, one)
         return result
+
+    def timer(self, callback: Callback) -> Rate:
+        """From zero to the rate of the timer that a member keeps, so that there is one at most; unknown for a reason."""
+        where, call = callback.maker, callback.call
+        missing = unknown("the node is not seen to make the timer")
+        if where.is_python or not _is_kept(self.code, where, call.whole):
+            return missing
+        every = (self.seconds(where, argument) for argument in call.args)
+        found = next((one for one in every if one.every and not one.reason), None)
+        if found is None or min(found.every) <= 0:
+            return missing
+        return at_most(exactly(round(1.0 / min(found.every), 9)))
 
     def numbers(self, where: Routine, value: Expression, depth: int) -> Numbers:
         """What *value* may be in the routine *where*."""
@@ -111,6 +125,31 @@ class Written:
             return Numbers(reason="it may be divided by zero")
         return _limited(frozenset(one / other for one, other in pairs))
 
+    def seconds(self, where: Routine, value: Expression, depth: int = 0) -> Numbers:
+        """How long the duration *value* may be."""
+        if depth > DEPTH:
+            return Numbers(reason="there are too many steps to it")
+        if isinstance(value, (syntax.Name, syntax.Member)):
+            kind = kinds.type_of(self.code, where, value)
+            if kind is not None and NUMBER.fullmatch(kind.name):
+                return Numbers(reason="it is not seen to be a duration")
+            return self._found(where, value, depth, True)
+        if isinstance(value, syntax.Call):
+            frequency_of = of_period(value)
+            if frequency_of is not None:
+                turns = self.numbers(where, frequency_of, depth + 1)
+                is_plain = bool(turns.every) and min(turns.every) > 0
+                return Numbers(frozenset(1.0 / one for one in turns.every), turns.reason) if is_plain else NO_DURATION
+            unit, inner = duration(value)
+            if unit > 0:
+                return self._scaled(self.numbers(where, inner, depth + 1), unit)
+            if unit < 0:
+                return self.seconds(where, inner, depth + 1)
+        return NO_DURATION
+
+    def _scaled(self, found: Numbers, unit: float) -> Numbers:
+        return Numbers(frozenset(one * unit for one in found.every), found.reason)
+
     def _held(self, where: Routine, value: syntax.Name | syntax.Member, depth: int) -> Numbers:
         """What a variable, a parameter of a function, or a member may be, as far as its type lets it."""
         if isinstance(value, syntax.Member) and where.is_python and value.name in VALUES:
@@ -118,20 +157,20 @@ class Written:
         kind = None if where.is_python else kinds.type_of(self.code, where, value)
         if kind is not None and NUMBER.fullmatch(kind.name) is None:
             return Numbers(reason="it is not seen to be a number")
-        found = self._found(where, value, depth)
+        found = self._found(where, value, depth, False)
         is_real = kind is None or kind.name in REAL
         return found if is_real or all(one.is_integer() for one in found.every) else Numbers(reason="it is rounded")
 
-    def _found(self, where: Routine, value: syntax.Name | syntax.Member, depth: int) -> Numbers:
+    def _found(self, where: Routine, value: syntax.Name | syntax.Member, depth: int, is_long: bool) -> Numbers:
         name = value.name.rpartition("::")[2]
         if isinstance(value, syntax.Name):
             around: Routine | None = where
             while around is not None:
-                position = _position(around, name)
+                position = position_of(around, name)
                 if position is not None:
-                    return self._passed(around, position, name, depth)
+                    return self._passed(around, position, name, depth, is_long)
                 if name in self.code.body(around).variables or (where.is_python and _sets(self.code, around, name)):
-                    return self._all(around, name, of_local(self.code, around, name), depth)
+                    return self._all(around, name, of_local(self.code, around, name), depth, is_long)
                 around = around.outer
             if where.is_python:
                 return Numbers(reason="it is a variable of a module")
@@ -142,22 +181,25 @@ class Written:
             owner = kinds.class_of(self.code, where, value.object)
         if owner is None:
             return Numbers(reason="it is not seen of which class it is a member")
-        return self._all(owner[1], name, of_member(self.code, owner, name, where.is_python), depth)
+        return self._all(owner[1], name, of_member(self.code, owner, name, where.is_python), depth, is_long)
 
-    def _passed(self, where: Routine, position: int, name: str, depth: int) -> Numbers:
+    def _passed(self, where: Routine, position: int, name: str, depth: int, is_long: bool) -> Numbers:
         """What the callers of a function give it."""
         found = runs(self.code, where)
-        if found.reason or found.callbacks or found.perhaps or found.threads or found.asked or not found.calls:
+        if found.reason or found.callbacks or found.perhaps or found.asked or not (found.calls or found.threads):
             return Numbers(reason="not all is seen that calls the function that it is given to")
         if any(target == syntax.Name(name) for target, *_ in self.code.body(where).sets):
             return Numbers(reason="a function changes what it is given")
         shift = 1 if where.is_python and where.function.owner else 0
-        given = tuple(callers(self.code, found.calls, position - shift, name))
-        if len(given) < len(found.calls):
+        given = (
+            *callers(found.calls, position - shift, name),
+            *bound(self.code, found.threads, where, position - shift),
+        )
+        if len(given) < len(found.calls) + len(found.threads):
             return Numbers(reason="a default of a function is not looked at")
-        return self._all(where, name, Assigned(given), depth)
+        return self._all(where, name, Assigned(given), depth, is_long)
 
-    def _all(self, holder: object, name: str, found: Assigned, depth: int) -> Numbers:
+    def _all(self, holder: object, name: str, found: Assigned, depth: int, is_long: bool) -> Numbers:
         key = (id(holder), name)
         if found.reason or not found.given:
             return Numbers(reason=found.reason or "it is not seen where it gets a value")
@@ -168,6 +210,8 @@ class Written:
             return Numbers(reason="it is set when a parameter is")
         self._active.add(key)
         try:
+            if is_long:
+                return _together(self.seconds(one.routine, one.value, depth + 1) for one in first)
             return _together(self._given(one, depth + 1) for one in first)
         finally:
             self._active.discard(key)
@@ -239,12 +283,6 @@ def _limited(every: frozenset[float]) -> Numbers:
     return Numbers(every) if len(every) <= MOST else Numbers(reason="it may be too many numbers")
 
 
-def _position(where: Routine, name: str) -> int | None:
-    """The position of the parameter *name* of a function; None if it has none."""
-    found = [number for number, one in enumerate(where.function.parameters) if one.name == name]
-    return found[0] if found else None
-
-
 def _sets(code: Codebase, where: Routine, name: str) -> bool:
     return any(target == syntax.Name(name) for target, *_ in code.body(where).sets)
 
@@ -284,49 +322,10 @@ def _is_set_again(code: Codebase, one: Given) -> bool:
     return False
 
 
-def _frequency(code: Codebase, routine: Routine, place: Location) -> tuple[Routine, Expression] | None:
-    """The frequency that the rate made at *place* is given, if it is made in *routine*."""
-    body = code.body(routine)
-    for call in body.calls:
-        if (call.line, call.column) == (place.line, place.column):
-            return _of_call(code, routine, call.whole)
-    for every in body.variables.values():
-        for local in every:
-            if (local.line, local.column) == (place.line, place.column) and local.parts:
-                return _of_class(code, routine, local.type, local.parts)
-    return None
-
-
-def _of_call(code: Codebase, routine: Routine, call: syntax.Call) -> tuple[Routine, Expression] | None:
-    name = kinds.dotted(code, routine, call.callee) if routine.is_python else syntax.name_of(call.callee)
-    if not call.arguments or isinstance(call.arguments[0], syntax.Keyword):
-        return None
-    if name in RATES or (routine.is_python and name.endswith(".create_rate")):
-        return routine, call.arguments[0]
-    first = call.templates[0] if call.templates else None
-    if name.rpartition("::")[2] in ("make_unique", "make_shared") and isinstance(first, syntax.Type):
-        return _of_class(code, routine, first, call.arguments)
-    return None
-
-
-def _of_class(
-    code: Codebase, routine: Routine, kind: syntax.Type, arguments: tuple[Expression, ...]
-) -> tuple[Routine, Expression] | None:
-    """The frequency among the *arguments* of a rate's constructor, or of that of a class that is one."""
-    scope = routine.method.function.name.rpartition("::")[0]
-    name = classes.resolved(code, kind, scope, routine.source).name
-    if name in RATES:
-        return routine, arguments[0]
-    owner = classes.class_named(code, name, routine.source)
-    if owner is None or not RATES & {above for _, above in classes.bases(code, owner)}:
-        return None
-    every = classes.methods(code, owner, name.rpartition("::")[2])
-    fitting = [one for one in every if classes.accepts(one.function, arguments)]
-    if len(fitting) != 1:
-        return None
-    for init in fitting[0].function.inits:
-        value = init.arguments[0] if init.arguments else None
-        if classes.resolved(code, init.type, scope, fitting[0].source).name in RATES or init.name in RATES:
-            position = _position(fitting[0], value.name) if isinstance(value, syntax.Name) else None
-            return (routine, arguments[position]) if position is not None else None
-    return None
+def _is_kept(code: Codebase, where: Routine, call: syntax.Call) -> bool:
+    """Whether a member is assigned what *call* makes, so that what it had is gone."""
+    for target, operator, value, _ in code.body(where).sets:
+        if value is call and operator == "=":
+            is_own = isinstance(target, syntax.Member) and isinstance(target.object, syntax.This)
+            return is_own or isinstance(target, syntax.Name) and not kinds.is_local(code, where, target.name)
+    return False

@@ -112,3 +112,81 @@ A::A(ros::NodeHandle& nh) {
 void A::tick(const ros::TimerEvent&) { std_msgs::String m; pub_.publish(m); }
 """
     assert cpp("A a(nh);", before)["/a"] == "2 Hz"
+
+
+TIMERS = {
+    "a literal": ("timer_ = create_wall_timer(500ms, [this]() { pub_->publish(m_); });", "0 to 2 Hz"),
+    "a duration of a member": (
+        "timer_ = create_wall_timer(std::chrono::duration<double>(1.0 / hertz_), [this]() { pub_->publish(m_); });",
+        "0 to 20 Hz",
+    ),
+    "the period of a rate": (
+        "const auto p = rclcpp::Rate(hertz_).period(); timer_ = rclcpp::create_timer(this, get_clock(), p, [this]() { pub_->publish(m_); });",
+        "0 to 20 Hz",
+    ),
+}
+NO_TIMERS = (
+    "auto t = create_wall_timer(500ms, [this]() { pub_->publish(m_); }); keep(t);",
+    "timer_ = create_wall_timer(std::chrono::milliseconds(count()), [this]() { pub_->publish(m_); });",
+)
+
+
+@pytest.mark.parametrize("name", TIMERS)
+def test_a_timer_that_a_goal_makes(name: str) -> None:
+    goal, expected = TIMERS[name]
+    members = "double hertz_; rclcpp::TimerBase::SharedPtr timer_;"
+    assert rate(READ, goal, members) == expected
+
+
+@pytest.mark.parametrize("goal", NO_TIMERS)
+def test_a_timer_that_may_be_one_of_several_or_whose_period_is_computed_stays_unknown(goal: str) -> None:
+    assert rate(READ, goal, "double hertz_; rclcpp::TimerBase::SharedPtr timer_;").startswith("unknown (")
+
+
+def test_what_a_thread_is_given_through_a_bind() -> None:
+    members = (
+        "double hertz_; std::unique_ptr<std::thread> thread_; void run(double f) { rclcpp::Rate r(f); " + LOOP + " }"
+    )
+    goal = "thread_ = std::make_unique<std::thread>(std::bind(&A::run, this, hertz_));"
+    assert rate(READ, goal, members) == "0 to 20 Hz"
+
+
+LOOKS = "template<typename T> void look(T p) { if (p->get_subscription_count() > 0) count(p->get_topic_name()); }"
+
+
+def test_a_publisher_that_a_function_only_looks_at() -> None:
+    goal = "rclcpp::Rate r(hertz_); while (rclcpp::ok()) { pub_->publish(m_); look(pub_); r.sleep(); }"
+    assert rate(READ, goal, "double hertz_; " + LOOKS) == "0 to 20 Hz"
+
+
+@pytest.mark.parametrize("body", ["p->publish(m_);", "other(p);", "auto q = p; q->publish(m_);", "p_ = p;"])
+def test_a_publisher_that_a_function_may_use_stays_unknown(body: str) -> None:
+    goal = "rclcpp::Rate r(hertz_); while (rclcpp::ok()) { pub_->publish(m_); look(pub_); r.sleep(); }"
+    assert "unknown (" in rate(READ, goal, "double hertz_; template<typename T> void look(T p) { " + body + " }")
+
+
+def test_a_plain_call_in_another_class_is_no_call_of_a_method() -> None:
+    other = "struct B { virtual void go_on(int n) = 0; void all() { go_on(1); } };\n"
+    members = "double hertz_; void go_on() { pub_->publish(m_); }"
+    goal = "rclcpp::Rate r(hertz_); while (rclcpp::ok()) { go_on(); r.sleep(); }"
+    text = ROS2.replace("class A :", other + "class A :") % (READ, goal, members)
+    found = by_topic({"p/CMakeLists.txt": ROS2_CMAKE, "p/src/main.cpp": text}, 2)["/out"]
+    assert found == "0 to 20 Hz"
+
+
+def test_what_filters_pass_on_comes_at_most_as_often_as_their_topic() -> None:
+    before = """#include <message_filters/subscriber.h>
+#include <message_filters/synchronizer.h>
+struct A {
+  A(ros::NodeHandle& nh) : one_(nh, "b", 1), two_(nh, "b", 1), sync_(one_, two_, 10) {
+    pub_ = ADV("a", 1); in_ = ADV("b", 1);
+    sync_.registerCallback(boost::bind(&A::got, this, _1, _2));
+    timer_ = nh.createTimer(ros::Duration(0.5), &A::tick, this);
+  }
+  void tick(const ros::TimerEvent&) { std_msgs::String m; in_.publish(m); }
+  void got(const std_msgs::StringConstPtr& a, const std_msgs::StringConstPtr& b) { pub_.publish(*a); }
+  message_filters::Subscriber<std_msgs::String> one_, two_;
+  message_filters::TimeSynchronizer<std_msgs::String, std_msgs::String> sync_;
+  ros::Publisher pub_, in_; ros::Timer timer_;
+};"""
+    assert cpp("A a(nh); ros::spin();", before)["/a"] == "0 to 2 Hz"
