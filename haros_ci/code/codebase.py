@@ -6,6 +6,7 @@ Built once; everything that costs time is made when it is asked for.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
@@ -85,6 +86,7 @@ class Codebase:
     _bodies: dict[int, Body] = field(default_factory=dict)
     _mentions: dict[tuple[str, ...], frozenset[str]] = field(default_factory=dict)
     _texts: list[tuple[str, str]] | None = None
+    _words: dict[str, list[str]] | None = None
     #: Sources that no target compiles: checks of the code pass them over, since they never run.
     unbuilt: frozenset[str] = frozenset()
     _firmware: frozenset[str] | None = None
@@ -154,6 +156,17 @@ class Codebase:
                 found.update([path for path, text in self._texts if word in text])
             self._mentions[words] = frozenset(found - self.unbuilt - self.firmware)
         return self._mentions[words]
+
+    def naming(self, word: str) -> frozenset[str]:
+        """The same files as those of ``mentioning``, of those that have *word*, an identifier, as a whole word: for many words."""
+        if self._words is None:
+            self._words = {}
+            outside = self.unbuilt | self.firmware
+            for source in self.sources:
+                if source.path not in outside:
+                    for one in set(re.findall(r"\w+", self.text(source.path))):
+                        self._words.setdefault(one, []).append(source.path)
+        return frozenset(self._words.get(word, ()))
 
     @property
     def firmware(self) -> frozenset[str]:

@@ -186,7 +186,7 @@ def _makers(code: Codebase, name: str, is_python: bool) -> Chain:
     """The routines that make an object of the class called *name*, each with the step."""
     key = ("makers", name, is_python)
     if key not in code.kept:
-        every = (where for path in sorted(code.mentioning(name)) for where in code.routines(path))
+        every = (where for path in sorted(code.naming(name)) for where in code.routines(path))
         made = ((one, _making(code, one, name)) for one in every if one.is_python is is_python and not one.is_test)
         code.kept[key] = tuple((where, step) for where, step in made if step is not None)
     found: Chain = code.kept[key]

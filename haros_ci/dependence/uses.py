@@ -84,7 +84,7 @@ def uses_in(code: Codebase, routine: Routine, step: Step, values: tuple[Expressi
 def uses_of(code: Codebase, what: Held, is_python: bool) -> Iterator[tuple[Routine, Use]]:
     """All uses of *what* in the workspace, tests left out."""
     last = what.name.rpartition("::")[2]
-    for path in sorted(code.mentioning(last)):
+    for path in sorted(code.naming(last)):
         if (path.rpartition(".")[2] == "py") == is_python:
             yield from _in_file(code, path).get(what, ())
 
