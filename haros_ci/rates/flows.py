@@ -234,9 +234,9 @@ class NodeFlows:
 
     def _filtered(self, callback: Callback) -> Flow:
         """What filters pass on: at most as often as any one of the topics that they join (message_filters, sync policies)."""
-        ends = [end for end in self.node.endpoints if end.kind == "subscribers" and end.location is not None]
-        behind = [end for end in ends if any(_is_same(one, callback) for one in self.filtered(end.location))]
-        names = sorted({end.name for end in behind if "?" not in end.name})
+        ends = ((end.name, end.location) for end in self.node.endpoints if end.kind == "subscribers")
+        known = [(name, place) for name, place in ends if place is not None and "?" not in name]
+        names = sorted({name for name, place in known if any(_is_same(one, callback) for one in self.filtered(place))})
         if not names or callback.maker.path in self.code.mentioning("LatestTime"):
             return Flow(unknown("the node is not seen to make the subscription"))
         chosen = next((name for name in names if name in self.published), names[0])
