@@ -119,7 +119,7 @@ def _named(code: Codebase, routine: Routine, name: str) -> Held | None:
         if found is not None:
             return found
     outside = kinds.variables_outside(code, routine, name)
-    return _one(code, "variable", outside[0][0].path, outside[0][1].name, name) if outside else None
+    return _one(code, "variable", outside[0][0].path, outside[0][1].name, name.rpartition("::")[2]) if outside else None
 
 
 def _of_module(code: Codebase, routine: Routine, name: str) -> Held | None:
