@@ -3,9 +3,12 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from haros_ci.checking.system import End, System
 from haros_ci.code.callbacks import Callback
 from haros_ci.code.codebase import Codebase
+from haros_ci.dependence.filters import passed_on
 from haros_ci.model.rates import Rate, Rates, total
 from haros_ci.rates.sleeps import seconds
 from haros_ci.rates.topics import rates_of
@@ -18,7 +21,7 @@ def rates_in(system: System, code: Codebase) -> Rates:
     """The rates of a *system*, whose programs are in *code*, worked out once."""
     key = ("rates of", id(system.raw))
     if key not in code.kept:
-        code.kept[key] = system.raw, rates_of(system.raw, code)
+        code.kept[key] = system.raw, rates_of(system.raw, code, partial(passed_on, code))
     found: tuple[object, Rates] = code.kept[key]
     return found[1]
 

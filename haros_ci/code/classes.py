@@ -70,6 +70,9 @@ def owner_of(code: Codebase, routine: Routine) -> Owner | None:
     if found is None and not routine.is_python:  # the namespace is opened by a using-directive
         for space in code.cpp.opened(routine.source):
             found = found or class_named(code, f"{space}::{name}", routine.source)
+        if found is None:  # or a using-declaration has brought its name
+            whole = resolved(code, Type(name), "", routine.source).name
+            found = class_named(code, whole, routine.source) if whole != name else None
     return found
 
 

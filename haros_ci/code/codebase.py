@@ -6,6 +6,7 @@ Built once; everything that costs time is made when it is asked for.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
@@ -84,6 +85,8 @@ class Codebase:
     _by_function: dict[int, Routine] = field(default_factory=dict)
     _bodies: dict[int, Body] = field(default_factory=dict)
     _mentions: dict[tuple[str, ...], frozenset[str]] = field(default_factory=dict)
+    _texts: list[tuple[str, str]] | None = None
+    _words: dict[str, list[str]] | None = None
     #: Sources that no target compiles: checks of the code pass them over, since they never run.
     unbuilt: frozenset[str] = frozenset()
     _firmware: frozenset[str] | None = None
@@ -134,7 +137,8 @@ class Codebase:
         self.routines(source.path)
         found = self._by_function.get(id(function))
         if found is None and function.body is not None:  # a method that is defined through an alias of its class
-            found = self._by_function[id(function)] = Routine(source, function)
+            same = (one for one in self.routines(source.path) if one.function.body is function.body)
+            found = self._by_function[id(function)] = next(same, None) or Routine(source, function)
         return found
 
     def inner(self, routine: Routine, index: int) -> Routine | None:
@@ -145,10 +149,24 @@ class Codebase:
     def mentioning(self, *words: str) -> frozenset[str]:
         """The files of programs whose text contains one of *words*, without firmware and those that no target compiles."""
         if words not in self._mentions:
-            texts = ((source.path, self.text(source.path)) for source in self.sources)
-            self._mentions[words] = frozenset(path for path, text in texts if any(word in text for word in words))
-            self._mentions[words] -= self.unbuilt | self.firmware
+            if self._texts is None:
+                self._texts = [(source.path, self.text(source.path)) for source in self.sources]
+            found: set[str] = set()
+            for word in words:
+                found.update([path for path, text in self._texts if word in text])
+            self._mentions[words] = frozenset(found - self.unbuilt - self.firmware)
         return self._mentions[words]
+
+    def naming(self, word: str) -> frozenset[str]:
+        """The same files as those of ``mentioning``, of those that have *word*, an identifier, as a whole word: for many words."""
+        if self._words is None:
+            self._words = {}
+            outside = self.unbuilt | self.firmware
+            for source in self.sources:
+                if source.path not in outside:
+                    for one in set(re.findall(r"\w+", self.text(source.path))):
+                        self._words.setdefault(one, []).append(source.path)
+        return frozenset(self._words.get(word, ()))
 
     @property
     def firmware(self) -> frozenset[str]:

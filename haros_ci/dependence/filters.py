@@ -51,12 +51,14 @@ def _is_at(step: Step, location: Location) -> bool:
 def _near(code: Codebase, routine: Routine, step: Step) -> set[Held]:
     """What keeps a subscriber, and all filters that it is connected to."""
     found = _kept(code, routine, step)
-    waiting = [(what, 0) for what in found]
+    waiting = [(what, 0) for what in sorted(found, key=lambda one: (one.kind, one.owner, one.name))]
     while waiting:
         what, depth = waiting.pop()
         for where, use in uses_of(code, what, routine.is_python):
             if depth < DEPTH and use.role in ("given", "read", "kept"):
-                for other in _kept(code, where, use.step) - found:
+                for other in sorted(
+                    _kept(code, where, use.step) - found, key=lambda one: (one.kind, one.owner, one.name)
+                ):
                     found.add(other)
                     waiting.append((other, depth + 1))
     return found

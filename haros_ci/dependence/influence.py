@@ -186,7 +186,7 @@ def _makers(code: Codebase, name: str, is_python: bool) -> Chain:
     """The routines that make an object of the class called *name*, each with the step."""
     key = ("makers", name, is_python)
     if key not in code.kept:
-        every = (where for path in sorted(code.mentioning(name)) for where in code.routines(path))
+        every = (where for path in sorted(code.naming(name)) for where in code.routines(path))
         made = ((one, _making(code, one, name)) for one in every if one.is_python is is_python and not one.is_test)
         code.kept[key] = tuple((where, step) for where, step in made if step is not None)
     found: Chain = code.kept[key]
@@ -219,6 +219,15 @@ def _types(call: syntax.Call) -> list[str]:
 
 def _around(code: Codebase, routine: Routine) -> tuple[Step | None, bool]:
     """The step that a lambda or nested function stands in, and whether it runs only while that does."""
+    key = ("around", id(routine))
+    if key not in code.kept:
+        code.kept[key] = _looked_up(code, routine)
+        code.kept["keep", id(routine)] = routine
+    found: tuple[Step | None, bool] = code.kept[key]
+    return found
+
+
+def _looked_up(code: Codebase, routine: Routine) -> tuple[Step | None, bool]:
     outer = routine.outer
     assert outer is not None
     functions = outer.source.program.functions

@@ -69,13 +69,16 @@ def steps(code: Codebase, routine: Routine) -> tuple[Step, ...]:
 
 def step_of(code: Codebase, routine: Routine, call: syntax.Call) -> Step | None:
     """The step that *call* stands in."""
-    key = ("step of", id(call))
+    key = ("steps of calls", id(routine))
     if key not in code.kept:
-        every = steps(code, routine)
-        code.kept[key] = next((step for step in every if any(node is call for node in all_nodes(step.values))), None)
-        code.kept["keep", id(call)] = call
-    found: Step | None = code.kept[key]
-    return found
+        made: dict[int, Step] = {}
+        for step in steps(code, routine):
+            for node in all_nodes(step.values):
+                if isinstance(node, syntax.Call):
+                    made.setdefault(id(node), step)
+        code.kept[key] = made
+    known: dict[int, Step] = code.kept[key]
+    return known.get(id(call))
 
 
 def all_nodes(values: tuple[Expression, ...]) -> Iterator[Expression]:

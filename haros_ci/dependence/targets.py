@@ -11,7 +11,7 @@ from haros_ci.code.calls import called, function_meant
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.dependence.steps import steps
 from haros_ci.dependence.variables import held
-from haros_ci.rates.runs import may_run
+from haros_ci.rates.may import may_run
 from haros_ci.syntax import Expression, Function
 from haros_ci.syntax.source import Source
 

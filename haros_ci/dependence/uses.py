@@ -84,7 +84,7 @@ def uses_in(code: Codebase, routine: Routine, step: Step, values: tuple[Expressi
 def uses_of(code: Codebase, what: Held, is_python: bool) -> Iterator[tuple[Routine, Use]]:
     """All uses of *what* in the workspace, tests left out."""
     last = what.name.rpartition("::")[2]
-    for path in sorted(code.mentioning(last)):
+    for path in sorted(code.naming(last)):
         if (path.rpartition(".")[2] == "py") == is_python:
             yield from _in_file(code, path).get(what, ())
 
@@ -108,7 +108,7 @@ class _Visitor:
     routine: Routine
     found: list[Use] = field(default_factory=list)
     #: What a local variable stands for, or refers to a part of.
-    aliases: dict[Held, set[Held]] = field(default_factory=dict)
+    aliases: dict[Held, dict[Held, None]] = field(default_factory=dict)
 
     def step(self, step: Step) -> None:
         calls = calls_by_node(self.code, self.routine)
@@ -139,7 +139,7 @@ class _Expressions:
     step: Step
     calls: dict[int, Call]
     found: list[Use]
-    aliases: dict[Held, set[Held]]
+    aliases: dict[Held, dict[Held, None]]
 
     def declared(self) -> None:
         name = syntax.Name(self.step.name)
@@ -156,7 +156,7 @@ class _Expressions:
         for node in every:
             other = held(self.code, self.routine, node)
             if other is not None and other != what:
-                self.aliases.setdefault(what, set()).add(other)
+                self.aliases.setdefault(what, {})[other] = None
 
     def _refers(self, value: Expression, every: list[Expression], kind: syntax.Type) -> bool:
         """Whether a variable of a *kind* that begins as *value* is no copy of it."""

@@ -17,14 +17,17 @@ PARTS = frozenset("at back front begin end rbegin cbegin find get value data loc
 SAME = frozenset(("move", "forward", "ref"))
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Held:
-    """A *member* of a class, a *variable* of a file, or a *local* of a routine: *owner* says of which. *title* is for people."""
+    """A *member* of a class, a *variable* of a file, or a *local* of a routine: *owner* says of which. *title* is for people.
+
+    There is one object for one thing of a code base (``_one``): it is looked up very often.
+    """
 
     kind: str
     owner: str
     name: str
-    title: str = field(compare=False, default="")
+    title: str = ""
     #: Its hash, which is asked for again and again.
     number: int = field(init=False, compare=False, repr=False, default=0)
 
@@ -63,19 +66,28 @@ def member(code: Codebase, owner: classes.Owner, name: str) -> Held | None:
 def _member(code: Codebase, owner: classes.Owner, name: str) -> Held | None:
     if owner[0].separator == "::":
         found = classes.field_of(code, owner, name)
-        return _of_class(found[0], name) if found is not None else None
+        return _of_class(code, found[0], name) if found is not None else None
     if classes.methods(code, owner, name):
         return None
     every = [owner, *(above for above, _ in classes.bases(code, owner) if above is not None)]
     for above in reversed(every):
         if any(field.name == name for field in above[1].fields) or _sets(code, above, name):
-            return _of_class(above, name)
+            return _of_class(code, above, name)
     return None
 
 
-def _of_class(owner: classes.Owner, name: str) -> Held:
+def _one(code: Codebase, kind: str, owner: str, name: str, title: str) -> Held:
+    """The one object that stands for a thing; the first title stays."""
+    key = ("held", kind, owner, name)
+    if key not in code.kept:
+        code.kept[key] = Held(kind, owner, name, title)
+    found: Held = code.kept[key]
+    return found
+
+
+def _of_class(code: Codebase, owner: classes.Owner, name: str) -> Held:
     source, definition = owner
-    return Held("member", f"{source.path}:{definition.name}", name, name)
+    return _one(code, "member", f"{source.path}:{definition.name}", name, name)
 
 
 def _sets(code: Codebase, owner: classes.Owner, name: str) -> bool:
@@ -97,7 +109,7 @@ def _named(code: Codebase, routine: Routine, name: str) -> Held | None:
     around: Routine | None = routine
     while around is not None:
         if _declares(code, around, name):
-            return Held("local", f"{around.path}:{around.function.line}:{around.function.column}", name, name)
+            return _one(code, "local", f"{around.path}:{around.function.line}:{around.function.column}", name, name)
         around = around.outer
     if routine.is_python:
         return _of_module(code, routine, name)
@@ -107,13 +119,13 @@ def _named(code: Codebase, routine: Routine, name: str) -> Held | None:
         if found is not None:
             return found
     outside = kinds.variables_outside(code, routine, name)
-    return Held("variable", outside[0][0].path, outside[0][1].name, name) if outside else None
+    return _one(code, "variable", outside[0][0].path, outside[0][1].name, name.rpartition("::")[2]) if outside else None
 
 
 def _of_module(code: Codebase, routine: Routine, name: str) -> Held | None:
     modules = [other for other in code.routines(routine.path) if other.function.kind == "module"]
     if any(name in _assigned(code, module) for module in modules):
-        return Held("variable", routine.path, name, name)
+        return _one(code, "variable", routine.path, name, name)
     return None
 
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 from math import inf
 
@@ -18,6 +18,7 @@ from haros_ci.rates.publishers import Publishing, publishing
 from haros_ci.rates.runs import TRANSITION, Runs, runs
 from haros_ci.rates.threads import is_joined
 from haros_ci.rates.turns import Paced, turns
+from haros_ci.rates.written import Written
 
 #: Calls inside calls, from a callback to where something is published.
 DEPTH = 8
@@ -29,6 +30,9 @@ ASKED = {
     "parameters": "it runs when parameters are set",
     "transition": TRANSITION,
 }
+
+#: From where a subscription is made to the callbacks that filters pass its messages on to.
+Filters = Callable[[Location], tuple[Callback, ...]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,6 +79,12 @@ class NodeFlows:
 
     code: Codebase
     node: Node
+    #: What the code says where the interpreter does not come by.
+    written: Written
+    #: The callbacks that filters pass on to what the subscription made at a place receives.
+    filtered: Filters = lambda location: ()
+    #: The topics that nodes of the configuration publish.
+    published: frozenset[str] = frozenset()
     _known: dict[int, _Context] = field(default_factory=dict)
     _active: set[int] = field(default_factory=set)
     #: Functions at which a search has stopped: what it says is for where it began alone.
@@ -117,8 +127,10 @@ class NodeFlows:
         if paced.hertz and not every:
             rate = exactly(round(paced.hertz, 9))
             rate = rate if paced.made is not None else at_most(rate)
-        else:
+        elif every or paced.made is None:
             rate = self._of_paces(every, "the node is not seen to make the rate of the loop")
+        else:
+            rate = self.written.rate(paced.made)
         if context.is_once:
             return Flow(rate if paced.is_endless else at_most(rate))
         if context.is_alone:
@@ -202,7 +214,11 @@ class NodeFlows:
         if callback.kind in ASKED:
             return Flow(unknown(ASKED[callback.kind]))
         if callback.kind == "timer":
-            rate = self._of_paces(self._paces("timer", place), "the node is not seen to make the timer")
+            every = self._paces("timer", place)
+            rate = self._of_paces(every, "") if every else self.written.timer(callback)
+            if len(every) == 1 and every[0].period is None and not every[0].is_repeated:
+                again = self.written.timer(callback)
+                rate = again if again.is_known else rate
             if _is_oneshot(callback):
                 return Flow(unknown("the timer fires once each time that it is started"))
             why = self._is_changed(callback)
@@ -211,10 +227,20 @@ class NodeFlows:
             return Flow(at_most(rate) if why else rate)
         ends = [end for end in self.node.endpoints if end.kind == "subscribers" and end.location == place]
         if not ends:
-            return Flow(unknown("the node is not seen to make the subscription"))
+            return self._filtered(callback)
         if any("?" in end.name for end in ends):
             return Flow(unknown("the name of the topic is not known"))
         return Flow(NEVER, tuple((end.name, 0.0 if end.conditions or end.is_ruled_out else 1.0, 1.0) for end in ends))
+
+    def _filtered(self, callback: Callback) -> Flow:
+        """What filters pass on: at most as often as any one of the topics that they join (message_filters, sync policies)."""
+        ends = ((end.name, end.location) for end in self.node.endpoints if end.kind == "subscribers")
+        known = [(name, place) for name, place in ends if place is not None and "?" not in name]
+        names = sorted({name for name, place in known if any(_is_same(one, callback) for one in self.filtered(place))})
+        if not names or callback.maker.path in self.code.mentioning("LatestTime"):
+            return Flow(unknown("the node is not seen to make the subscription"))
+        chosen = next((name for name in names if name in self.published), names[0])
+        return Flow(NEVER, ((chosen, 0.0, 1.0),))
 
     def _is_changed(self, callback: Callback) -> str:
         """The name of a call that stops a timer, or sets its period, in the file that makes it; "" without one."""
@@ -224,6 +250,10 @@ class NodeFlows:
                 if call.name in words and "timer" in _text(call.receiver).lower():
                     return call.name
         return ""
+
+
+def _is_same(one: Callback, other: Callback) -> bool:
+    return one.location == other.location and one.routine is other.routine
 
 
 def _text(expression: syntax.Expression | None) -> str:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from haros_ci import syntax
 from haros_ci.code import classes, kinds
 from haros_ci.code.body import Call
+from haros_ci.code.calls import function_meant
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
@@ -18,7 +19,7 @@ from haros_ci.syntax.walk import Part, everything
 QUIET = frozenset(
     "getNumSubscribers getTopic isLatched shutdown get_subscription_count get_intra_process_subscription_count get_topic_name "
     "on_activate on_deactivate is_activated reset get_num_connections unregister assert_liveliness get_actual_qos "
-    "wait_for_all_acked get_queue_size get".split()
+    "wait_for_all_acked get_queue_size get get_gid".split()
 )
 #: Those that publish once for each call.
 PUBLISH = frozenset(("publish", "sendTransform"))
@@ -249,7 +250,27 @@ def _called_on(
         elif sending.is_called and means(call.callee):
             calls.append((routine, call))
             seen += 1
+        for position, value in enumerate(call.args):
+            seen += means(value) and _only_looks(code, routine, call, position, sending)
     return calls, seen, reason
+
+
+def _only_looks(code: Codebase, routine: Routine, call: Call, position: int, sending: Sending) -> bool:
+    """Whether all functions of the workspace that a call may mean only ask the publisher that they are given at *position* for something."""
+    every = [one for one in function_meant(code, routine, call.callee) if classes.accepts(one.function, call.args)]
+    return bool(every) and all(_looks(code, one, position, sending) for one in every)
+
+
+def _looks(code: Codebase, target: Routine, position: int, sending: Sending) -> bool:
+    """Whether a function only calls quiet methods on its parameter at *position*."""
+    if position >= len(target.function.parameters) or code.body(target).is_partial:
+        return False
+    only = syntax.Name(target.function.parameters[position].name)
+    parts = (*target.function.inits, *(target.function.body or ()))
+    seen = _tested(parts, lambda node: node == only)
+    seen += sum(call.receiver == only and call.name in sending.quiet for call in code.body(target).calls)
+    inner = code.body(target).inner or code.body(target).nested
+    return not inner and seen == sum(node == only for node in everything(parts))
 
 
 def _is_empty(value: Expression) -> bool:

@@ -15,6 +15,7 @@ from haros_ci.code.body import Call, last_part
 from haros_ci.code.callbacks import Callback, callbacks, given_function
 from haros_ci.code.calls import called, function_meant
 from haros_ci.code.codebase import Codebase, Routine
+from haros_ci.rates.may import may_run
 from haros_ci.rates.threads import THREADS, begins_thread, in_one
 from haros_ci.syntax import Expression, Record
 from haros_ci.syntax.walk import everything
@@ -279,60 +280,6 @@ def _last(node: object) -> str:
     if isinstance(node, (syntax.Name, syntax.Member)):
         return node.name.rpartition("::")[2]
     return ""
-
-
-def may_run(code: Codebase, where: Routine, routine: Routine, callee: Expression) -> bool:
-    """Whether a call of that name that is not known to run anything may run *routine*."""
-    if isinstance(callee, syntax.Name):
-        if "::" in callee.name:
-            head = callee.name.rpartition("::")[0].rpartition("::")[2]
-            return not routine.owner or head == routine.owner.rpartition("::")[2]
-        return not kinds.is_local(code, where, callee.name)
-    if not isinstance(callee, syntax.Member):
-        return False
-    if not routine.owner:
-        return (
-            where.is_python and not isinstance(callee.object, syntax.This) and not _is_made(code, where, callee.object)
-        )
-    owner = classes.owner_of(code, routine)
-    if isinstance(callee.object, syntax.This):
-        other = classes.owner_of(code, where)
-    else:
-        if kinds.type_name(code, where, callee.object) and kinds.class_of(code, where, callee.object) is None:
-            return False
-        other = kinds.class_of(code, where, callee.object)
-    if other is None or owner is None:
-        return True
-    names = classes.base_names(code, other) | classes.base_names(code, owner)
-    return other[1].name == owner[1].name or owner[1].name in names or other[1].name in names
-
-
-def _is_made(code: Codebase, where: Routine, value: Expression) -> bool:
-    """Whether a name in Python is a variable that is only ever given what calls of classes make: no module, whose functions it could have."""
-    if not isinstance(value, syntax.Name):
-        return False
-    around: Routine | None = where
-    while around is not None:
-        if any(one.name.lstrip("*") == value.name for one in around.function.parameters):
-            return False
-        found = _assigned(code, around, value.name)
-        if found or value.name in code.body(around).imports:
-            return bool(found) and value.name not in code.body(around).imports and all(map(_is_object, found))
-        around = around.outer
-    modules = [one for one in code.routines(where.path) if one.function.kind == "module"]
-    if len(modules) != 1 or where is modules[0]:
-        return False
-    found = _assigned(code, modules[0], value.name)
-    return bool(found) and value.name not in code.body(modules[0]).imports and all(map(_is_object, found))
-
-
-def _assigned(code: Codebase, where: Routine, name: str) -> list[Expression]:
-    return [value for target, _, value, _ in code.body(where).sets if target == syntax.Name(name)]
-
-
-def _is_object(value: Expression) -> bool:
-    """Whether a value is what a class makes, by the capital that classes have in Python; modules are given by functions."""
-    return isinstance(value, syntax.Call) and last_part(value.callee).rpartition(".")[2][:1].isupper()
 
 
 def _is_given(code: Codebase, where: Routine, routine: Routine, node: object) -> bool:

@@ -8,10 +8,11 @@ from dataclasses import dataclass
 from math import inf
 
 from haros_ci.code.codebase import Codebase
-from haros_ci.model.architecture import Configuration, Node
+from haros_ci.model.architecture import Configuration
 from haros_ci.model.location import Location
 from haros_ci.model.rates import NEVER, CallRate, Rate, Rates, TopicRate, total, unknown
-from haros_ci.rates.flows import Flow, NodeFlows, scaled
+from haros_ci.rates.flows import Filters, Flow, NodeFlows, scaled
+from haros_ci.rates.written import Written
 
 #: Rounds after which a rate that still grows has no bound, and all that there are.
 WIDEN, ROUNDS = 12, 40
@@ -28,9 +29,16 @@ class _Published:
     reason: str
 
 
-def rates_of(configuration: Configuration, code: Codebase) -> Rates:
-    """The rates of a *configuration*, whose programs are in *code*."""
-    published = [one for node in configuration.nodes for one in _of_node(code, node)]
+def rates_of(configuration: Configuration, code: Codebase, filtered: Filters = lambda location: ()) -> Rates:
+    """The rates of a *configuration*, whose programs are in *code*; *filtered* knows what filters of messages pass on."""
+    known = {one.name: one for one in configuration.parameters}
+    ends = [end for node in configuration.nodes for end in node.endpoints]
+    changed = frozenset(end.name for end in ends if end.kind == "setters")
+    names = frozenset(end.name for end in ends if end.kind == "publishers")
+    nodes = (
+        NodeFlows(code, node, Written(code, node, known, changed), filtered, names) for node in configuration.nodes
+    )
+    published = [one for flows in nodes for one in _of_node(flows)]
     topics = _solved(published)
     found = []
     for one in published:
@@ -43,9 +51,8 @@ def rates_of(configuration: Configuration, code: Codebase) -> Rates:
     return Rates(tuple(order), tuple(sorted(topics.items())))
 
 
-def _of_node(code: Codebase, node: Node) -> list[_Published]:
-    flows = NodeFlows(code, node)
-    found = []
+def _of_node(flows: NodeFlows) -> list[_Published]:
+    found, node = [], flows.node
     for end in node.endpoints:
         if end.kind != "publishers" or (end.implicit and end.location is None) or end.is_ruled_out:
             continue
