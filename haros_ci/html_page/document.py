@@ -24,6 +24,7 @@ SCRIPTS = (
     "table.js",
     "markdown.js",
     "picture.js",
+    "dependence.js",
     "trace.js",
     "history.js",
     "overview.js",

@@ -56,6 +56,9 @@ function current() {
 const printing = [];
 const whenPrinted = (before, after) => printing.push([before, after]);
 
+// A long name may be broken behind its slashes and underscores; what is copied of it stays the same.
+const breakable = (name) => (name.match(/[^/_]+[/_]*|[/_]+/g) || []).flatMap((part, at) => (at ? [h("wbr"), part] : [part]));
+
 const link = (view, parameters, ...children) => h("a", { href: address(view, parameters) }, ...children);
 
 // Change parameters of the address without a step in the history.
