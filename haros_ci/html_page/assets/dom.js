@@ -30,6 +30,9 @@ const count = (number, noun) => `${number.toLocaleString("en")} ${noun}${number 
 const cut = (text, most) => (text.length <= most ? text : `${text.slice(0, most - 1)}…`);
 const last = (name) => name.slice(name.lastIndexOf("/") + 1) || name;
 
+// A revision that is named by its whole hash is told by the beginning of it.
+const revision = (words) => words.replace(/^([0-9a-f]{12})[0-9a-f]+ \(\1\)$/, "$1");
+
 // The address of a view within the page: #view?key=value, with names percent-encoded.
 function address(view, parameters) {
   const said = Object.entries(parameters || {}).filter(([, value]) => value !== "" && value !== null && value !== undefined);

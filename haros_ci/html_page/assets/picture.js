@@ -18,7 +18,8 @@ function shape(what, rectangle) {
 // What fits into so many px; of a name that does not, its end, which tells it from others.
 function fitted(words, width, character) {
   const most = Math.max(4, Math.floor((width - 14) / (character || 6.5)));
-  return words.startsWith("/") && words.length > most ? `…${words.slice(words.length - most + 1)}` : cut(words, most);
+  const sign = /^[+−~] (?=\/)/.test(words) ? words.slice(0, 2) : "";
+  return words.startsWith("/", sign.length) && words.length > most ? `${sign}…${words.slice(words.length - most + 1 + sign.length)}` : cut(words, most);
 }
 
 function curve(from, to, bend) {
