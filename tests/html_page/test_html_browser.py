@@ -12,7 +12,7 @@ from browser_kit import Page
 from page_kit import HOSTILE, NAME, configuration, end, given, node, samples, written
 
 from haros_ci.html_page.change_page import change_page
-from haros_ci.model.architecture import Parameter
+from haros_ci.model.architecture import Parameter, Unknown
 
 VIEWS = (
     "overview",
@@ -424,6 +424,17 @@ def test_metrics_and_interfaces_and_changes(page: Page) -> None:
     names = page.text(".stage .element .name").split("\n")
     assert "/image" in names, names
     assert "publisher added" in page.text() and page.all(".picture .edge.added") and page.all(".picture .edge.removed")
+
+
+def test_details_are_as_wide_as_their_place(driver: Any, tmp_path: Path) -> None:
+    reason = Unknown("endpoints", "boost::" * 60 + "begin returns what is not known")
+    made = replace(configuration(), nodes=(node("/a", end("publishers", "/b"), unknowns=(reason,)),), dependence=None)
+    path = tmp_path / "page.html"
+    path.write_text(written(given(configurations=(made,))), encoding="utf-8")
+    page = Page(driver, path, "system?element=%2Fa")
+    page.settled()
+    wide = "const one = document.querySelector('.detail'); return one.scrollWidth <= one.clientWidth"
+    assert "boost::" in page.text(".detail") and page.run(wide)
 
 
 def test_a_narrow_window_needs_no_sideways_scrolling(page: Page) -> None:
