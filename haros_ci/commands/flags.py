@@ -228,6 +228,7 @@ page_options = options(
     click.option("--baseline", type=click.Path(), help="Known findings: a SARIF log or a .haros-ci-baseline.jsonl."),
     click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations."),
     click.option("--rates", is_flag=True, help="Show how often each node publishes (docs/rates.md)."),
+    click.option("--dependence", is_flag=True, help="Show which inputs cause which outputs (docs/dependence.md)."),
     click.option("--open", "open_page", is_flag=True, help="Open the page in a browser, except in CI."),
     click.option(
         "--history",

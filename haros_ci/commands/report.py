@@ -52,7 +52,7 @@ def report(flags: Flags) -> int:
     warn_of_missing_base(settings)
     path = Path(flags["output"])
     past = history_in(Path(flags["history"]), settings) if flags["history"] else ()
-    shown = Shown(tuple(flags["configuration"]), past, recordings, flags["rates"])
+    shown = Shown(tuple(flags["configuration"]), past, recordings, flags["rates"], flags["dependence"])
     text, failed = made(found, workspace, settings, flags, known, shown)
     write(text, path)
     click.echo(summary_line(view_of(workspace, flags, to_file=True).joined(found)), err=True)

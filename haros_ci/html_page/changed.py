@@ -22,6 +22,8 @@ ENDS = {
     ("action", True): "action_servers",
     ("action", False): "action_clients",
 }
+#: What stands before a name in the picture, so that there is room for it.
+_SIGN = "~ "
 
 
 def changed(pool: Pool, found: Changes) -> dict[str, Any]:
@@ -66,7 +68,7 @@ def _picture(pool: Pool, found: Changes) -> dict[str, Any] | None:
         "size": layout.size,
         "nodes": [(pool.text(name), node_state[name], *place) for name, place in zip(names, layout.nodes, strict=True)],
         "channels": [
-            (channel.channel.what, pool.text(channel.channel.name), *place)
+            (channel.channel.what, pool.text(channel.channel.name.removeprefix(_SIGN)), *place)
             for channel, place in zip(made.channels, layout.channels, strict=True)
         ],
         "edges": [
@@ -79,7 +81,7 @@ def _picture(pool: Pool, found: Changes) -> dict[str, Any] | None:
 def _elements(found: Changes, names: list[str]) -> tuple[Elements, dict[tuple[int, int, bool], str]]:
     """The nodes *names* with the channels of the edges, and the state of each edge: by node, channel and direction."""
     index = {name: number for number, name in enumerate(names)}
-    made = Elements(tuple(Node(name=name, kind="node", package="", type="") for name in names))
+    made = Elements(tuple(Node(name=name, kind="node", package="", type=name) for name in names))
     made.box_of = [-1] * len(names)
     made.own = [[] for _ in names]
     channels: dict[tuple[str, str], list[tuple[int, bool, str]]] = {}
@@ -90,7 +92,7 @@ def _elements(found: Changes, names: list[str]) -> tuple[Elements, dict[tuple[in
     for number, ((kind, name), ends) in enumerate(sorted(channels.items())):
         pairs = dict.fromkeys((node, is_out) for node, is_out, _ in ends)
         end = Endpoint(kind=ENDS[kind, True], name=name, original_name=name, type=None, location=None)
-        channel = Channel(f"{kind}s", name, tuple((made.nodes[node], end) for node, _ in pairs))
+        channel = Channel(f"{kind}s", f"{_SIGN}{name}", tuple((made.nodes[node], end) for node, _ in pairs))
         made.channels.append(Drawn(channel, tuple(pairs), ""))
         states.update({(node, number, is_out): state for node, is_out, state in ends})
     return made, states

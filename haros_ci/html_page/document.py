@@ -10,7 +10,7 @@ from __future__ import annotations
 import html
 import json
 from base64 import b64encode
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from hashlib import sha256
 from importlib.resources import files
 from typing import Any
@@ -24,6 +24,7 @@ SCRIPTS = (
     "table.js",
     "markdown.js",
     "picture.js",
+    "dependence.js",
     "trace.js",
     "history.js",
     "overview.js",
@@ -82,9 +83,14 @@ def escaped(data: Any) -> str:
 
 
 def code() -> str:
-    """The script, its parts in one function so that nothing of it is a global."""
-    parts = [asset(name) for name in SCRIPTS]
+    """The script, its parts in one function so that nothing of it is a global; lines that are comments are for who reads its source, and left out."""
+    parts = ["\n".join(_without_comments(asset(name))) for name in SCRIPTS]
     return '\n"use strict";\n(() => {\n' + "\n".join(parts) + "\n})();\n"
+
+
+def _without_comments(script: str) -> Iterator[str]:
+    """The lines of a part that are not comments as a whole; no text of ours goes over lines (tests/html_page/test_html_document.py)."""
+    return (line for line in script.splitlines() if not line.lstrip().startswith("//"))
 
 
 def asset(name: str) -> str:

@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from datetime import datetime, timezone
+from functools import partial
 from typing import Any
 
 from haros_ci.analysis.inspection import Architectures
@@ -19,6 +20,7 @@ from haros_ci.html_page.document import page
 from haros_ci.html_page.properties import held
 from haros_ci.html_page.verdicts import Recorded
 from haros_ci.measuring.measures import measure, measuring_tools
+from haros_ci.model.architecture import Architecture, Configuration
 from haros_ci.model.workspace import Workspace
 from haros_ci.report.measurements import Limit
 from haros_ci.results.result import Report
@@ -29,12 +31,13 @@ from haros_ci.workspace.commit_time import commit_time
 
 @dataclass(frozen=True, slots=True)
 class Shown:
-    """What else a user wants to see: these configurations only where there are *names*, commits of the past, recordings, and rates."""
+    """What else a user wants to see: these configurations only where there are *names*, commits of the past, recordings, rates, and dependence."""
 
     names: tuple[str, ...] = ()
     past: History = ()
     recordings: tuple[Recorded, ...] = ()
     has_rates: bool = False
+    has_dependence: bool = False
 
 
 #: All configurations, and nothing else.
@@ -106,12 +109,11 @@ def _made(
             known = ", ".join(sorted(one.name for one in every)[:20]) or "none"
             raise UserError(f"no configuration {name}", help=f"there are {known}")
     chosen = [one for one in every if not names or one.name in names]
-    if shown.has_rates:
+    if shown.has_rates or shown.has_dependence:
         from haros_ci.analysis.code_of import code_of
-        from haros_ci.analysis.rates import with_rates
 
         found = replace(made.architecture, configurations=tuple(chosen))
-        chosen = list(with_rates(found, code_of(made, workspace)).configurations)
+        chosen = _with_more(found, partial(code_of, made, workspace), shown)
     project = architectures.project(workspace)
     measures = measure(workspace, architectures.settings, architectures.store, sources=made.sources)
     data = data_of(
@@ -137,6 +139,19 @@ def _made(
         )
     )
     return data, measures.failed
+
+
+def _with_more(found: Architecture, code: Callable[[], Any], shown: Shown) -> list[Configuration]:
+    """The configurations of *found* with the rates and the dependence in them, as far as they are asked for: they are dear."""
+    if shown.has_rates:
+        from haros_ci.analysis.rates import with_rates
+
+        found = with_rates(found, code())
+    if shown.has_dependence:
+        from haros_ci.analysis.dependence import with_dependence
+
+        found = with_dependence(found, code())
+    return list(found.configurations)
 
 
 def _date(seconds: int | None) -> str:

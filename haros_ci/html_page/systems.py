@@ -10,6 +10,7 @@ from typing import Any
 
 from haros_ci.checking.transforms import Broadcast
 from haros_ci.forks import shared
+from haros_ci.html_page.dependence import dependence
 from haros_ci.html_page.elements import Elements, elements
 from haros_ci.html_page.launches import launch_tree
 from haros_ci.html_page.layout import Layout, laid_out
@@ -57,6 +58,7 @@ def _configuration(pool: Pool, one: Configuration, made: Elements, layout: Layou
         "picture": NONE if layout is None else pool.row("pictures", _picture(pool, made, layout)),
         "tree": launch_tree(pool, one),
         "rates": _rates(pool, one),
+        "dependence": dependence(pool, one, made.nodes),
     }
 
 

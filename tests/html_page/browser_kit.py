@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 import shutil
 from collections.abc import Iterator
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ import pytest
 DEMANDED = "HAROS_CI_BROWSER"
 #: Milliseconds after which the page has looked up what was typed.
 WAIT = 90
+_TIMES = count()
 
 
 def missing() -> str:
@@ -63,8 +65,8 @@ class Page:
     def __init__(self, driver: Any, path: Path, place: str = "") -> None:
         self.driver = driver
         self.path = path
-        driver.get("about:blank")
-        driver.get(f"{path.as_uri()}{f'#{place}' if place else ''}")
+        # Another query makes it another document: it is read anew even where only the place differs.
+        driver.get(f"{path.as_uri()}?{next(_TIMES)}{f'#{place}' if place else ''}")
 
     def run(self, script: str, *given: Any) -> Any:
         """What a script returns; it runs as the tester's, whatever the page allows its own."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A browser for each module of tests, and a page in it that has nothing to complain about in the end."""
+"""One browser for all modules of a process, and a page in it that has nothing to complain about in the end."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from browser_kit import Page, browser
 from page_kit import given, written
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def driver() -> Iterator[Any]:
     yield from browser()
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def plain(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("plain") / "page.html"
     path.write_text(written(given()), encoding="utf-8")

@@ -21,6 +21,7 @@ from haros_ci.html_page.data import Input, data_of
 from haros_ci.html_page.document import page
 from haros_ci.html_page.properties import Held
 from haros_ci.html_page.verdicts import Recorded, recorded
+from haros_ci.model import dependence as causal
 from haros_ci.model.architecture import Architecture, Condition, Configuration, Endpoint, Node, Parameter, Qos, Unknown
 from haros_ci.model.build import Build, Interface, InterfaceField
 from haros_ci.model.changes import ADDED, REMOVED, Change, Changes, Edge
@@ -132,12 +133,39 @@ def configuration(word: str = "", name: str = NAME) -> Configuration:
             ),
             ((f"/image{word}", exactly(30.0)), ("/arm/state", unknown(f"the sleep{word} is not known"))),
         ),
+        dependence=dependence(word),
         alternatives=(node("/simulator", end("publishers", f"/image{word}"), end("publishers", "/arm/state"), presence=(choice("sim", f"true{word}"),)),),
         launch_facts=(
             ArgumentDeclaration(location=Location(LAUNCH, 1), name=f"robot{word}", default=f"one{word}", choices=("one", "two")),
             IncludeUse(location=Location(LAUNCH, 2), text=f"inner{word}", path=INNER, passed=(PassedArgument("x", Location(LAUNCH, 2)),)),
             IncludeUse(location=Location(INNER, 4), included=(Location(LAUNCH, 2),), text="away", path=None),
         ),
+    )  # fmt: skip
+
+
+def dependence(word: str = "") -> causal.Dependence:
+    """What the nodes of ``configuration`` do with their inputs: the filter passes on images under a condition, the driver does not tell all."""
+    image = causal.Input("subscription", f"/image{word}", Location(CODE, 7, 3))
+    found = causal.Input("subscription", "/box/found", Location(CODE, 7, 3))
+    timer = causal.Cause("timer", "", Location(CODE, 4), "direct", is_each=True)
+    passed = causal.Cause(
+        "subscription",
+        f"/image{word}",
+        Location(CODE, 7, 3),
+        "state",
+        (f"last_{word}",),
+        (causal.When(f"debug{word}", False, Location(CODE, 3), (f"parameter rate{word}",)),),
+        ((Location(CODE, 8), f"Filter::on_image{word} is the callback"), (Location(CODE, 9), "Filter::tick sends it")),
+    )
+    return causal.Dependence(
+        (
+            causal.NodeDependence(f"/camera{word}", (causal.Input("timer", "", Location(CODE, 4)),), (causal.Output("publishers", f"/image{word}", Location(CODE, 7, 3), (), (timer,)),)),
+            causal.NodeDependence("/box/container", (causal.Input("service", "/box/container/load", None),), ()),
+            causal.NodeDependence("/box/filter", (image,), (causal.Output("publishers", "/box/found", Location(CODE, 7, 3), (), (passed,)),)),
+            causal.NodeDependence("/arm/driver", (found, causal.Input("service", "/arm/stop", Location(CODE, 7, 3))), (causal.Output("publishers", "/arm/state", Location(CODE, 7, 3), (), (), True),)),
+            causal.NodeDependence("/arm/watch", (causal.Input("subscription", "/arm/state", Location(CODE, 7, 3)),), (causal.Output("clients", "/arm/stop", None, (), (), reason=f"setup{word} gives it to others"),)),
+            causal.NodeDependence("/odd", (), (), f"a call{word}"),
+        )
     )  # fmt: skip
 
 

@@ -18,7 +18,8 @@ from haros_ci.errors import UserError
 from haros_ci.haros_json.documents import history_of
 from haros_ci.haros_json.summary import HISTORY
 
-QUICK = ("--profile", "architecture", "--allow-tool-failure", "lizard", "--allow-tool-failure", "radon")
+#: No linter has a rule on: they take most of the time, and are not what is tried here.
+QUICK = ("--profile", "architecture", "--ignore", "pylint,cppcheck", "--allow-tool-failure", "lizard", "--allow-tool-failure", "radon")  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -204,6 +205,17 @@ def test_rates_where_they_are_asked_for(tmp_path: Path) -> None:
     assert rates() == []
 
 
+def test_dependence_where_it_is_asked_for(workspace: Path, tmp_path: Path) -> None:
+    out = tmp_path / "page.html"
+    done = haros("report", ".", *QUICK, "--output", str(out), cwd=workspace)
+    assert done.returncode == 0 and [one["dependence"] for one in data_in(out)["configurations"]] == [[]]
+    done = haros("report", ".", *QUICK, "--dependence", "--output", str(out), cwd=workspace)
+    data = data_in(out)
+    [one] = data["configurations"]
+    assert done.returncode == 0 and len(one["dependence"]) == len(one["nodes"]), done.stderr
+    assert data["tables"]["dependence"]
+
+
 def test_a_base_that_cannot_be_had_is_no_page(workspace: Path, tmp_path: Path) -> None:
     done = haros("report", ".", *QUICK, "--base", "nowhere", "--output", str(tmp_path / "no.html"), cwd=workspace)
     assert done.returncode == 2 and not (tmp_path / "no.html").exists()
@@ -233,7 +245,7 @@ def test_what_a_check_measures_is_not_measured_again(tmp_path: Path, command: tu
         word.replace("OUT", str(tmp_path / "page.html")).replace("DIR", str(tmp_path / "data")) for word in command
     ]
     (tmp_path / "data").mkdir()
-    only = ("--isolated", "--profile", "architecture", "--select", "metrics:max-cyclomatic-complexity-15", "--cache-dir", str(tmp_path / "cache"))  # fmt: skip
+    only = ("--isolated", "--profile", "architecture", "--ignore", "pylint,cppcheck", "--select", "metrics:max-cyclomatic-complexity-15", "--cache-dir", str(tmp_path / "cache"))  # fmt: skip
     done = haros(*names, *only, "--timings", "--allow-tool-failure", "radon", cwd=root)
     assert done.returncode in (0, 1), done.stderr
     assert " lizard\n" in done.stderr and "lizard values" not in done.stderr

@@ -9,9 +9,12 @@ from itertools import combinations
 import pytest
 from page_kit import HOSTILE, checked, configuration, end, given, node
 
+from haros_ci.html_page.changed import changed
 from haros_ci.html_page.elements import MOST_ELEMENTS, ancestors, elements, switch_of
 from haros_ci.html_page.layout import Layout, Rectangle, laid_out
+from haros_ci.html_page.pool import Pool
 from haros_ci.model.architecture import Configuration
+from haros_ci.model.changes import ADDED, Changes, Edge
 from haros_ci.report.channels import channels
 
 
@@ -144,6 +147,18 @@ def test_an_edge_leads_from_one_end_to_the_other() -> None:
 
 def test_order_of_nodes_does_not_matter() -> None:
     one = configuration()
-    assert checked(given(configurations=(replace(one, nodes=one.nodes[::-1]),))) == checked(
-        given(configurations=(one,))
-    )
+    assert one.dependence is not None
+    other = replace(one, nodes=one.nodes[::-1], dependence=replace(one.dependence, nodes=one.dependence.nodes[::-1]))
+    assert checked(given(configurations=(other,))) == checked(given(configurations=(one,)))
+
+
+def test_names_in_the_picture_of_a_change_have_room_for_their_sign() -> None:
+    """The page writes ``+ /name`` with 6.5 px for a character, 28 px less than the element is wide."""
+    name = "/kb_teleop/cmd_vel"
+    edge = Edge(node="/husky_alpha/twist_mux", channel=name, kind="topic", is_giver=False, state=ADDED)
+    pool = Pool()
+    picture = changed(pool, Changes(changes=(), edges=(edge,)))["picture"]
+    texts = pool.document()["texts"]
+    [(_, channel, _, _, width, _)], [(node, _, _, _, wide, _)] = picture["channels"], picture["nodes"]
+    assert texts[channel] == name and (width - 28) / 6.5 >= len(f"+ {name}")
+    assert texts[node] == edge.node and (wide * 1.12 - 14) / 6.5 >= len(edge.node)

@@ -6,7 +6,7 @@ function changesView(parameters) {
   const summary = D.summary;
   const fresh = FINDINGS.filter((one) => one.state === "open").length;
   const gone = FINDINGS.filter((one) => one.state === "gone").length;
-  const base = text(summary.compared);
+  const base = revision(text(summary.compared));
   const rows = found.rows.map(([what, action, title, names, old, before, after, nodes, programs, configurations, users, details, at]) => ({ what, action, title: text(title), names: texts(names), old: texts(old), before: before < 0 ? null : text(before), after: after < 0 ? null : text(after), nodes: texts(nodes), programs: texts(programs), configurations: texts(configurations), users: texts(users), details: texts(details), place: place(at) }));
   const filter = parameters.what || "";
   const kinds = [...new Set(rows.map((one) => one.what))];

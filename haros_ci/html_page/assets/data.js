@@ -1,6 +1,6 @@
 // The data of the page as objects: rows are read when they are asked for.
 const D = JSON.parse(document.getElementById("data").textContent);
-const TABLES = { texts: [], places: [], conditions: [], unknowns: [], nodes: [], ends: [], parameters: [], qos: [], pictures: [], "rule names": [], transforms: [], ...D.tables };
+const TABLES = { texts: [], places: [], conditions: [], unknowns: [], nodes: [], ends: [], parameters: [], qos: [], pictures: [], "rule names": [], transforms: [], dependence: [], causes: [], ...D.tables };
 const LEVELS = ["error", "warning", "note"];
 const CHANNELS = { publishers: "topics", subscribers: "topics", servers: "services", clients: "services", action_servers: "actions", action_clients: "actions" };
 const GIVES = new Set(["publishers", "clients", "action_clients"]);
@@ -115,6 +115,8 @@ function system(index, words) {
     // Rates are those of the default arguments.
     rates: new Map(variant ? [] : [...row.rates.published.map(([one, topic, rate]) => [`${text(one)} ${text(topic)}`, text(rate)]), ...row.rates.topics.map(([topic, rate]) => [text(topic), text(rate)])]),
   };
+  // What each node makes of its inputs, by its number; nothing where that was not asked for.
+  made.dependence = new Map(row.dependence.map((one, number) => [number, one]).filter(([, one]) => one >= 0).map(([number, one]) => [number, dependenceRow(one)]));
   // Nodes that bear one name, and one is a topic's besides: HAROS calls these collisions.
   made.twins = [...new Set(nodes.filter((one, at) => isKnown(one.name) && nodes.findIndex((each) => each.name === one.name) !== at).map((one) => one.name))].sort(compare);
   made.findings = findingsIn(made);

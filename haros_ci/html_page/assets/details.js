@@ -4,7 +4,9 @@ const sourceWords = { source: "the source", launch: "a launch file", hint: "the 
 const CHANNEL_WORDS = { topics: "topic", services: "service", actions: "action" };
 const whereIs = (at) => (at ? h("code", null, at.text) : "");
 const conditionList = (list) => (list.length ? h("ul", { class: "conditions" }, list.map((one) => h("li", null, h("code", null, condition(one)), " at ", whereIs(one.place)))) : null);
-const unknownList = (list) => (list.length ? h("ul", { class: "unknowns" }, list.map((one) => h("li", null, h("strong", null, `${one.field} not known: `), one.reason, one.place ? [" at ", whereIs(one.place)] : ""))) : null);
+const unknownItems = (list) => h("ul", { class: "unknowns" }, list.map((one) => h("li", null, h("strong", null, `${one.field} not known: `), one.reason, one.place ? [" at ", whereIs(one.place)] : "")));
+// Many reasons are one line until they are asked for.
+const unknownList = (list) => (list.length > 3 ? h("details", { class: "unknown-reasons" }, h("summary", { class: "remark" }, `${count(list.length, "reason")} why not all is known`), unknownItems(list)) : list.length ? unknownItems(list) : null);
 const row = (name, ...value) => (value.flat().some((one) => one !== null && one !== "" && one !== undefined) ? [h("dt", null, name), h("dd", null, value)] : null);
 const element = (made, name, words) => link("system", { configuration: made.name, with: made.variant, element: name }, words || name);
 
@@ -17,7 +19,7 @@ function findingsOf(made, name) {
 function nodeDetail(made, one) {
   const kinds = D.kinds.filter((kind) => CHANNELS[kind]);
   return [
-    h("h2", null, one.name),
+    h("h2", null, breakable(one.name)),
     h("dl", null,
       row("program", `${one.package}/${one.type}`), row("kind", one.kind), row("class", one.class), row("container", one.container ? element(made, one.container) : ""), row("arguments", one.args ? h("code", null, one.args) : ""),
       row("started at", whereIs(one.place)), row("known from", sourceWords[one.source] || ""), row("present if", one.presence ? h("code", null, one.presence) : ""), row("conditions", conditionList(one.conditions)),
@@ -27,6 +29,7 @@ function nodeDetail(made, one) {
       const ends = one.ends.filter((each) => each.kind === kind && !each.implicit);
       return ends.length ? h("section", null, h("h3", null, `${WORDS[kind]} (${ends.length})`), h("ul", { class: "plain-list ends" }, ends.map((each) => endItem(made, one, each)))) : null;
     }),
+    dependenceSection(made, one),
     parameterSection(made, one),
     implicitSection(one),
   ];
@@ -51,6 +54,8 @@ function endItem(made, one, each) {
 // Whether a parameter is one of a node's own: /node:name in ROS 2, /node/name in ROS 1. And its name without the node's.
 const isOwn = (name, one) => name.startsWith(one.name) && (name[one.name.length] === ":" || name[one.name.length] === "/");
 const shortName = (name, one) => (isOwn(name, one) ? name.slice(one.name.length + 1) : name);
+// Whether all readers of what is set for a node are known: not of one that is not followed in full, or whose ends come from data on nodes outside the workspace.
+const isFollowed = (one) => one.ends.length > 0 && one.source !== "known-node" && !one.unknowns.some((each) => each.field === "endpoints") && !one.ends.some((each) => each.source === "known-node");
 const valueWords = (value) => (value === null || value === undefined ? "?" : value === "" ? '""' : value);
 
 // The parameters of a node: what it declares or reads and writes, and what is set for it, with value and origin.
@@ -71,7 +76,7 @@ function parametersOf(made, one) {
 
 function parameterSection(made, one) {
   const rows = parametersOf(made, one).map(({ name, short, value, set, end: each }) => [element(made, name, short), valueWords(value), set && (set.origin || set.place) ? whereIs(set.origin || set.place) : each && each.default !== null ? "default in the code" : "",
-    each ? `${WORDS[each.kind]}${each.place ? ` at ${each.place.text}` : ""}` : one.source === "known-node" || one.unknowns.length ? "no reader known" : "no reader found"]);
+    each ? `${WORDS[each.kind]}${each.place ? ` at ${each.place.text}` : ""}` : isFollowed(one) && !one.unknowns.length ? "no reader found" : "no reader known"]);
   return rows.length ? h("details", { open: rows.length < 12 }, h("summary", null, `parameters (${rows.length})`), smallTable(["name", "value", "set at", "read"], rows, `parameters of ${one.name}`)) : null;
 }
 
@@ -88,7 +93,6 @@ function parameterTable(made) {
       if (each.kind === "setters") entry.set.push({ place: each.place, origin: null, value: each.value, node: one });
       else { entry.read.push({ node: one, end: each }); if (each.default !== null) entry.fallback = each.default; if (each.kind === "parameters" && each.value !== null) entry.value ??= each.value; }
     }
-  const opaque = new Set(made.nodes.filter((one) => one.unknowns.some((each) => each.field === "endpoints") || !one.ends.length).map((one) => one.name));
   const owners = new Map(made.nodes.map((one) => [one.name, one]));
   const ownerOf = (name) => {
     const colon = name.indexOf(":");
@@ -98,7 +102,7 @@ function parameterTable(made) {
   };
   for (const one of rows.values()) {
     const owner = ownerOf(one.name);
-    one.mark = !one.set.length && one.fallback === null && one.value === null ? "has no value" : !one.read.length ? (!owner || opaque.has(owner.name) || owner.source === "known-node" ? "no reader known" : "no reader found") : "";
+    one.mark = !one.set.length && one.fallback === null && one.value === null ? "has no value" : !one.read.length ? (owner && made.nodes.every((each) => each.name !== owner.name || isFollowed(each)) ? "no reader found" : "no reader known") : "";
     one.setAt = one.set.map((each) => (each.origin || each.place ? (each.origin || each.place).text : each.node ? each.node.name : "")).filter(Boolean).join(", ");
     one.readBy = one.read.map((each) => each.node.name).join(", ");
     // The nodes that have to do with it: those that read or write it, or the one that it is set for.
@@ -122,7 +126,7 @@ function channelDetail(made, channel) {
   const taken = channel.ends.filter((each) => !each.offers);
   const names = { topics: ["publishers", "subscribers"], services: ["servers", "clients"], actions: ["servers", "clients"] }[channel.what];
   return [
-    h("h2", null, channel.name, " ", h("span", { class: "quiet" }, word)),
+    h("h2", null, breakable(channel.name), " ", h("span", { class: "quiet" }, word)),
     h("dl", null, row(channel.types.length > 1 ? "types" : "type", channel.types.length ? channel.types.map((one, index) => [index ? ", " : "", h("code", null, one)]) : "not known"), row("rate", channel.what === "topics" ? rateOf(made, channel.name) : ""), row("present if", channel.conditional ? "a condition holds (see below)" : "")),
     channel.problems.map((one) => h("p", { class: "warning" }, `${one[0].toUpperCase()}${one.slice(1)}.`)),
     isKnown(channel.name) ? null : candidates(made, channel), findingsOf(made, channel.name),

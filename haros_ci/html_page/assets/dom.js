@@ -30,6 +30,9 @@ const count = (number, noun) => `${number.toLocaleString("en")} ${noun}${number 
 const cut = (text, most) => (text.length <= most ? text : `${text.slice(0, most - 1)}…`);
 const last = (name) => name.slice(name.lastIndexOf("/") + 1) || name;
 
+// A revision that is named by its whole hash is told by the beginning of it.
+const revision = (words) => words.replace(/^([0-9a-f]{12})[0-9a-f]+ \(\1\)$/, "$1");
+
 // The address of a view within the page: #view?key=value, with names percent-encoded.
 function address(view, parameters) {
   const said = Object.entries(parameters || {}).filter(([, value]) => value !== "" && value !== null && value !== undefined);
@@ -55,6 +58,9 @@ function current() {
 // What the view that is shown does before and after it is printed.
 const printing = [];
 const whenPrinted = (before, after) => printing.push([before, after]);
+
+// A long name may be broken behind its slashes and underscores; what is copied of it stays the same.
+const breakable = (name) => (name.match(/[^/_]+[/_]*|[/_]+/g) || []).flatMap((part, at) => (at ? [h("wbr"), part] : [part]));
 
 const link = (view, parameters, ...children) => h("a", { href: address(view, parameters) }, ...children);
 

@@ -5,11 +5,11 @@ function parametersView(parameters) {
   const made = system(which.index);
   const list = [...parameterTable(made).values()];
   const columns = [
-    { key: "name", title: "name", width: "minmax(12rem, 2fr)", compare: (a, b) => compare(a.name, b.name), cell: (one) => h("span", { title: one.name }, one.name) },
+    { key: "name", title: "name", width: "minmax(12rem, 2fr)", class: "path", compare: (a, b) => compare(a.name, b.name), cell: (one) => h("span", { title: one.name }, h("bdi", null, one.name)) },
     { key: "value", title: "value", width: "minmax(8rem, 1.5fr)", compare: (a, b) => compare(String(a.value ?? ""), String(b.value ?? "")), cell: (one) => (one.value !== null ? h("code", { title: one.value }, one.value) : one.fallback !== null ? h("span", { class: "quiet" }, `${one.fallback} (default)`) : "") },
     { key: "default", title: "default", width: "minmax(6rem, 1fr)", cell: (one) => one.fallback ?? "" },
     { key: "set", title: "set at", width: "minmax(10rem, 2fr)", class: "path", compare: (a, b) => compare(a.setAt, b.setAt), cell: (one) => h("span", { title: one.setAt }, h("bdi", null, one.setAt)) },
-    { key: "read", title: "declared or read by", width: "minmax(9rem, 1.4fr)", compare: (a, b) => compare(a.readBy, b.readBy), cell: (one) => h("span", { title: one.readBy }, one.readBy) },
+    { key: "read", title: "declared or read by", width: "minmax(9rem, 1.4fr)", class: "path", compare: (a, b) => compare(a.readBy, b.readBy), cell: (one) => h("span", { title: one.readBy }, h("bdi", null, one.readBy)) },
     { key: "mark", title: "remark", width: "9rem", compare: (a, b) => compare(a.mark, b.mark), cell: (one) => (one.mark ? h("span", { class: "remark" }, one.mark) : "") },
   ];
   const [key, direction] = (parameters.sort || "").split("-");
@@ -36,7 +36,7 @@ function packagesView(parameters) {
     { key: "name", title: "package", width: "minmax(11rem, 2fr)", compare: (a, b) => compare(a.name, b.name), cell: (one) => h("span", { title: one.path }, one.name, one.circle >= 0 ? h("span", { class: "remark" }, ` cycle ${one.circle + 1}`) : "") },
     number("files", "files", (one) => one.files, "4rem"), ...D.languages.slice(0, 4).map((name, index) => number(LANGUAGE_NAMES[name].replace(" files (XML)", ""), name, (one) => one.lines[index], "5rem")),
     number("findings", "findings", (one) => one.findings), number("per 1,000 lines", "ratio", (one) => Math.round(one.ratio * 10) / 10, "7.5rem"),
-    { key: "bar", title: "", width: "5rem", cell: (one) => bar(one.ratio / most, "fill heat") }, number("depends on", "needs", (one) => one.inner.length, "4.5rem"), number("needed by", "users", (one) => one.users.length, "6rem"),
+    { key: "bar", title: "", width: "5rem", cell: (one) => bar(one.ratio / most, "fill heat") }, number("depends on", "needs", (one) => one.inner.length, "6rem"), number("needed by", "users", (one) => one.users.length, "6rem"),
   ];
   const [key, direction] = (parameters.sort || "").split("-");
   const detail = h("aside", { class: "detail", "aria-label": "package", "aria-live": "polite" });

@@ -30,7 +30,7 @@ function overview() {
   return [
     h("h1", null, text(D.name)),
     h("p", { class: "lead" }, text(summary.headline), text(summary.known) ? `; ${text(summary.known)}` : "", "."),
-    at ? h("p", { class: "quiet" }, at, isCompared ? ` · compared with ${text(summary.compared)}` : "") : null,
+    at ? h("p", { class: "quiet" }, at, isCompared ? ` · compared with ${revision(text(summary.compared))}` : "") : null,
     text(summary.no_baseline) ? h("p", { class: "warning" }, text(summary.no_baseline)) : null,
     texts(D.left_out).map((one) => h("p", { class: "warning" }, one)),
     h("div", { class: "figures" },

@@ -18,7 +18,8 @@ function shape(what, rectangle) {
 // What fits into so many px; of a name that does not, its end, which tells it from others.
 function fitted(words, width, character) {
   const most = Math.max(4, Math.floor((width - 14) / (character || 6.5)));
-  return words.startsWith("/") && words.length > most ? `…${words.slice(words.length - most + 1)}` : cut(words, most);
+  const sign = /^[+−~] (?=\/)/.test(words) ? words.slice(0, 2) : "";
+  return words.startsWith("/", sign.length) && words.length > most ? `${sign}…${words.slice(words.length - most + 1 + sign.length)}` : cut(words, most);
 }
 
 function curve(from, to, bend) {
@@ -77,6 +78,8 @@ function squeezed(taken, most) {
 
 function makePicture({ label, select, folded, pick }) {
   const view = { x: 0, y: 0, scale: 1 };
+  // Whether all of it is in sight: then it stays so when its room changes.
+  let isFitted = false;
   const layer = s("g", {});
   const arrow = (id, kind) => s("marker", { id, class: kind, viewBox: "0 0 8 8", refX: 7, refY: 4, markerWidth: 9, markerHeight: 9, markerUnits: "userSpaceOnUse", orient: "auto" }, s("path", { d: "M0 0.5L7.5 4L0 7.5Z" }));
   const svg = s("svg", { class: "picture", role: "application", tabindex: "0", "aria-label": label }, s("defs", {}, arrow("arrow", "tip"), arrow("arrow-strong", "tip strong")), layer);
@@ -91,7 +94,10 @@ function makePicture({ label, select, folded, pick }) {
   const moved = new Map();
   const edgeKey = (one) => `${one.from}>${one.to}`;
 
-  const place = () => layer.setAttribute("transform", `translate(${view.x} ${view.y}) scale(${view.scale})`);
+  const place = (fitted) => {
+    isFitted = fitted === true;
+    layer.setAttribute("transform", `translate(${view.x} ${view.y}) scale(${view.scale})`);
+  };
   const around = (box) => (box < 0 ? [] : [box, ...around(scene.boxes[box].parent)]);
   // Where scene coordinates are drawn: a large picture with folded boxes is squeezed, so that what is left of it can be read; what is left of what stays there.
   let across = (x) => x;
@@ -161,7 +167,7 @@ function makePicture({ label, select, folded, pick }) {
     }
     clear(layer, boxes.filter((one) => !one.classList.contains("closed")), edges(), boxes.filter((one) => one.classList.contains("closed")), elements);
     remark();
-    place();
+    place(isFitted);
   }
 
   // In the middle of where the box was, the larger the larger the box: it must be read where the whole is small.
@@ -266,7 +272,7 @@ function makePicture({ label, select, folded, pick }) {
     view.scale = scaleToFit([width, height]);
     view.x = Math.max(0, (w - width * view.scale) / 2);
     view.y = Math.max(0, (tall - height * view.scale) / 2);
-    place();
+    place(true);
   }
 
   function centre(id, scale) {
@@ -368,7 +374,9 @@ function makePicture({ label, select, folded, pick }) {
     const [width, height] = [across(scene.size[0]), down(scene.size[1])];
     svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
     layer.removeAttribute("transform");
-  }, () => { svg.removeAttribute("viewBox"); place(); });
+  }, () => { svg.removeAttribute("viewBox"); place(isFitted); });
+
+  new ResizeObserver(() => { if (isFitted && svg.clientWidth) fit(); }).observe(svg);
 
   let given = [];
   function show(next, closedLabels) {

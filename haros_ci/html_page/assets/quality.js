@@ -105,9 +105,9 @@ function edgeDetail(made, channel, one) {
   const own = channel.ends.filter((each) => each.node === one);
   const word = CHANNEL_WORDS[channel.what];
   return [
-    h("h2", null, `${one.name} – ${channel.name} `, h("span", { class: "quiet" }, "connection")),
+    h("h2", null, breakable(`${one.name} – ${channel.name}`), " ", h("span", { class: "quiet" }, "connection")),
     h("dl", null, row("node", element(made, one.name)), row(word, element(made, channel.name)), row("type", channel.types.length ? channel.types.map((type, index) => [index ? ", " : "", h("code", null, type)]) : "not known")),
-    h("ul", { class: "plain-list ends" }, own.map(({ end: each }) => h("li", { class: each.ruledOut ? "ruled-out" : null }, `${WORDS[each.kind]} `, each.original && each.original !== each.name ? h("span", { class: "quiet" }, `remapped from ${each.original} `) : null, h("span", { class: "quiet" }, [qosWords(each.qos), each.latched ? "latched" : "", each.queue !== null && each.queue !== undefined && !each.qos ? `queue ${each.queue}` : ""].filter(Boolean).join(", ")), " ", whereIs(each.place), conditionList([...one.conditions, ...each.conditions]), unknownList(each.unknowns)))),
+    h("ul", { class: "plain-list ends" }, own.map(({ end: each }) => h("li", { class: each.ruledOut ? "ruled-out" : null }, `${WORDS[each.kind]} `, each.original && each.original !== each.name ? h("span", { class: "quiet" }, `remapped from ${each.original} `) : null, h("span", { class: "quiet" }, [each.kind === "publishers" ? rateWords(rateOf(made, channel.name, one.name)) : "", qosWords(each.qos), each.latched ? "latched" : "", each.queue !== null && each.queue !== undefined && !each.qos ? `queue ${each.queue}` : ""].filter(Boolean).join(", ")), " ", whereIs(each.place), conditionList([...one.conditions, ...each.conditions]), unknownList(each.unknowns)))),
     connectionSection(made, channel, (each) => each.node === one) || h("p", { class: "quiet" }, channel.what === "topics" && one.ros === 1 ? "ROS 1 has no quality of service: publisher and subscriber are connected if their types are the same." : `Nobody of this configuration is at the other side of this ${word}.`),
     channel.types.map((type) => typeDetail(type)),
   ];

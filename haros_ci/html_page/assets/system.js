@@ -30,7 +30,7 @@ function systemView(parameters) {
   const which = chosenConfiguration(parameters.configuration);
   if (!which) return { content: [h("h1", null, "System"), h("p", null, "No node was found.")] };
   const made = system(which.index, parameters.with);
-  const state = { element: parameters.element || "", hops: parameters.hops || "", way: parameters.way || "", to: parameters.to || "", node: parameters.node || "", folded: (parameters.folded || "").split(" ").filter(Boolean) };
+  const state = { element: parameters.element || "", hops: parameters.hops || "", way: parameters.way || "", to: parameters.to || "", node: parameters.node || "", by: parameters.by === "code" ? "code" : "", folded: (parameters.folded || "").split(" ").filter(Boolean) };
   const detail = h("aside", { class: "detail", "aria-label": "details", "aria-live": "polite" });
   const status = h("span", { class: "quiet", role: "status" });
   const picture = makePicture({ label: `nodes and topics of ${made.name}`, select: (id) => chooseId(id), pick: (edges) => chooseEdges(edges), folded: (labels) => { Object.assign(state, { folded: labels, isArranged: true }); remember({ folded: labels.join(" ") }); } });
@@ -56,7 +56,7 @@ function systemView(parameters) {
     for (const one of found.values()) {
       const conditional = one.list.every((each) => each.end.conditions.length || each.node.conditions.length || each.node.presence);
       one.classes = [conditional ? "conditional" : "", channel.problems.length ? "red" : "", one.list.every((each) => each.end.ruledOut) ? "ruled-out" : ""].filter(Boolean);
-      one.tip = one.list.map((each) => [`${each.node.name} ${WORDS[each.end.kind]} ${channel.name}`, qosWords(each.end.qos), ...each.end.conditions.map(condition)].filter(Boolean).join("; ")).join("\n");
+      one.tip = one.list.map((each) => [`${each.node.name} ${WORDS[each.end.kind]} ${channel.name}`, each.end.kind === "publishers" ? rateWords(rateOf(made, channel.name, each.node.name)) : "", qosWords(each.end.qos), ...each.end.conditions.map(condition)].filter(Boolean).join("; ")).join("\n");
     }
     return [...found.values()];
   };
@@ -143,7 +143,8 @@ function systemView(parameters) {
     const every = (channel) => channel === start || (shown(channel) && (isShared(channel) || (id.startsWith("n") && channel.ends[0].node === start)));
     const goal = state.way === "to" ? idOf(state.to) : null;
     const onWay = (channel) => channel === start || (goal !== null && channelId(channel) === goal) || (shown(channel) && isShared(channel));
-    const found = goal !== null ? between(made, onWay, id, goal) : levels(made, every, id, state.way || "around", hops);
+    const byCode = !isByCode() ? null : goal !== null ? followedBetween(made, onWay, id, goal) : state.way === "behind" || state.way === "before" ? followed(made, every, id, state.way === "behind") : null;
+    const found = byCode ? byCode.found : goal !== null ? between(made, onWay, id, goal) : levels(made, every, id, state.way || "around", hops);
     const tooMany = found.size > 900;
     if (tooMany) for (const one of [...found].sort((a, b) => Math.abs(a[1]) - Math.abs(b[1])).slice(900)) found.delete(one[0]);
     for (const one of found.keys()) if (!one.startsWith("n")) placed.set(byId(one).key, true);
@@ -155,12 +156,17 @@ function systemView(parameters) {
       return [Math.min(280, Math.max(100, words * 6.6 + 34)), one.startsWith("n") ? heightOf(inside) : 24];
     };
     const { places, size: whole } = columns(found, size, neighbours(made, every));
+    roomForLoops(made, places, whole);
     const elements = [...places].map(([one, rectangle]) => (one.startsWith("n") ? nodeElement(byId(one), rectangle, -1, own.get(one)) : channelElement(byId(one), rectangle, -1)));
-    const edges = [...made.channels.values()].filter((channel) => places.has(channelId(channel))).flatMap(edgesOf).filter((one) => places.has(one.from) && places.has(one.to));
+    const edges = [...made.channels.values()].filter((channel) => places.has(channelId(channel))).flatMap(edgesOf).filter((one) => places.has(one.from) && places.has(one.to) && (!byCode || byCode.ways.has(`${one.from}>${one.to}`)));
+    for (const one of byCode ? edges : []) if (!byCode.ways.get(`${one.from}>${one.to}`)) Object.assign(one, { classes: [...one.classes, "perhaps"], tip: `${one.tip}\nperhaps: the code does not tell all that causes it` });
     const isCut = goal !== null && goal !== id && !edges.length;
     status.textContent = isCut ? `There is no path from ${start.name} to ${state.to}.` : `${count(found.size, "element")}${tooMany ? " (the nearest)" : ""}${goal !== null ? ` on the paths to ${state.to}` : ""}`;
     return { size: whole, boxes: [], elements, edges, isPart: true };
   }
+
+  // Whether traces follow what the code of nodes does, and not all that they receive.
+  const isByCode = () => state.by === "code" && made.dependence.size > 0;
 
   function draw() {
     const id = state.element ? idOf(state.element) : null;
@@ -232,7 +238,7 @@ function systemView(parameters) {
     const go = (change) => () => { Object.assign(state, { hops: "", way: "", to: "" }, change); remember({ hops: state.hops, way: state.way, to: state.to, element: byId(id).name, node: "" }); state.node = ""; draw(); };
     const button = (words, change, title) => { const on = state.hops === (change.hops || "") && state.way === (change.way || ""); return h("button", { onclick: go(change), "aria-pressed": String(on), title }, words); };
     return h("div", { class: "buttons", role: "group", "aria-label": "what is shown" }, button("whole system", {}, "everything"), button("1 hop", { hops: "1" }, "what it is connected with"), button("2 hops", { hops: "2" }), button("3 hops", { hops: "3" }),
-      button("reaches →", { way: "behind" }, "everything that its output can reach; a node is assumed to pass on all that it receives"), button("← depends on", { way: "before" }, "everything that can reach it"), wayTo(id, go));
+      button("reaches →", { way: "behind" }, isByCode() ? "everything that its output can cause, as far as the code tells" : "everything that its output can reach; a node is assumed to pass on all that it receives"), button("← depends on", { way: "before" }, "everything that can reach it"), made.dependence.size ? toggle("as the code depends", isByCode(), (on) => { state.by = on ? "code" : ""; remember({ by: state.by }); if (state.way) draw(); }) : null, wayTo(id, go));
   }
 
   // From here to another element, such as from a sensor to an actuator.
@@ -257,7 +263,7 @@ function systemView(parameters) {
     const unknown = every.filter((one) => !isKnown(one.name));
     const problems = new Set([...made.findings.values()].flat());
     return [
-      h("h2", null, made.name),
+      h("h2", null, breakable(made.name)),
       h("dl", null, row("launch files", made.launch.length ? made.launch.join(", ") : "none: a program by itself"), row("arguments", made.arguments.length ? h("details", { open: made.arguments.length < 7 }, h("summary", null, count(made.arguments.length, "argument")), h("ul", { class: "plain-list" }, made.arguments.map(([name, value]) => h("li", null, h("code", null, `${name}:=${value}`))))) : ""),
         made.variant ? row("with", h("code", null, made.variant), h("p", { class: "quiet" }, "Nodes come and go; parameters and names are those of the default arguments.")) : null,
         row("nodes", String(made.nodes.length)), ...["topics", "services", "actions"].map((what) => row(what, String(every.filter((one) => one.what === what).length))),
@@ -268,6 +274,7 @@ function systemView(parameters) {
       problems.size ? h("section", null, h("h3", null, `Findings (${problems.size})`), h("ul", { class: "plain-list" }, [...problems].slice(0, 60).map((one) => h("li", null, h("span", { class: `level ${one.level}` }, one.level), " ", link("findings", { id: one.id, state: "any" }, one.message), " ", texts(one.row[13]).map((name) => [element(made, name), " "]))))) : null,
       unknown.length ? h("section", null, h("h3", null, `Names not known (${unknown.length})`), h("ul", { class: "plain-list" }, unknown.slice(0, 60).map((one) => h("li", null, `${one.ends[0].node.name} ${WORDS[one.ends[0].end.kind]} `, h("button", { class: "plain linked", onclick: () => describe(channelId(one)) }, one.name))))) : null,
       made.others.length ? h("details", null, h("summary", null, `Under other launch arguments (${count(made.others.length, "node")})`), h("ul", { class: "plain-list" }, made.others.slice(0, 200).map((one) => h("li", null, one.node.name, " ", h("code", null, one.presence))))) : null,
+      made.dependence.size ? null : h("p", { class: "quiet" }, "What causes what in a node, and traces that follow it, are here with ", h("code", null, "haros-ci report --dependence"), made.rates.size ? "." : [", rates with ", h("code", null, "--rates"), "."]),
       legend(),
     ];
   }

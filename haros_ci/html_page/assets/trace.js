@@ -69,6 +69,16 @@ function grow(found, out, into, hops) {
   }
 }
 
+// Edges that lead back reach around their elements: room for them at both sides.
+function roomForLoops(made, places, size) {
+  const isBack = (from, to) => places.has(from) && places.has(to) && places.get(to)[0] <= places.get(from)[0] + places.get(from)[2];
+  const loops = [...made.channels.values()].some((channel) => channel.ends.some((each) => (each.gives ? isBack(nodeId(each.node), channelId(channel)) : isBack(channelId(channel), nodeId(each.node)))));
+  if (!loops) return;
+  for (const one of places.values()) one[0] += 50;
+  size[0] += 100;
+  size[1] += 30;
+}
+
 // Places in columns by level, each ordered by its neighbours in the column before.
 function columns(found, size, next) {
   const byLevel = new Map();

@@ -62,7 +62,7 @@ function transformsView(parameters) {
     h("section", null, h("h3", null, `broadcast (${one.said.length})`), one.said.length ? h("ul", { class: "plain-list" }, one.said.map((each) => h("li", null, element(made, each.node), " ", h("span", { class: "quiet" }, broadcastWords(each)), each.isOdd ? h("span", { class: "remark" }, " conflict") : null, h("div", null, each.what, " ", whereIs(each.place)), frame(each.place, 0, 0, 2)))) : h("p", { class: "quiet" }, "No known node broadcasts it as a child: it is the root of its tree, or its parent is not known.")),
   ];
   const wholeDetail = () => [
-    h("h2", null, made.name),
+    h("h2", null, breakable(made.name)),
     h("dl", null, row("frames", String(known.frames.length)), row(roots.length > 1 ? "roots" : "root", roots.map((one, index) => [index ? ", " : "", frameLink(one)])),
       ...Object.entries(ORIGINS).map(([key, words]) => row(`by ${words}`, String(known.frames.filter((one) => one.said.some((each) => each.origin === key)).length)))),
     roots.length > 1 ? h("p", { class: "quiet" }, `${roots.length} trees: what joins them may come from outside, or from a node whose frames are not known.`) : null,
