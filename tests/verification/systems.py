@@ -28,11 +28,13 @@ NETWORKS = {
 
 
 def system(draw: random.Random, depth: int) -> Problem:
-    """Axioms of the whole, which chains are made of, are more frequent than others."""
+    """Axioms of the whole, which chains are made of, are more frequent than others; in every third system all is of one scope."""
+    shared = parse_property(str(drawn(draw, "no", draw.choice(SCOPES)))).scope if draw.random() < 1 / 3 else None
 
     def claim(number: int, node: str) -> Claim:
-        scope = draw.choice(SCOPES) if draw.random() < 0.4 else "globally"
-        return Claim(number, "", parse_property(str(drawn(draw, draw.choice(PATTERNS), scope))), node=node)
+        scope = draw.choice(SCOPES) if draw.random() < 0.4 and shared is None else "globally"
+        made = parse_property(str(drawn(draw, draw.choice(PATTERNS), scope)))
+        return Claim(number, "", made if shared is None else replace(made, scope=shared), node=node)
 
     axioms = tuple(claim(n, draw.choice(("/n1", "/n2", "/n3", ""))) for n in range(draw.randrange(2, 6)))
     return Problem(MEMBERS, axioms, tuple(claim(100 + n, "") for n in range(3)), limits=Limits(depth, 20))
