@@ -2,7 +2,7 @@
 """Mutants of the code of two nodes of Fictibot: how many of them the generated tests of true properties kill, and how long that takes.
 
     python tests/bench/testgen_fictibot.py TUTORIALS WORK build         # once; see there for what it needs
-    python tests/bench/testgen_code_mutants.py WORK [--most 20] [--examples 30] [--jobs 2] [--only multiplex] [--show]
+    python tests/bench/testgen_code_mutants.py WORK [--most 20] [--examples 30] [--jobs 2] [--only multiplex] [--alone] [--show]
 
 A mutant is one change of the sources as the exercises leave them: a relational operator, a constant, a connective, an operand left out, a condition
 negated, a statement deleted, a topic in the place of another. The mutants of each node are taken at even distances from all that there are, built by the
@@ -149,7 +149,9 @@ def build(space: Path, node: Node, folder: Path, mutant: Mutant) -> bool:
     link = re.sub(rf"\S*/src/{re.escape(node.source)}\.o", f"{folder}/mutant.o", link)
     link = re.sub(r" -o \S+", f" -o {program}", link)
     for command in (f"c++ {options} -o {folder}/mutant.o -c {source}", link):
-        if subprocess.run(["sh", "-c", command], cwd=made.parents[1], capture_output=True).returncode:
+        if subprocess.run(
+            ["sh", "-c", command], cwd=made.parents[1], capture_output=True, start_new_session=True
+        ).returncode:
             return False
     return True
 
@@ -176,7 +178,9 @@ def tested(space: Path, folder: Path, examples: int, over: Path | None = None) -
     env = {**os.environ, "PROPERTY_TESTS_REPORT": str(report), "PROPERTY_TESTS_EXAMPLES": str(examples)}
     line = f'. {space}/devel/setup.sh && CMAKE_PREFIX_PATH={f"{over}:" if over else ""}$CMAKE_PREFIX_PATH && exec "$@"'
     command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", str(folder)]
-    done = subprocess.run(["sh", "-c", line, "sh", *command], env=env, cwd=folder, capture_output=True, text=True)
+    done = subprocess.run(
+        ["sh", "-c", line, "sh", *command], env=env, cwd=folder, capture_output=True, text=True, start_new_session=True
+    )
     lines = [json.loads(text) for text in report.read_text().splitlines()] if report.exists() else []
     return lines, done.stdout + done.stderr
 
@@ -193,7 +197,7 @@ def verdict(lines: list[dict[str, Any]], properties: int) -> str:
     return "survived" if len(results) == properties else "no answer"
 
 
-def study(work: Path, node: Node, most: int, examples: int, jobs: int) -> dict[str, Any]:
+def study(work: Path, node: Node, most: int, examples: int, jobs: int, alone: bool) -> dict[str, Any]:
     """Build and test *most* mutants of a node, *jobs* at a time."""
     space = work / "fixed"
     text = (space / "src" / node.package / "src" / node.source).read_text()
@@ -202,10 +206,11 @@ def study(work: Path, node: Node, most: int, examples: int, jobs: int) -> dict[s
     folder = work / f"code_mutants_{node.target}"
     properties = generated(space, node, folder / "tests")
     shutil.rmtree(folder / "built", ignore_errors=True)
-    lines, output = tested(space, folder / "tests", examples)
-    _say(node, "original", verdict(lines, properties), 0.0, lines)
-    if [line["result"] for line in lines] != ["passed"] * properties:
-        print(output[-3000:], flush=True)
+    if not alone:
+        lines, output = tested(space, folder / "tests", examples)
+        _say(node, "original", verdict(lines, properties), 0.0, lines)
+        if [line["result"] for line in lines] != ["passed"] * properties:
+            print(output[-3000:], flush=True)
 
     def row(number: int, mutant: Mutant) -> dict[str, Any] | None:
         over = folder / "built" / str(number)
@@ -260,6 +265,7 @@ def main() -> None:
     parser.add_argument("--most", type=int, default=20, help="mutants of each node")
     parser.add_argument("--examples", type=int, default=30)
     parser.add_argument("--jobs", type=int, default=2, help="mutants at a time")
+    parser.add_argument("--alone", action="store_true", help="without the original, of which all properties must hold")
     parser.add_argument("--only", default="", metavar="NODE", help="the node with this in its name")
     parser.add_argument("--show", action="store_true", help="print all mutants; nothing is built")
     flags = parser.parse_args()
@@ -273,7 +279,7 @@ def main() -> None:
             for mutant in mutants(text, node.topics):
                 print(node.target, _name(mutant))
         else:
-            found.append(study(work, node, flags.most, flags.examples, flags.jobs))
+            found.append(study(work, node, flags.most, flags.examples, flags.jobs, flags.alone))
     if not flags.show:
         table(found)
 
