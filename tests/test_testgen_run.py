@@ -92,10 +92,10 @@ def workspace(tmp_path: Path) -> Path:
     return tmp_path / "ws"
 
 
-def started(workspace: Path, *arguments: str, mark: str) -> subprocess.Popen[str]:
+def started(workspace: Path, *arguments: str, mark: str, packages: str = "") -> subprocess.Popen[str]:
     env = {
         **os.environ,
-        "ROS_PACKAGE_PATH": str(workspace / "src"),
+        "ROS_PACKAGE_PATH": packages or str(workspace / "src"),
         "PROPERTY_TESTS_REPORT": str(workspace.parent / "report.jsonl"),
         "ROS_HOME": str(workspace.parent / "ros"),
         MARK: mark,
@@ -106,9 +106,9 @@ def started(workspace: Path, *arguments: str, mark: str) -> subprocess.Popen[str
     )  # fmt: skip
 
 
-def ran(workspace: Path, *arguments: str) -> tuple[int, str]:
+def ran(workspace: Path, *arguments: str, packages: str = "") -> tuple[int, str]:
     mark = uuid.uuid4().hex
-    with started(workspace, *arguments, mark=mark) as process:
+    with started(workspace, *arguments, mark=mark, packages=packages) as process:
         text, _ = process.communicate(timeout=240)
     assert left(mark) == []
     return process.returncode, text
@@ -198,6 +198,12 @@ def _text(path: Path) -> str:
         return path.read_text(errors="replace")
     except OSError:
         return ""
+
+
+def test_a_system_that_does_not_start_is_trouble_and_no_violation(workspace: Path) -> None:
+    code, text = ran(workspace, "--configuration", "good", "--run", "--examples", "2", packages="/nowhere")
+    assert code == 3, text
+    assert "there is no package demo: source the setup file of the built workspace" in text
 
 
 def test_without_run_nothing_is_started(workspace: Path) -> None:

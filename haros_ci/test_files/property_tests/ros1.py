@@ -214,8 +214,7 @@ class _Ros:
             processes.start(start.name, start.command, {**self.env, **start.env}, self.output)
 
     def plan(self, launches: Sequence[Launch], nodes: Sequence[str]) -> Plan:
-        """What roslaunch makes of the launch files, of all nodes or only these. It asks catkin for every program, which takes longer than
-        all the rest of a start: one plan serves all starts."""
+        """What roslaunch makes of the launch files, of all nodes or only these; it asks catkin for each program, which takes longer than the rest."""
         from roslaunch.config import load_config_default
         from roslaunch.node_args import create_local_process_args
 
@@ -226,11 +225,11 @@ class _Ros:
             name = f"{node.namespace}{node.name}"
             if nodes and name not in nodes:
                 continue
-            machine = node.machine
-            if machine is not None and machine.name and machine.address not in ("localhost", "127.0.0.1", ""):
-                raise NotReady(f"{name} is for another machine, {machine.address}")
+            there = node.machine
+            if there is not None and there.name and there.address not in ("localhost", "127.0.0.1", ""):
+                raise NotReady(f"{name} is for another machine, {there.address}")
             env = {"ROS_NAMESPACE": node.namespace.rstrip("/") or "/", **dict(node.env_args)}
-            found.append(Start(name, tuple(create_local_process_args(node, machine)), env))
+            found.append(Start(name, tuple(create_local_process_args(node, there)), env))
         if not found:
             raise NotReady(f"the launch file starts none of {', '.join(nodes) or 'its nodes'}")
         return Plan(tuple((key, parameter.value) for key, parameter in config.params.items()), tuple(found))
@@ -291,7 +290,10 @@ class _Ros:
 def _file_of(item: Launch) -> str:
     import rospkg
 
-    path: str = os.path.join(rospkg.RosPack().get_path(item.package), item.path)
+    try:
+        path: str = os.path.join(rospkg.RosPack().get_path(item.package), item.path)
+    except rospkg.ResourceNotFound as err:
+        raise NotReady(f"there is no package {item.package}: source the setup file of the built workspace") from err
     if not os.path.isfile(path):
         raise NotReady(f"{item.package} has no {item.path}: is this the workspace that was built?")
     return path
