@@ -128,7 +128,7 @@ def _behind(word: str, end: int, hash_at: int, directory: str, exists: Exists, g
             end, done = done - len(target), ends if comment < 0 else comment
     elif word == "pragma":
         done = gaps.end_of_line(end)
-        if not _PRAGMA.search(_SPLICES.sub("", text[end:done])) or not _names_outside(text[end:done]):
+        if not gaps.opens_what_is_outside(end, done):
             return None
     elif word in ("line", "error") or word[:1].isdigit():
         done = gaps.end_of_line(end)
@@ -216,6 +216,7 @@ class _Gaps:
         self.text = text
         self._closing = 0  # the last "*/" that was found
         self._line = (1, 0)  # the last logical line that was found, from where it was looked for
+        self._pragmas = (-1, False)  # where the last line with a pragma ends, and whether its first one may open what lies outside
 
     def after(self, at: int) -> int:
         """The position after blanks, spliced lines and comments; a comment without end goes to the end."""
@@ -258,6 +259,14 @@ class _Gaps:
         if _COMMENTS.fullmatch(before):
             return True
         return before.rstrip(_BLANKS).endswith("*/") and '"' not in before and len(before) < _NEAR - 20
+
+    def opens_what_is_outside(self, start: int, end: int) -> bool:
+        """Whether the pragma with the words from *start* to the *end* of its line may; of several in a line the first decides, which has the words of all."""
+        if self._pragmas[0] != end:
+            words = self.text[start:end]
+            outside = _names_outside(words) and _PRAGMA.search(_SPLICES.sub("", words)) is not None
+            self._pragmas = (end, outside)
+        return self._pragmas[1]
 
     def end_of_line(self, at: int) -> int:
         """Where the logical line ends that a position is in."""
