@@ -216,7 +216,10 @@ class _Gaps:
         self.text = text
         self._closing = 0  # the last "*/" that was found
         self._line = (1, 0)  # the last logical line that was found, from where it was looked for
-        self._pragmas = (-1, False)  # where the last line with a pragma ends, and whether its first one may open what lies outside
+        self._pragmas = (
+            -1,
+            False,
+        )  # where the last line with a pragma ends, and whether its first one may open what lies outside
 
     def after(self, at: int) -> int:
         """The position after blanks, spliced lines and comments; a comment without end goes to the end."""

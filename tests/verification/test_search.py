@@ -228,6 +228,11 @@ def test_what_is_proved_has_no_counterexample(monkeypatch: pytest.MonkeyPatch, n
     assert {finding.result for finding in search.findings(made)} == {NONE}
 
 
+def test_the_same_counterexample_is_shown_each_time() -> None:
+    first, second = (answer("globally: /c as C requires /a {x = @C.x} within 15 ms") for _ in range(2))
+    assert first.run is not None and first == second
+
+
 def test_random_systems_have_no_wrong_answer() -> None:
     from verification.systems import system, wrong
 
