@@ -234,11 +234,13 @@ def test_the_same_counterexample_is_shown_each_time() -> None:
 
 
 def test_random_systems_have_no_wrong_answer() -> None:
-    from verification.systems import system, wrong
+    from verification.systems import chained, system, wrong
 
     seen: Counter[str] = Counter()
-    assert [text for number in range(6) for text in wrong(system(random.Random(f"pytest {number}"), 3), seen)] == []
-    assert seen["async: violated"] and seen["instant: violated"]
+    made = [system(random.Random(f"pytest {number}"), 3) for number in range(2)]
+    made += [chained(random.Random(f"chain {number}"), 3) for number in range(2)]
+    assert [text for one in made for text in wrong(one, seen)] == []
+    assert seen["async: violated"] and seen["instant: violated"] and seen["instant: proved"]
 
 
 #: The chain with what opens and closes scopes, which all of its nodes receive.
