@@ -41,6 +41,13 @@ def test_every_linter_of_the_extra_is_pinned() -> None:
     assert {requirement.name for requirement in listed("linters")} <= PINS.keys()
 
 
+def test_the_solver_is_pinned_within_the_bounds_of_its_extra() -> None:
+    text = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
+    (stated,) = re.findall(r'^verify = \["([^"]+)"\]$', text, re.M)
+    (pin,) = PINS["z3-solver"].specifier
+    assert Requirement(stated).specifier.contains(pin.version)
+
+
 @pytest.mark.parametrize("section", ["dependencies", "linters", "dev"])
 def test_pins_lie_within_the_bounds(section: str) -> None:
     for requirement in listed(section):

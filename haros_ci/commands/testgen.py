@@ -4,8 +4,10 @@
 from __future__ import annotations
 
 import importlib.util
+import json
 import os
 import sys
+import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -87,14 +89,34 @@ def _run(folder: Path, tests: Sequence[str], made: Sequence[Suite], flags: Mappi
     env = dict(os.environ)
     if flags["examples"] is not None:
         env["PROPERTY_TESTS_EXAMPLES"] = str(flags["examples"])
+    with tempfile.TemporaryDirectory() as scratch:
+        report = Path(env.setdefault("PROPERTY_TESTS_REPORT", os.path.join(scratch, "report.jsonl")))
+        before = report.stat().st_size if report.exists() else 0
+        code = _tested(folder, tests, env)
+        results = _results(report, before)
+    if code == 1 and "error" in results and "failed" not in results:
+        return EXIT_TOOL_TROUBLE  # the system did not start: that says nothing of any property
+    return code if code in (0, 1) else EXIT_TOOL_TROUBLE
+
+
+def _results(report: Path, before: int) -> set[str]:
+    """How the tests ended, as their report says from the byte *before* on."""
+    try:
+        lines = report.read_bytes()[before:].splitlines()
+    except OSError:
+        return set()
+    return {str(json.loads(line)["result"]) for line in lines}
+
+
+def _tested(folder: Path, tests: Sequence[str], env: Mapping[str, str]) -> int:
+    """The exit code of pytest."""
     command = [sys.executable, "-m", "pytest", "-o", "addopts=", "-p", "no:cacheprovider", "-rfsxX", "--"]
     processes = Processes(_GENTLE, _FIRM)
     process = processes.start("the tests", [*command, *(str(folder / name) for name in tests)], env, None)
     try:
-        code = process.wait()
+        return process.wait()
     finally:
         processes.end_all()
-    return code if code in (0, 1) else EXIT_TOOL_TROUBLE
 
 
 def starts(made: Sequence[Suite]) -> list[str]:

@@ -91,7 +91,8 @@ def sentence(answer: Finding, budget: float) -> str:
             return "follows from axioms, for runs of any length:"
         case Result.NONE:
             rest = "" if answer.is_whole else f"; then its {budget:g} s were spent"
-            return f"no counterexample of up to {events}{rest}"
+            why = f" ({answer.reason})" if answer.reason else ""
+            return f"no counterexample of up to {events}{rest}{why}"
         case Result.VIOLATED:
             count = len(answer.run.steps) if answer.run is not None else 0
             return f"{answer.reason} (a run of {count} {'event' if count == 1 else 'events'}, replayed)"

@@ -4,6 +4,9 @@
 ``causes``: each trigger reaches a node that promises an answer, whose subscriber promises a further one, up to the behaviour; the bounds, and the
 latency of each link, add up. ``requires``: each publisher of the behaviour promises what must have come before, and so does each publisher of that.
 ``no``: no publisher may send it. The values of messages are kept along the chain, and each link is a question to the solver without any run in it.
+
+Axioms are those that hold globally, or, where messages arrive at once, those of the claim's own scope as well: they open and close with it
+(``scoped.py``), and a chain of them stays within one opening.
 """
 
 from __future__ import annotations
@@ -23,6 +26,7 @@ from haros_ci.verification.fields import Fields, Slot
 from haros_ci.verification.predicates import Compiler, Message, Value, both, no
 from haros_ci.verification.problem import Claim, Problem
 from haros_ci.verification.proofs import NOTHING, Proof
+from haros_ci.verification.scoped import joins, shares_scope
 from haros_ci.verification.unrolling import _range, _variable
 
 #: Links of a chain, and questions to the solver for one claim.
@@ -39,13 +43,16 @@ class Met:
 
 
 class Prover:
-    """Looks for a proof of *claim* from the global axioms of *problem*."""
+    """Looks for a proof of *claim* from the axioms of *problem* that hold globally, and then also from those of its own scope."""
 
     def __init__(
         self, problem: Problem, claim: Claim, axioms: tuple[Claim, ...], fields: Fields, seconds: float
     ) -> None:
         self.problem, self.claim, self.fields = problem, claim, fields
         self.axioms = tuple(axiom for axiom in axioms if axiom.stated.scope.kind is ScopeKind.GLOBALLY)
+        self.scoped = tuple(axiom for axiom in axioms if shares_scope(problem, claim, axiom))
+        #: Whether a chain must stay within one opening of the claim's scope.
+        self.within = False
         self.ends = time.monotonic() + seconds
         self.questions = 0
         self.made = 0
@@ -53,13 +60,25 @@ class Prover:
     def proof(self) -> Proof | None:
         """A proof without regard to bounds; None if there is none."""
         kind, scope = self.claim.stated.pattern.kind, self.claim.stated.scope.kind
-        if kind is PatternKind.CAUSES and scope in (ScopeKind.GLOBALLY, ScopeKind.AFTER):
-            return self._all(self.claim.stated.pattern.trigger, self._caused)
-        if kind is PatternKind.REQUIRES and scope in (ScopeKind.GLOBALLY, ScopeKind.UNTIL):
-            return self._all(self.claim.stated.pattern.behaviour, self._required)
+        forward, back = scope in (ScopeKind.GLOBALLY, ScopeKind.AFTER), scope in (ScopeKind.GLOBALLY, ScopeKind.UNTIL)
+        if kind is PatternKind.CAUSES:
+            return self._twice(self.claim.stated.pattern.trigger, self._caused, globally=forward)
+        if kind is PatternKind.REQUIRES:
+            return self._twice(self.claim.stated.pattern.behaviour, self._required, globally=back)
         if kind is PatternKind.NO:
-            return self._all(self.claim.stated.pattern.behaviour, self._impossible)
+            return self._twice(self.claim.stated.pattern.behaviour, self._impossible, globally=True)
         return None
+
+    def _twice(self, events: tuple[Event, ...], prove: Any, *, globally: bool) -> Proof | None:
+        """A proof from global axioms, where these can be enough; else within one opening of the scope."""
+        found = self._all(events, prove) if globally else None
+        if found is not None or not self.scoped:
+            return found
+        self.within = True
+        try:
+            return self._all(events, prove)
+        finally:
+            self.within = False
 
     def untestable(self) -> Proof | None:
         """A proof that nothing ever puts the claim to the test: its scope cannot open, or its trigger (``requires``: its behaviour) cannot come."""
@@ -80,14 +99,25 @@ class Prover:
 
     def _all(self, events: tuple[Event, ...], prove: Any) -> Proof | None:
         found = NOTHING
+        named, begun = self._activators()
         for event in events:
-            met = self._fresh(self.claim, event)
-            known = {event.alias: met.message} if event.alias is not None else {}
+            met = self._fresh(self.claim, event, named, begun)
+            known = {**named, event.alias: met.message} if event.alias is not None else named
             inner = prove(met, known, ())
             if inner is None:
                 return None
             found = found.beside(inner) if found is not NOTHING else inner
         return found
+
+    def _activators(self) -> tuple[Mapping[str, Message], tuple[Any, ...]]:
+        """The messages that may have opened the claim's scope, by alias, and what is known of them: any that match."""
+        named: dict[str, Message] = {}
+        known: tuple[Any, ...] = ()
+        for event in self.claim.stated.scope.activator:
+            if event.alias is not None:
+                met = self._fresh(self.claim, event, {}, known)
+                named[event.alias], known = met.message, met.known
+        return named, known
 
     # causes
 
@@ -188,7 +218,15 @@ class Prover:
     # links
 
     def _promising(self, kind: PatternKind, path: tuple[int, ...]) -> list[Claim]:
-        return [a for a in self.axioms if a.stated.pattern.kind is kind and a.number not in path]
+        scope = self.claim.stated.scope.kind
+        usable = (*self.axioms, *self.scoped) if self.within else self.axioms
+        return [
+            axiom
+            for axiom in usable
+            if axiom.stated.pattern.kind is kind
+            and axiom.number not in path
+            and (not self.within or axiom in self.scoped or joins(scope, kind))
+        ]
 
     def _link(self, axiom: Claim) -> Proof:
         hops = 1 if axiom.node and axiom.stated.pattern.kind is not PatternKind.NO else 0

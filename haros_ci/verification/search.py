@@ -9,7 +9,8 @@ from typing import Any
 
 import z3
 
-from haros_ci.behaviour.text import time_text
+from haros_ci.behaviour.text import canonical, time_text
+from haros_ci.behaviour.tree import PatternKind, ScopeKind
 from haros_ci.verification.bounded import bounded
 from haros_ci.verification.cones import Cone, cone, may_go_on
 from haros_ci.verification.fields import Fields
@@ -21,10 +22,13 @@ from haros_ci.verification.predicates import Compiler, Message, Value
 from haros_ci.verification.problem import MILLISECOND, Claim, NotModelled, Problem, events_of
 from haros_ci.verification.proofs import greatest_latency, sentence
 from haros_ci.verification.replay import is_two_sided, never_ends
+from haros_ci.verification.scoped import shares_scope
 from haros_ci.verification.unrolling import _variable
 
 #: Halvings of an interval of latencies, and the least step in nanoseconds.
 HALVINGS, LEAST_LATENCY = 12, MILLISECOND // 10
+#: Patterns that proofs by composition are looked for.
+COMPOSED = (PatternKind.CAUSES, PatternKind.REQUIRES, PatternKind.NO)
 
 
 def nobody(number: int, seconds: float) -> None:
@@ -131,7 +135,20 @@ def _concluded(group: Group, sought: Sought) -> Finding:
         return replace(
             base, result=Result.UNDETERMINED, reason=f"no run of so few events ({depth}) {what}; longer ones may"
         )
-    return _with_latency(group, sought, base)
+    return _with_latency(group, sought, replace(base, reason=_not_composed(group, sought.claim)))
+
+
+def _not_composed(group: Group, claim: Claim) -> str:
+    """Which axioms a proof could not use for their scopes; "" if there are none."""
+    others = [
+        axiom
+        for axiom in group.cone.axioms
+        if axiom.stated.scope.kind is not ScopeKind.GLOBALLY and not shares_scope(group.problem, claim, axiom)
+    ]
+    if not others or claim.stated.pattern.kind not in COMPOSED:
+        return ""
+    more = f" and {len(others) - 1} more" if len(others) > 1 else ""
+    return f"not composed: the scope of {others[0].node or 'the configuration'}: {canonical(others[0].stated)}{more}"
 
 
 def _with_latency(group: Group, sought: Sought, found: Finding) -> Finding:

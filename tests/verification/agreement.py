@@ -152,11 +152,13 @@ def _looped(draw: random.Random, text: str, length: int) -> Case:
     return Case(text, trace, loop, least + draw.choice((1, 2, 5, 10)))
 
 
-def disagreements(seed: object, count: int, each: int = 6) -> tuple[list[tuple[Case, Any, Any]], Counter[str]]:
-    """Where formulas and monitor differ, and what was compared."""
+def disagreements(
+    seed: object, count: int, each: int = 6, longest: int = 8, *, first: bool = False
+) -> tuple[list[tuple[Case, Any, Any]], Counter[str]]:
+    """Where formulas and monitor differ, or the *first* difference alone, and what was compared."""
     found: list[tuple[Case, Any, Any]] = []
     seen: Counter[str] = Counter()
-    for together in cases(seed, count, each):
+    for together in cases(seed, count, each, longest):
         is_looped = together[0].loop is not None
         length = len(together[0].trace) if is_looped else max(1, max(len(case.trace) for case in together))
         solved = Solved(together[0].text, length, is_looped=is_looped)
@@ -165,4 +167,6 @@ def disagreements(seed: object, count: int, each: int = 6) -> tuple[list[tuple[C
             seen["no loop" if expected is None else f"{'loop' if is_looped else 'silence'}, {expected}"] += 1
             if expected is not said:
                 found.append((case, expected, said))
+                if first:
+                    return found, seen
     return found, seen

@@ -228,9 +228,83 @@ def test_what_is_proved_has_no_counterexample(monkeypatch: pytest.MonkeyPatch, n
     assert {finding.result for finding in search.findings(made)} == {NONE}
 
 
+def test_the_same_counterexample_is_shown_each_time() -> None:
+    first, second = (answer("globally: /c as C requires /a {x = @C.x} within 15 ms") for _ in range(2))
+    assert first.run is not None and first == second
+
+
 def test_random_systems_have_no_wrong_answer() -> None:
-    from verification.systems import system, wrong
+    from verification.systems import chained, system, wrong
 
     seen: Counter[str] = Counter()
-    assert [text for number in range(6) for text in wrong(system(random.Random(f"pytest {number}"), 3), seen)] == []
-    assert seen["async: violated"] and seen["instant: violated"]
+    made = [system(random.Random(f"pytest {number}"), 3) for number in range(2)]
+    made += [chained(random.Random(f"chain {number}"), 3) for number in range(2)]
+    assert [text for one in made for text in wrong(one, seen)] == []
+    assert seen["async: violated"] and seen["instant: violated"] and seen["instant: proved"]
+
+
+#: The chain with what opens and closes scopes, which all of its nodes receive.
+SCOPED = (
+    Member("/src", frozenset(("/a", "/go", "/stop")), {}),
+    Member("/first", frozenset(("/b",)), {"/a": 1, "/go": 1, "/stop": 1}),
+    Member("/second", frozenset(("/c",)), {"/b": 10, "/go": 1, "/stop": 1}),
+)
+SAME = ("after /go", "until /stop", "after /go until /stop", "after /go as G {x = 1} until /stop {x = @G.x}")
+
+
+def within(scope: str) -> tuple[tuple[str, str], ...]:
+    return tuple((node, text.replace("globally", scope)) for node, text in AXIOMS)
+
+
+@pytest.mark.parametrize("scope", SAME)
+@pytest.mark.parametrize(
+    "pattern",
+    ["/a as A causes /c {x = @A.x} within 20 ms", "/c as C requires /a {x = @C.x} within 20 ms", "no /c {x > 5}"],
+)
+def test_axioms_of_the_same_scope_compose(pattern: str, scope: str) -> None:
+    assert answer(f"{scope}: {pattern}", axioms=within(scope), members=SCOPED).result is PROVED
+
+
+@pytest.mark.parametrize(
+    ("claim", "scope"),
+    [
+        ("globally: no /c {x > 5}", "after /go"),
+        ("globally: /a as A causes /c {x = @A.x} within 20 ms", "until /stop"),
+        ("after /go: /a as A causes /c {x = @A.x} within 20 ms", "after /go until /stop"),
+        ("after /go {x = 1}: no /c {x > 5}", "after /go {x = 2}"),
+        ("after /go until /stop: /a causes /c within 20 ms", "globally"),
+        ("after /go: /c requires /a within 20 ms", "globally"),
+        ("after /go: /c requires /a within 20 ms", "after /go {x = 1}"),
+        ("until /stop: /a causes /c within 20 ms", "globally"),
+        ("after /go until /stop: /a causes /c within 19 ms", "after /go until /stop"),
+    ],
+)
+def test_axioms_of_other_scopes_do_not(claim: str, scope: str) -> None:
+    assert answer(claim, axioms=within(scope), members=SCOPED).result is VIOLATED
+
+
+def test_where_messages_arrive_later_scopes_open_later_and_nothing_is_composed() -> None:
+    found = answer(
+        "after /go: no /c {x > 5}", axioms=within("after /go"), members=SCOPED, network=LATER, limits=Limits(3, 20)
+    )
+    assert found.result is not PROVED
+
+
+def test_what_is_not_composed_for_its_scope_is_named() -> None:
+    axioms = (("/first", "after /go: no /b {x > 5}"), ("/first", "until /go: no /b"))
+    found = answer("globally: no /b {x > 5}", axioms=axioms, members=SCOPED, limits=Limits(3, 20))
+    assert found.result is NONE
+    assert found.reason == "not composed: the scope of /first: after /go: no /b {x > 5} and 1 more"
+
+
+@pytest.mark.parametrize(
+    ("claim", "expected"),
+    [
+        ("after /b as B: no /a {x = @B.x}", VIOLATED),
+        ("after /b as B: no /a {x = @B.x and x > 5}", PROVED),
+        ("after /b as B {x = 7}: no /a {x = @B.x}", VACUOUS),
+        ("after /b as B: /a {x = @B.x} causes /c {x = @B.x} within 20 ms", PROVED),
+    ],
+)
+def test_values_that_opened_the_scope_are_any(claim: str, expected: Result) -> None:
+    assert answer(claim).result is expected

@@ -17,8 +17,10 @@ if TYPE_CHECKING:  # Python 3.8 does not evaluate these
     #: What makes steps: it is given ``draw``, the gaps to choose from and the messages seen so far.
     Part = Callable[[Callable[[Strategy], Any], Sequence[float], Seen], list["Step"]]
 
-#: Seconds between two messages; the first is the simplest.
+#: Seconds between two messages; the first is the simplest. Every second plan has none that is longer than ``QUICK``: bursts are worth as much
+#: as pauses, and most of the time of examples would be spent in these.
 GAPS = (0.0, 0.001, 0.01, 0.05)
+QUICK = 0.01
 #: Where the topics on which nothing is sent stand among the messages that were seen; no alias is empty.
 SILENT = ""
 
@@ -116,7 +118,9 @@ def plans(
 
     def drawn(draw: Callable[[Strategy], Any]) -> tuple[Step, ...]:
         seen: Seen = {SILENT: silent}
-        steps = [step for part in parts for step in part(draw, gaps, seen)]
+        quick = [gap for gap in gaps if gap <= QUICK]
+        chosen = gaps if not quick or draw(st.booleans()) else quick
+        steps = [step for part in parts for step in part(draw, chosen, seen)]
         return spaced(steps, spacings)
 
     return st.composite(drawn)()

@@ -13,7 +13,7 @@ import sys
 import tempfile
 import time
 import xmlrpc.client
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from haros_ci.test_files.property_tests.processes import Processes
@@ -44,6 +44,21 @@ class Edge(NamedTuple):
     publishes: bool
 
 
+class Start(NamedTuple):
+    """How a node is started: its *name*, the *command* and what it needs in its environment."""
+
+    name: str
+    command: Sequence[str]
+    env: Mapping[str, str]
+
+
+class Plan(NamedTuple):
+    """What launch files come to: *parameters* with their values, and the *nodes* to start."""
+
+    parameters: Sequence[tuple[str, Any]]
+    nodes: Sequence[Start]
+
+
 class Ros1(Driver):
     """*nodes* of the launch files: () for all. *inputs* are the topics on which the tests publish, *outputs* those that they watch, with types.
 
@@ -66,6 +81,7 @@ class Ros1(Driver):
         self.launches, self.nodes, self.edges = launches, nodes, edges
         self.inputs, self.outputs = inputs, outputs
         self.restarts = ATTACH not in os.environ
+        self.plan: Plan | None = None
         self.take: Callable[[str, Any], None] | None = None
         self.came = 0.0
         self.publishers: dict[str, Any] = {}
@@ -87,7 +103,9 @@ class Ros1(Driver):
             self.subscribers = [Ros1.ros.subscribe(topic, kind, self._came) for topic, kind in self.outputs.items()]
             self.publishers = {topic: Ros1.ros.publisher(topic, kind) for topic, kind in self.inputs.items()}
         if self.restarts:
-            Ros1.ros.launch(self.processes, self.launches, self.nodes)
+            if self.plan is None:
+                self.plan = Ros1.ros.plan(self.launches, self.nodes)
+            Ros1.ros.launch(self.processes, self.plan)
         Ros1.ros.wait_for(self.edges, self.ended)
         Ros1.active = self
 
@@ -156,12 +174,11 @@ class _Ros:
             processes.start(_MASTER, [rosmaster, "--core", "-p", str(port)], self.env, self.output)
         self.uri = os.environ["ROS_MASTER_URI"]
         self.master: Any = xmlrpc.client.ServerProxy(self.uri)
+        self.rospy = _rospy()  # while the master comes up
         self._wait_for_master()
-        self.rospy = _rospy()
         self.rospy.init_node(NAME, anonymous=True, disable_signals=True, disable_rosout=True)
         self.name: str = self.rospy.get_name()
         self.own = self.call("lookupNode", self.name)
-        self.started: list[str] = []
 
     def call(self, method: str, *arguments: Any) -> Any:
         """Ask the master; None where it has nothing to say."""
@@ -187,33 +204,35 @@ class _Ros:
     def publisher(self, topic: str, kind: str) -> Any:
         return self.rospy.Publisher(topic, class_of(kind), queue_size=1000, tcp_nodelay=True)
 
-    def launch(self, processes: Processes, launches: Sequence[Launch], nodes: Sequence[str]) -> None:
-        """Set the parameters of the launch files anew, and start their nodes, or only these."""
+    def launch(self, processes: Processes, plan: Plan) -> None:
+        """Set the parameters of the launch files anew, and start their nodes, or only those of *plan*."""
+        for name in self.call("getParamNames") or ():
+            self.call("deleteParam", name)
+        for key, value in plan.parameters:
+            self.call("setParam", key, value)
+        for start in plan.nodes:
+            processes.start(start.name, start.command, {**self.env, **start.env}, self.output)
+
+    def plan(self, launches: Sequence[Launch], nodes: Sequence[str]) -> Plan:
+        """What roslaunch makes of the launch files, of all nodes or only these; it asks catkin for each program, which takes longer than the rest."""
         from roslaunch.config import load_config_default
         from roslaunch.node_args import create_local_process_args
 
         files = [(_file_of(item), list(item.arguments)) for item in launches]
         config = load_config_default(files, int(self.uri.rpartition(":")[2].strip("/")))
-        for name in self.call("getParamNames") or ():
-            self.call("deleteParam", name)
-        for key, parameter in config.params.items():
-            self.call("setParam", key, parameter.value)
-        self.started = []
+        found = []
         for node in config.nodes:
             name = f"{node.namespace}{node.name}"
             if nodes and name not in nodes:
                 continue
-            if (
-                node.machine is not None
-                and node.machine.name
-                and node.machine.address not in ("localhost", "127.0.0.1", "")
-            ):
-                raise NotReady(f"{name} is for another machine, {node.machine.address}")
-            env = {**self.env, "ROS_NAMESPACE": node.namespace.rstrip("/") or "/", **dict(node.env_args)}
-            processes.start(name, create_local_process_args(node, node.machine), env, self.output)
-            self.started.append(name)
-        if not self.started:
+            there = node.machine
+            if there is not None and there.name and there.address not in ("localhost", "127.0.0.1", ""):
+                raise NotReady(f"{name} is for another machine, {there.address}")
+            env = {"ROS_NAMESPACE": node.namespace.rstrip("/") or "/", **dict(node.env_args)}
+            found.append(Start(name, tuple(create_local_process_args(node, there)), env))
+        if not found:
             raise NotReady(f"the launch file starts none of {', '.join(nodes) or 'its nodes'}")
+        return Plan(tuple((key, parameter.value) for key, parameter in config.params.items()), tuple(found))
 
     def forget(self, node: str) -> None:
         """Take what a node that has been ended has left out of the master's tables."""
@@ -271,7 +290,10 @@ class _Ros:
 def _file_of(item: Launch) -> str:
     import rospkg
 
-    path: str = os.path.join(rospkg.RosPack().get_path(item.package), item.path)
+    try:
+        path: str = os.path.join(rospkg.RosPack().get_path(item.package), item.path)
+    except rospkg.ResourceNotFound as err:
+        raise NotReady(f"there is no package {item.package}: source the setup file of the built workspace") from err
     if not os.path.isfile(path):
         raise NotReady(f"{item.package} has no {item.path}: is this the workspace that was built?")
     return path

@@ -21,8 +21,8 @@ from haros_ci.test_files.property_tests.plans import Step, as_json
 REPLAYS = 5
 #: After so many failures that a fresh system does not show, every example gets a fresh system.
 CARRIED = 3
-#: So many examples a system is kept for: what one leaves behind may hide what others would show.
-KEPT = 10
+#: So many examples the first system of a test is kept for, and each later one: what one leaves behind may hide what others would show.
+KEPT, KEPT_LATER = 10, 20
 #: Seconds that are spent on shrinking a failure.
 SHRINKING = 60.0
 
@@ -151,7 +151,8 @@ class Trials:
         driver, tally = self.driver, self.tally
         dead = driver.ended() if driver.running else []
         tally.between.extend(dead)
-        fresh = fresh or self.fresh_next or self.had >= KEPT or bool(dead)
+        kept = KEPT if tally.starts < 2 else KEPT_LATER
+        fresh = fresh or self.fresh_next or self.had >= kept or bool(dead)
         if not driver.running or (driver.restarts and fresh):
             self._start()
         elif driver.reset():
