@@ -139,6 +139,11 @@ KNOWN: list[Any] = [
     ('auto n = std::make_shared<rclcpp::Node>("a"); auto v = std::vector<std::shared_ptr<pkg::Data<Mode>>>(); rclcpp::spin(n);', "struct Mode {};\n", "/a"),
     ('auto n = rclcpp::Node::make_shared("a"); rclcpp::executors::SingleThreadedExecutor e; e.add_node(n); e.spin();', "", "/a"),
     ('auto n = std::make_shared<rclcpp::Node>("a"); rclcpp::spin(n->get_node_base_interface());', "", "/a"),
+    ('auto n = std::make_shared<rclcpp::Node>("a"); rclcpp::executors::SingleThreadedExecutor e; e.add_node(n); '
+     'auto f = std::make_shared<pkg::srv::Trigger::Response>(); e.spin_until_future_complete(f);', "", "/a"),
+    ('auto n = std::make_shared<rclcpp::Node>("a"); auto f = std::make_shared<pkg::Future>(); rclcpp::spin_until_future_complete(n, f);', "", "/a"),
+    ('auto n = std::make_shared<rclcpp::Node>("a"); rclcpp::executors::SingleThreadedExecutor e; e.add_node(n); '
+     'auto f = std::make_shared<pkg::Future>(); e.spin_until_future_complete(f);', "", "/a"),
     (SPIN.format("D"), DERIVED.format("rclcpp::Node", "rclcpp::Node", ""), "/d"),
     (SPIN.format("D<rclcpp::Node>"), 'template<class T> class D : public T { public: D() : T("d") { this->template create_publisher<String>("x", 1); } };\n', "/d"),
     (SPIN.format("D<B>"),

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
@@ -29,8 +30,10 @@ GIVEN = "{} is not in the workspace, which is given the class {} and may make on
 #: Functions that begin a process, and why one has no node.
 STARTING = frozenset(("rclcpp::init", "rclpy.init"))
 NO_NODE = "it initialises the client library, but no node of it is seen"
-#: Methods of an executor that are given a node.
-HANDED = ("add_node", "spin")
+#: Methods of an executor that are given a node; ``spin_until_future_complete`` is given what it waits for.
+HANDED = ("add_node", "spin_node")
+#: Parts of names of classes that interfaces are generated to.
+INTERFACES = ("::msg::", "::srv::", "::action::", ".msg.", ".srv.", ".action.")
 #: Pointers to nodes in the parameters of classes that are given one.
 NODES = ("rclcpp::Node", "rclcpp_lifecycle::LifecycleNode")
 POINTERS = ("::SharedPtr", "::WeakPtr", "::ConstSharedPtr", "::ConstWeakPtr", "::UniquePtr")
@@ -78,21 +81,21 @@ def _base(walk: Walk, this: Object) -> str | None:
 
 def _is_strange(walk: Walk, name: str) -> bool:
     """Whether a class or function is of a library of which nothing is known."""
-    return bool(name) and name not in walk.rows and not is_known(name) and not harmless.is_harmless(name, False)
+    if not name or name in walk.rows or any(part in name for part in INTERFACES):
+        return False
+    return not is_known(name) and not harmless.is_harmless(name, False)
 
 
 def spun(walk: Walk, args: Iterable[PassedArgument], location: Location) -> None:
-    """A process goes on with one of *args*, which is a node: one of a class that is not here has a name and endpoints of which nothing is known."""
-    for argument in args:
+    """A process goes on with the first of *args*, which is a node: one of a class that is not here has a name and endpoints of which nothing is known."""
+    for argument in islice(args, 1):
         value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
         if isinstance(value, Object) and ros2_nodes.of_value(walk, value) is None:
             _is_node(walk, value, location)
-            return
-        if isinstance(value, Opaque) and not walk.nodes and not walk.quiet:
+        elif isinstance(value, Opaque) and not walk.nodes and not walk.quiet:
             message = f"the node is not known: {value.reason}"
             walk.gaps.setdefault(message, value.location or location)
             ros2_nodes.made(walk, Object(""), Opaque(value.reason, value.location), None, None, location)
-            return
 
 
 def _is_node(walk: Walk, value: Object, location: Location) -> None:
