@@ -158,7 +158,7 @@ def test_layout_is_only_for_google() -> None:
     ("tool", "identifier", "profile"),
     [
         ("cppcheck", "doubleFree", "bugs-only"),
-        ("cppcheck", "doubleFree", "bugs-only"),
+        ("cppcheck", "nullPointer", "bugs-only"),
         ("cppcheck", "variableScope", "strict"),
         ("cppcheck", "uninitMemberVar", "strict"),
         ("pylint", "undefined-variable", "bugs-only"),

@@ -146,7 +146,7 @@ GROUPS: tuple[Group, ...] = (
         "The null case reaches the dereference, or the test comes too late. Test first, or drop the test.",
         ("correctness", "pointers"),
         (
-            ("nullPointer", "Sw", "Null pointer dereference."),
+            ("nullPointer", "Bw", "Null pointer dereference."),
             ("nullPointerArithmetic", "Bw", "Arithmetic on a null pointer."),
             ("nullPointerArithmeticRedundantCheck", "Rw", "Pointer arithmetic before the null test."),
             ("nullPointerDefaultArg", "Rw", "Dereferenced default argument that may be null."),
