@@ -7,7 +7,6 @@ import importlib.util
 import json
 import os
 import sys
-import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -22,6 +21,7 @@ from haros_ci.errors import EXIT_TOOL_TROUBLE, UserError
 from haros_ci.pipeline import found, selection_of
 from haros_ci.registry import registry
 from haros_ci.report.escape import terminal
+from haros_ci.scratch import scratch_directory
 from haros_ci.test_files.property_tests.processes import Processes
 from haros_ci.test_files.suite import Suite
 from haros_ci.test_files.written import MARK, written
@@ -89,7 +89,7 @@ def _run(folder: Path, tests: Sequence[str], made: Sequence[Suite], flags: Mappi
     env = dict(os.environ)
     if flags["examples"] is not None:
         env["PROPERTY_TESTS_EXAMPLES"] = str(flags["examples"])
-    with tempfile.TemporaryDirectory() as scratch:
+    with scratch_directory() as scratch:
         report = Path(env.setdefault("PROPERTY_TESTS_REPORT", os.path.join(scratch, "report.jsonl")))
         before = report.stat().st_size if report.exists() else 0
         code = _tested(folder, tests, env)
@@ -105,7 +105,10 @@ def _results(report: Path, before: int) -> set[str]:
         lines = report.read_bytes()[before:].splitlines()
     except OSError:
         return set()
-    return {str(json.loads(line)["result"]) for line in lines}
+    try:
+        return {str(json.loads(line)["result"]) for line in lines}
+    except (KeyError, TypeError, ValueError, RecursionError):
+        return set()  # another program has written into it
 
 
 def _tested(folder: Path, tests: Sequence[str], env: Mapping[str, str]) -> int:

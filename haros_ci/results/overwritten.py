@@ -9,6 +9,8 @@ from functools import lru_cache
 
 #: What only makes names, and calls nothing that stands in it.
 _DEFINITIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+#: Pairs of a name and a statement that are looked at in one file.
+_PAIRS = 500_000
 
 
 def is_overwritten(text: str, line: int) -> bool:
@@ -32,6 +34,7 @@ def is_used_before(text: str, line: int) -> bool:
 def _used(text: str) -> tuple[range, ...]:
     """The lines from the decorators to the head of the definitions that replace what was used."""
     found: list[range] = []
+    look = _Look()
     for node in ast.walk(_parsed(text)):
         if isinstance(node, (ast.Module, *_DEFINITIONS)):
             before: dict[str, int] = {}
@@ -39,28 +42,21 @@ def _used(text: str) -> tuple[range, ...]:
                 if not isinstance(statement, _DEFINITIONS):
                     continue
                 first = before.get(statement.name)
-                between = node.body[first + 1 : index] if first is not None else []
-                if any(_mentions_now(other, statement.name) for other in between):
+                if first is not None and look.mentions(statement.name, node.body[first + 1 : index]):
                     lines = [decorator.lineno for decorator in statement.decorator_list] + [statement.lineno]
                     found.append(range(min(lines), statement.lineno + 1))
                 before[statement.name] = index
     return tuple(found)
 
 
-def _mentions_now(statement: ast.stmt, name: str) -> bool:
-    """Whether *statement* reads the name as it is run, not in the body of a function."""
-    if isinstance(statement, (ast.FunctionDef, ast.AsyncFunctionDef)):
-        return _may_use(statement, name)
-    return _mentions(statement, name)
-
-
 @lru_cache(maxsize=16)
 def _replaced(text: str) -> tuple[tuple[int, int], ...]:
     """The first and last lines of the functions."""
     found: list[tuple[int, int]] = []
+    look = _Look()
     for node in ast.walk(_parsed(text)):
         if isinstance(node, (ast.Module, *_DEFINITIONS)):
-            found.extend(_in_block(node.body))
+            found.extend(_in_block(node.body, look))
     return tuple(found)
 
 
@@ -74,7 +70,7 @@ def _parsed(text: str) -> ast.Module:
         return ast.Module([], [])
 
 
-def _in_block(block: list[ast.stmt]) -> list[tuple[int, int]]:
+def _in_block(block: list[ast.stmt], look: _Look) -> list[tuple[int, int]]:
     last: dict[str, int] = {}
     for index, statement in enumerate(block):
         if isinstance(statement, _DEFINITIONS):
@@ -84,23 +80,42 @@ def _in_block(block: list[ast.stmt]) -> list[tuple[int, int]]:
         if not isinstance(statement, (ast.FunctionDef, ast.AsyncFunctionDef)) or statement.decorator_list:
             continue
         again = last[statement.name]
-        if again > index and not any(_may_use(other, statement.name) for other in block[index + 1 : again + 1]):
+        if again > index and not look.may_use(statement.name, block[index + 1 : again + 1]):
             found.append((statement.lineno, statement.end_lineno or statement.lineno))
     return found
 
 
-def _may_use(statement: ast.stmt, name: str) -> bool:
-    """Whether *statement*, as it is run, may call or keep the function that is called *name* then."""
-    if isinstance(
-        statement, (ast.FunctionDef, ast.AsyncFunctionDef)
-    ):  # its body is run later; what it begins with is run now
-        arguments = statement.args
-        parts = (*statement.decorator_list, *arguments.defaults, *filter(None, arguments.kw_defaults))
-        return any(_mentions(part, name) for part in parts)
-    if isinstance(statement, ast.ClassDef):
-        return _mentions(statement, name)
-    return _mentions(statement, name) or any(isinstance(node, ast.Call) for node in ast.walk(statement))
+class _Look:
+    """What statements of one file mention as they are run; every statement is read once, and so many pairs of a name and a statement are looked at in all."""
 
+    def __init__(self) -> None:
+        self._read: dict[int, tuple[frozenset[str], bool]] = {}
+        self._left = _PAIRS
 
-def _mentions(node: ast.AST, name: str) -> bool:
-    return any(isinstance(inner, ast.Name) and inner.id == name for inner in ast.walk(node))
+    def mentions(self, name: str, statements: list[ast.stmt]) -> bool:
+        """Whether one of them has the name where it is run, not in the body of a function; no where there are too many."""
+        return self._spend(statements) and any(name in self._names(one)[0] for one in statements)
+
+    def may_use(self, name: str, statements: list[ast.stmt]) -> bool:
+        """Whether one of them, as it is run, may call or keep the function that is called *name* then; yes where there are too many."""
+        if not self._spend(statements):
+            return True
+        return any(calls or name in names for names, calls in map(self._names, statements))
+
+    def _spend(self, statements: list[ast.stmt]) -> bool:
+        self._left -= len(statements)
+        return self._left >= 0
+
+    def _names(self, statement: ast.stmt) -> tuple[frozenset[str], bool]:
+        """The names in what is run of a statement, and whether it calls something."""
+        found = self._read.get(id(statement))
+        if found is None:
+            parts: tuple[ast.AST, ...] = (statement,)
+            if isinstance(statement, (ast.FunctionDef, ast.AsyncFunctionDef)):  # its body is run later
+                arguments = statement.args
+                parts = (*statement.decorator_list, *arguments.defaults, *filter(None, arguments.kw_defaults))
+            inner = [node for part in parts for node in ast.walk(part)]
+            names = frozenset(node.id for node in inner if isinstance(node, ast.Name))
+            calls = not isinstance(statement, _DEFINITIONS) and any(isinstance(node, ast.Call) for node in inner)
+            found = self._read[id(statement)] = (names, calls)
+        return found

@@ -19,7 +19,7 @@ from haros_ci.graph.remap_rules import of_ros1_node, written_rule
 from haros_ci.graph.ros2_process import Parameters
 from haros_ci.graph.words import scalar, split
 from haros_ci.keeping.kept import Followed
-from haros_ci.model.architecture import KINDS, Endpoint, Node, Unknown
+from haros_ci.model.architecture import KINDS, Node, Unknown
 from haros_ci.model.build import PluginClass
 from haros_ci.model.launch import Started
 from haros_ci.model.launch_facts import ParameterFileUse
@@ -112,18 +112,10 @@ def launched(types: Types, started: Started, server: ParameterServer) -> Job:
     def follow_it() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
         followed = run_node(types, entry, files, instance, parameter)
         ends = endpoints(followed.made, by(remaps), server)
-        unknowns = (*node.unknowns, *_incomplete(followed, entry, node.location, ends))
+        unknowns = (*node.unknowns, *incomplete(followed, entry, node.location))
         return (replace(node, endpoints=ends, unknowns=unknowns, paces=paces(followed.made)),), followed.problems
 
     return Job(node, (id(entry), instance.name), follow_it, _size(types, files), server=server)
-
-
-def _incomplete(
-    followed: Followed, entry: Entry, location: Location | None, ends: tuple[Endpoint, ...]
-) -> tuple[Unknown, ...]:
-    """Why a node may have more endpoints than are known; of one that has none, that nothing of it is seen."""
-    found = incomplete(followed, entry, location)
-    return found if found or ends else (Unknown("endpoints", UNSEEN, location),)
 
 
 def _size(types: Types, files: frozenset[str]) -> int:
@@ -195,7 +187,7 @@ def alone(
             followed = followed if own.name == before else under(own.name)
         why = ANONYMOUS if own.reason is None else f"{UNNAMED}: {own.reason}"
         ends = endpoints(followed.made, by({}), server, why)
-        unknowns = _incomplete(followed, entry, location, ends)
+        unknowns = incomplete(followed, entry, location)
         if own.reason is not None:
             unknowns = (*unknowns, Unknown("name", own.reason, own.location or location))
         made = replace(node, name=own.name, process=own.name, unknowns=unknowns, endpoints=ends)
@@ -205,8 +197,6 @@ def alone(
     return Job(node, (id(entry), chosen), follow_it, _size(types, files), label=label, server=server)
 
 
-#: Why a node that has nothing may have something.
-UNSEEN = "nothing that it makes is seen"
 #: Why a nodelet that nothing loads has no name of its own (names.cpp of roscpp).
 COLON = "its look-up name has a colon, which no node name may have: whoever loads it names it"
 
@@ -233,7 +223,7 @@ def standalone(types: Types, look_up: str) -> Job:
     def follow_it() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
         followed = run_node(types, entry, files, instance, partial(server.get_for, name))
         ends = endpoints(followed.made, by({}), server, f"{UNNAMED}: {COLON}" if is_invalid else UNNAMED)
-        unknowns = _incomplete(followed, entry, node.location, ends)
+        unknowns = incomplete(followed, entry, node.location)
         if is_invalid:
             unknowns = (*unknowns, Unknown("name", COLON, node.location))
         made = replace(node, unknowns=unknowns, endpoints=ends)

@@ -24,6 +24,7 @@ PROGRAM = ROOT / "haros_ci"
 
 #: Modules that read bytes which no workspace, log, shard, cache or tool has written.
 NOT_FUZZED = {
+    "commands.testgen": "reads what the generated tests, which run code of the workspace anyway, write to a file of this run",
     "html_page.gather": "reads what analysis.kept_runs has kept, through the cache, and escapes it again",
     "own_sources": "digests the bytes of haros-ci itself",
     "streams": "opens the null device in place of streams that are closed",

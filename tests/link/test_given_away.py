@@ -114,7 +114,7 @@ def test_a_library_that_is_given_a_node_s_class_may_make_it(code: str, expected:
     [
         ("import tools.node as t\nclass Driver(t.Node):", ["/a"]),
         ("from tools.node import Node\nclass Driver(Node):", ["/a"]),
-        ("from tools.node import Window\nclass Driver(Window):", []),
+        ("from tools.node import Window\nclass Driver(Window):", ["/a"]),  # it is spun
         ("class Node:\n    pass\nclass Driver(Node):", []),
     ],
 )

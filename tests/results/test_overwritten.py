@@ -99,3 +99,12 @@ def test_what_is_used_before_it_is_replaced(text: str) -> None:
 )
 def test_what_is_replaced_unused(text: str) -> None:
     assert not any(is_used_before(text, line) for line in range(text.count("\n") + 2))
+
+
+def test_many_definitions_are_cheap() -> None:
+    """Pairs of names and statements are bounded: what is beyond is not called overwritten."""
+    few = "".join(f"def f{i}():\n    pass\n" for i in range(50)) * 2
+    assert is_overwritten(few, 1)
+    many = "".join(f"def f{i}():\n    pass\n" for i in range(4_000)) * 2
+    assert not is_overwritten(many, 8_000)
+    assert not is_used_before(many, 16_000)

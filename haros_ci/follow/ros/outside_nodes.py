@@ -88,6 +88,8 @@ def _is_strange(walk: Walk, name: str) -> bool:
 
 def spun(walk: Walk, args: Iterable[PassedArgument], location: Location) -> None:
     """A process goes on with the first of *args*, which is a node: one of a class that is not here has a name and endpoints of which nothing is known."""
+    if walk.context.process is None:
+        return
     for argument in islice(args, 1):
         value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
         if isinstance(value, Object) and ros2_nodes.of_value(walk, value) is None:

@@ -33,7 +33,17 @@ GROUPS = {
         *("yaml-lines",),
     ),
     "sources": (
-        *("comments", "cpp", "followed-cpp", "followed-python", "followed-ros1", "includes", "inclusions", "line-maps"),
+        *(
+            "comments",
+            "cpp",
+            "defined-again",
+            "followed-cpp",
+            "followed-python",
+            "followed-ros1",
+            "includes",
+            "inclusions",
+            "line-maps",
+        ),
         *("lizard", "measured-cpp", "measured-python", "parameter-library", "python", "radon"),
     ),
     "stored": (
