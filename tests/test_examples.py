@@ -110,12 +110,18 @@ def test_tool_configuration_is_honoured(tmp_path: Path) -> None:
 
 
 def test_the_project_file_is_honoured(tmp_path: Path) -> None:
-    """haros.yaml leaves the directory with the vendor's sample and one rule out; without it both findings are back."""
+    """haros.yaml leaves the directory with the vendor's sample and one rule out; without it, and with the rule asked for, both findings are back."""
     copy = tmp_path / "legacy_ws"
     shutil.copytree(EXAMPLES / "legacy_ws", copy)
     known = rows(check(copy)[1], open=True)
     isolated = rows(
-        check(copy, "--isolated", "--select", "runtime/printf,runtime/explicit,noExplicitConstructor")[1], open=True
+        check(
+            copy,
+            "--isolated",
+            "--select",
+            "runtime/printf,runtime/explicit,noExplicitConstructor,build/namespaces_headers",
+        )[1],
+        open=True,
     )
     assert {(row[0], row[2]) for row in set(isolated) - set(known)} == {
         ("src/agv_base/include/agv_base/can_bus.h", "cpplint:build/namespaces_headers"),
