@@ -96,8 +96,8 @@ def _unpacked(kept: Any) -> Output | None:
 
 
 def _is_plain(content: bytes) -> bool:
-    """Whether text has nothing that a terminal or a GitHub runner would obey."""
-    if not content.translate(None, _PLAIN) and b"##[" not in content:  # most text, at the speed of C
+    """Whether text has nothing that a terminal or a runner would obey."""
+    if not content.translate(None, _PLAIN) and b"##" not in content:  # most text, at the speed of C
         return True
     text = content.decode("utf-8", "replace")
     return multiline(text) == text

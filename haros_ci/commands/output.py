@@ -14,6 +14,7 @@ from typing import Any
 import click
 
 from haros_ci.errors import RunFailure, UserError
+from haros_ci.report.escape import no_command
 from haros_ci.results.result import Report
 from haros_ci.writing import append
 
@@ -187,7 +188,7 @@ def rendered(report: Report, format: str, view: Extras, renderers: Renderers = M
         return of_plugin(report, renderers[format], to_file=view.to_file)
     text = FORMATS[format](report, view)
     if not view.to_file and format in IN_JSON:
-        return text.replace("##[", r"##\u005b")  # else a command to a GitHub runner that reads this log
+        return no_command(text)
     return text
 
 

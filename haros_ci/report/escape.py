@@ -11,10 +11,13 @@ _BREAK = "\N{ZERO WIDTH SPACE}"
 
 #: C0, DEL and C1 controls, line and paragraph separators, bidirectional controls, surrogates, Unicode tags.
 _UNSAFE = "\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff\ufff9-\ufffb\U000e0000-\U000e007f"
-#: How a GitHub runner's older commands begin, anywhere in a line of the log (actions/runner, ActionCommand.cs).
-_COMMAND = "##["
-_UNSAFE_IN_TEXT = re.compile(f"[{_UNSAFE}]|(?<=##)\\[")
-_UNSAFE_IN_LINE = re.compile(f"[{_UNSAFE}\n]|(?<=##)\\[")
+#: How commands to a runner begin, anywhere in a line of the log: GitHub's older ones (actions/runner, ActionCommand.cs), those of Azure Pipelines
+#: ("Logging commands"), and TeamCity's ("Service messages").
+_COMMAND = r"(?<=##)\[|(?i:(?<=##vso)\[)|(?i:(?<=##teamcity)\[)"
+_COMMANDS = re.compile(_COMMAND)
+_MARK = "##"
+_UNSAFE_IN_TEXT = re.compile(f"[{_UNSAFE}]|{_COMMAND}")
+_UNSAFE_IN_LINE = re.compile(f"[{_UNSAFE}\n]|{_COMMAND}")
 _HEAD = re.compile(r"^([^\S\n]*):(?=:)", re.MULTILINE)
 #: Punctuation that forms something, and what GitHub and GitLab make links of: ``www.``, ``GH-1``.
 _MARKDOWN_ACTIVE = re.compile(r"[!#$&()*+:<=>@\[\\\]^_`{|}~]|(?<=[wW]{3})\.|(?<=GH)-(?=\d)")
@@ -25,16 +28,16 @@ _MAIL = re.compile(r"(?<=[\w.+-])&#64;(?=\w)")
 def terminal(text: str) -> str:
     """One line that moves no cursor: every control or bidi character becomes U+FFFD, one for one, a tab a space.
 
-    So does the bracket of ``##[``, which begins a command to a GitHub runner.
+    So does the bracket of ``##[``, ``##vso[`` and ``##teamcity[``, which begin commands to runners.
     """
-    if text.isprintable() and _COMMAND not in text:
+    if text.isprintable() and _MARK not in text:
         return text
     return _UNSAFE_IN_LINE.sub(REPLACEMENT, text.replace("\t", " "))
 
 
 def multiline(text: str) -> str:
     """As ``terminal``, but newlines and tabs stay and CR LF becomes LF."""
-    if text.isprintable() and _COMMAND not in text:
+    if text.isprintable() and _MARK not in text:
         return text
     return _UNSAFE_IN_TEXT.sub(REPLACEMENT, text.replace("\r\n", "\n"))
 
@@ -46,7 +49,12 @@ def patch(text: str) -> str:
 
 def json_document(document: object, indent: int) -> str:
     """*document* as JSON for a file or a log: ASCII alone, so that no name in it moves a cursor or turns a line round, and no command to a runner."""
-    return json.dumps(document, indent=indent, ensure_ascii=True).replace(_COMMAND, r"##\u005b")
+    return no_command(json.dumps(document, indent=indent, ensure_ascii=True))
+
+
+def no_command(text: str) -> str:
+    """JSON *text* that says the same and is no command to a runner that reads the log."""
+    return _COMMANDS.sub(r"\\u005b", text) if _MARK in text else text
 
 
 def workflow_data(text: str) -> str:

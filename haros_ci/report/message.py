@@ -24,7 +24,7 @@ def plain(result: Result) -> str:
 def linked(result: Result) -> str:
     """The message as SARIF text: every related location is linked by its id, all other brackets are literal."""
     parts = tuple(_parts(result))
-    words = [f"[{_escape(text)}]({link})" if link else _literal(text) for text, link in parts]
+    words = [f"[{_escape(text)}]({link})" if link else literal(text) for text, link in parts]
     text = sentence("".join(words))
     named = {link for _, link in parts}
     rest = [(n, place) for n, place in enumerate(result.related, start=1) if n not in named][:MAX_LINKS]
@@ -70,8 +70,8 @@ def _parts(result: Result) -> Iterator[tuple[str, int]]:
     yield text[start:], 0
 
 
-def _literal(text: str) -> str:
-    """Brackets stay readable as they are, unless a reader could take them for a link."""
+def literal(text: str) -> str:
+    """*text* for a message of SARIF that has no links: brackets stay readable as they are, unless a reader could take them for a link (§3.11.6)."""
     return _escape(text) if "](" in text else text
 
 

@@ -12,7 +12,8 @@ from typing import Any
 
 from haros_ci.model.architecture import KINDS, Architecture
 from haros_ci.report.channels import CHANNELS
-from haros_ci.report.model_json import document_of, laid_out, no_command
+from haros_ci.report.escape import no_command
+from haros_ci.report.model_json import document_of, laid_out
 
 #: The version of this form; that of what it says is ``schema_version``.
 COMPACT = 1

@@ -37,7 +37,7 @@ from haros_ci.report.channels import (
     parameters_of,
     place_key,
 )
-from haros_ci.report.escape import terminal
+from haros_ci.report.escape import no_command, terminal
 from haros_ci.report.model_dependence import dependence_of
 from haros_ci.report.model_rates import rates_of
 
@@ -78,11 +78,6 @@ def laid_out(document: Mapping[str, Any]) -> str:
     parts: list[str] = []
     _lay_out(document, 0, parts, {})
     return no_command("".join(parts)) + "\n"
-
-
-def no_command(text: str) -> str:
-    """JSON *text* that says the same and is no command to a GitHub runner."""
-    return text.replace("##[", r"##\u005b")
 
 
 def plain(value: object, depth: int = 0) -> Any:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 
-from haros_ci.report.message import sentence
+from haros_ci.report.message import literal, sentence
 from haros_ci.report.sarif_objects import om
 from haros_ci.results.fix import Edit, Fix
 
@@ -19,7 +19,7 @@ def build_fixes(fixes: Iterable[Fix], artifact: Callable[[str], om.ArtifactLocat
         for edit in fix.edits:
             by_path.setdefault(edit.path, []).append(edit)
         yield om.Fix(
-            description=om.Message(text=sentence(fix.description)),
+            description=om.Message(text=literal(sentence(fix.description))),
             artifact_changes=[
                 om.ArtifactChange(artifact_location=artifact(path), replacements=[_replacement(edit) for edit in edits])
                 for path, edits in sorted(by_path.items())

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 from haros_ci.model.location import Location
 from haros_ci.report.escape import terminal
-from haros_ci.report.message import label
+from haros_ci.report.message import label, literal
 from haros_ci.report.sarif_objects import om
 from haros_ci.results.result import Graph, Related, Result, Run
 
@@ -106,11 +106,11 @@ def _build(graph: Graph, edges: dict[Edge, str], locate: Locate) -> om.Graph:
     for id in vertices:
         ids[id] = _distinct(terminal(id), taken)
     return om.Graph(
-        description=om.Message(text=terminal(graph.name) or "?"),
+        description=om.Message(text=literal(terminal(graph.name)) or "?"),
         nodes=[
             om.Node(
                 id=ids[vertex.id],
-                label=om.Message(text=terminal(vertex.label) or "?"),
+                label=om.Message(text=literal(terminal(vertex.label)) or "?"),
                 location=locate(vertex.location, None) if vertex.location else None,
             )
             for vertex in vertices.values()

@@ -13,7 +13,7 @@ from urllib.parse import quote
 
 from haros_ci.model.location import Location
 from haros_ci.report.escape import REPLACEMENT, terminal
-from haros_ci.report.message import label, linked, number, sentence
+from haros_ci.report.message import label, linked, literal, number, sentence
 from haros_ci.report.sarif_fixes import build_fixes
 from haros_ci.report.sarif_graphs import Drawn, build_flow, build_graphs, build_traversals, drawn
 from haros_ci.report.sarif_objects import dumps, om, properties, write
@@ -107,7 +107,7 @@ def build_notification(notification: Notification, kinds: dict[str, int], settin
     kind = trouble(notification)
     place = Location(notification.path, notification.line) if notification.path else None
     return om.Notification(
-        message=om.Message(text=sentence(notification.message)),
+        message=om.Message(text=literal(sentence(notification.message))),
         level=notification.level.value,
         descriptor=om.ReportingDescriptorReference(id=kind, index=kinds[kind]),
         locations=[build_location(place, setting)] if place else None,
@@ -170,7 +170,7 @@ def build_suppression(suppression: Suppression, setting: Setting) -> om.Suppress
     """§3.35; ``status`` stays absent, which reads as accepted (the object model's ``state`` is not a SARIF property)."""
     return om.Suppression(
         kind=suppression.kind,
-        justification=sentence(suppression.justification) if suppression.justification else None,
+        justification=literal(sentence(suppression.justification)) if suppression.justification else None,
         location=build_location(suppression.location, setting) if suppression.location else None,
     )
 
@@ -184,7 +184,7 @@ def build_location(place: Location, setting: Setting, *, id: int = -1, message: 
             region.end_column = max(place.end_column, place.column)
     return om.Location(
         id=id,
-        message=om.Message(text=message) if message else None,
+        message=om.Message(text=literal(message)) if message else None,
         physical_location=om.PhysicalLocation(artifact_location=_artifact_location(place.path, setting), region=region),
     )
 

@@ -41,7 +41,7 @@ _ENVIRONMENT = re.compile(r".*\.(?:(?:sh|bash)(?:\.develspace)?\.(?:em|in)|dsv(?
 
 #: ``#!/usr/bin/python3``, ``#!/usr/bin/env python``, ``#!/usr/bin/env -S python3 -u``, ``#!/bin/sh -e``
 _SHEBANG = re.compile(
-    rb"#![ \t]*(?:\S*/env[ \t]+(?:-\S+[ \t]+|\w+=\S*[ \t]+)*)?(?:\S*/)?(?:(python)[\d.]*|(?:ba|da|k)?sh)(?:\s|$)"
+    rb"#![ \t]*(?:\S*/env[ \t]+(?:-\S+[ \t]+|\w+=\S*[ \t]+)*)?(?:\S*/)?(?:(python|pypy)[\d.]*|(?:ba|da|k)?sh)(?:\s|$)"
 )
 
 

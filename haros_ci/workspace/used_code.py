@@ -56,6 +56,15 @@ _RUNS = re.compile(
     r"|\b(?:SourceFileLoader|spec_from_file_location|run_path|load_source|load_compiled|spec_from_loader|zipimporter|(?:__)?builtins(?:__)?)\b"
     r"|\bsys\.path\b"
 )
+#: What gives a file to an interpreter of Python in one line: CMake, launch files, ``subprocess``.
+_GIVEN = re.compile(
+    r"(?:\b(?:python|pypy)[\d.]{0,6}|\bsys\.executable|\$\{\w{0,60}PYTHON\w{0,60}\})(?!\w)([^\n]{1,1000})", re.I
+)
+#: Interpreters of other languages. A shell may still hand its script to Python.
+_OTHERS = re.compile(
+    r"#![^\n]{0,200}?\b(?:perl|ruby|node|deno|julia|octave|gnuplot|lua|Rscript|tclsh|wish|awk|gawk|make|php|expect|(?:ba|da|k|z)?sh)\b"
+)
+_HANDED_ON = re.compile(r"\bexec\s[^\n]{0,200}\b(?:python|pypy|uv)[\d.]{0,6}\b[^\n]{0,200}\$0")
 _IDENTIFIER = re.compile(r"\b[A-Za-z_]\w{0,100}\b")
 _BOUND = re.compile(r"\b([A-Za-z_]\w{0,100})[ \t]*(?::[^=\n]{0,100})?=(?!=)|\bas[ \t]+([A-Za-z_]\w{0,100})")
 _STRING = re.compile(r"[\"']([^\"'\n]{1,1000})[\"']")
@@ -90,6 +99,8 @@ class UsedCode:
             return "CMake installs it as a program, and neither its name nor its first line tells the language"
         if name in self._of("python", _loaded) and (name.endswith(".zip") or self._workspace.text(path)):
             return "Python code loads it as Python, and no Python file is called so"
+        if name in self._given() and self._workspace.text(path):
+            return "it is given to Python as a program, and no Python file is called so"
         return ""
 
     def reaches(self, path: str, directory: str) -> bool:
@@ -121,11 +132,17 @@ class UsedCode:
         return (file for file in self._workspace.files if file.language in languages)
 
     def _of(self, language: str, find: Callable[[str], Iterable[str]]) -> frozenset[str]:
-        if find.__name__ not in self._names:
+        key = f"{language} {find.__name__}"
+        if key not in self._names:
             texts = (self._workspace.text(file.path) for file in self._files((language,)))
             found = (name for text in texts for name in find(text))
-            self._names[find.__name__] = frozenset(name.rpartition("/")[2] for name in found)
-        return self._names[find.__name__]
+            self._names[key] = frozenset(name.rpartition("/")[2] for name in found)
+        return self._names[key]
+
+    def _given(self) -> frozenset[str]:
+        return frozenset(
+            name for language in ("cmake", "launch", "python") for name in self._of(language, _interpreted)
+        )
 
     def _is_among(self, name: str, language: str, find: Callable[[str], Iterable[str]]) -> bool:
         names = self._of(language, find)
@@ -145,9 +162,9 @@ class UsedCode:
         return _BODY.search(text) is not None and ";" in text and not _NO_CPP.search(text)
 
     def _is_binary(self, path: str) -> bool:
-        """Whether it is no text, or a script of an interpreter that nobody here knows, such as Perl's."""
+        """Whether it is no text, or a script of another language, such as Perl's."""
         text = self._workspace.text(path)
-        return not text or (text.startswith("#!") and "python" not in text.partition("\n")[0])
+        return not text or (_OTHERS.match(text) is not None and _HANDED_ON.search(text[:2000]) is None)
 
 
 def _included(text: str) -> Iterator[str]:
@@ -183,6 +200,15 @@ def _taken(text: str) -> Iterator[str]:
 def _programs(text: str) -> Iterator[str]:
     for one, other in _PROGRAMS.findall(text):
         yield from _WORD.findall(one or other)
+
+
+def _interpreted(text: str) -> Iterator[str]:
+    """The first name of a file behind an interpreter; ``-m`` and ``-c`` give it none."""
+    for rest in _GIVEN.findall(text):
+        words = _PIECE.findall(rest)
+        name = next((word for word in words if "." in word.strip(".") or word in ("-m", "-c")), "")
+        if name not in ("", "-m", "-c"):
+            yield name
 
 
 def _loaded(text: str) -> Iterator[str]:

@@ -90,14 +90,31 @@ def test_markdown_leaves(text: str) -> None:
     assert escape.markdown(text) == text
 
 
-EVIL = ("\u202ered.py", "\x1b[31m.py", "##[error]x.py", "a\u2028b", "\ud800")
+COMMANDS = (
+    "##[error]x.py",
+    "##vso[task.setvariable variable=PATH]x",
+    "a ##VSO[task.complete]",
+    "##teamcity[message text='x']",
+)
+EVIL = ("\u202ered.py", "\x1b[31m.py", *COMMANDS, "a\u2028b", "\ud800")
 
 
 @pytest.mark.parametrize("text", EVIL)
 def test_json_is_ascii_and_no_command(text: str) -> None:
     found = escape.json_document({text: [text]}, 1)
-    assert found.isascii() and "##[" not in found and json.loads(found) == {text: [text]}
+    assert found.isascii() and not re.search(r"##\w*\[", found) and json.loads(found) == {text: [text]}
     assert not any(ord(c) < 32 and c != "\n" for c in found)
+
+
+@pytest.mark.parametrize("text", COMMANDS)
+def test_no_text_is_a_command_to_a_runner(text: str) -> None:
+    for sink in (escape.terminal, escape.multiline, escape.patch, escape.workflow_data):
+        assert not re.search(r"##\w*\[", sink(text))
+
+
+@pytest.mark.parametrize("text", ["## heading [a]", "#define A(x) x##y[0]", "##vso is not one", "a[0] ## b"])
+def test_hashes_that_are_no_command_stay(text: str) -> None:
+    assert escape.terminal(text) == escape.multiline(text) == escape.no_command(text) == text
 
 
 def test_what_commands_print_as_json_goes_through_it() -> None:

@@ -32,6 +32,36 @@ FIRES = {
         "part.txt",
         BODY,
     ),
+    "an interpreter in CMake": (
+        "CMakeLists.txt",
+        "execute_process(COMMAND python3 -u src/part.dat)\n",
+        "part.dat",
+        "import os\n",
+    ),
+    "an interpreter that CMake found": (
+        "CMakeLists.txt",
+        "execute_process(COMMAND ${Python3_EXECUTABLE} src/part.dat)\n",
+        "part.dat",
+        "import os\n",
+    ),
+    "an interpreter in Python": (
+        "a.py",
+        "subprocess.run([sys.executable, 'src/part.dat'])\n",
+        "part.dat",
+        "import os\n",
+    ),
+    "an interpreter as prefix": (
+        "a.launch",
+        '<launch><node pkg="p" type="n" name="n" launch-prefix="python3 $(find p)/src/part.dat"/></launch>\n',
+        "part.dat",
+        "import os\n",
+    ),
+    "a program for uv": (
+        "CMakeLists.txt",
+        "install(PROGRAMS src/part DESTINATION lib/p)\n",
+        "part",
+        "#!/usr/bin/env -S uv run --script\nimport os\n",
+    ),
     "an archive": ("a.py", "sys.path.insert(0, 'part.zip')\n", "part.zip", "\0"),
     "another way to exec": (
         "a.py",
@@ -101,6 +131,26 @@ FIRES = {
     "compiled Python": ("a.py", "", "part.pyc", "x"),
 }
 QUIET = {
+    "what a program of Python is given": (
+        "a.py",
+        "subprocess.run([sys.executable, 'tool.py', 'part.txt'])\n",
+        "part.txt",
+        "x",
+    ),
+    "what a module is given": ("a.py", "subprocess.run([sys.executable, '-m', 'tool', 'part.txt'])\n", "part.txt", "x"),
+    "what a text is given": (
+        "CMakeLists.txt",
+        'execute_process(COMMAND python3 -c "print(1)" part.txt OUTPUT_VARIABLE x)\n',
+        "part.txt",
+        "x",
+    ),
+    "a version of Python": ("a.py", "# python 3.8 reads this\nopen('part.txt')\n", "part.txt", "x"),
+    "a program in Julia": (
+        "CMakeLists.txt",
+        "install(PROGRAMS src/part DESTINATION lib/p)\n",
+        "part",
+        "#!/usr/bin/env julia\nx = 1\n",
+    ),
     "nothing": ("src/a.cpp", BODY, "part.inc", BODY),
     "an include of another name": ("src/a.cpp", '#include "apart.inc"\n', "part.inc", BODY),
     "a text": ("src/a.cpp", 'const char *s = "part.inc";\n', "part.inc", BODY),
