@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 from follow_kit import ROS2_CMAKE, ROS2_HEAD, explicit, follow, only, ros2_files, ros2_main
+from follow_kit import python as ros1_python
 
 from haros_ci.model.architecture import Configuration, Node
 
@@ -169,3 +170,17 @@ def test_stays_quiet_of_a_template_that_is_given_no_class_that_makes_something()
     body = 'auto n = std::make_shared<rclcpp::Node>("a"); pkg::Buffer<Data> b; b.fill(); rclcpp::spin(n);'
     node = the_node(ros2_main(body, "struct Data { int a; };\n"))
     assert (node.name, node.unknowns, explicit(node)) == ("/a", (), [])
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "rospy.sleep(pkg.pause())",
+        "rospy.wait_for_service(pkg.name())",
+        "rospy.wait_for_message('a', pkg.Data())",
+        "rospy.spin(rospy.create_node('a'))",
+    ],
+)
+def test_ros_1_has_none(body: str) -> None:
+    """What a call that lets time pass is given is no node there."""
+    assert ros1_python(f"import pkg\n{body}\n").unknowns == ()
