@@ -60,11 +60,10 @@ _RUNS = re.compile(
 _GIVEN = re.compile(
     r"(?:\b(?:python|pypy)[\d.]{0,6}|\bsys\.executable|\$\{\w{0,60}PYTHON\w{0,60}\})(?!\w)([^\n]{1,1000})", re.I
 )
-#: Interpreters of other languages. A shell may still hand its script to Python.
+#: Interpreters of other languages.
 _OTHERS = re.compile(
     r"#![^\n]{0,200}?\b(?:perl|ruby|node|deno|julia|octave|gnuplot|lua|Rscript|tclsh|wish|awk|gawk|make|php|expect|(?:ba|da|k|z)?sh)\b"
 )
-_HANDED_ON = re.compile(r"\bexec\s[^\n]{0,200}\b(?:python|pypy|uv)[\d.]{0,6}\b[^\n]{0,200}\$0")
 _IDENTIFIER = re.compile(r"\b[A-Za-z_]\w{0,100}\b")
 _BOUND = re.compile(r"\b([A-Za-z_]\w{0,100})[ \t]*(?::[^=\n]{0,100})?=(?!=)|\bas[ \t]+([A-Za-z_]\w{0,100})")
 _STRING = re.compile(r"[\"']([^\"'\n]{1,1000})[\"']")
@@ -164,7 +163,7 @@ class UsedCode:
     def _is_binary(self, path: str) -> bool:
         """Whether it is no text, or a script of another language, such as Perl's."""
         text = self._workspace.text(path)
-        return not text or (_OTHERS.match(text) is not None and _HANDED_ON.search(text[:2000]) is None)
+        return not text or _OTHERS.match(text) is not None
 
 
 def _included(text: str) -> Iterator[str]:
