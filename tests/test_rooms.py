@@ -234,6 +234,7 @@ DOORS: dict[str, set[str]] = {
         "registry",
         "report",
         "results",
+        "scratch",
         "security",
         "shards",
         "starting",
