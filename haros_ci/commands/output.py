@@ -14,7 +14,6 @@ from typing import Any
 import click
 
 from haros_ci.errors import RunFailure, UserError
-from haros_ci.report.escape import no_command
 from haros_ci.results.result import Report
 from haros_ci.writing import append
 
@@ -188,6 +187,8 @@ def rendered(report: Report, format: str, view: Extras, renderers: Renderers = M
         return of_plugin(report, renderers[format], to_file=view.to_file)
     text = FORMATS[format](report, view)
     if not view.to_file and format in IN_JSON:
+        from haros_ci.report.escape import no_command
+
         return no_command(text)
     return text
 
