@@ -7,6 +7,7 @@ docs.ros.org: message_filters, tf2_ros/message_filter.h.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from operator import attrgetter
 
 from haros_ci import syntax
 from haros_ci.code.callbacks import Callback, callbacks
@@ -18,6 +19,8 @@ from haros_ci.model.location import Location
 
 #: Filters behind one another.
 DEPTH = 4
+#: The same in every run, whoever asked first.
+_ORDER = attrgetter("kind", "owner", "name")
 
 
 def passed_on(code: Codebase, location: Location) -> tuple[Callback, ...]:
@@ -51,14 +54,12 @@ def _is_at(step: Step, location: Location) -> bool:
 def _near(code: Codebase, routine: Routine, step: Step) -> set[Held]:
     """What keeps a subscriber, and all filters that it is connected to."""
     found = _kept(code, routine, step)
-    waiting = [(what, 0) for what in sorted(found, key=lambda one: (one.kind, one.owner, one.name))]
+    waiting = [(what, 0) for what in sorted(found, key=_ORDER)]
     while waiting:
         what, depth = waiting.pop()
         for where, use in uses_of(code, what, routine.is_python):
             if depth < DEPTH and use.role in ("given", "read", "kept"):
-                for other in sorted(
-                    _kept(code, where, use.step) - found, key=lambda one: (one.kind, one.owner, one.name)
-                ):
+                for other in sorted(_kept(code, where, use.step) - found, key=_ORDER):
                     found.add(other)
                     waiting.append((other, depth + 1))
     return found

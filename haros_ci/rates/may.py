@@ -46,19 +46,15 @@ def _is_made(code: Codebase, where: Routine, value: Expression) -> bool:
     while around is not None:
         if any(one.name.lstrip("*") == value.name for one in around.function.parameters):
             return False
-        found = _assigned(code, around, value.name)
+        found = code.body(around).assigned(value.name)
         if found or value.name in code.body(around).imports:
             return bool(found) and value.name not in code.body(around).imports and all(map(_is_object, found))
         around = around.outer
     modules = [one for one in code.routines(where.path) if one.function.kind == "module"]
     if len(modules) != 1 or where is modules[0]:
         return False
-    found = _assigned(code, modules[0], value.name)
+    found = code.body(modules[0]).assigned(value.name)
     return bool(found) and value.name not in code.body(modules[0]).imports and all(map(_is_object, found))
-
-
-def _assigned(code: Codebase, where: Routine, name: str) -> list[Expression]:
-    return [value for target, _, value, _ in code.body(where).sets if target == syntax.Name(name)]
 
 
 def _is_object(value: Expression) -> bool:

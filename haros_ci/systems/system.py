@@ -111,8 +111,8 @@ def launched(types: Types, started: Started, server: ParameterServer) -> Job:
 
     def follow_it() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
         followed = run_node(types, entry, files, instance, parameter)
-        ends = endpoints(followed.made, by(remaps), server)
         unknowns = (*node.unknowns, *incomplete(followed, entry, node.location))
+        ends = endpoints(followed.made, by(remaps), server)
         return (replace(node, endpoints=ends, unknowns=unknowns, paces=paces(followed.made)),), followed.problems
 
     return Job(node, (id(entry), instance.name), follow_it, _size(types, files), server=server)
@@ -185,11 +185,11 @@ def alone(
         if names or any(item.kind in KINDS for item in followed.made):  # else it is a program that is no node
             before, own = own.name, own_name(names)
             followed = followed if own.name == before else under(own.name)
-        why = ANONYMOUS if own.reason is None else f"{UNNAMED}: {own.reason}"
-        ends = endpoints(followed.made, by({}), server, why)
         unknowns = incomplete(followed, entry, location)
         if own.reason is not None:
             unknowns = (*unknowns, Unknown("name", own.reason, own.location or location))
+        why = ANONYMOUS if own.reason is None else f"{UNNAMED}: {own.reason}"
+        ends = endpoints(followed.made, by({}), server, why)
         made = replace(node, name=own.name, process=own.name, unknowns=unknowns, endpoints=ends)
         made = replace(made, paces=paces(followed.made))
         return (made if ends or names else replace(made, kind=PROGRAM),), followed.problems
@@ -222,10 +222,10 @@ def standalone(types: Types, look_up: str) -> Job:
 
     def follow_it() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
         followed = run_node(types, entry, files, instance, partial(server.get_for, name))
-        ends = endpoints(followed.made, by({}), server, f"{UNNAMED}: {COLON}" if is_invalid else UNNAMED)
         unknowns = incomplete(followed, entry, node.location)
         if is_invalid:
             unknowns = (*unknowns, Unknown("name", COLON, node.location))
+        ends = endpoints(followed.made, by({}), server, f"{UNNAMED}: {COLON}" if is_invalid else UNNAMED)
         made = replace(node, unknowns=unknowns, endpoints=ends)
         return (replace(made, paces=paces(followed.made)),), followed.problems
 

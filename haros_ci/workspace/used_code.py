@@ -17,8 +17,9 @@ from haros_ci.workspace.language import language_of, suffix_of
 
 #: What is put behind the name of a file of which a build makes one: CMake's, empy's, Jinja's.
 TEMPLATES = frozenset(("in", "em", "template", "tmpl", "tpl", "j2", "jinja", "jinja2"))
-#: Code that no reader here knows, and no other name is needed for: Cython, and Python that is compiled.
+#: The beginning of a launch file in XML, whatever its name is.
 _LAUNCH = re.compile(r"(?:\s|<\?[^>]{0,1000}>|<!--(?:[^-]|-(?!->))*-->)*<launch[\s/>]")
+#: Code that no reader here knows, and no other name is needed for: Cython, and Python that is compiled.
 _UNKNOWN = {"pyx": "Cython", "pxi": "Cython", "pyc": "Python that is compiled"} | dict.fromkeys(
     ("egg", "whl", "pyz"), "an archive of Python"
 )

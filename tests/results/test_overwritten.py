@@ -107,4 +107,7 @@ def test_many_definitions_are_cheap() -> None:
     assert is_overwritten(few, 1)
     many = "".join(f"def f{i}():\n    pass\n" for i in range(4_000)) * 2
     assert not is_overwritten(many, 8_000)
-    assert not is_used_before(many, 16_000)
+    used = "".join(f"def f{i}():\n    pass\n" for i in range(4_000)) + "g(f3999)\n" + "def f3999():\n    pass\n"
+    assert is_used_before(used, 8_002)
+    crossed = "".join(f"def f{i}():\n    pass\n" for i in range(4_000)) + "g(f3999)\n"
+    assert not is_used_before(crossed + crossed, 16_000)

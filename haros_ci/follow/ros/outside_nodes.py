@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from itertools import islice
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
@@ -86,18 +85,17 @@ def _is_strange(walk: Walk, name: str) -> bool:
     return not is_known(name) and not harmless.is_harmless(name, False)
 
 
-def spun(walk: Walk, args: Iterable[PassedArgument], location: Location) -> None:
+def spun(walk: Walk, args: Sequence[PassedArgument], location: Location) -> None:
     """A process goes on with the first of *args*, which is a node: one of a class that is not here has a name and endpoints of which nothing is known."""
-    if walk.context.process is None:
+    if walk.context.process is None or not args:
         return
-    for argument in islice(args, 1):
-        value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
-        if isinstance(value, Object) and ros2_nodes.of_value(walk, value) is None:
-            _is_node(walk, value, location)
-        elif isinstance(value, Opaque) and not walk.nodes and not walk.quiet:
-            message = f"the node is not known: {value.reason}"
-            walk.gaps.setdefault(message, value.location or location)
-            ros2_nodes.made(walk, Object(""), Opaque(value.reason, value.location), None, None, location)
+    value = args[0].value.cell.value if isinstance(args[0].value, Pointer) else args[0].value
+    if isinstance(value, Object) and ros2_nodes.of_value(walk, value) is None:
+        _is_node(walk, value, location)
+    elif isinstance(value, Opaque) and not walk.nodes and not walk.quiet:
+        message = f"the node is not known: {value.reason}"
+        walk.gaps.setdefault(message, value.location or location)
+        ros2_nodes.made(walk, Object(""), Opaque(value.reason, value.location), None, None, location)
 
 
 def _is_node(walk: Walk, value: Object, location: Location) -> None:
