@@ -46,7 +46,8 @@ def _meant(walk: Walk, frame: Frame, candidates: Sequence[Found], targs: Sequenc
     if not isinstance(targs[0], Type):
         return None
     bodies = [item for item in candidates if item[1].body is not None and not item[1].templates]
-    sought = [plain(walk.type_in(item, frame)) for item in targs if isinstance(item, Type)]
+    first = plain(walk.type_in(targs[0], frame))
+    sought = [first, *(plain(walk.type_in(item, frame)) if isinstance(item, Type) else item for item in targs[1:])]
     written = [item for item in bodies if item[1].specialises]
     exact = [item for item in written if _arguments(walk, item)[: len(sought)] == sought]
     if exact:
@@ -55,7 +56,7 @@ def _meant(walk: Walk, frame: Frame, candidates: Sequence[Found], targs: Sequenc
         return None
     returned = {plain(item[1].returns) for item in bodies}
     if len(bodies) >= 2 and len(returned) == len(bodies):
-        fitting = [item for item in bodies if sought[0] in (plain(kind) for kind in _parts(item[1].returns))]
+        fitting = [item for item in bodies if first in (plain(kind) for kind in _parts(item[1].returns))]
         if len(fitting) == 1:
             return fitting[0]
     elif not written or len(written) < len(bodies):
@@ -70,11 +71,13 @@ def _primary(candidates: Sequence[Found], parameters: object) -> Found | None:
 
 
 def _arguments(walk: Walk, found: Found) -> list[object]:
-    """The template arguments of which a function is written to be a specialisation, as far as they are types."""
+    """The template arguments of which a function is written to be a specialisation; values as they are written."""
     source, function = found
     scope = function.name.rpartition("::")[0]
-    written = (item for item in function.specialises if isinstance(item, Type))
-    return [plain(walk.resolved(item, scope, source, {})) for item in written]
+    return [
+        plain(walk.resolved(item, scope, source, {})) if isinstance(item, Type) else item
+        for item in function.specialises
+    ]
 
 
 def _parts(kind: Type, depth: int = 0) -> list[Type]:

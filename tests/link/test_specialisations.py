@@ -60,6 +60,11 @@ struct S { ros::NodeHandle nh; template<typename T> void add(const std::string& 
 template<> void S::add<int>(const std::string& n) { nh.advertise<std_msgs::Int32>(n + "_int", 1); }
 template<> void S::add<double>(const std::string& n) { nh.advertise<std_msgs::Float64>(n + "_double", 1); }
 """
+OF_NUMBERS = """
+template<typename T, int N> void add(ros::NodeHandle& nh, const std::string& n);
+template<> void add<int, 1>(ros::NodeHandle& nh, const std::string& n) { nh.advertise<std_msgs::Int32>(n + "_1", 1); }
+template<> void add<int, 2>(ros::NodeHandle& nh, const std::string& n) { nh.advertise<std_msgs::Int32>(n + "_2", 1); }
+"""
 ANY = ' { nh.advertise<std_msgs::String>(n + "_any", 1); }'
 SPACE = "namespace k { struct M {}; }\n"
 
@@ -70,6 +75,7 @@ SPACE = "namespace k { struct M {}; }\n"
     case("another, under a using-directive", 'using namespace k; add<M>(nh, "x");', "/x_m", before=SPACE + WRITTEN % ";"),
     case("the template itself", 'add<bool>(nh, "x");', "/x_any", before=SPACE + WRITTEN % ANY),
     case("one of a template with a body", 'add<k::M>(nh, "x");', "/x_m", before=SPACE + WRITTEN % ANY),
+    case("a number among them", 'add<int, 2>(nh, "x"); add<int, 1>(nh, "y");', "/x_2", "/y_1", before=OF_NUMBERS),
     case("of a method", 'S s; s.add<double>("x"); s.add<int>("y");', "/x_double", "/y_int", before=OF_CLASS),
 ))  # fmt: skip
 def test_the_one_that_is_written_for_the_template_arguments(before: str, code: str, expected: list[str]) -> None:
@@ -79,6 +85,7 @@ def test_the_one_that_is_written_for_the_template_arguments(before: str, code: s
 @table((
     case("of what is written", 'add<bool>(nh, "x");', "add", before=SPACE + WRITTEN % ";"),
     case("of what is returned", 'k::sent<int>(nh, "a");', "k::sent", before=OF_RESULTS),
+    case("of a number", 'add<int, 3>(nh, "x");', "add", before=OF_NUMBERS),
     case("of a method", 'S s; s.add<bool>("x");', "S::add", before=OF_CLASS),
 ))  # fmt: skip
 def test_none_is_for_the_template_arguments(before: str, code: str, expected: list[str]) -> None:
