@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import atexit
 import contextlib
+import faulthandler
 import gc
 import importlib
 import json
@@ -66,9 +67,10 @@ class Server:
             asked = {"arguments": arguments, "cwd": os.fspath(cwd), "env": dict(env), "to": written, "timeout": timeout}
             os.write(self._asking, json.dumps(asked).encode() + b"\n")
             code = json.loads(self._reader.readline())
-            if code is None:
-                raise subprocess.TimeoutExpired(arguments, timeout)
             out, err = (Path(written, name).read_bytes() for name in ("out", "err"))
+            if code is None:
+                sys.stderr.write(err.decode("utf-8", "replace"))
+                raise subprocess.TimeoutExpired(arguments, timeout, out, err)
             return subprocess.CompletedProcess(arguments, code, out, err)
 
 
@@ -104,12 +106,12 @@ def answered(asked: dict[str, Any], ours: tuple[int, ...]) -> int | None:
             code = _inside(asked)
         finally:
             os._exit(code)
-    signal.signal(signal.SIGALRM, lambda *_: os.kill(pid, signal.SIGKILL))
+    signal.signal(signal.SIGALRM, lambda *_: os.kill(pid, signal.SIGABRT))  # it writes where it stands, and ends
     signal.setitimer(signal.ITIMER_REAL, asked["timeout"])
     status = os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
     is_over = signal.getitimer(signal.ITIMER_REAL)[0] == 0
     signal.setitimer(signal.ITIMER_REAL, 0)
-    return None if is_over and status == -signal.SIGKILL else status
+    return None if is_over and status == -signal.SIGABRT else status
 
 
 def _inside(asked: dict[str, Any]) -> int:
@@ -119,6 +121,7 @@ def _inside(asked: dict[str, Any]) -> int:
         opened = os.open(os.path.join(asked["to"], name), os.O_WRONLY | os.O_APPEND | os.O_CREAT)
         os.dup2(opened, descriptor)
         os.close(opened)
+    faulthandler.enable(2)
     os.environ.clear()
     os.environ.update(asked["env"])
     os.chdir(asked["cwd"])
