@@ -18,8 +18,8 @@ from haros_ci.linters.cppcheck_uses import (
     is_given_back,
     is_meant,
     is_pointed_to,
-    is_read_checked,
 )
+from haros_ci.linters.cppcheck_ways import OF_WAYS, is_one_case
 from haros_ci.results.scope import scopes
 
 #: A literal of the user's own that takes a default, as pybind11's arguments do: ``"steps"_a = false``.
@@ -111,8 +111,8 @@ def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
     if rule == "autoVariables" and is_array_that_is_copied(line, text):
         return True
     if rule in _OF_LITERALS:
-        lines = text.split("\n")
-        return 0 < line <= len(lines) and _NAMED_ARGUMENT.search(lines[line - 1]) is not None
+        is_case = rule == "selfAssignment" and is_one_case(message, line, text)
+        return is_case or _NAMED_ARGUMENT.search(_line(text, line)) is not None
     member = _MEMBER.search(message.rstrip(".")) if rule in _OF_UNSET else None
     if member is not None:
         lines = text.split("\n")
@@ -127,10 +127,10 @@ def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
     if rule == "moduloofone":  # by a constant with a name, which may be another number tomorrow
         here = "\n".join(text.split("\n")[max(line - 1, 0) : line + 1])
         return _BY_NAME.search(here) is not None and _BY_ONE.search(here) is None
+    if rule in OF_WAYS:
+        return OF_WAYS[rule](message, line, text)
     if rule in OF_VALUES and has_large_constant(message, _line(text, line)):
         return True
-    if rule == "wrongfeofUsage":
-        return is_read_checked(line, text)
     if rule == "danglingTemporaryLifetime":
         return is_copied(line, text)
     if rule == "danglingTempReference":

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Findings of cppcheck on ways through the code that nobody takes, or where what it says does no harm."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from haros_ci.linters.cppcheck_conditions import has_large_constant
+from haros_ci.linters.cppcheck_uses import is_read_checked
+
+_THROW = re.compile(r"\bthrow\b")
+#: ``Resource leak: file`` and ``Comparing expression of type 'unsigned char' against value 255.``
+_RESOURCE = re.compile(r": (\w+)\.?$")
+_VALUE = re.compile(r"against value (-?\d+)")
+#: The constant of a comparison by a name, as macros and enumerators are written.
+_NAMED = re.compile(r"[<>=!]=?\s*\(?\s*(?:[a-z]\w*::)*[A-Z][A-Z0-9_]{2,}\b|\b[A-Z][A-Z0-9_]{2,}\s*\)?\s*[<>=!]=?")
+_NOTHING = r"(?:NULL|nullptr|0|-\s*1|INVALID_\w+)"
+#: That a handle is not open: ``!file``, ``file == NULL``, ``(file = fopen(…)) == NULL``, ``NULL == file``.
+_FAILED = (
+    r"!\s*(?:\(\s*)*{name}\s*(?:\)|&&|$|=(?!=))"
+    rf"|\b{{name}}\s*(?:==|<=|<)\s*{_NOTHING}(?!\w)"
+    rf"|\b{{name}}\s*=(?!=)[^;]{{{{0,300}}}}\)\s*(?:==|<=|<)\s*{_NOTHING}(?!\w)"
+    rf"|(?<!\w){_NOTHING}\s*(?:==|>=|>)\s*{{name}}\b"
+)
+_HIDDEN = re.compile(r"//[^\n]*|/\*.*?(?:\*/|\Z)|\"(?:[^\"\\\n]|\\.){0,1000}\"|'(?:[^'\\\n]|\\.){1,8}'", re.DOTALL)
+_IF = re.compile(r"\bif\s*\(")
+#: An assignment to itself as one of the cases of a switch.
+_CASE = re.compile(r"\s*(?:case\b[^;:]{0,80}|default\s*):")
+_ENDS_CASE = re.compile(r"[;{]\s*break\s*;|^\s*break\s*;", re.MULTILINE)
+#: Characters that are looked at before a place.
+_LONGEST = 4_000
+
+
+def is_thrown_elsewhere(message: str, line: int, text: str) -> bool:
+    """Whether no ``throw`` stands at *line*: whether the checks of a function that is called there can fail depends on what it is given."""
+    return _THROW.search(_HIDDEN.sub("", _line(text, line))) is None
+
+
+def has_not_opened(message: str, line: int, text: str) -> bool:
+    """Whether *line* is where the handle that *message* names is not open: in the ``if`` that asks whether opening has failed."""
+    name = _RESOURCE.search(message)
+    lines = text.split("\n")
+    if name is None or not 0 < line <= len(lines):
+        return False
+    before = "\n".join(lines[: line - 1])[-_LONGEST:]
+    before = _HIDDEN.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), before)
+    condition = _condition_around(before)
+    if condition is None or "||" in condition:
+        return False
+    return re.search(_FAILED.format(name=re.escape(name[1])), condition) is not None
+
+
+def is_named_limit(message: str, line: int, text: str) -> bool:
+    """Whether the condition compares with a constant that has a name, which may be another number tomorrow."""
+    here, value = _line(text, line), _VALUE.search(message)
+    if has_large_constant(message, here):
+        return True
+    if value is None or re.search(rf"(?<![\w.]){re.escape(value[1])}(?![\w.])", here):
+        return False
+    return _NAMED.search(_HIDDEN.sub("", here)) is not None
+
+
+def is_one_case(message: str, line: int, text: str) -> bool:
+    """Whether the assignment is all of one case of a ``switch``: the others set the same variable to something else."""
+    lines = text.split("\n")
+    if not 1 < line <= len(lines):
+        return False
+    here = lines[line - 1]
+    if _CASE.match(here) is None and _CASE.match(lines[line - 2]) is None:
+        return False
+    return _ENDS_CASE.search("\n".join(lines[line - 1 : line + 1])) is not None
+
+
+#: The questions by rule; each takes the message, the line, counted from 1, and the text of the file.
+OF_WAYS: dict[str, Callable[[str, int, str], bool]] = {
+    "throwInNoexceptFunction": is_thrown_elsewhere,
+    "resourceLeak": has_not_opened,
+    "compareValueOutOfTypeRangeError": is_named_limit,
+    "wrongfeofUsage": lambda message, line, text: is_read_checked(line, text),
+}
+
+
+def _line(text: str, line: int) -> str:
+    lines = text.split("\n")
+    return lines[line - 1] if 0 < line <= len(lines) else ""
+
+
+def _condition_around(before: str) -> str | None:
+    """The condition of the ``if`` whose branch is open at the end of *before*; None where none is, or the branch is that of an else."""
+    end = before.rstrip()
+    if not end.endswith(")"):
+        depth = 0
+        for brace in reversed(list(re.finditer(r"[{}]", before))):
+            depth += 1 if brace[0] == "}" else -1
+            if depth < 0:
+                end = before[: brace.start()].rstrip()
+                break
+        else:
+            return None
+    if not end.endswith(")"):
+        return None
+    depth = 0
+    for bracket in reversed(list(re.finditer(r"[()]", end))):
+        depth += 1 if bracket[0] == ")" else -1
+        if depth == 0:
+            start = bracket.start()
+            opened = [found for found in _IF.finditer(end) if found.end() - 1 == start]
+            return end[start + 1 : -1] if opened else None
+    return None

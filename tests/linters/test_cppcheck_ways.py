@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Findings of cppcheck on ways that nobody takes, and those that stand."""
+
+from __future__ import annotations
+
+import pytest
+
+from haros_ci.linters.cppcheck_doubts import is_refuted
+
+LEAK = "Resource leak: file"
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        ("  return chain.joint(0);", True),
+        ("  auto twist = twistOf(i); // may throw", True),
+        ('  log("no throw");', True),
+        ("  throw std::out_of_range(name);", False),
+        ("  if (i > size_) { throw Error(); }", False),
+        ("    throw;", False),
+    ],
+)
+def test_a_check_that_fails_elsewhere(line: str, expected: bool) -> None:
+    assert (
+        is_refuted("throwInNoexceptFunction", "Exception thrown in function declared not to throw.", 1, line)
+        is expected
+    )
+
+
+@pytest.mark.parametrize(
+    "condition",
+    [
+        "file <= 0",
+        "file == NULL",
+        "file==nullptr",
+        "!file",
+        "NULL == file",
+        "0 >= file",
+        'file < 0 && path != ""',
+        "(file = open(path)) == NULL",
+        "!(file = open(path))",
+        "file == INVALID_HANDLE_VALUE",
+    ],
+)
+@pytest.mark.parametrize(
+    "branch", ["if ({}) {{\n  log(path);\n  return 1;", "if ({})\n{{\n  log();\n  return 1;", "if ({})\n  return 1;"]
+)
+def test_a_handle_that_is_not_open(condition: str, branch: str) -> None:
+    text = "FILE * file = open(path);\n" + branch.format(condition)
+    assert is_refuted("resourceLeak", LEAK, text.count("\n") + 1, text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "if (file != NULL) {\n  return 1;",
+        "if (file) {\n  return 1;",
+        "if (file == NULL || size == 0) {\n  return 1;",
+        "if (other == NULL) {\n  return 1;",
+        "if (!file->ok) {\n  return 1;",
+        "if (!ok(file)) {\n  return 1;",
+        "if (file == 0x3) {\n  return 1;",
+        "if (file == NULL) {\n  log();\n}\nreturn 1;",
+        "if (file == NULL) {\n  log();\n} else {\n  return 1;",
+        "while (file == NULL) {\n  return 1;",
+        "if (size > 0) { // !file\n  return 1;",
+        "return 1;",
+        "",
+    ],
+)
+def test_a_handle_that_may_be_open(text: str) -> None:
+    assert not is_refuted("resourceLeak", LEAK, text.count("\n") + 1, text)
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        ("val > MAX_VALUE? val = MAX_VALUE : val;", True),
+        ("if (MAX_VALUE < val)", True),
+        ("if (val > limits::MAX_VALUE) {", True),
+        ("if (val > 255) {", False),
+        ("if (val > 255 && MAX_VALUE > 3) {", False),
+        ("if (val > limit) {", False),
+        ("if (val > 0xFF) { // MAX_VALUE", False),
+        ("", False),
+    ],
+)
+def test_a_limit_that_has_a_name(line: str, expected: bool) -> None:
+    message = "Comparing expression of type 'unsigned char' against value 255. Condition is always false."
+    assert is_refuted("compareValueOutOfTypeRangeError", message, 1, line) is expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("switch (i) {\n  case 3:\n    ball_ = ball_;\n    break;", True),
+        ("switch (i) {\n  case 1: ball_ = other; break;\n  case kOwn: ball_ = ball_; break;", True),
+        ("switch (i) {\n  default:\n    ball_ = ball_;\n    break;", True),
+        ("switch (i) {\n  case 3:\n    ball_ = ball_;\n    other();\n    break;", False),
+        ("if (i == 3) {\n    ball_ = ball_;\n    break;", False),
+        ("ball_ = ball_;", False),
+    ],
+)
+def test_a_case_that_changes_nothing(text: str, expected: bool) -> None:
+    line = next(number for number, item in enumerate(text.split("\n"), 1) if "ball_ = ball_" in item)
+    assert is_refuted("selfAssignment", "Redundant assignment of 'ball_' to itself.", line, text) is expected
