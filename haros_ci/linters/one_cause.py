@@ -45,6 +45,12 @@ OF_A_CALL = frozenset(
 #: Rules that speak once of each use of a name that is not there: those of one name in one file have one cause.
 OF_A_NAME = frozenset("pylint:undefined-variable ruff:F821 flake8:F821 mypy:name-defined".split())
 
+#: So many names that are not there in one file have one cause: it is a sketch, or its imports are missing.
+MANY_NAMES = 4
+
+#: Rules that both speak of iterators of two containers: those of one line have one cause.
+OF_A_PAIR = frozenset(("cppcheck:mismatchingContainerIterator", "cppcheck:mismatchingContainers"))
+
 #: Rules that both speak of a pointer into a text that ends with the function: those of one line have one cause.
 OF_A_TEXT = frozenset(("cppcheck:stlcstr", "cppcheck:returnDanglingLifetime"))
 
@@ -74,6 +80,9 @@ _CALLEE = re.compile(r"(?<!\w)(\w+)\s*$")
 #: Lines of a call, and characters before its bracket, that are looked at.
 _LONGEST = 200
 
+_QUOTED = re.compile(r"'\w+'|\"\w+\"|`\w+`")
+#: Names that a message has beside the first.
+_SHOWN = 3
 _REMARK = re.compile(r"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
 #: Lines of a declaration that are looked at.
 _DECLARATION = 8
@@ -112,7 +121,7 @@ def one_cause(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Re
         key = (result.full_id, result.location.path, (result.location.line, result.message))
         if result.tool == TOOL and key in lines and "<" not in result.message:
             lines[key].append(i)
-    for here in lines.values():
+    for here in _with_sketches(lines, found):
         first, *others = sorted(here, key=lambda i: found[i].sort_key)[: MOST + 1]
         if others:
             merged[first] = _joined(found[first], [found[i] for i in others])
@@ -137,6 +146,8 @@ def _cause(result: Result, text: Callable[[str], str], calls: _Calls) -> _Key | 
         return "stlcstr", path, line
     if rule in OF_A_THROW and line:
         return "throw", path, line
+    if rule in OF_A_PAIR and line:
+        return "iterators", path, line
     if result.tool == TOOL and result.rule not in RULES and line and "<" in result.message:
         return rule, path, (line, _template(result.message))
     if rule in OF_A_NAME:
@@ -144,6 +155,20 @@ def _cause(result: Result, text: Callable[[str], str], calls: _Calls) -> _Key | 
     if rule in (OF_A_DECLARATION | OF_A_CONDITION) and line:
         return rule, path, _start_of(result, text)
     return (rule, path, None) if rule in OF_A_FILE else None
+
+
+def _with_sketches(lines: dict[_Key, list[int]], found: Sequence[Result]) -> Iterator[list[int]]:
+    """The positions of *found* by cause; MANY_NAMES undefined names of one file, rule and level or more are one."""
+    names: dict[tuple[str, str, object], list[list[int]]] = defaultdict(list)
+    for (rule, path, _), here in lines.items():
+        key = (rule, path, found[here[0]].level) if rule in OF_A_NAME else (rule, path, here[0])
+        names[key].append(here)
+    for groups in names.values():
+        if len(groups) < MANY_NAMES:
+            yield from groups
+        else:
+            every = sorted((i for here in groups for i in here), key=lambda i: found[i].sort_key)
+            yield from (every[start : start + MOST + 1] for start in range(0, len(every), MOST + 1))
 
 
 class _Calls:
@@ -238,4 +263,20 @@ def _joined(first: Result, others: Sequence[Result]) -> Result:
     """*first* with the places of *others*; its level is the worst of theirs."""
     places = tuple(Related(other.location, f"Of the same cause: {other.message}") for other in others)
     level = min((first.level, *(other.level for other in others)), key=lambda level: level.rank)
-    return replace(first, level=level, related=(*first.related, *places))
+    return replace(first, level=level, related=(*first.related, *places), message=_message(first, others))
+
+
+def _message(first: Result, others: Sequence[Result]) -> str:
+    """What *first* says; of several names that a file does not define, the others as well."""
+    own = _QUOTED.search(first.message) if first.full_id in OF_A_NAME else None
+    if own is None:
+        return first.message
+    names = dict.fromkeys(name[0] for other in others for name in [_QUOTED.search(other.message)] if name is not None)
+    names.pop(own[0], None)
+    if not names:
+        return first.message
+    shown = [*names][:_SHOWN]
+    more = ", …" if len(names) > _SHOWN else ""
+    return (
+        f"{first.message.rstrip('.')}; {len(names)} more names are not defined in this file: {', '.join(shown)}{more}"
+    )

@@ -149,6 +149,50 @@ def test_what_is_said_of_each_argument_or_name(rule: str, lines: tuple[int, ...]
     assert sum(1 + len(result.related) for result in found) == len(lines)
 
 
+def undefined(names: str, level: Level = Level.ERROR, path: str = "a.py") -> list[Result]:
+    """A finding for each of *names*, on a line of its own."""
+    return [
+        Result("pylint", "undefined-variable", level, f"Undefined variable '{name}'.", Location(path, line, 1))
+        for line, name in enumerate(names.split(), 1)
+    ]
+
+
+@pytest.mark.parametrize(
+    ("given", "expected"),
+    [
+        (undefined("a b c d"), ["Undefined variable 'a'; 3 more names are not defined in this file: 'b', 'c', 'd'"]),
+        (
+            undefined("a b a c d e"),
+            ["Undefined variable 'a'; 4 more names are not defined in this file: 'b', 'c', 'd', …"],
+        ),
+        (undefined("a b c"), ["Undefined variable 'a'.", "Undefined variable 'b'.", "Undefined variable 'c'."]),
+        (undefined("a a a a"), ["Undefined variable 'a'."]),
+        (undefined("a b") + undefined("c d", path="b.py"), [f"Undefined variable '{name}'." for name in "abcd"]),
+        (undefined("a b") + undefined("c d", Level.WARNING), [f"Undefined variable '{name}'." for name in "abcd"]),
+    ],
+)
+def test_many_names_of_one_file_that_are_not_there(given: list[Result], expected: list[str]) -> None:
+    found = one_cause(given, lambda path: "")
+    assert [result.message for result in found] == expected
+    assert sum(1 + len(result.related) for result in found) == len(given)
+
+
+def test_very_many_names_are_several_findings() -> None:
+    found = one_cause(undefined(" ".join(f"n{i}" for i in range(MOST + 3))), lambda path: "")
+    assert [len(result.related) for result in found] == [MOST, 1]
+
+
+@pytest.mark.parametrize(("line", "left"), [(3, 1), (4, 2)])
+def test_iterators_of_two_containers(line: int, left: int) -> None:
+    first = Result(
+        "cppcheck", "mismatchingContainerIterator", Level.ERROR, "Iterator 'a.begin()'", Location("a.cpp", 3, 9)
+    )
+    second = Result(
+        "cppcheck", "mismatchingContainers", Level.ERROR, "Iterators of 'a' and 'b'", Location("a.cpp", line, 9)
+    )
+    assert len(one_cause([first, second], lambda path: "")) == left
+
+
 @pytest.mark.parametrize("rule", ["pylint:undefined-variable", "ruff:F821"])
 def test_one_name_that_is_not_there(rule: str) -> None:
     tool, _, rule = rule.partition(":")
