@@ -54,6 +54,9 @@ _STATEMENT_LINES = 40
 _COMPREHENSION = re.compile(
     r"[\[{(][^\[\]{}]{0,300}?\w\([^\[\]{}]{0,300}?\)\s*(?:\S{0,40}\s+)?for\s[^\n]{1,200}?\sin\s"
 )
+_SWITCHED = re.compile(
+    r"\bor[ \t]+(?:True|1)\b(?![ \t]*[.=<>])|\band[ \t]+(?:False|0)\b(?![ \t]*[.=<>])|\b(?:if|elif|while)[ \t]+(?:True[ \t]+or|False[ \t]+and)\b"
+)
 _UNWRITTEN = re.compile(r"raise[ \t]+(?:NotImplementedError|NotImplemented)\b")
 _TRY = re.compile(r"\s*try\s*:")
 _MISSING = re.compile(r"\s*except\b(?:\s*:|[^\n:]{0,200}\b(?:ImportError|ModuleNotFoundError|Exception)\b)")
@@ -100,6 +103,8 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
         return _is_unwritten(text, line) or is_text(text, line)
     if rule == "invalid-envvar-default":  # int() and float() take the default as well as the text
         return 0 < line <= text.count("\n") + 1 and _CONVERTED.search(text.split("\n")[line - 1]) is not None
+    if rule == "condition-evals-to-constant":
+        return _is_switched(text, line)
     if rule == "implicit-str-concat":
         return is_one_text(text, line)
     if rule == "too-many-format-args":
@@ -156,6 +161,12 @@ def _is_of_shapes(text: str, line: int, column: int) -> bool:
         if depth <= 0:
             return False
     return False
+
+
+def _is_switched(text: str, line: int) -> bool:
+    """Whether the condition at *line* is switched on or off by hand: ``a is None or True``."""
+    lines = text.split("\n")
+    return 0 < line <= len(lines) and _SWITCHED.search(lines[line - 1][:_LONGEST].partition("#")[0]) is not None
 
 
 def _has_fallback(text: str, line: int) -> bool:

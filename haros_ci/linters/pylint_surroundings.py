@@ -47,6 +47,9 @@ _PAGE = re.compile(
     r"|^\.(?:github|circleci)/.*\.ya?ml$",
     re.IGNORECASE,
 )
+_REQUIREMENTS = re.compile(
+    r"(?:^|/)(?:[^/]*requirements[^/]*\.txt|setup\.py|setup\.cfg|pyproject\.toml|environment\.ya?ml)$", re.IGNORECASE
+)
 _OF_NEW_ROS = re.compile(r"noetic|python-?3|\bpip3\b|\bfocal\b|20\.04", re.IGNORECASE)
 _ALL = re.compile(r"Undefined variable name '([A-Za-z_]\w*)' in __all__")
 _STARRED = re.compile(r"^[ \t]*from[ \t]+([A-Za-z_]\w*)[ \t]+import[ \t]*\*", re.MULTILINE)
@@ -69,6 +72,8 @@ def is_refuted_around(result: Result, workspace: Workspace) -> bool:
         return True
     is_of_yaml = result.rule == "no-value-for-parameter" and _LOADER.search(result.message) is not None
     if (is_of_yaml or result.rule in _OF_PYTHON3) and _is_python2(result.location.path, workspace):
+        return True
+    if is_of_yaml and _has_old_yaml(result.location.path, workspace):
         return True
     if result.rule in _OF_SIGNATURES and (
         _is_of_library(result, line, workspace) or is_call_of_decorated(result, workspace)
@@ -114,6 +119,18 @@ def _is_python2(path: str, workspace: Workspace) -> bool:
     texts = (workspace.text(file) for file in files[:_MOST_FILES])
     manifest = workspace.text(f"{package.path}/package.xml" if package.path != "." else "package.xml")
     return is_of_python2(workspace.text(path), texts, manifest)
+
+
+def _has_old_yaml(path: str, workspace: Workspace) -> bool:
+    """Whether the file at *path* is of a package of ROS 1: load() of its last distribution's PyYAML, 5.3 (REP 3), takes no Loader, and only warns.
+
+    Where requirements for pip name PyYAML, another one may be there.
+    """
+    name = workspace.package_finder()(path)
+    if not any(package.name == name and package.ros == 1 for package in workspace.packages):
+        return False
+    pages = (name for name in workspace.names if _REQUIREMENTS.search(name))
+    return not any(re.search(r"(?i)\bpyyaml\b", workspace.text(page)) for page in pages)
 
 
 def _is_python2_around(path: str, workspace: Workspace) -> bool:

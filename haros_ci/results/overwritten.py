@@ -37,6 +37,7 @@ def _used(text: str) -> tuple[range, ...]:
     look = _Look()
     for node in ast.walk(_parsed(text)):
         if isinstance(node, (ast.Module, *_DEFINITIONS)):
+            found.extend(_used_inside(node))
             before: dict[str, int] = {}
             for index, statement in enumerate(node.body):
                 if not isinstance(statement, _DEFINITIONS):
@@ -47,6 +48,31 @@ def _used(text: str) -> tuple[range, ...]:
                     found.append(range(min(lines), statement.lineno + 1))
                 before[statement.name] = index
     return tuple(found)
+
+
+def _used_inside(scope: ast.Module | ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef) -> list[range]:
+    """The same for definitions of *scope* that stand in its loops and branches: a callback that is handed on where it is made, say."""
+    made: list[tuple[ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef, bool]] = []
+    uses: dict[str, list[int]] = {}
+    waiting: list[tuple[ast.AST, bool]] = [(statement, False) for statement in scope.body]
+    while waiting:
+        node, is_inside = waiting.pop()
+        if isinstance(node, _DEFINITIONS):
+            made.append((node, is_inside))
+            continue
+        if isinstance(node, ast.Name):
+            uses.setdefault(node.id, []).append(node.lineno)
+        waiting.extend((child, True) for child in ast.iter_child_nodes(node))
+    found: list[range] = []
+    last: dict[str, tuple[int, bool]] = {}
+    for node, is_inside in sorted(made, key=lambda one: one[0].lineno):
+        first = last.get(node.name)
+        start = min([decorator.lineno for decorator in node.decorator_list] + [node.lineno])
+        if first is not None and (is_inside or first[1]):
+            if any(first[0] < line < start for line in uses.get(node.name, ())):
+                found.append(range(start, node.lineno + 1))
+        last[node.name] = (node.end_lineno or node.lineno, is_inside)
+    return found
 
 
 @lru_cache(maxsize=16)

@@ -372,6 +372,13 @@ MEANT = [
     ("comparison-with-itself", "b = np.nan\nif a == a:\n    pass\n", "a == a", False),
     ("comparison-with-itself", "b = np.nan\nif a < a:\n    pass\n", "a < a", False),
     ("comparison-with-itself", "if a != a:\n    pass\n", "a != a", False),
+    ("condition-evals-to-constant", "if a is None or True:\n    pass\n", "a is", True),
+    ("condition-evals-to-constant", "if a and False:\n    pass\n", "a and", True),
+    ("condition-evals-to-constant", "while True or a:\n    pass\n", "True", True),
+    ("condition-evals-to-constant", "if 0 and a:  # or True\n    pass\n", "0 and", False),
+    ("condition-evals-to-constant", "if a == 'b' or 'c':\n    pass\n", "a ==", False),
+    ("condition-evals-to-constant", "if a or 1 == b:\n    pass\n", "a or", False),
+    ("condition-evals-to-constant", "if a or []:\n    pass\n", "a or", False),
     ("comparison-with-itself", "banana = 1\nif a != a:\n    pass\n", "a != a", False),
 ]
 

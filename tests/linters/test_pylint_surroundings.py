@@ -165,7 +165,22 @@ def test_a_package_for_python_2(tmp_path: Path, text: str, keys: str, more: dict
     ],
 )
 def test_a_package_that_may_be_for_python_3(tmp_path: Path, text: str, keys: str, more: dict[str, str]) -> None:
-    assert not of_python2(tmp_path, text, keys, more)
+    assert not of_python2(tmp_path, text, keys, more, "anomalous-backslash-in-string")
+
+
+@pytest.mark.parametrize(
+    ("more", "name", "expected"),
+    [
+        ({}, "Loader", True),
+        ({"requirements.txt": "numpy\n"}, "Loader", True),
+        ({"a/requirements.txt": "PyYAML>=6\n"}, "Loader", False),
+        ({"a/setup.py": "setup(install_requires=['pyyaml'])\n"}, "Loader", False),
+        ({}, "stream", False),
+    ],
+)
+def test_load_without_a_loader_in_ros_1(tmp_path: Path, more: dict[str, str], name: str, expected: bool) -> None:
+    text = LOAD.replace("env python", "env python3")
+    assert of_python2(tmp_path, text, "<depend>python3-yaml</depend>", more, name=name) is expected
 
 
 def test_a_package_of_ros_2_is_for_python_3(tmp_path: Path) -> None:

@@ -78,6 +78,9 @@ def second(text: str) -> int:
         FIRST + "make()\n\n\n" + SECOND,
         FIRST + "@make\ndef other():\n    pass\n\n\n" + SECOND,
         FIRST + "subscribe(make)\n\n\n@decorated\n" + SECOND,
+        "for topic in topics:\n    def make():\n        pass\n    subscribe(make)\nfor topic in others:\n    def make():\n        pass\n",
+        "def f(a):\n    if a:\n        def make():\n            pass\n        use(make)\n    def make():\n        pass\n",
+        FIRST + "if LIMIT:\n    subscribe(make)\n    def make():\n        return 1\n",
         "if LIMIT:\n    pass\n\n\nclass A:\n    def make(self):\n        pass\n\n    on = make\n\n    def make(self):\n        return 1\n",
     ],
 )
@@ -94,6 +97,8 @@ def test_what_is_used_before_it_is_replaced(text: str) -> None:
         FIRST + "def other():\n    return make()\n\n\n" + SECOND,
         FIRST + SECOND + "\n\nsubscribe(make)\n",
         "subscribe(make)\n\n\n" + FIRST + SECOND,
+        "for topic in topics:\n    def make():\n        pass\nfor topic in others:\n    def make():\n        pass\n    subscribe(make)\n",
+        "if a:\n    def make():\n        pass\n    def other():\n        return make()\nif b:\n    def make():\n        pass\n",
         "def broken(:\n    pass\n\n\n" + SECOND,
     ],
 )

@@ -72,7 +72,7 @@ GROUPS: tuple[Group, ...] = (
                 "Keyword with the name of a positional-only parameter.",
             ),
             ("not-callable", "SE", "Called object that is not callable."),
-            ("arguments-out-of-order", "RW", "Arguments in another order than the parameters of the same names."),
+            ("arguments-out-of-order", "SW", "Arguments in another order than the parameters of the same names."),
             ("abstract-class-instantiated", "RE", "Instantiated class with abstract methods."),
             ("assignment-from-no-return", "SE", "Used result of a function that returns nothing."),
             ("assignment-from-none", "SE", "Used result of a function that returns only None."),
