@@ -31,6 +31,17 @@ from haros_ci.results.rule import Level, Rule
 #: The metrics of both languages are one run, whatever measured them.
 METRICS = "metrics"
 MEASURED_BY = ("lizard", "radon", "structure")
+#: Checks of ours that, like a linter, speak of the code of one file alone.
+OF_CODE = frozenset(
+    f"{own.TOOL}:{rule}"
+    for rule in (
+        "method-defined-twice",
+        "missing-argument",
+        "undefined-attribute",
+        "undefined-name",
+        "wrong-format-arguments",
+    )
+)
 #: Stands for any rule that a tool may report and that no table lists.
 UNKNOWN = "a-rule-of-no-table"
 
@@ -75,7 +86,7 @@ def worth_reporting(
     selection: Selection,
     left_out: Callable[[Collection[str]], Collection[str]],
 ) -> tuple[Result, ...]:
-    """*results* without those of linters that nobody mends where they are; who asks for every finding, or for the rule, has them.
+    """*results* without those of linters, and of checks that speak of code alone, that nobody mends where they are; who asks for every finding, or for the rule, has them.
 
     They are in files that are *left_out*, as nothing uses them or as they are copies, in tests, of what is deprecated in no Python of ROS 1, or refuted by
     other files.
@@ -84,7 +95,9 @@ def worth_reporting(
     package_of = cache(workspace.package_finder())
 
     def is_extra(result: Result) -> bool:
-        return is_of_linter(result) and not selection.is_asked_for(result.tool, result.rule, result.location.path)
+        return (is_of_linter(result) or result.full_id in OF_CODE) and not selection.is_asked_for(
+            result.tool, result.rule, result.location.path
+        )
 
     kept: list[tuple[Result, bool]] = []
     doubting = Doubting()

@@ -23,6 +23,17 @@ _OTHER_PROJECTS = (".pro", ".ino", ".vcxproj", ".mk", ".bazel", ".gyp", ".ioc", 
 _BUILDING = ("setup", "python", "shell", "dockerfile", "yaml")
 #: Names of Python files that tools find by their names.
 _FOUND = re.compile(r"(?:__\w+__|setup|conf|conftest|noxfile|fabfile|manage|test_.*|.*_test|.*\.launch|launch_.*)")
+_ARCHIVED_TEST = re.compile(r"test_.*|.*_test")
+#: The first comments and text of a Python file, and what they say of one that is kept for reference.
+_HEAD = 2_000
+_FIRST = re.compile(
+    r"(?:[ \t]*#[^\n]*\n|[ \t]*\n)*(?:[rRuU]?\"\"\"(?:(?!\"\"\").)*\"\"\"|[rRuU]?'''(?:(?!''').)*''')?", re.DOTALL
+)
+_GIVEN_UP = re.compile(
+    r"^\W*(?:\w+\W+)?DEPRECATED\b|\b(?:this|the) (?:script|file|module|node|program|version) is (?:now )?(?:deprecated|obsolete|superseded|no longer (?:used|maintained))"
+    r"|\b(?:deprecated|obsolete)\b[^.\n]{0,80}\b(?:do not use|don't use|kept for reference|use \S+ instead)|\bkept (?:only )?for reference only\b",
+    re.IGNORECASE | re.MULTILINE,
+)
 _OF_TOOLS = frozenset("test tests launch cfg doc docs plugins plugin".split())
 #: A superseded copy: ``pick_old.py`` beside ``pick.py``, or beside ``pick_fast.py``.
 _SUPERSEDED = re.compile(
@@ -90,6 +101,8 @@ class Unused(Judged):
             if other.language in ("python", "launch", "setup", "cmake") and _DYNAMIC.search(text):
                 stems = {path: stem for path, stem in stems.items() if self._files[path].package != other.package}
             for path, stem in tuple(stems.items()):
+                if _is_archived(path) and _is_archived(other.path):
+                    continue  # what is archived together names each other
                 if other.path != path and stem in text and re.search(rf"(?<!\w){re.escape(stem)}(?!\w)", text):
                     del stems[path]
             if not stems:
@@ -103,9 +116,19 @@ class Unused(Judged):
     def _may_be_left(self, file: SourceFile) -> bool:
         """Whether a Python file is a superseded copy, or archived: any other one may be started by hand, or imported from elsewhere."""
         stem, directory = _stem(file.path), _directory(file.path)
-        if not file.path.endswith(".py") or _FOUND.fullmatch(stem) or _OF_TOOLS.intersection(directory.split("/")):
+        if not file.path.endswith(".py"):
             return False
-        return not _ARCHIVES.isdisjoint(directory.lower().split("/")) or self._is_superseded(stem, directory)
+        if _is_archived(file.path) and _ARCHIVED_TEST.fullmatch(stem):
+            return True
+        if _FOUND.fullmatch(stem) or _OF_TOOLS.intersection(directory.split("/")):
+            return False
+        return _is_archived(file.path) or self._is_superseded(stem, directory) or self._is_given_up(file.path)
+
+    def _is_given_up(self, path: str) -> bool:
+        """Whether the first comment or text of the file says that it is not to be used any more."""
+        text = self._workspace.text(path)[:_HEAD]
+        head = _FIRST.match(text)
+        return head is not None and _GIVEN_UP.search(head[0]) is not None
 
     def _is_superseded(self, stem: str, directory: str) -> bool:
         found = _SUPERSEDED.fullmatch(stem)
@@ -122,6 +145,10 @@ class Unused(Judged):
             if path.endswith(".py"):
                 found[_directory(path)].append(path)
         return found
+
+
+def _is_archived(path: str) -> bool:
+    return not _ARCHIVES.isdisjoint(_directory(path).lower().split("/"))
 
 
 def _is_other_build(path: str) -> bool:

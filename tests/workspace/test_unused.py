@@ -80,6 +80,12 @@ FIRES_PYTHON = [
     ("Old/walk.py", {"Old/walk.py": NODE}),
     ("demo/pick-backup2.py", {"demo/pick-backup2.py": "#!/usr/bin/env python3\n" + NODE, "demo/pick.py": NODE}),
     ("demo/old_pick.py", {"demo/old_pick.py": MODULE, "demo/pick.py": MODULE}),
+    ("notes/archive/test_pick.py", {"notes/archive/test_pick.py": NODE}),
+    ("notes/archive/pick_test.py", {"notes/archive/pick_test.py": NODE}),
+    ("archive/pick.py", {"archive/pick.py": NODE, "archive/walk.py": "from pick import main\n"}),
+    ("demo/pick.py", {"demo/pick.py": f'"""DEPRECATED: kept for reference, do not use."""\n{NODE}'}),
+    ("demo/pick.py", {"demo/pick.py": f"#!/usr/bin/env python3\n# This script is deprecated, see walk.py.\n\n{NODE}"}),
+    ("demo/pick.py", {"demo/pick.py": f"#!/usr/bin/env python3\n'''\n** Deprecated **\nPicks.\n'''\n{NODE}"}),
 ]
 QUIET_PYTHON = [
     ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/pick.py": "from demo import pick_old\n"}),
@@ -94,6 +100,12 @@ QUIET_PYTHON = [
     ("archive/walk.py", {"archive/walk.py": NODE, "start.sh": "#!/bin/sh\npython3 archive/walk.py\n"}),
     ("archive/walk.py", {"archive/walk.py": NODE, "README.md": "The archive has walk.py\n"}),
     ("archives_of_data/walk.py", {"archives_of_data/walk.py": NODE}),
+    ("archive/pick.py", {"archive/pick.py": NODE, "walk.py": "from archive.pick import main\n"}),
+    ("archive/conftest.py", {"archive/conftest.py": NODE}),
+    ("demo/pick.py", {"demo/pick.py": f'"""Picks; without deprecated calls."""\n{NODE}'}),
+    ("demo/pick.py", {"demo/pick.py": f'"""Lists the names that are deprecated."""\n{NODE}'}),
+    ("demo/pick.py", {"demo/pick.py": f'{NODE}# DEPRECATED\ndef other():\n    """DEPRECATED"""\n'}),
+    ("demo/pick.py", {"demo/pick.py": f'"""DEPRECATED"""\n{NODE}', "demo/walk.py": "from demo import pick\n"}),
     (
         "archive/walk.py",
         {"archive/walk.py": NODE, "CMakeLists.txt": "install(PROGRAMS archive/walk.py DESTINATION bin)\n"},
