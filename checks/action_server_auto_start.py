@@ -11,8 +11,8 @@ from haros_ci.api.code import Codebase, Routine, call_place, calls_of, dotted, o
 CPP = ("actionlib::SimpleActionServer", "actionlib::ActionServer")
 PYTHON = ("actionlib.SimpleActionServer", "actionlib.ActionServer", "actionlib.simple_action_server.SimpleActionServer")
 WHY = (
-    "the action server starts in its constructor: a goal may arrive before the node has created the objects "
-    "that the callback uses, or before goal callbacks are registered; "
+    "the action server starts in its constructor, of which actionlib warns: a goal that comes before the node has made what the callback uses, "
+    "or registered it, is lost or fails; "
 )
 
 

@@ -60,10 +60,14 @@ def _kind(reached: Reached) -> str:
     return names.get(reached.callback.kind, reached.callback.kind)
 
 
-DEADLOCK = (
+STUCK = (
     "waits here for a service response whose client is in the same mutually exclusive callback group: the "
-    "executor cannot take the response while this callback runs (deadlock); "
+    "executor cannot take the response while this callback runs ({}); "
 )
+_FOR_EVER = "deadlock"
+_FOR_A_TIME = "it waits until the timeout ends, each time, and has no response then"
+#: The waits of std::future that end by themselves.
+_LIMITED = frozenset(("wait_for", "wait_until"))
 
 
 def _cpp(code: Codebase, reached: Reached, call: Call) -> str | None:
@@ -96,7 +100,10 @@ def _cpp(code: Codebase, reached: Reached, call: Call) -> str | None:
             and made.node == _node(code, reached)
             and excludes(code, made.group, reached.callback.group)
         ):
-            return DEADLOCK + "pass a callback to async_send_request, or give the client its own callback group"
+            how = _FOR_A_TIME if call.name in _LIMITED else _FOR_EVER
+            return (
+                STUCK.format(how) + "pass a callback to async_send_request, or give the client its own callback group"
+            )
     return None
 
 
@@ -194,7 +201,7 @@ def _python(code: Codebase, reached: Reached, call: Call) -> str | None:
     made = client_made(code, routine, client) if client is not None else None
     if made is not None and made.node == _node(code, reached) and excludes(code, made.group, reached.callback.group):
         return (
-            DEADLOCK
+            STUCK.format(_FOR_A_TIME if _ends_by_itself(call) else _FOR_EVER)
             + "await call_async, or give the client its own callback group and spin with a MultiThreadedExecutor"
         )
     if call.name not in ("spin_once", "spin_until_future_complete"):
@@ -206,6 +213,12 @@ def _python(code: Codebase, reached: Reached, call: Call) -> str | None:
     is_given = call.argument(2 if call.name == "spin_until_future_complete" else 1, "executor") is not None
     is_given = is_given or any(isinstance(argument, (syntax.Star, syntax.DoubleStar)) for argument in call.args)
     return None if is_given else REMOVED.format(call.name)
+
+
+def _ends_by_itself(call: Call) -> bool:
+    """Whether a wait of rclpy has a timeout (Client.call() and spin_until_future_complete(): None waits for ever)."""
+    limit = call.argument(3 if call.name == "spin_until_future_complete" else 1, "timeout_sec")
+    return limit is not None and not isinstance(limit, syntax.Null)
 
 
 def _is_endless(place: Place) -> bool:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
-from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage
+from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, listed
 from haros_ci.api.packages import Target
 
 _PARTS = {
@@ -16,6 +16,8 @@ _PARTS = {
 }
 #: Targets that stand for the headers of messages, services and actions (genmsg, rosbuild's name too).
 _MESSAGES = ("generate_messages", "generate_messages_cpp", "gencpp", "genmsg", "EXPORTED_TARGETS")
+#: Names that are meant for targets of generated code: ``pkg_messages_cpp``, ``pkg_gencpp``.
+_LIKE_GENERATED = re.compile(r"_(?:generate\w*|gen\w+|messages?(?:_cpp)?|msgs?_cpp|cfg|EXPORTED_TARGETS)$")
 _CONFIGS = ("gencfg", "EXPORTED_TARGETS")
 
 
@@ -153,6 +155,12 @@ def _is_supported(package: ProjectPackage, target: Target, generated: set[str]) 
     )
 
 
+def _awaited_for_nothing(package: ProjectPackage, target: Target) -> tuple[str, ...]:
+    """The names that add_dependencies() has for *target*, that look like those of generated code, and that are no targets."""
+    words = sorted(package.cmake.awaited(target.name) - package.cmake.targets.keys())
+    return tuple(word for word in words if _LIKE_GENERATED.search(word) is not None and "$" not in word)
+
+
 def _is_unknown(word: str) -> bool:
     """Whether a link may bring anything: a variable that is not one of a package's own."""
     return "${" in word and not re.fullmatch(r"\$\{\w+_(?:LIBRARIES|TARGETS|LIBS|LIBRARY)\}", word)
@@ -162,7 +170,13 @@ def _finding(package: ProjectPackage, target: Target, uses: Mapping[str, Locatio
     header, place = next(iter(uses.items()))
     more = f" and {len(uses) - 1} more headers that are" if len(uses) > 1 else ", which is"
     name = target.name
-    if package.ros == 1:
+    wrong = _awaited_for_nothing(package, target) if package.ros == 1 else ()
+    if wrong:
+        them = "a name that no target has" if len(wrong) == 1 else "names that no target has"
+        then = f"add_dependencies({name} {' '.join(wrong)}) has {them}, so that a clean parallel build may compile it before the header exists"
+        remedy = f"write ${{${{PROJECT_NAME}}_EXPORTED_TARGETS}} instead of {listed(wrong)}"
+        fix = None
+    elif package.ros == 1:
         then = "a clean parallel build may compile it before the header exists"
         remedy = f"add add_dependencies({name} ${{${{PROJECT_NAME}}_EXPORTED_TARGETS}}) after generate_messages()"
     else:

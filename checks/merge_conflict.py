@@ -3,9 +3,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, Project
+from haros_ci.api import Check, Finding, Level, Location, Project, listed
 
 #: The markers in their order; git writes seven signs, and a name after the first and the last.
 _OURS, _THEIRS, _END = "<<<<<<< ", "=======", ">>>>>>> "
@@ -23,6 +24,8 @@ _EFFECTS = {
 
 
 def check(project: Project) -> Iterator[Finding]:
+    """One finding for the files that one merge has left: those whose conflicts end with the same name."""
+    merges: dict[tuple[str, str], list[tuple[str, list[int], str]]] = {}
     for file in project.workspace.files:
         if file.language not in _LANGUAGES or file.third_party:
             continue
@@ -32,15 +35,33 @@ def check(project: Project) -> Iterator[Finding]:
         lines = _conflicts(text, *_COMMENTS.get(file.language, ("", "")))
         if not lines:
             continue
-        first, others = lines[0], len(lines) - 1
-        more = f" (and {others} more)" if others else ""
         effect = _EFFECTS.get(file.language, "what reads it stops there")
-        yield Finding(
-            at=Location(file.path, first),
-            message=f"{file.path} holds the markers of a merge conflict from line {first} on{more}: {effect}; choose one side "
-            f"and remove the markers",
-            about=(file.path,),
-        )
+        merges.setdefault((_merged(text), effect), []).append((file.path, lines, effect))
+    for files in merges.values():
+        yield _finding(files)
+
+
+def _merged(text: str) -> str:
+    """The name behind the first closing marker: the branch or commit that was merged."""
+    closing = re.search(rf"^{_END}(.{{1,200}})$", text, re.MULTILINE)
+    return closing[1].strip() if closing is not None else ""
+
+
+def _finding(files: list[tuple[str, list[int], str]]) -> Finding:
+    path, lines, effect = files[0]
+    more = f" (and {len(lines) - 1} more)" if len(lines) > 1 else ""
+    also = (
+        f"; so {'does' if len(files) == 2 else 'do'} {listed([other for other, _, _ in files[1:]])}"
+        if len(files) > 1
+        else ""
+    )
+    return Finding(
+        at=Location(path, lines[0]),
+        message=f"{path} holds the markers of a merge conflict from line {lines[0]} on{more}: {effect}; choose one side "
+        f"and remove the markers{also}",
+        about=tuple(file for file, _, _ in files),
+        related=tuple((Location(file, first[0]), "the markers of the same merge") for file, first, _ in files[1:]),
+    )
 
 
 def _is_code(project: Project, path: str) -> bool:

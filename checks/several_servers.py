@@ -22,6 +22,9 @@ _ADDRESSED = re.compile(
     r"\b(?:if|switch)\b[^\n]{0,80}?\b(?:req|goal)\w{0,20}(?:\.|->)(?:goal(?:\.|->))?\w{0,40}(?:id|name|robot|target|namespace|agent|vehicle|drone|joint)s?\b",
     re.IGNORECASE,
 )
+#: What makes an action server of ROS 1 that does not start by itself (wiki.ros.org/actionlib, auto_start), and what starts one.
+_WAITING = re.compile(r",\s*(?:auto_start\s*=\s*)?(?:false|False)\s*[)}]")
+_STARTED = re.compile(r"\b(\w+)\s{0,9}(?:\.|->)\s{0,9}start\s{0,9}\(")
 #: Lines of a call.
 _LINES = 4
 #: What a call is assigned to, before it.
@@ -91,6 +94,8 @@ def _pairs(system: System) -> _Pairs:
         if len(channel.servers) < 2:
             continue
         servers = [end for end in channel.servers if not end.implicit and not end.conditions]
+        if channel.kind == "action":
+            servers = [end for end in servers if not _is_unstarted(end, system)]
         pair = next(((a, b) for a, b in can_meet(servers, servers) if _are_two(a, b, system)), None)
         if pair is not None and (pair[0].in_source or pair[1].in_source or _is_called(channel, system)):
             found.setdefault((pair[0].node.name, pair[1].node.name), []).append((channel, *pair))
@@ -174,6 +179,31 @@ def _is_destroyed(end: End, system: System) -> bool:
     return re.search(ends, text) is not None or (end.node.ros == 2 and len(re.findall(again, text)) > 1)
 
 
+def _is_unstarted(end: End, system: System) -> bool:
+    """Whether *end* is an action server of ROS 1 that waits for a start(), and its file starts none of the names beside it."""
+    if end.node.ros != 1 or not end.in_source or not end.location.line:
+        return False
+    text = _text(end, system)
+    lines, line = text.splitlines(), end.location.line
+    column = max((end.location.column or 1) - 1, 0)
+    made = _call("\n".join(lines[line - 1 : line - 1 + 2 * _LINES])[column:])
+    if _WAITING.search(made) is None:
+        return False
+    member = re.match(r"(?!new\b|make_|actionlib\b|Simple|Action)(\w+)\s*[({]", made)
+    beside = member[1] if member else "\n".join(lines[max(line - 2, 0) : line])
+    return not any(re.search(rf"\b{name}\b", beside) for name in {match[1] for match in _STARTED.finditer(text)})
+
+
+def _call(text: str) -> str:
+    """*text* up to the end of the first brackets in it."""
+    depth = 0
+    for bracket in re.finditer(r"[({})]", text):
+        depth += 1 if bracket[0] in "({" else -1
+        if depth == 0:
+            return text[: bracket.end()]
+    return text
+
+
 def _statement(lines: list[str], column: int | None) -> str:
     """The text before the call in the last of *lines*, with the lines before it where it begins its own."""
     last = lines[-1] if lines else ""
@@ -201,7 +231,7 @@ def _finding(
     found: list[tuple[Channel, End, End]], likewise: list[SystemNode], level: Level | None, system: System
 ) -> Finding:
     channel, first, second = found[0]
-    if second.node.ros == 1:
+    if second.node.ros == 1 and channel.kind == "service":
         effect = "the server that registers later takes over, and the other one gets no calls"
     elif channel.kind == "action":
         effect = "both get every goal, and a client sees the answers of both"

@@ -51,6 +51,8 @@ _KEYWORDS = (
     *("INCLUDE_DIRS", "LIBRARIES", "CATKIN_DEPENDS", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS"),
     *("SKIP_CMAKE_CONFIG_GENERATION", "SKIP_PKG_CONFIG_GENERATION"),
 )
+#: What stands behind DEPENDS in the template of catkin_create_pkg (catkin_pkg/templates/CMakeLists.txt.in).
+_PLACEHOLDER = "system_lib"
 _SETTINGS = frozenset(("debug", "optimized", "general"))
 
 
@@ -156,6 +158,15 @@ def _dependencies(package: ProjectPackage, command: CMakeCommand) -> Iterator[Fi
     lost = [
         name for name in dict.fromkeys(command.after("DEPENDS", *_KEYWORDS)) if not may_set_variables(package, name)
     ]
+    if _PLACEHOLDER in lost:
+        lost.remove(_PLACEHOLDER)
+        yield Finding(
+            at=command.location,
+            message=f"catkin_package() exports {_PLACEHOLDER}, which catkin_create_pkg writes in the place of a name: there is no such library, and "
+            "CMake warns of it in each build; remove the name",
+            about=(package.name, _PLACEHOLDER),
+            level=Level.NOTE,
+        )
     if lost:
         yield Finding(
             at=command.location,

@@ -84,6 +84,8 @@ def check(system: System) -> Iterator[Finding]:
             is_set = argument.ros == 1 and _is_set(argument, system)
             what = "is set to a fixed value" if is_set else "is declared"
             so = "" if is_set else " setting it has no effect;"
+            if not is_set and argument.default is None and argument.ros == 1:
+                so = " as it has no default, who includes or starts the file has to set it, for nothing;"
             yield Finding(
                 at=argument.location,
                 message=f"launch argument {argument.name!r} {what}, but never read:{so} {_advice(argument, system)}",

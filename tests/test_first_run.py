@@ -157,3 +157,63 @@ def test_several_names_in_one_tag(tags: str, count: int, tmp_path: Path) -> None
     files = {"package.xml": MANIFEST.format("demo", ROS1 + tags), "CMakeLists.txt": CATKIN.format("demo", "")}
     found = messages("misspelt-dependency", files, tmp_path)
     assert len(found) == count and all("2 names, rospy and std_msgs" in text for text in found)
+
+
+SERVER = """#include <ros/ros.h>
+#include <actionlib/server/simple_action_server.h>
+#include <demo/GoAction.h>
+class Server {
+  ros::NodeHandle nh_;
+  actionlib::SimpleActionServer<demo::GoAction> as_, other_;
+public:
+  Server() : nh_(),
+    as_(nh_, "go", boost::bind(&Server::run, this, _1), %s), other_(nh_, ros::this_node::getName(), false)
+  { %s }
+  void run(const demo::GoGoalConstPtr& goal) {}
+};
+int main(int argc, char** argv) { ros::init(argc, argv, "server"); Server server; ros::spin(); }
+"""
+PYTHON_SERVER = """import rospy
+import actionlib
+from demo.msg import GoAction
+rospy.init_node("server")
+server = actionlib.SimpleActionServer("go", GoAction, execute_cb=print%s)
+%s
+rospy.spin()
+"""
+
+
+@pytest.mark.parametrize(
+    ("code", "auto_start", "body", "count"),
+    [
+        (SERVER, "false", "as_.start();", 1),
+        (SERVER, "true", "", 1),
+        (SERVER, "false", "", 0),
+        (SERVER, "false", "other_.start();", 0),
+        (SERVER, "false", "ros::Time::now();", 0),
+        (PYTHON_SERVER, ", auto_start=False", "server.start()", 1),
+        (PYTHON_SERVER, "", "", 1),
+        (PYTHON_SERVER, ", auto_start=False", "", 0),
+        (PYTHON_SERVER, ", auto_start=False", "server.register_preempt_callback(print)", 0),
+    ],
+)
+def test_an_action_server_that_nobody_starts_is_none(
+    code: str, auto_start: str, body: str, count: int, tmp_path: Path
+) -> None:
+    ending = ".cpp" if code is SERVER else ".py"
+    programs = "catkin_install_python(PROGRAMS one.py two.py DESTINATION lib/demo)"
+    if code is SERVER:
+        programs = "add_executable(one one.cpp)\nadd_executable(two two.cpp)"
+    files = {
+        "package.xml": MANIFEST.format("demo", f"{ROS1}<depend>roscpp</depend><depend>actionlib</depend>"),
+        "CMakeLists.txt": CATKIN.format("demo", f"add_action_files(FILES Go.action)\ngenerate_messages()\n{programs}"),
+        "action/Go.action": "int32 a\n---\nint32 b\n---\nint32 c\n",
+        f"one{ending}": code % (("true" if code is SERVER else ""), ""),
+        f"two{ending}": code % (auto_start, body),
+        "all.launch": '<launch><node pkg="demo" type="{}" name="one"/><node pkg="demo" type="{}" name="two"/></launch>\n'.format(
+            *(("one", "two") if code is SERVER else ("one.py", "two.py"))
+        ),
+    }
+    found = messages("several-servers", files, tmp_path)
+    assert len(found) == count
+    assert all("both get every goal" in message for message in found)

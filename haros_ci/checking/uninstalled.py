@@ -20,6 +20,9 @@ _ASIDE = re.compile(
     r"(?:^|[/_-])(?:tests?|testing|tester|examples?|benchmarks?|benchmarking|bench|demos?|samples?|tutorials?|tools?|fuzz\w*|mock|dummy"
     r"|scratch|experimental|debug|generate|generator|gen|profil\w+|playground|sandbox|old|deprecated|unused)(?:$|[/_.-])"
 )
+#: The first comments and text of a script, and how one says there that it is to be looked at.
+_HEAD = re.compile(r"(?:[ \t]*#[^\n]{0,300}\n|[ \t]*\n){0,60}(?:\"{3}.{0,1500}?\"{3}|'{3}.{0,1500}?'{3})?", re.DOTALL)
+_DEMONSTRATION = re.compile(r"\b(?:demo(?:nstrat\w+)?|example|tutorial|test case|playground)\b", re.IGNORECASE)
 _TESTS = re.compile(r"(?:^|_)(?:tests?|testing|benchmarks?|tools)(?:$|_)")
 _RUN = re.compile(r"\b(?:ros2 run|rosrun)\s+([\w-]+)\s+([\w.-]+)")
 #: What the code of a node uses by itself, and what leaves it to a library.
@@ -159,7 +162,8 @@ def _executables(package: ProjectPackage, programs: Programs) -> Iterator[Uninst
             continue
         use = programs.started.get((package.name, target.output))
         shown = [path.removeprefix(f"{package.path}/") for path in target.sources]
-        if use is None and _is_for_tests(package, target.name, *shown):
+        is_idle = use is None or _ASIDE.search(use.path.removeprefix(f"{package.path}/").lower()) is not None
+        if is_idle and _is_for_tests(package, target.name, *shown):
             continue
         least = Level.WARNING if use is not None or _may_be_node(package, target) else Level.NOTE
         yield Uninstalled(
@@ -210,7 +214,10 @@ def _scripts(package: ProjectPackage, programs: Programs) -> Iterator[Uninstalle
                 if posixpath.dirname(installed.path) == posixpath.dirname(path)
             )
             other = next((installed for installed in beside if installed.kind == "program"), None)
-            use, how = (other.location, "installs the other scripts there") if other is not None else (None, how)
+            is_shown = _DEMONSTRATION.search((_HEAD.match(text) or [""])[0]) is not None
+            use, how = (
+                (None, how) if other is None or is_shown else (other.location, "installs the other scripts there")
+            )
         if use is None or (is_aside and _ASIDE.search(use.path.lower())):
             continue
         level = Level.ERROR if how == "is started here" and package.ros == 2 else Level.WARNING

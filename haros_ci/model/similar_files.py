@@ -68,6 +68,8 @@ def _rank(base: str, stem: str, other: str, name: str, owner: str) -> tuple[int,
     left, right = set(words) - set(others), set(others) - set(words)
     if re.findall(r"\d+", stem) != re.findall(r"\d+", name) or any(left & pair and right & pair for pair in _APART):
         return None
+    if sorted(words) == sorted(others):  # the same words in another order
+        return 2, _ratio(stem.lower(), name.lower())
     ratio = _ratio(stem.lower(), name.lower())
     if ratio >= _ALIKE:
         return (3, ratio) if _are_slips(left, right) else None

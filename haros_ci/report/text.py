@@ -115,19 +115,25 @@ def _inert(line: str) -> str:
 def _file(
     results: tuple[Result, ...], paint: Paint, lines: Callable[[str], list[str]], width: int, why: bool
 ) -> Iterator[str]:
-    """The findings of one file; those of one line share its frame."""
+    """The findings of one file; those of one line share its frame, each with its own notes where several have some."""
     for number, group in groupby(results, lambda r: r.location.line):
         here = tuple(group)
-        for result in here:
-            yield _head(result, paint)
-            if why and result.reason:
-                yield paint(DIM, f"      why: {terminal(result.reason)}")
-        if number is not None:
-            yield from _frame(here, number, lines(here[0].location.path), paint, width)
-        for result in here:
-            for near in result.related:
-                yield f"      {terminal(str(near.location))}: {paint(COLORS[Level.NOTE], 'note')}: {label(near)}"
-            yield from _flow(result, paint)
+        is_apart = sum(bool(result.related or result.flow) for result in here) > 1
+        for rest in [here[i : i + 1] for i in range(len(here))] if is_apart else [here]:
+            for result in rest:
+                yield _head(result, paint)
+                if why and result.reason:
+                    yield paint(DIM, f"      why: {terminal(result.reason)}")
+            if number is not None and rest[0] is here[0]:
+                yield from _frame(here, number, lines(here[0].location.path), paint, width)
+            for result in rest:
+                yield from _notes(result, paint)
+
+
+def _notes(result: Result, paint: Paint) -> Iterator[str]:
+    for near in result.related:
+        yield f"      {terminal(str(near.location))}: {paint(COLORS[Level.NOTE], 'note')}: {label(near)}"
+    yield from _flow(result, paint)
 
 
 def _flow(result: Result, paint: Paint) -> Iterator[str]:

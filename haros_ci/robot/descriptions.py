@@ -62,6 +62,18 @@ def _is_named(name: str, text: str) -> bool:
     return at >= 0
 
 
+def _is_passed(name: str, text: str) -> bool:
+    """Whether launch files give *name* to xacro as the value of an argument: then another description includes the file.
+
+    The path may stand behind ``:=`` itself, or in a variable of Python that does.
+    """
+    end = rf"{re.escape(name)}(?![\w.-])"
+    if re.search(rf":=[ \t]*[^\s,;]{{0,300}}?{end}", text):
+        return True
+    variables = re.findall(rf"^[ \t]*(\w+)[ \t]*=[^\n=]{{0,300}}?(?<![\w.-]){end}", text, re.MULTILINE)
+    return any(re.search(rf":=[\"' \t,+{{f]{{0,20}}\b{variable}\b", text) for variable in set(variables))
+
+
 def _fits(parts: tuple[str, ...], name: str) -> bool:
     """Whether *name* is *parts* with anything in between."""
     first, *inner, last = parts
@@ -101,7 +113,7 @@ class Descriptions:
         for path in tops[:MAX_FILES]:
             base = path.rpartition("/")[2]
             title = base if names[base] == 1 else self._inside(path)
-            is_named = _is_named(title, callers)
+            is_named = _is_named(title, callers) and not _is_passed(title, callers)
             is_known = is_named and len(passed) <= MAX_PASSED
             arguments = dict.fromkeys(passed, UNKNOWN) if is_known else {}
             robot = self._robot(path, arguments, is_open=not is_known)
