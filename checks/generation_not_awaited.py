@@ -161,6 +161,12 @@ def _awaited_for_nothing(package: ProjectPackage, target: Target) -> tuple[str, 
     return tuple(word for word in words if _LIKE_GENERATED.search(word) is not None and "$" not in word)
 
 
+def _generator(package: ProjectPackage) -> str:
+    """The last command of the package that makes targets of generated code."""
+    makers = package.commands("generate_messages", "generate_dynamic_reconfigure_options")
+    return makers[-1].name if makers else "generate_messages"
+
+
 def _is_unknown(word: str) -> bool:
     """Whether a link may bring anything: a variable that is not one of a package's own."""
     return "${" in word and not re.fullmatch(r"\$\{\w+_(?:LIBRARIES|TARGETS|LIBS|LIBRARY)\}", word)
@@ -178,7 +184,7 @@ def _finding(package: ProjectPackage, target: Target, uses: Mapping[str, Locatio
         fix = None
     elif package.ros == 1:
         then = "a clean parallel build may compile it before the header exists"
-        remedy = f"add add_dependencies({name} ${{${{PROJECT_NAME}}_EXPORTED_TARGETS}}) after generate_messages()"
+        remedy = f"add add_dependencies({name} ${{${{PROJECT_NAME}}_EXPORTED_TARGETS}}) after {_generator(package)}()"
     else:
         then = "the compiler does not find the header"
         remedy = "link it with the target that rosidl_get_typesupport_target() names"

@@ -39,6 +39,7 @@ def check(project: Project) -> Iterator[Finding]:
             not is_node(code, routine, call.receiver)
             or called(code, routine, call.whole)
             or own_method(code, routine, call)
+            or _is_of_rosserial(code, routine, call)
         ):
             continue
         what = MADE[call.name]
@@ -64,6 +65,16 @@ def check(project: Project) -> Iterator[Finding]:
                         "function returns, and its callback is no longer called"
                     ),
                 )
+
+
+def _is_of_rosserial(code: Codebase, routine: Routine, call: Call) -> bool:
+    """Whether the call hands over the one object that rosserial keeps a pointer to: ``node.subscribe(subscriber)`` (ros/node_handle.h).
+
+    roscpp has such a call with options alone, of SubscribeOptions and the like.
+    """
+    options = code.mentioning("SubscribeOptions", "AdvertiseServiceOptions")
+    is_one = len(call.args) == 1 and isinstance(call.args[0], (syntax.Name, syntax.Member))
+    return is_one and call.name in ("subscribe", "advertiseService") and routine.path not in options
 
 
 def _finding(routine: Routine, call: Call, what: str, message: str) -> Finding:

@@ -228,3 +228,63 @@ def test_a_part_of_a_robot_that_is_given_as_an_argument(command: str, count: int
         "launch/a.launch.py": LAUNCH.format(command),
     }
     assert len(messages("broken-robot-model", files, tmp_path)) == count
+
+
+SKETCH = """#include <ros/ros.h>
+#include <std_msgs/Int16.h>
+class Motor {
+  ros::NodeHandle nh;
+  ros::Subscriber<std_msgs::Int16, Motor> sub;
+  void turn(const std_msgs::Int16 & message);
+public:
+  Motor();
+};
+Motor::Motor() { %s }
+"""
+
+
+@pytest.mark.parametrize(
+    ("call", "count"),
+    [
+        ("nh.subscribe(sub);", 0),
+        ("nh.subscribe(this->sub);", 0),
+        ("nh.advertiseService(sub);", 0),
+        ('nh.subscribe("speed", 1, &Motor::turn, this);', 1),
+        ("ros::SubscribeOptions options; nh.subscribe(options);", 1),
+    ],
+)
+def test_what_rosserial_keeps(call: str, count: int, tmp_path: Path) -> None:
+    files = {
+        "package.xml": MANIFEST.format("demo", ROS1),
+        "CMakeLists.txt": CATKIN.format("demo", "add_library(motor motor.cpp)"),
+        "motor.cpp": SKETCH % call,
+    }
+    assert len(messages("subscription-not-kept", files, tmp_path)) == count
+
+
+ROBOT = (
+    '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n{}\n'
+    '<link name="base">\n<visual>\n<origin xyz="${{b}} 0 0"/>\n<geometry><box size="${{a}} 1 1"/></geometry>\n</visual></link>\n</robot>\n'
+)
+
+
+@pytest.mark.parametrize(
+    ("defined", "expected"),
+    [
+        ('<property name="a" value="1"/><property name="b" value="2"/>', ["lacks the prefix"]),
+        ('<xacro:property name="a" value="1"/><property name="b" value="2"/>', ["lacks the prefix"]),
+        ('<property name="a" value="1"/>', ["is not defined here: xacro stops", "lacks the prefix"]),
+        ("", ["is not defined here: xacro stops", "is not defined here: xacro stops"]),
+        ('<xacro:property name="a" value="1"/><xacro:property name="b" value="2"/>', []),
+    ],
+)
+def test_properties_without_the_prefix(defined: str, expected: list[str], tmp_path: Path) -> None:
+    files = {
+        "package.xml": MANIFEST.format("demo", ROS2),
+        "CMakeLists.txt": AMENT.format("demo", ""),
+        "description/part.xacro": ROBOT.format(defined),
+        "launch/a.launch.py": LAUNCH.format("part"),
+    }
+    found = messages("undefined-in-xacro", files, tmp_path)
+    assert len(found) == len(expected)
+    assert all(words in message for words, message in zip(expected, found, strict=True))

@@ -162,7 +162,9 @@ def _executables(package: ProjectPackage, programs: Programs) -> Iterator[Uninst
             continue
         use = programs.started.get((package.name, target.output))
         shown = [path.removeprefix(f"{package.path}/") for path in target.sources]
-        is_idle = use is None or _ASIDE.search(posixpath.dirname(use.path).removeprefix(package.path).lower()) is not None
+        is_idle = (
+            use is None or _ASIDE.search(posixpath.dirname(use.path).removeprefix(package.path).lower()) is not None
+        )
         if is_idle and _is_for_tests(package, target.name, *shown):
             continue
         least = Level.WARNING if use is not None or _may_be_node(package, target) else Level.NOTE
