@@ -177,18 +177,24 @@ def _is_of_family(argument: ArgumentDeclaration, system: System) -> bool:
     same = [file.rpartition("/")[0] for file in system.whole.files_by_name.get(name, ())]
     if len(same) >= _MANY and any((item, argument.name) in system.whole.used_arguments for item in same):
         return True
-    if family is None or (folder, argument.name) not in system.whole.used_arguments:
+    if (folder, argument.name) not in system.whole.used_arguments:
         return False
-    beside = [
-        launch_file for launch_file in system.whole.launch_files if launch_file.startswith(f"{folder}/{family[0]}")
-    ]
+    start = f"{folder}/{family[0]}" if family is not None else path
+    beside = [launch_file for launch_file in system.whole.launch_files if launch_file.startswith(start)]
     readers = {
         fact.location.path
         for other_system in system.whole.systems
         for fact in other_system.facts(ArgumentDeclaration)
         if fact.name == argument.name and fact.is_used
     }
-    return len(beside) >= _MANY and not readers.isdisjoint(beside)
+    plain = _without_digits(path)
+    twins = {file for file in system.whole.launch_files if _without_digits(file) == plain} - {path}
+    return not readers.isdisjoint(beside if len(beside) >= _MANY else twins)
+
+
+def _without_digits(path: str) -> str:
+    """The path of a launch file that is there for each of several robots, as they all have it: ``exp1.launch``."""
+    return re.sub(r"\d+", "", path)
 
 
 def _stands_in(argument: ArgumentDeclaration, system: System) -> bool:

@@ -8,7 +8,11 @@ from pathlib import Path
 import pytest
 from test_first_run import AMENT, CATKIN, MANIFEST, ROS1, ROS2, messages
 
+from haros_ci.api.testing import said
+from haros_ci.checking.page import Example
 from haros_ci.model.similar_files import similar_names
+from haros_ci.registry import checks
+from haros_ci.results.rule import Level
 
 CONFLICT = "a: 1\n<<<<<<< HEAD\nb: 2\n=======\nb: 3\n>>>>>>> {}\n"
 
@@ -288,3 +292,52 @@ def test_properties_without_the_prefix(defined: str, expected: list[str], tmp_pa
     found = messages("undefined-in-xacro", files, tmp_path)
     assert len(found) == len(expected)
     assert all(words in message for words, message in zip(expected, found, strict=True))
+
+
+NAMED = """<launch>
+  <arg name="model" default="{}"/>
+  <arg name="other" default="$(arg model)"/>
+  <rosparam file="$(find demo)/config/$(arg other)_joints.yaml" command="load"/>
+</launch>
+"""
+
+
+@pytest.mark.parametrize(
+    ("launch", "count"),
+    [
+        (NAMED.format(""), 0),
+        (NAMED.format("").replace("config/$(arg other)_joints", "$(arg other)/config"), 1),
+        (NAMED.format("walker"), 1),
+        (NAMED.format("").replace("$(arg other)_joints", "joints"), 1),
+        (NAMED.format("").replace("$(arg other)_joints", "_joints"), 1),
+        (NAMED.format("config").replace("config/$(arg other)_joints", "$(arg other)/_joints"), 1),
+    ],
+)
+def test_a_file_whose_name_is_to_be_given(launch: str, count: int, tmp_path: Path) -> None:
+    files = {
+        "package.xml": MANIFEST.format("demo", ROS1),
+        "CMakeLists.txt": CATKIN.format("demo", ""),
+        "launch/a.launch": launch,
+    }
+    assert len(messages("missing-launch-file", files, tmp_path)) == count
+
+
+EXPERIMENT = '<launch>\n  <arg name="first" default="a"/>\n  <arg name="second" default="b"/>\n  <node pkg="demo" type="walk" name="$(arg {})"/>\n</launch>\n'
+
+
+@pytest.mark.parametrize(
+    ("names", "count"),
+    [
+        (("exp1.launch", "exp2.launch"), 0),
+        (("run_1_map.launch", "run_2_map.launch"), 0),
+        (("exp1.launch",), 1),
+        (("exp1.launch", "other2.launch"), 2),
+        (("exp_near.launch", "exp_far.launch"), 2),
+    ],
+)
+def test_arguments_of_launch_files_that_differ_in_a_number(names: tuple[str, ...], count: int, tmp_path: Path) -> None:
+    texts = zip(names, ("first", "second"), strict=False)
+    files = {f"launch/{name}": EXPERIMENT.format(own) for name, own in texts}
+    check = next(check for check in checks() if check.id == "unused-launch-argument")
+    found = said(check, Example("", True, {"package.xml": MANIFEST.format("demo", ROS1), **files}), tmp_path)
+    assert len([result for result in found if result.level is Level.WARNING]) == count

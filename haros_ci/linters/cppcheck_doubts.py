@@ -19,7 +19,7 @@ from haros_ci.linters.cppcheck_uses import (
     is_meant,
     is_pointed_to,
 )
-from haros_ci.linters.cppcheck_ways import OF_WAYS, is_one_case
+from haros_ci.linters.cppcheck_ways import OF_WAYS, is_list_of_values, sets_nothing
 from haros_ci.results.scope import scopes
 
 #: A literal of the user's own that takes a default, as pybind11's arguments do: ``"steps"_a = false``.
@@ -111,7 +111,7 @@ def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
     if rule == "autoVariables" and is_array_that_is_copied(line, text):
         return True
     if rule in _OF_LITERALS:
-        is_case = rule == "selfAssignment" and is_one_case(message, line, text)
+        is_case = rule == "selfAssignment" and sets_nothing(message, line, text)
         return is_case or _NAMED_ARGUMENT.search(_line(text, line)) is not None
     member = _MEMBER.search(message.rstrip(".")) if rule in _OF_UNSET else None
     if member is not None:
@@ -122,7 +122,9 @@ def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
         return _is_exhaustive(line, text) or _ends(line, text) or _ends_in_macro(line, text)
     if _OF_PRINTF.fullmatch(rule):
         return _is_alias(message, text)
-    if rule == "constStatement" and (_LOOP.search(_line(text, line)) or _PLACED.search(_line(text, line))):
+    if rule == "constStatement" and (
+        _LOOP.search(_line(text, line)) or _PLACED.search(_line(text, line)) or is_list_of_values(message, line, text)
+    ):
         return True  # ``for (i; …)`` where i is set before, and an object that is made in a place
     if rule == "moduloofone":  # by a constant with a name, which may be another number tomorrow
         here = "\n".join(text.split("\n")[max(line - 1, 0) : line + 1])

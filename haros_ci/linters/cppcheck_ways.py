@@ -25,6 +25,7 @@ _FAILED = (
 )
 _HIDDEN = re.compile(r"//[^\n]*|/\*.*?(?:\*/|\Z)|\"(?:[^\"\\\n]|\\.){0,1000}\"|'(?:[^'\\\n]|\\.){1,8}'", re.DOTALL)
 _IF = re.compile(r"\bif\s*\(")
+_ITSELF = re.compile(r"of '([^']{1,200})' to itself")
 #: An assignment to itself as one of the cases of a switch.
 _CASE = re.compile(r"\s*(?:case\b[^;:]{0,80}|default\s*):")
 _ENDS_CASE = re.compile(r"[;{]\s*break\s*;|^\s*break\s*;", re.MULTILINE)
@@ -61,15 +62,33 @@ def is_named_limit(message: str, line: int, text: str) -> bool:
     return _NAMED.search(_HIDDEN.sub("", here)) is not None
 
 
-def is_one_case(message: str, line: int, text: str) -> bool:
-    """Whether the assignment is all of one case of a ``switch``: the others set the same variable to something else."""
-    lines = text.split("\n")
-    if not 1 < line <= len(lines):
+def sets_nothing(message: str, line: int, text: str) -> bool:
+    """Whether the assignment stands for symmetry, as all of one case of a ``switch`` or of an ``if`` whose ``else`` sets the same variable.
+
+    Or whether it only looks so to cppcheck: a macro stands before the second name.
+    """
+    itself, lines = _ITSELF.search(message), text.split("\n")
+    if itself is None or not 1 < line <= len(lines):
         return False
-    here = lines[line - 1]
+    here, name = lines[line - 1], re.escape(itself[1])
+    if re.search(rf"{name}\s*=\s*[A-Za-z_]\w*\s+{name}\b", here):
+        return True
+    after = "\n".join(lines[line : line + 4])
+    if re.match(rf"\s*\}}?\s*else\b[^;{{}}]{{0,300}}\{{?\s*{name}\s*[-+*/]?=", after):
+        before = next((other for other in reversed(lines[: line - 1]) if other.strip(" \t{")), "")
+        return re.search(r"\bif\s*\(", before) is not None
     if _CASE.match(here) is None and _CASE.match(lines[line - 2]) is None:
         return False
     return _ENDS_CASE.search("\n".join(lines[line - 1 : line + 1])) is not None
+
+
+def is_list_of_values(message: str, line: int, text: str) -> bool:
+    """Whether the comma is one of Eigen's and OpenCV's lists of values, ``matrix << 1,\n 2;``, which begins lines above."""
+    if "','" not in message:
+        return False
+    before = "\n".join(text.split("\n")[:line])[-_LONGEST:]
+    statement = re.split(r"[;{}]", _HIDDEN.sub("", before).rstrip().rstrip(";"))[-1]
+    return "<<" in statement
 
 
 #: The questions by rule; each takes the message, the line, counted from 1, and the text of the file.

@@ -14,6 +14,7 @@ NAMES = frozenset(
     " external_lib external_libs external_library external_libraries".split()
 )
 _LICENCE = re.compile(r"(?:licen[cs]e|copying|unlicense)(?:[-._][\w.-]+)?", re.IGNORECASE)
+_BACKUP = re.compile(r"(.+?)[-_. ]{1,3}(?:backup|bak|old|orig|deprecated|obsolete)[-_.]?\d{0,8}", re.IGNORECASE)
 _CODE = (".py", ".js", ".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".hxx")
 
 
@@ -21,13 +22,14 @@ class ThirdParty:
     """Which directories of a workspace hold copies, by the *names* of all its files and its *packages*, directory to name.
 
     A directory does if it is called so (``third_party``), or if it lies inside a package and has a licence of its own: a
-    package has its licence at its root. So does one that is a release by its name and files, or the tree of a well-known library. A directory that a run is *requested* for, and those around it, are none for that run.
+    package has its licence at its root. So does a package whose directory is a backup's by its name, and one that is a release by its name and files, or the tree of a well-known library. A directory that a run is *requested* for, and those around it, are none for that run.
     """
 
     def __init__(self, names: Iterable[str], packages: Mapping[str, str], requested: Iterable[str] = ()) -> None:
         names = tuple(names)
         self._licensed = {_directory(name) for name in names if _is_licence(name.rpartition("/")[2])}
         self._packages = frozenset(packages)
+        self._backups = {directory for directory, name in packages.items() if _is_backup(directory, name)}
         self._trees = library_trees(names, packages)
         self._copies = self._trees | releases(names, self._licensed, packages)
         self._known: dict[str, str] = {".": ""}
@@ -55,7 +57,7 @@ class ThirdParty:
         return directory in self._trees
 
     def _is_one(self, directory: str) -> bool:
-        if directory.rpartition("/")[2].lower() in NAMES or directory in self._copies:
+        if directory.rpartition("/")[2].lower() in NAMES or directory in self._copies or directory in self._backups:
             return True
         return directory in self._licensed and directory not in self._packages and self._is_inside(directory)
 
@@ -63,6 +65,12 @@ class ThirdParty:
         while directory != "." and directory not in self._packages:
             directory = _directory(directory)
         return directory in self._packages
+
+
+def _is_backup(directory: str, package: str) -> bool:
+    """Whether the directory of *package* has its name with one of a backup behind it: ``walker_backup``."""
+    found = _BACKUP.fullmatch(directory.rpartition("/")[2])
+    return found is not None and found[1] == package
 
 
 def _is_licence(name: str) -> bool:

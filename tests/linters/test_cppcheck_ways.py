@@ -99,9 +99,32 @@ def test_a_limit_that_has_a_name(line: str, expected: bool) -> None:
         ("switch (i) {\n  default:\n    ball_ = ball_;\n    break;", True),
         ("switch (i) {\n  case 3:\n    ball_ = ball_;\n    other();\n    break;", False),
         ("if (i == 3) {\n    ball_ = ball_;\n    break;", False),
+        ("if (i == 3)\n{\n    ball_ = ball_;\n}\nelse\n{\n    ball_ = other;\n}", True),
+        ("if (i == 3) {\n    ball_ = ball_;\n} else\n    ball_ += other;\n", True),
+        ("if (i == 3) {\n    ball_ = ball_;\n} else {\n    other = ball_;\n}", False),
+        ("if (i == 3) {\n    walk();\n    ball_ = ball_;\n} else {\n    ball_ = other;\n}", False),
+        ("int a;\nint ball_ = qh ball_;\n// ball_ = ball_", True),
         ("ball_ = ball_;", False),
     ],
 )
 def test_a_case_that_changes_nothing(text: str, expected: bool) -> None:
-    line = next(number for number, item in enumerate(text.split("\n"), 1) if "ball_ = ball_" in item)
+    line = next(number for number, item in enumerate(text.split("\n"), 1) if " ball_;" in item)
     assert is_refuted("selfAssignment", "Redundant assignment of 'ball_' to itself.", line, text) is expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("m.block(0, 0, 1, 4) << 1.0f,\n    0.0f, 0.33f, 0.0f;", True),
+        ("a = b;\nm << 1,\n  2,\n  3;", True),
+        ("m << 1;\na, b;", False),
+        ("// m << 1,\na, b;", False),
+        ("a,\nb;", False),
+    ],
+)
+def test_values_of_a_matrix_over_several_lines(text: str, expected: bool) -> None:
+    message = "Found suspicious operator ',', result is not used."
+    assert is_refuted("constStatement", message, text.count("\n") + 1, text) is expected
+    assert not is_refuted(
+        "constStatement", "Found suspicious operator '+', result is not used.", text.count("\n") + 1, text
+    )

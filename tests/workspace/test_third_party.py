@@ -10,7 +10,14 @@ import pytest
 from haros_ci.workspace.discover import discover
 from haros_ci.workspace.third_party import ThirdParty, around
 
-PACKAGES = {"src/demo": "demo", "src/eigen": "eigen3", "ws-1.2.0/src/robot": "robot"}
+PACKAGES = {
+    "src/demo_backup": "demo",
+    "src/arm_OLD": "arm",
+    "src/state_backup": "state_backup",
+    "src/demo": "demo",
+    "src/eigen": "eigen3",
+    "ws-1.2.0/src/robot": "robot",
+}
 EIGEN = "src/demo/include/Eigen"
 CHIP = "fw/stm32f4xx_lib"
 
@@ -34,6 +41,8 @@ FIRES = [
         "src/demo/models",
     ),
     ("third_party/json/json.hpp", (), (), "third_party"),
+    ("src/demo_backup/src/a.cpp", (), (), "src/demo_backup"),
+    ("src/arm_OLD/src/a.cpp", (), (), "src/arm_OLD"),
     ("3rd/json/json.hpp", (), (), "3rd"),
     ("src/demo/3rdparty/a.cpp", (), (), "src/demo/3rdparty"),
     ("src/Vendor/a/b/c.cpp", (), (), "src/Vendor"),
@@ -56,6 +65,9 @@ QUIET = [
     ("src/demo/src/a.cpp", ("src/demo/LICENSE",), ()),
     ("src/demo/src/a.cpp", ("LICENSE", "src/LICENSE"), ()),
     ("src/other/a.cpp", ("src/other/LICENSE",), ()),
+    ("src/state_backup/src/a.cpp", (), ()),
+    ("src/other_old/src/a.cpp", (), ()),
+    ("src/demo_backup/src/a.cpp", (), ("src/demo_backup",)),
     ("src/demo/src/a.cpp", ("src/demo/src/license.py",), ()),
     ("src/demo/src/a.cpp", ("src/demo/src/License.hpp",), ()),
     ("src/demo/src/a.cpp", ("src/demo/src/licenses/MIT.txt",), ()),
