@@ -57,6 +57,10 @@ def fingerprint(workspace: Workspace, options: LintOptions) -> str:
     return json.dumps(["14", sys.version_info[:2], astroid and astroid.version, options.trust_config, own])
 
 
+#: How the report begins. Before it stands what modules of Python say that pylint imports to look into them: ``this`` its poem.
+_REPORT = b'{\n    "messages"'
+
+
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
     return imports.closures(workspace, across=True).get(file.path, ())
 
@@ -103,7 +107,8 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         raise ValueError("wrong usage")
     files = {"./" + file.path: file for file in batch.files} | {file.path: file for file in batch.files}
     silenced, doubting = set(), Doubting()
-    for report in json.loads(output.stdout)["messages"]:
+    start = max(output.stdout.find(_REPORT), 0)
+    for report in json.loads(output.stdout[start:])["messages"]:
         file, rule = files.get(report["path"]), report["symbol"]
         if file is None or rule in ABOUT_OPTIONS or file.path in silenced:
             continue

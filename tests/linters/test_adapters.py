@@ -194,6 +194,13 @@ def test_pylint(tmp_path: Path, messages: list[dict[str, object]], expected: lis
     assert brief(parse(pylint, tmp_path, {"a.py": "\n"}, report(*messages), code=16)) == expected
 
 
+@pytest.mark.parametrize("before", ["The Zen of Python, by Tim Peters\n\n{not the report}\n", "{\n"])
+def test_pylint_after_what_a_module_says_that_it_imports(tmp_path: Path, before: str) -> None:
+    text = before + json.dumps(json.loads(report(message())), indent=4)
+    (said,) = parse(pylint, tmp_path, {"a.py": "\n"}, text, code=4)
+    assert isinstance(said, Finding)
+
+
 def test_pylint_on_python_2(tmp_path: Path) -> None:
     text = report(message(symbol="syntax-error"), message(), message(path="b.py"))
     said = parse(pylint, tmp_path, {"a.py": "print 'x'\n", "b.py": ""}, text)
