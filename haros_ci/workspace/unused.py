@@ -23,6 +23,10 @@ _OTHER_PROJECTS = (".pro", ".ino", ".vcxproj", ".mk", ".bazel", ".gyp", ".ioc", 
 _BUILDING = ("setup", "python", "shell", "dockerfile", "yaml")
 #: Names of Python files that tools find by their names.
 _FOUND = re.compile(r"(?:__\w+__|setup|conf|conftest|noxfile|fabfile|manage|test_.*|.*_test|.*\.launch|launch_.*)")
+#: Words in the names of directories that hold what somebody has tried out.
+_SKETCHES = frozenset(
+    "drafts experiments notes playground sandbox scratch scratchpad temp testing tmp trials tryout".split()
+)
 _ARCHIVED_TEST = re.compile(r"test_.*|.*_test")
 #: The first comments and text of a Python file, and what they say of one that is kept for reference.
 _HEAD = 2_000
@@ -122,7 +126,17 @@ class Unused(Judged):
             return True
         if _FOUND.fullmatch(stem) or _OF_TOOLS.intersection(directory.split("/")):
             return False
-        return _is_archived(file.path) or self._is_superseded(stem, directory) or self._is_given_up(file.path)
+        return (
+            _is_archived(file.path)
+            or self._is_sketch(file)
+            or self._is_superseded(stem, directory)
+            or self._is_given_up(file.path)
+        )
+
+    def _is_sketch(self, file: SourceFile) -> bool:
+        """Whether the file is in no package, beside packages, and in a directory of notes or trials by its name."""
+        words = re.split(r"[^a-z0-9]+", _directory(file.path).lower())
+        return file.package is None and bool(self._workspace.packages) and not _SKETCHES.isdisjoint(words)
 
     def _is_given_up(self, path: str) -> bool:
         """Whether the first comment or text of the file says that it is not to be used any more."""
