@@ -204,7 +204,7 @@ OTHERS: tuple[SilencingRow, ...] = (
     SilencingRow(
         "all tools",
         (
-            "directories called `third_party`, `vendor`, `external` …, a licence in a directory inside a package, the version of a release in the name of a directory, and the files of a well-known library",
+            "directories called `third_party`, `vendor`, `external` …, or like their package with `_backup`, `_old` … behind it, a licence in a directory inside a package, the version of a release in the name of a directory, and the files of a well-known library",
         ),
         "all findings in that directory",
         SettingOrigin.BASE,
@@ -231,7 +231,9 @@ OTHERS: tuple[SilencingRow, ...] = (
     ),
     SilencingRow(
         "all linters",
-        ("a C++ source that no target compiles, a Python module `…_old.py` or in `archive` … that nothing names",),
+        (
+            "a C++ source that no target compiles, a Python module `…_old.py`, in `archive` …, in `notes` … beside packages, or whose first comment calls it deprecated, that nothing names",
+        ),
         "all that linters report on that file in the profiles `ros` and `bugs-only`",
         SettingOrigin.BASE,
         "tests/hostile/test_hostile_hiding_comments.py::test_a_change_that_takes_a_file_from_its_target",
