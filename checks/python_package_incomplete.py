@@ -40,6 +40,8 @@ def check(project: Project) -> Iterator[Finding]:
 def _entry_points(package: ProjectPackage) -> Iterator[Finding]:
     """``name = module:function``: the module's file, and the function in it."""
     for entry_point in package.build.entry_points:
+        if package.raw.build_type == "ament_cmake" and entry_point.location.path.endswith("setup.py"):
+            continue  # left over: ament_python_install_package() reads setup.cfg alone
         if entry_point.path:
             missing = _missing_name(entry_point, package)
             if missing is not None:

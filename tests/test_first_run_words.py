@@ -341,3 +341,20 @@ def test_arguments_of_launch_files_that_differ_in_a_number(names: tuple[str, ...
     check = next(check for check in checks() if check.id == "unused-launch-argument")
     found = said(check, Example("", True, {"package.xml": MANIFEST.format("demo", ROS1), **files}), tmp_path)
     assert len([result for result in found if result.level is Level.WARNING]) == count
+
+
+SETUP = "from setuptools import setup\nsetup(name='demo', packages=['demo'], entry_points={'console_scripts': ['walk = demo.walk:main']})\n"
+
+
+@pytest.mark.parametrize(("build", "count"), [("ament_python", 1), ("ament_cmake", 0)])
+def test_a_setup_script_that_is_left_over(build: str, count: int, tmp_path: Path) -> None:
+    files = {
+        "package.xml": MANIFEST.format("demo", ROS2.replace("ament_cmake", build)),
+        "setup.py": SETUP,
+        "demo/__init__.py": "",
+        "demo/other.py": "",
+    }
+    if build == "ament_cmake":
+        files["CMakeLists.txt"] = AMENT.format("demo", "ament_python_install_package(demo)")
+    found = messages("python-package-incomplete", files, tmp_path)
+    assert len([message for message in found if "demo.walk does not exist" in message]) == count
