@@ -19,6 +19,10 @@ _MEANT = {
 }
 
 
+#: So many launch files of the other ROS in one package are one finding, whatever others it has.
+_MANY = 3
+
+
 def check(system: System) -> Iterator[Finding]:
     files: dict[str, list[ConstructUse]] = {}
     for use in system.facts(ConstructUse):
@@ -32,7 +36,7 @@ def check(system: System) -> Iterator[Finding]:
         found = _unported(package, system)
         unported |= found.keys() & set(leftovers)
         if found and min(found) in leftovers:
-            yield _of_package(package, found)
+            yield _of_package(package, found, system)
     for path, uses in files.items():
         if path not in unported:
             yield _of_file(path, uses, owner(system, Location(path, 1)))
@@ -73,7 +77,7 @@ def _of_file(path: str, uses: Sequence[ConstructUse], package: Package | None) -
 
 
 def _unported(package: Package, system: System) -> Mapping[str, Sequence[ConstructUse]]:
-    """The launch files of *package* if it has several and all are of the other ROS, else none: then one finding stands for them.
+    """The launch files of *package* that are of the other ROS if they are several and all that it has, or many, else none: then one finding stands for them.
 
     A file in XML that starts and includes nothing is of no ROS.
     """
@@ -81,17 +85,19 @@ def _unported(package: Package, system: System) -> Mapping[str, Sequence[Constru
     every = system.whole.foreign_constructs
     found = {path: uses for path, uses in every.items() if _is_in(path, package) and _is_whole(uses, _other(uses))}
     others = {_other(uses) for uses in found.values()}
-    return found if len(found) > 1 and len(others) == 1 and files <= found.keys() else {}
+    is_one = len(found) >= _MANY or (len(found) > 1 and files <= found.keys())
+    return found if is_one and len(others) == 1 else {}
 
 
-def _of_package(package: Package, found: Mapping[str, Sequence[ConstructUse]]) -> Finding:
+def _of_package(package: Package, found: Mapping[str, Sequence[ConstructUse]], system: System) -> Finding:
     first, *rest = sorted(found)
     other = _other(found[first])
     is_aside = other == 1 and all(uses[0].is_installed is False for uses in found.values())
     is_aside = is_aside or all(_is_meant(path, package, other) for path in found)
+    is_all = all(path in found for path in system.whole.launch_files if _is_in(path, package))
     return Finding(
         at=found[first][0].location,
-        message=f"all {len(found)} launch files of {package.name}, a ROS {3 - other} package, are written for ROS {other}: "
+        message=f"{'all ' if is_all else ''}{len(found)} launch files of {package.name}, a ROS {3 - other} package, are written for ROS {other}: "
         f"`{_LAUNCH[3 - other]}` rejects them; port them or delete them",
         about=(package.name, f"ROS {other}"),
         related=tuple((found[path][0].location, f"{found[path][0].text} of ROS {other}") for path in rest[:20]),

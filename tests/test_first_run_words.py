@@ -358,3 +358,66 @@ def test_a_setup_script_that_is_left_over(build: str, count: int, tmp_path: Path
         files["CMakeLists.txt"] = AMENT.format("demo", "ament_python_install_package(demo)")
     found = messages("python-package-incomplete", files, tmp_path)
     assert len([message for message in found if "demo.walk does not exist" in message]) == count
+
+
+RANGED = """#include <rclcpp/rclcpp.hpp>
+int main(int argc, char ** argv)
+{{
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<rclcpp::Node>("walk");
+  rcl_interfaces::msg::ParameterDescriptor descriptor;
+  rcl_interfaces::msg::{kind} range;
+  range.from_value = 1;
+  range.to_value = 9;
+  descriptor.{field}.push_back(range);
+  node->declare_parameter("speed", {default}, descriptor);
+  rclcpp::spin(node);
+}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("kind", "default", "count"),
+    [
+        ("IntegerRange", "100", 1),
+        ("FloatingPointRange", "100.0", 1),
+        ("FloatingPointRange", "100", 0),
+        ("IntegerRange", "100.0", 0),
+        ("IntegerRange", "5", 0),
+    ],
+)
+def test_a_range_for_values_of_another_type(kind: str, default: str, count: int, tmp_path: Path) -> None:
+    field = "integer_range" if kind == "IntegerRange" else "floating_point_range"
+    files = {
+        "package.xml": MANIFEST.format("demo", f"{ROS2}<depend>rclcpp</depend>"),
+        "CMakeLists.txt": AMENT.format(
+            "demo", "add_executable(walk walk.cpp)\ninstall(TARGETS walk DESTINATION lib/demo)"
+        ),
+        "walk.cpp": RANGED.format(kind=kind, field=field, default=default),
+        "launch/walk.launch.xml": '<launch><node pkg="demo" exec="walk"/></launch>\n',
+    }
+    assert len(messages("parameter-out-of-range", files, tmp_path)) == count
+
+
+OLD_FILE = '<launch><arg name="a" default="b"/><node pkg="demo" type="walk" name="$(arg a)"/></launch>\n'
+NEW_FILE = '<launch><node pkg="demo" exec="walk"/></launch>\n'
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        (3, 1, ["3 launch files of demo"]),
+        (2, 0, ["all 2 launch files of demo"]),
+        (4, 0, ["all 4 launch files of demo"]),
+        (2, 1, ["ROS 1 launch file in a ROS 2 package", "ROS 1 launch file in a ROS 2 package"]),
+        (1, 3, ["ROS 1 launch file in a ROS 2 package"]),
+        (0, 3, []),
+    ],
+)
+def test_launch_files_that_are_not_ported(old: int, new: int, words: list[str], tmp_path: Path) -> None:
+    files = {"package.xml": MANIFEST.format("demo", ROS2)}
+    files |= {f"launch/old{i}.launch": OLD_FILE for i in range(old)}
+    files |= {f"launch/new{i}.launch.xml": NEW_FILE for i in range(new)}
+    found = messages("foreign-launch-construct", files, tmp_path)
+    assert len(found) == len(words)
+    assert all(message.startswith(word) for word, message in zip(words, found, strict=True))

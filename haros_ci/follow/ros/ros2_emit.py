@@ -176,7 +176,7 @@ def _parameter(
         declared = ros2_data_type(value.held if isinstance(value, Given) else effective)
     if declared is None and ("type" in entry.values or "value" in entry.values):
         unknowns.append(("type", "the type of the parameter is not known", applied.location))
-    read_only, limits = _descriptor(applied, entry, unknowns)
+    read_only, limits = _descriptor(applied, entry, unknowns, declared)
     if entry.kind == "parameters" and effective is None and value is not None and value != NONE:
         why_not_known = opaque_of(value)
         message = why_not_known.reason if why_not_known else "it is not plain data"
@@ -278,8 +278,14 @@ def _effective(
     return value, data if known else None
 
 
-def _descriptor(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[bool | None, Range | None]:
-    """Whether a parameter is read-only, and its range, as a ParameterDescriptor says."""
+#: The range that counts for a type (__check_parameter_value_in_range in rclcpp's node_parameters.cpp); of another type either may.
+_RANGES = {"int": ("integer_range",), "double": ("floating_point_range",)}
+
+
+def _descriptor(
+    applied: Applied, entry: Entry, unknowns: Unknowns, declared: str | None
+) -> tuple[bool | None, Range | None]:
+    """Whether a parameter is read-only, and its range, as a ParameterDescriptor says for the type *declared*."""
     from haros_ci.follow.ros.selectors import value_at
 
     found = value_at(applied, entry.values["descriptor"]) if "descriptor" in entry.values else None
@@ -299,7 +305,7 @@ def _descriptor(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[boo
         read_only = bool(flag.value.value) if isinstance(flag.value, Known) else None
     if read_only is None:
         unknowns.append(("read_only", "what the descriptor says is not known", applied.location))
-    for name in ("floating_point_range", "integer_range"):
+    for name in _RANGES.get(declared or "", ("floating_point_range", "integer_range")):
         cell = found.fields.get(name)
         first = _first(cell.value) if cell is not None else None
         if first is not None:
