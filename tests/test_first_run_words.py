@@ -421,3 +421,25 @@ def test_launch_files_that_are_not_ported(old: int, new: int, words: list[str], 
     found = messages("foreign-launch-construct", files, tmp_path)
     assert len(found) == len(words)
     assert all(message.startswith(word) for word, message in zip(words, found, strict=True))
+
+
+MACROS = '#include <rclcpp/rclcpp.hpp>\n{}\nint main(int argc, char ** argv)\n{{\n  rclcpp::init(argc, argv);\n  auto node = std::make_shared<rclcpp::Node>("walk");\n  int a = M0;\n  node->create_publisher<std_msgs::msg::Int32>({}, 1);\n  rclcpp::spin(node);\n}}\n'
+
+
+def test_macros_with_many_definitions_that_name_each_other(tmp_path: Path) -> None:
+    """Twelve to the power of nine ways to expand one: what is beyond a bound is unknown, and the rest is seen."""
+    headers = {
+        f"kind{kind}.h": "".join(f"#define M{level} (M{level + 1} + {kind})\n" for level in range(9))
+        for kind in range(12)
+    }
+    includes = "\n".join(f'#include "{name}"' for name in headers)
+    files = {
+        "package.xml": MANIFEST.format("demo", f"{ROS2}<depend>rclcpp</depend>"),
+        "CMakeLists.txt": AMENT.format(
+            "demo", "add_executable(walk walk.cpp)\ninstall(TARGETS walk DESTINATION lib/demo)"
+        ),
+        "walk.cpp": MACROS.format(includes, '"a topic"'),
+        "launch/walk.launch.xml": '<launch><node pkg="demo" exec="walk"/></launch>\n',
+        **headers,
+    }
+    assert len(messages("invalid-name", files, tmp_path)) == 1

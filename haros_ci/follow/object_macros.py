@@ -13,6 +13,10 @@ from haros_ci.index import macros as macros_
 from haros_ci.syntax import Expression
 from haros_ci.values.abstract import Value, join
 
+#: Macros that are expanded for one that stands in the code: of several that have several definitions each, all would be met with all.
+MOST = 200
+_NUMBER = ("expanded",)
+
 
 @dataclass(frozen=True, slots=True)
 class ObjectMacro:
@@ -26,11 +30,17 @@ def expanded(walk: Walk, frame: Frame, macro: ObjectMacro, name: str) -> Value:
     looking = ("expanding", frame.source.path, name)
     if looking in walk.found:
         return walk.opaque(f"the macro {name} is defined by itself", frame)
+    number = walk.found.get(_NUMBER, 0)
+    if number >= MOST:
+        return walk.opaque(f"the macro {name} stands for too many others", frame)
+    walk.found[_NUMBER] = number + 1
     walk.found[looking] = True
     try:
         values = [expressions.evaluate(walk, frame, body) for body in macro.bodies]
     finally:
         del walk.found[looking]
+        if not number:
+            del walk.found[_NUMBER]
     value = values[0]
     for other in values[1:]:
         value = join(value, other)
@@ -49,4 +59,4 @@ def meant(walk: Walk, frame: Frame, name: str) -> Value | ObjectMacro | None:
     packages = {frame.source.package, *(source.package for source, _ in macros)}
     if any(name in index.defined.get(package, ()) for package in packages):
         return walk.opaque(f"the build defines {name}", frame)
-    return ObjectMacro(tuple(macros_.expression(body) for _, body in macros))
+    return ObjectMacro(tuple(macros_.expression(body) for body in dict.fromkeys(body for _, body in macros)))
