@@ -105,8 +105,8 @@ class Unused(Judged):
             if other.language in ("python", "launch", "setup", "cmake") and _DYNAMIC.search(text):
                 stems = {path: stem for path, stem in stems.items() if self._files[path].package != other.package}
             for path, stem in tuple(stems.items()):
-                if _is_archived(path) and _is_archived(other.path):
-                    continue  # what is archived together names each other
+                if self._is_set_aside(self._files[path]) and self._is_set_aside(other):
+                    continue  # what is archived together names each other, and so do trials
                 if other.path != path and stem in text and re.search(rf"(?<!\w){re.escape(stem)}(?!\w)", text):
                     del stems[path]
             if not stems:
@@ -126,12 +126,10 @@ class Unused(Judged):
             return True
         if _FOUND.fullmatch(stem) or _OF_TOOLS.intersection(directory.split("/")):
             return False
-        return (
-            _is_archived(file.path)
-            or self._is_sketch(file)
-            or self._is_superseded(stem, directory)
-            or self._is_given_up(file.path)
-        )
+        return self._is_set_aside(file) or self._is_superseded(stem, directory) or self._is_given_up(file.path)
+
+    def _is_set_aside(self, file: SourceFile) -> bool:
+        return _is_archived(file.path) or self._is_sketch(file)
 
     def _is_sketch(self, file: SourceFile) -> bool:
         """Whether the file is in no package, beside packages, and in a directory of notes or trials by its name."""

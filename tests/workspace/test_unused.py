@@ -83,6 +83,10 @@ FIRES_PYTHON = [
     ("notes/archive/test_pick.py", {"notes/archive/test_pick.py": NODE}),
     ("notes/archive/pick_test.py", {"notes/archive/pick_test.py": NODE}),
     ("archive/pick.py", {"archive/pick.py": NODE, "archive/walk.py": "from pick import main\n"}),
+    (
+        "notes/pick.py",
+        {"notes/pick.py": NODE, "notes/archive/walk.py": "from pick import main\n", "src/demo/package.xml": MANIFEST},
+    ),
     ("my_notes/pick.py", {"my_notes/pick.py": NODE, "src/demo/package.xml": MANIFEST}),
     ("code_for_testing/gui/pick.py", {"code_for_testing/gui/pick.py": NODE, "src/demo/package.xml": MANIFEST}),
     ("demo/pick.py", {"demo/pick.py": f'"""DEPRECATED: kept for reference, do not use."""\n{NODE}'}),
