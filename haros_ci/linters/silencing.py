@@ -232,7 +232,7 @@ OTHERS: tuple[SilencingRow, ...] = (
     SilencingRow(
         "all linters",
         (
-            "a C++ source that no target compiles, a Python module `…_old.py`, in `archive` …, in `notes` … beside packages, or whose first comment calls it deprecated, that nothing names",
+            "a C++ source that no target compiles, Python called old, archived, a trial or deprecated that nothing names",
         ),
         "all that linters report on that file in the profiles `ros` and `bugs-only`",
         SettingOrigin.BASE,
