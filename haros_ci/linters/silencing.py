@@ -231,9 +231,7 @@ OTHERS: tuple[SilencingRow, ...] = (
     ),
     SilencingRow(
         "all linters",
-        (
-            "a C++ source that no target compiles, Python called old, archived, a trial or deprecated that nothing names",
-        ),
+        ("a C++ source that no target compiles, Python called old, archived or deprecated that nothing names",),
         "all that linters report on that file in the profiles `ros` and `bugs-only`",
         SettingOrigin.BASE,
         "tests/hostile/test_hostile_hiding_comments.py::test_a_change_that_takes_a_file_from_its_target",
