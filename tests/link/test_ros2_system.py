@@ -534,7 +534,8 @@ def test_the_node_of_a_transform_listener_keeps_its_name() -> None:
     ),
 )
 def test_descriptors(code: str, read_only: bool | None, limits: object) -> None:
-    found = one(f'rcl_interfaces::msg::ParameterDescriptor d; {code} declare_parameter("a", 1.0, d);')
+    value = "1" if "IntegerRange" in code else "1.0"
+    found = one(f'rcl_interfaces::msg::ParameterDescriptor d; {code} declare_parameter("a", {value}, d);')
     (end,) = explicit(found, "parameters")
     assert (end.read_only, end.range) == (read_only, limits)
 
