@@ -70,7 +70,7 @@ def initial(walk: Walk, frame: Frame, kind: Type, init: syntax.Init | None, loca
         is_python = frame.source.program.language == "python"
         in_braces = init.value if isinstance(init.value, syntax.ListLiteral) and not is_python else None
         if in_braces is not None and not braces.is_list(kind) and "*" not in kind.marks:
-            return create(walk, frame, kind, call_arguments.arguments(walk, frame, in_braces.items), location)
+            return create(walk, frame, kind, braces.arguments(walk, frame, kind, in_braces.items), location)
         walk.references = None
         value = expressions.evaluate(walk, frame, init.value)
         if in_braces is not None and kind.name not in ("auto", ""):
@@ -87,7 +87,7 @@ def initial(walk: Walk, frame: Frame, kind: Type, init: syntax.Init | None, loca
         if isinstance(value, Sequence):
             return Sequence(value.content, kind if kind.name in SEQUENCES else value.type, value.end)
         return conversions.converted(value, kind)
-    arguments = call_arguments.arguments(walk, frame, init.arguments) if init is not None else ()
+    arguments = braces.arguments(walk, frame, kind, init.arguments) if init is not None else ()
     braced = init.arguments if isinstance(init, syntax.Braces) and arguments else ()
     is_braced = bool(braced)
     if is_braced and "*" in kind.marks and (len(arguments) > 1 or isinstance(braced[0], syntax.ListLiteral)):
