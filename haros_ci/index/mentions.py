@@ -53,6 +53,8 @@ HELD = (
     syntax.Conditional,
     syntax.Operation,
 )
+#: Python's comprehensions, as the extraction writes them.
+TURNS = (syntax.Name("[for]"), syntax.Name("[for in]"))
 #: What ``auto`` may take a function from.
 GIVING = (syntax.Lambda, syntax.Name, syntax.Address, syntax.Call, syntax.Conditional, syntax.Subscript)
 
@@ -233,8 +235,16 @@ def callable_variables(block: Part, names: set[str], source: Source, kinds: froz
         elif isinstance(node, syntax.Assignment):
             if python and isinstance(node.target, syntax.Name) and isinstance(node.value, HELD):
                 names.add(node.target.name)
+            elif python and isinstance(node.target, syntax.ListLiteral):
+                names.update(item.name for item in everything((node.target,)) if isinstance(item, syntax.Name))
         elif isinstance(node, syntax.Each) and may_be_called(node.type, source):
             names.add(node.name)
+        elif python and isinstance(node, syntax.Call) and node.callee in TURNS:
+            for item in node.arguments:  # the elements of a comprehension
+                function = source.program.functions[item.function] if isinstance(item, syntax.Lambda) else None
+                if function is not None and function.body is not None:
+                    names.update(parameter.name for parameter in function.parameters)
+                    callable_variables(function.body, names, source, kinds)
 
 
 def targets(item: Part, found: set[str]) -> None:
