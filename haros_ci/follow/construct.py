@@ -17,6 +17,7 @@ from haros_ci.follow import (
     expressions,
     members,
     methods,
+    specialisations,
     template_arguments,
     uncertain,
 )
@@ -57,11 +58,6 @@ def declare(walk: Walk, frame: Frame, variable: syntax.Variable) -> None:
     if init is not None and resolved == syntax.AUTO and isinstance(value, (Object, Sequence, Mapped)):
         declared = copies.static_copy(walk, frame, value_node) if value_node is not None else None
     frame.declare(name, Cell(value, declared))
-
-
-def copied(walk: Walk, value: Value, kind: Type | None) -> Value:
-    """*value* as another variable of static type *kind* holds it in C++ (see ``copies.copied``)."""
-    return copies.copied(walk, value, kind)
 
 
 def initial(walk: Walk, frame: Frame, kind: Type, init: syntax.Init | None, location: Location) -> Value:
@@ -123,6 +119,7 @@ def create(
             return conversions.converted(arguments[0].value, kind)
         return Opaque("it is not set before", location, kind)
     owner = walk.class_of(name, frame.source)
+    owner = specialisations.of_class(walk, owner, kind.arguments, location) if owner is not None else None
     if owner is None:
         return library_objects.library_object(walk, frame, kind, arguments, location)
     return instance(walk, frame, owner, kind.arguments, arguments, location)
