@@ -167,7 +167,7 @@ def _own_attribute(walk: Walk, frame: Frame, this: Value, name: Value) -> Value 
 
 
 def argv(walk: Walk, is_own: bool = False) -> Value:
-    """The command line of the launch file, with the two words that roslaunch adds (wiki.ros.org/roslaunch/XML/node).
+    """The command line of the launch file, with the two words that roslaunch adds (wiki.ros.org/roslaunch/XML/node); else that of a node without words.
 
     ``rospy.myargv`` is without them, and without all other remappings.
     """
@@ -176,7 +176,7 @@ def argv(walk: Walk, is_own: bool = False) -> Value:
     words: list[Value] = [Opaque("the program's name"), *(Known(word) for word in walk.context.arguments)]
     if is_own:
         words = [word for word in words if not (isinstance(word, Known) and ":=" in word.of(str))]
-    else:
+    elif walk.context.is_launched:
         words += [
             Opaque(f"it is {word}, which roslaunch gives", None, syntax.Type("str")) for word in ("__name:=", "__log:=")
         ]
