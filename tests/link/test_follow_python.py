@@ -643,6 +643,13 @@ def test_the_command_line_of_a_node_that_is_started_alone_has_no_words(length: s
     assert {end.name: end.is_ruled_out for end in found.endpoints} == {"/a": True, "/b": False}
 
 
+def test_words_are_not_known_where_a_node_that_is_started_alone_has_some() -> None:
+    found = python(
+        'import sys\ntopic = "d"\nif len(sys.argv) > 1:\n    for word in sys.argv[1:]:\n        topic = word\n    PUB(topic)\n'
+    )
+    assert [(end.name, end.is_ruled_out) for end in found.endpoints] == [("/?", True)]
+
+
 D = "from dataclasses import dataclass, field\n"
 #: What the constructor that a dataclass or named tuple has by itself makes of its arguments.
 DATA = (

@@ -171,12 +171,13 @@ def argv(walk: Walk, is_own: bool = False) -> Value:
 
     ``rospy.myargv`` is without them, and without all other remappings.
     """
-    if walk.context.arguments is None:
+    context = walk.context
+    if context.arguments is None or (not context.is_launched and walk.ruled_out()):
         return Opaque("the command line")
-    words: list[Value] = [Opaque("the program's name"), *(Known(word) for word in walk.context.arguments)]
+    words: list[Value] = [Opaque("the program's name"), *(Known(word) for word in context.arguments)]
     if is_own:
         words = [word for word in words if not (isinstance(word, Known) and ":=" in word.of(str))]
-    elif walk.context.is_launched:
+    elif context.is_launched:
         words += [
             Opaque(f"it is {word}, which roslaunch gives", None, syntax.Type("str")) for word in ("__name:=", "__log:=")
         ]
