@@ -77,6 +77,12 @@ def test_objects_that_nothing_of_a_library_calls(code: str) -> None:
     assert not names(python(code))
 
 
+def test_a_method_that_the_program_calls_is_known_by_that_call() -> None:
+    helper = "import lib\nclass A(lib.Base):\n    def made(self, name):\n        PUB(name)\ndef main():\n    a = A()\n    lib.take(a)\n    a.made('m')\nmain()\n"
+    (end,) = ends(python(helper))
+    assert end.name == "/m" and not end.unknowns
+
+
 def test_what_is_called_for_sure_stays_certain() -> None:
     (end,) = ends(python(APP + "def main():\n    app = App()\n    app.build()\n    app.run()\nmain()\n"))
     assert end.name == "/b" and not end.unknowns

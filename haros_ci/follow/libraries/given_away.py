@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import callbacks, construct, linear, methods, properties
+from haros_ci.follow import callbacks, construct, linear, methods, properties, uncalled
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import ros2_nodes
 from haros_ci.follow.walk import Walk
@@ -70,7 +70,10 @@ def _called(walk: Walk, name: str, this: Object) -> None:
         if found is not None and walk.relevance.makes(found.function, found.source):
             base = methods.library_bases(walk, source, definition)[0]
             doubt = f"{name} is not known, which is given the object and may call it by its base class {base}"
-            callbacks.register(walk, found, doubt=doubt)
+            if source.separator == "::":
+                callbacks.register(walk, found, doubt=doubt)
+            else:
+                uncalled.offer(walk, found, doubt)
 
 
 def started(walk: Walk, name: str, this: Object) -> None:
