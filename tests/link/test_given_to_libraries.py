@@ -86,3 +86,19 @@ def test_a_method_that_the_program_calls_is_known_by_that_call() -> None:
 def test_what_is_called_for_sure_stays_certain() -> None:
     (end,) = ends(python(APP + "def main():\n    app = App()\n    app.build()\n    app.run()\nmain()\n"))
     assert end.name == "/b" and not end.unknowns
+
+
+WORKER = "import multiprocessing\nfrom multiprocessing import Process\nclass W(%s):\n    def run(self):\n        %s\ndef main():\n    w = W()\n    w.start()\nmain()\n"
+
+
+@pytest.mark.parametrize("base", ["Process", "multiprocessing.Process"])
+def test_a_process_of_its_own_is_named_as_not_followed(base: str) -> None:
+    found = python(WORKER % (base, "rospy.init_node('w')\n        PUB('w')"))
+    assert not names(found)
+    assert [(u.field, u.reason) for u in found.unknowns][:1] == [
+        ("endpoints", "W is a process of its own, and what that makes is not followed")
+    ]
+
+
+def test_a_process_that_makes_nothing_is_not_named() -> None:
+    assert not python(WORKER % ("Process", "print(1)")).unknowns

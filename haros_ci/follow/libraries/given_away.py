@@ -29,6 +29,10 @@ KNOWN_PYTHON = frozenset(
     "string contextlib configparser ctypes tkinter Tkinter PyQt4 PyQt5 PyQt6 PySide PySide2 PySide6 python_qt_binding ABC Enum "
     "IntEnum NamedTuple Thread TestCase dict list str int float tuple set BaseException RuntimeError ValueError KeyError".split()
 )
+#: Classes whose objects are processes when they are started, with nodes of their own (docs.python.org/3/library/multiprocessing.html).
+PROCESSES = frozenset(
+    ("multiprocessing.Process", "multiprocessing.context.Process", "multiprocessing.process.BaseProcess")
+)
 #: How the first part of a name begins whose library is known: packages of several namespaces or modules.
 _BEGINNINGS = ("rclcpp_", "rviz_", "rqt_")
 #: A class, namespace or module of Qt (doc.qt.io): QObject, QSGNode, Qt::, QtWidgets.
@@ -78,8 +82,15 @@ def _called(walk: Walk, name: str, this: Object) -> None:
 
 def started(walk: Walk, name: str, this: Object) -> None:
     """A method of Python that only the library has of which the object's base class is (``App().run()``): it may call what is overridden."""
-    if this.definition is not None and this.definition[0].separator == ".":
-        _called(walk, name, this)
+    if this.definition is None or this.definition[0].separator != ".":
+        return
+    source, definition = this.definition
+    if name == "start" and not PROCESSES.isdisjoint(methods.library_bases(walk, source, definition)):
+        run = methods.method_of(walk, this, "run")
+        if run is not None and walk.relevance.makes(run.function, run.source):
+            reason = f"{definition.name} is a process of its own, and what that makes is not followed"
+            walk.gaps.setdefault(reason, Location(run.source.path, run.function.line))
+    _called(walk, name, this)
 
 
 def is_known(base: str) -> bool:
