@@ -648,6 +648,8 @@ def test_words_are_not_known_where_a_node_that_is_started_alone_has_some() -> No
         'import sys\ntopic = "d"\nif len(sys.argv) > 1:\n    for word in sys.argv[1:]:\n        topic = word\n    PUB(topic)\n'
     )
     assert [(end.name, end.is_ruled_out) for end in found.endpoints] == [("/?", True)]
+    found = python("import sys\ndef main():\n    if len(sys.argv) < 2:\n        return\n    PUB(sys.argv[1])\nmain()\n")
+    assert [end.name for end in found.endpoints] == ["/?"]
 
 
 D = "from dataclasses import dataclass, field\n"
