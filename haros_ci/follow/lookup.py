@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import builtins
+import sys
+from collections.abc import Sequence
 
 from haros_ci import syntax
 from haros_ci.follow import construct, conversions, members, methods, object_macros, overloads, specialisations
@@ -202,14 +204,19 @@ def python_name(walk: Walk, frame: Frame, name: str) -> Value:
         functions = [f for f in own if f[0].path == frame.source.path] or functions
     if functions:
         return overloads.either([Callable(*item) for item in overloads.last(functions)])
-    looking = ("looking", frame.source.path, name)
-    if looking not in walk.found:  # else modules import each other
-        walk.found[looking] = True
+    key = ("tried", name)
+    is_first = key not in walk.found
+    tried: dict[str, int] = walk.found.setdefault(key, {})
+    if tried.get(frame.source.path, -1) < len(walk.modules):  # else modules import each other, or one by several ways
+        tried[frame.source.path] = sys.maxsize
         try:
             value = _imported_name(walk, frame, name)
         finally:
-            del walk.found[looking]
+            tried[frame.source.path] = len(walk.modules)  # with others loaded since it may have the name
+            if is_first:
+                del walk.found[key]
         if value is not None:
+            del tried[frame.source.path]
             return value
     if not hasattr(builtins, name):
         return Library(_starred(walk, frame.source, name) or name)
@@ -290,7 +297,7 @@ def library_name(name: str) -> Value:
     return Library(name) if number is None else Known(number)
 
 
-def _inside(walk: Walk, frame: Frame, source: Source, rest: list[str]) -> Value:
+def _inside(walk: Walk, frame: Frame, source: Source, rest: Sequence[str]) -> Value:
     """A module, or what the names *rest* mean in it, one inside of the other."""
     value: Value = Module(source)
     for part in rest:

@@ -35,6 +35,18 @@ KnownNodes = Callable[[str, str, int], KnownNode | None]
 #: What is said of a node that is not followed to its end.
 TOO_LARGE = "the node is too large to be followed to its end; some of what it makes may be missing"
 FAULT = "the node could not be followed to its end"
+#: What a fault of ours raises; a process that is given another name (``Renamed``) is none, and the machine's errors end the run.
+FAULTS = (
+    ArithmeticError,
+    AssertionError,
+    AttributeError,
+    LookupError,
+    NameError,
+    RuntimeError,
+    StopIteration,
+    TypeError,
+    ValueError,
+)
 #: Nodelets that load nodelets that load nodelets.
 DEEPEST = 3
 
@@ -226,7 +238,7 @@ def _followed_in(
     try:
         if not follow(walk, entry):
             problems = (Problem(entry.source.path, TOO_LARGE),)
-    except (ArithmeticError, AttributeError, LookupError, NameError, RecursionError, TypeError, ValueError) as err:
+    except FAULTS as err:
         message = f"{FAULT} ({type(err).__name__}): a fault of haros-ci, please report it"
         problems = (Problem(entry.source.path, message),)
     if context.loaded:

@@ -74,12 +74,21 @@ def absolute(source: Source, target: str) -> str:
     return ".".join((*base[: len(base) - dots + 1], *filter(None, (target[dots:],))))
 
 
-def placed(walk: Walk, source: Source, target: str) -> tuple[Source, list[str]] | None:
+def placed(walk: Walk, source: Source, target: str) -> tuple[Source, tuple[str, ...]] | None:
     """The module that *target* means by where it lies, and the names in it that are left.
 
     That is beside the script that is run, as its directory comes first in ``sys.path`` (docs.python.org/3/library/sys_path_init.html), and, of relative
     names in what no import root leads to, beside the file itself.
     """
+    script = "" if target.startswith(".") or not walk.modules else next(iter(walk.modules.values())).source.path
+    key = ("placed", script, source.path, target)
+    if key not in walk.found:
+        walk.found[key] = _placed(walk, source, target)
+    found: tuple[Source, tuple[str, ...]] | None = walk.found[key]
+    return found
+
+
+def _placed(walk: Walk, source: Source, target: str) -> tuple[Source, tuple[str, ...]] | None:
     dots = len(target) - len(target.lstrip("."))
     names = target[dots:].split(".") if target[dots:] else []
     if not dots:
@@ -96,7 +105,7 @@ def placed(walk: Walk, source: Source, target: str) -> tuple[Source, list[str]] 
     for count in range(len(names), 0 if not dots else -1, -1):
         found = walk.index.by_place.get("/".join(filter(None, (directory, *names[:count]))))
         if found is not None and found is not source:
-            return found, names[count:]
+            return found, tuple(names[count:])
     return None
 
 
