@@ -25,7 +25,7 @@ DEPTH = 4
 NOT_SEEN = "{} has specialisations, of which none is for the template arguments of a call"
 
 
-#: What is said of a class template whose specialisations are not told apart.
+#: What is said of a class template whose specialisations cannot be distinguished.
 OF_CLASS = "the class template {} has specialisations, and which one is meant is not followed"
 
 
