@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
@@ -124,23 +124,28 @@ def _callable_python(walk: Walk, source: Source, definition: syntax.Class) -> li
     firsts = {base.partition(".")[0] for base in bases}
     if not bases or firsts & KNOWN_PYTHON or any(base in walk.rows or is_known(base) for base in bases):
         return []
-    own = [
-        (where, function)
-        for entry in linear.order(walk, source, definition)
-        if not isinstance(entry, str)
-        for where, class_ in (entry,)
-        for function in where.program.functions
-        if function.owner == class_.name and function.kind != "lambda"
-    ]
+    own = list(_methods(walk, source, definition))
     called = frozenset[str]().union(*(walk.relevance.calls_of(function, where) for where, function in own))
-    names = [(function.name.rpartition(".")[2], function) for _, function in own]
     return list(
         dict.fromkeys(
             name
-            for name, function in names
-            if f".{name}" not in called
-            and (not name.startswith("__") or name == "__call__")
-            and not function.is_static
-            and not properties.is_property(function)
+            for name, function in ((function.name.rpartition(".")[2], function) for _, function in own)
+            if f".{name}" not in called and _may_override(name, function)
         )
     )
+
+
+def _methods(walk: Walk, source: Source, definition: syntax.Class) -> Iterator[tuple[Source, syntax.Function]]:
+    """The methods of a Python class and of its bases in the workspace."""
+    for entry in linear.order(walk, source, definition):
+        if not isinstance(entry, str):
+            where, class_ = entry
+            functions = where.program.functions
+            yield from ((where, item) for item in functions if item.owner == class_.name and item.kind != "lambda")
+
+
+def _may_override(name: str, function: syntax.Function) -> bool:
+    """Whether a method is one that is called on an object by its name, as those that a base class calls are."""
+    if function.is_static or properties.is_property(function):
+        return False
+    return name == "__call__" or not name.startswith("__")
