@@ -511,3 +511,40 @@ def test_a_script_that_ros2_run_does_not_find_is_run_by_whoever_names_it(
     write(tmp_path, files | more)
     monkeypatch.chdir(tmp_path)
     assert [each.state for each in sites(capsys) if each.path == "lamp/tool.py"] == [state]
+
+
+def test_what_cpp_mentions_runs_no_python_and_what_python_mentions_no_cpp(
+    workspace: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A plug-in in C++ and the Python class that talks to it have names in common; a property that nothing reads is not run by that."""
+    plugin = (
+        "class LampPlugin : public acme::Plugin\n{\n  void go(rclcpp::Node & n) { pub_dim(); idle(); }\n"
+        '  void idle() {}\n  void spare(rclcpp::Node & n) { n.declare_parameter("spare", 1); }\n};\n'
+    )
+    script = (
+        "#!/usr/bin/env python3\nimport rclpy\nfrom functools import cached_property\nfrom std_msgs.msg import Bool\n"
+        "class LampPlugin:\n    def __init__(self, node):\n        self.node = node\n"
+        "    @cached_property\n    def pub_light(self):\n        return self.node.create_publisher(Bool, 'light', 1)\n"
+        "    @cached_property\n    def pub_dim(self):\n        return self.node.create_publisher(Bool, 'dim', 1)\n"
+        "class Client(rclpy.node.Node):\n    @cached_property\n    def lamp(self):\n        return LampPlugin(self)\n"
+        "if __name__ == '__main__':\n    rclpy.init()\n    Client('c').lamp.pub_light.publish(Bool())\n    spare()\n"
+    )
+    write(
+        workspace / "src/lamp",
+        {
+            "scripts/client.py": script,
+            "src/plugin.cpp": plugin,
+            "CMakeLists.txt": CMAKE.replace(
+                "install(",
+                "add_library(plugin src/plugin.cpp)\ninstall(PROGRAMS scripts/client.py DESTINATION lib/lamp)\ninstall(",
+                1,
+            ),
+        },
+    )
+    found = {(site.path.rpartition("/")[2], site.call): (site.state, site.reason) for site in sites(capsys)}
+    assert found["client.py", "self.node.create_publisher(Bool, 'light', 1)"] == ("endpoint", "")
+    assert found["client.py", "self.node.create_publisher(Bool, 'dim', 1)"] == (
+        "unreached",
+        "the function is never called",
+    )
+    assert found["plugin.cpp", 'n.declare_parameter("spare", 1)'][0] == "unreached"

@@ -248,7 +248,7 @@ class CoverageJudge:
             return UNREACHED, "the file is in no target", ""
         if found.source.path in self.shadowed:
             return UNREACHED, "nothing imports the module", ""
-        if piece not in reach.running:
+        if not reach.runs(piece):
             return UNREACHED, *_idle(found, piece, reach, plugins)
         return OPEN, "", ""
 
@@ -294,7 +294,7 @@ def _above(reach: Reach, name: str) -> frozenset[str]:
     found: set[str] = set()
     waiting = [name]
     while waiting:
-        for base in reach.bases.get(waiting.pop(), ()):
+        for base in reach.bases(waiting.pop()):
             if base not in found:
                 found.add(base)
                 waiting.append(base)
@@ -305,11 +305,12 @@ def _idle(found: TextSite, piece: Piece, reach: Reach, plugins: Plugins) -> tupl
     """Why a piece of code is never run."""
     if piece.function is None and piece.definition is None:
         return "nothing imports the module", ""
-    if piece.owner in reach.classes and piece.owner not in reach.made:
+    half = reach.half(piece)
+    if not half.is_free(piece) and piece.owner not in half.made:
         plugin = plugins.of(piece, piece.owner, found.source.package)
         if plugin is not None:
             return "a plug-in that nothing in the workspace loads", f"{piece.owner}, of {plugin.base}"
-        above = reach.bases.get(piece.owner, frozenset())
+        above = half.bases.get(piece.owner, frozenset())
         return "the class is never made", piece.owner if not above else f"{piece.owner} ({', '.join(sorted(above))})"
     return "the function is never called", _title(piece)
 

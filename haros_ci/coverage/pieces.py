@@ -44,6 +44,7 @@ class Piece:
     owner: str = ""
     function: Function | None = None
     definition: Class | None = None
+    is_python: bool = False
 
 
 def last_name(name: str) -> str:
@@ -82,7 +83,7 @@ def pieces_of(source: Source, text: str) -> Iterator[Piece]:
     for function, (begin, end) in spans:
         name = function.name.rpartition(source.separator)[2]
         words = _words(text[begin:end], is_python)
-        made.append(Piece(source.path, begin, end, words, name, last_name(function.owner), function))
+        made.append(Piece(source.path, begin, end, words, name, last_name(function.owner), function, None, is_python))
     for _, (begin, end) in spans:
         outside[begin:end] = " " * (end - begin)
     if not is_python:
@@ -100,7 +101,7 @@ def pieces_of(source: Source, text: str) -> Iterator[Piece]:
             words = _words("".join(outside[begin:end]), is_python) - {name}
             made.append(Piece(source.path, begin, end, words, name, name, None, definition))
             outside[begin:end] = " " * (end - begin)
-    yield Piece(source.path, 0, len(text), _words("".join(outside), is_python))
+    yield Piece(source.path, 0, len(text), _words("".join(outside), is_python), is_python=is_python)
     yield from made
 
 

@@ -3,6 +3,7 @@
 
 A function counts as run if code that runs mentions its name and, for a method, its class. It begins with programs, with the classes
 that nodes of the model are made of, and with all code in which the model has seen an endpoint. What is left is run by nothing here.
+C++ mentions what is C++ and Python what is Python: bindings name in their own C++ what they hand over.
 """
 
 from __future__ import annotations
@@ -24,11 +25,9 @@ _CALLED = ("on_", "onInit", "operator", "__")
 
 
 @dataclass(slots=True)
-class Reach:
-    """All pieces by file, and those that run; *classes* has the last parts of the names of those of the workspace."""
+class Half:
+    """The code of one language: the pieces that run of it; *classes* has the last parts of the names of those of the workspace."""
 
-    pieces: dict[str, list[Piece]]
-    classes: frozenset[str]
     bases: Mapping[str, frozenset[str]]
     #: The methods, by class and name, that a base which is not seen may call.
     framework: frozenset[tuple[str, str]]
@@ -40,7 +39,7 @@ class Reach:
 
     def is_free(self, piece: Piece) -> bool:
         """Whether it is of no class of the workspace."""
-        return piece.owner not in self.classes
+        return piece.owner not in self.bases
 
     def start(self, pieces: Iterable[Piece], names: Iterable[str]) -> None:
         """Let run *pieces*, and whatever is called one of *names*; and what these lead to."""
@@ -69,7 +68,7 @@ class Reach:
         names = [name]
         while names:
             name = names.pop()
-            if name not in self.classes or name in self.made:
+            if name not in self.bases or name in self.made:
                 continue
             self.made.add(name)
             names += self.bases.get(name, ())
@@ -84,22 +83,52 @@ class Reach:
         return (piece.owner, piece.name) in self.framework
 
 
+@dataclass(slots=True)
+class Reach:
+    """What runs of C++ and of Python."""
+
+    halves: Mapping[bool, Half]
+
+    @property
+    def classes(self) -> frozenset[str]:
+        """The last parts of the names of the workspace's classes."""
+        return frozenset(name for half in self.halves.values() for name in half.bases)
+
+    def half(self, piece: Piece) -> Half:
+        """The code of a piece's language."""
+        return self.halves[piece.is_python]
+
+    def start(self, pieces: Iterable[Piece], names: Iterable[str]) -> None:
+        """Let run *pieces*, and whatever is called one of *names* in either language; and what these lead to."""
+        every, roots = list(pieces), list(names)
+        for is_python, half in self.halves.items():
+            half.start([piece for piece in every if piece.is_python == is_python], roots)
+
+    def runs(self, piece: Piece) -> bool:
+        """Whether anything may run a piece."""
+        return piece in self.half(piece).running
+
+    def bases(self, name: str) -> frozenset[str]:
+        """The last parts of the names of the bases of the classes of that name."""
+        return frozenset[str]().union(*(half.bases.get(name, ()) for half in self.halves.values()))
+
+
 def reach_of(code: Codebase, pieces: dict[str, list[Piece]], modules: frozenset[str]) -> Reach:
     """What runs of the *pieces* of files that are built or started, to begin with the programs.
 
     *modules* are the Python files that run when something imports them.
     """
-    bases, framework = _hierarchy(code)
-    found = Reach(pieces, frozenset(bases), bases, framework)
-    found.start(_filed(found, modules), ())
+    found = Reach({is_python: Half(*_hierarchy(code, is_python)) for is_python in (False, True)})
+    found.start(_filed(found, pieces, modules), ())
     return found
 
 
-def _hierarchy(code: Codebase) -> tuple[dict[str, frozenset[str]], frozenset[tuple[str, str]]]:
-    """The bases of each class of the workspace, by last parts of names, and the methods that a base which is not seen may call."""
+def _hierarchy(code: Codebase, is_python: bool) -> tuple[dict[str, frozenset[str]], frozenset[tuple[str, str]]]:
+    """The bases of each class of one language, by last parts of names, and the methods that a base which is not seen may call."""
     classes: dict[str, set[str]] = {}
     unseen: set[str] = set()
-    for source in code.sources:
+    sources = [source for source in code.sources if (source.separator == ".") == is_python]
+    for source in sources:
         for definition in source.program.classes:
             last = last_name(definition.name)
             classes.setdefault(last, set()).update(last_name(base.name) for base in definition.bases)
@@ -108,30 +137,31 @@ def _hierarchy(code: Codebase) -> tuple[dict[str, frozenset[str]], frozenset[tup
                 unseen.add(last)
     framework = frozenset(
         (last_name(function.owner), last_name(function.name))
-        for source in code.sources
+        for source in sources
         for function in source.program.functions
         if last_name(function.owner) in unseen
     )
     return {name: frozenset(found) for name, found in classes.items()}, framework
 
 
-def _filed(found: Reach, modules: frozenset[str]) -> list[Piece]:
-    """Enter all pieces of *found* by the names that make them run; what is returned runs by itself: programs."""
+def _filed(found: Reach, pieces: Mapping[str, list[Piece]], modules: frozenset[str]) -> list[Piece]:
+    """Enter all *pieces* by the names that make them run; what is returned runs by itself: programs."""
     roots = []
-    for path, every in found.pieces.items():
+    for path, every in pieces.items():
         for piece in every:
+            half = found.half(piece)
             if piece.function is None and piece.definition is None:
                 if path in modules:
-                    found.by_name[stem(path)].append(piece)
+                    half.by_name[stem(path)].append(piece)
                 else:
                     roots.append(piece)
             elif piece.name == "main" and not piece.owner:
                 roots.append(piece)
             else:
                 if piece.function is not None:
-                    found.by_name[piece.name].append(piece)
-                if not found.is_free(piece):
-                    found.by_class[piece.owner].append(piece)
+                    half.by_name[piece.name].append(piece)
+                if not half.is_free(piece):
+                    half.by_class[piece.owner].append(piece)
     return roots
 
 

@@ -199,7 +199,10 @@ def bind(
         if argument is None:
             default = parameter.default or _declared_default(walk, function, number)
             if default is not None:
-                value = conversions.converted(expressions.evaluate(walk, inner, default), kind)
+                value = expressions.evaluate(walk, inner, default)
+                if inner.source.separator != ".":
+                    value = conversions.in_braces(value, kind)
+                value = conversions.converted(value, kind)
             else:
                 value = walk.opaque("an argument that is given from outside", inner, function.line, kind)
             inner.declare(parameter.name, Cell(value, kind if kind.name else None))
@@ -208,6 +211,8 @@ def bind(
             inner.declare(parameter.name, argument.cell)
             continue
         value = argument.value
+        if inner.source.separator != ".":
+            value = conversions.in_braces(value, kind)
         is_open = parameter.type.name in ("", "auto") or parameter.type.name in function.templates
         if isinstance(value, (Sequence, Mapped)) or argument.cell is not None:
             value = copies.passed(walk, inner, value, kind, argument, is_open)

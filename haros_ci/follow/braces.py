@@ -10,12 +10,26 @@ from haros_ci.follow.walk import Walk
 from haros_ci.index.types import INTEGERS, MAPS, SEQUENCES, STRINGS, is_smart_pointer
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
-from haros_ci.values.abstract import Cell, Known, Mapped, Object, Sequence, Text, Value
+from haros_ci.values.abstract import Cell, Character, Known, Mapped, Object, Sequence, Text, Value
 
 #: Elements that an array whose length is not known may have.
 GROWN = 64
 #: The marks of the type of an array whose length is not known.
 OPEN = "[]"
+
+
+def arguments(
+    walk: Walk, frame: Frame, kind: Type, items: tuple[syntax.Expression, ...]
+) -> tuple[call_arguments.PassedArgument, ...]:
+    """What stands in braces or brackets behind a variable of the resolved type *kind*; where that is nothing, a number begins with 0."""
+    found = call_arguments.arguments(walk, frame, items)
+    characters = [
+        chr(a.value.value) for a in found if isinstance(a.value, Known) and isinstance(a.value.value, Character)
+    ]
+    if kind.name in STRINGS and len(found) == len(characters) > 1:
+        return (call_arguments.PassedArgument(Known("".join(characters))),)
+    zero = conversions.zero_of(kind) if not found and call_arguments.is_scalar(kind) else None
+    return found if zero is None else (call_arguments.PassedArgument(zero),)
 
 
 def is_list(kind: Type) -> bool:
@@ -28,6 +42,8 @@ def from_list(walk: Walk, frame: Frame, kind: Type, value: Value) -> Value:
     if not isinstance(value, Sequence) or value.type is not None or not isinstance(value.content.value, tuple):
         return value
     cells = value.content.value
+    if (single := conversions.in_braces(value, kind)) is not value:
+        return single
     if "*" in kind.marks:
         return array(walk, frame, [cell.value for cell in cells], kind)
     if kind.name in SEQUENCES:

@@ -27,7 +27,7 @@ from haros_ci.follow import (
     twins,
 )
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.libraries import library
+from haros_ci.follow.libraries import given_away, library
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.ros import api_rows, forwarding, outside_nodes, ros2_parameters
 from haros_ci.follow.walk import Walk
@@ -157,6 +157,8 @@ def method_call(
             if found is not None:
                 return found
         of_node = outside_nodes.method(walk, frame, receiver, name, args, targs, location)
+        if of_node is None:
+            given_away.started(walk, name, receiver)
         return of_node or library.unknown_call(walk, frame, f"{receiver.name}::{name}", args)
     if isinstance(receiver, Opaque):
         kind = receiver.type or (cell.type if cell is not None else None)

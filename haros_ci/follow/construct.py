@@ -17,6 +17,7 @@ from haros_ci.follow import (
     expressions,
     members,
     methods,
+    specialisations,
     template_arguments,
     uncertain,
 )
@@ -59,18 +60,13 @@ def declare(walk: Walk, frame: Frame, variable: syntax.Variable) -> None:
     frame.declare(name, Cell(value, declared))
 
 
-def copied(walk: Walk, value: Value, kind: Type | None) -> Value:
-    """*value* as another variable of static type *kind* holds it in C++ (see ``copies.copied``)."""
-    return copies.copied(walk, value, kind)
-
-
 def initial(walk: Walk, frame: Frame, kind: Type, init: syntax.Init | None, location: Location) -> Value:
     """The first value of a variable of the resolved type *kind*."""
     if isinstance(init, syntax.Equals):
         is_python = frame.source.program.language == "python"
         in_braces = init.value if isinstance(init.value, syntax.ListLiteral) and not is_python else None
         if in_braces is not None and not braces.is_list(kind) and "*" not in kind.marks:
-            return create(walk, frame, kind, call_arguments.arguments(walk, frame, in_braces.items), location)
+            return create(walk, frame, kind, braces.arguments(walk, frame, kind, in_braces.items), location)
         walk.references = None
         value = expressions.evaluate(walk, frame, init.value)
         if in_braces is not None and kind.name not in ("auto", ""):
@@ -87,7 +83,7 @@ def initial(walk: Walk, frame: Frame, kind: Type, init: syntax.Init | None, loca
         if isinstance(value, Sequence):
             return Sequence(value.content, kind if kind.name in SEQUENCES else value.type, value.end)
         return conversions.converted(value, kind)
-    arguments = call_arguments.arguments(walk, frame, init.arguments) if init is not None else ()
+    arguments = braces.arguments(walk, frame, kind, init.arguments) if init is not None else ()
     braced = init.arguments if isinstance(init, syntax.Braces) and arguments else ()
     is_braced = bool(braced)
     if is_braced and "*" in kind.marks and (len(arguments) > 1 or isinstance(braced[0], syntax.ListLiteral)):
@@ -123,6 +119,7 @@ def create(
             return conversions.converted(arguments[0].value, kind)
         return Opaque("it is not set before", location, kind)
     owner = walk.class_of(name, frame.source)
+    owner = specialisations.of_class(walk, owner, kind.arguments, location) if owner is not None else None
     if owner is None:
         return library_objects.library_object(walk, frame, kind, arguments, location)
     return instance(walk, frame, owner, kind.arguments, arguments, location)

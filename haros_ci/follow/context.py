@@ -30,6 +30,8 @@ class Context:
     name: str
     namespace: str
     arguments: tuple[str, ...] | None
+    #: Whether roslaunch starts the node, which adds words to its command line.
+    is_launched: bool = field(default=False, kw_only=True)
     #: The classes that pluginlib can load, by look-up name: where they are defined.
     plugins: Mapping[str, PluginDescription]
     #: Where a node is followed for all that its plug-ins could make: the workspace's plug-ins by base class.

@@ -68,6 +68,33 @@ def converted(value: Value, kind: Type | None) -> Value:
     return value
 
 
+def in_braces(value: Value, kind: Type | None) -> Value:
+    """What C++'s braces with one element or none make of a number, truth value or text; any other *value* or *kind* leaves the value as it is.
+
+    Without an element it begins with nothing: 0, false, "" (en.cppreference.com/w/cpp/language/value_initialization).
+    """
+    if kind is None or not isinstance(value, Sequence) or value.type is not None:
+        return value
+    cells, zero = value.content.value, zero_of(kind)
+    if zero is None or not isinstance(cells, tuple) or len(cells) > 1:
+        return value
+    return converted(cells[0].value if cells else zero, kind)
+
+
+def zero_of(kind: Type) -> Known | None:
+    """What a variable of a C++ type holds that begins with nothing; None for what is no number, truth value or text."""
+    name = kind.name
+    if "*" in kind.marks or not name:
+        return None
+    if name in STRINGS:
+        return Known("")
+    if name in REALS:
+        return Known(0.0)
+    if name == "bool":
+        return Known(False)
+    return Known(0) if name in INTEGERS or set(name.split()) <= INTEGERS else None
+
+
 def _is_as_declared(held: type, kind: Type) -> bool:
     """Whether data of the type *held* that is given from outside is the same in a variable of type *kind*."""
     name = kind.name

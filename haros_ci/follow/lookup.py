@@ -8,7 +8,7 @@ import sys
 from collections.abc import Sequence
 
 from haros_ci import syntax
-from haros_ci.follow import construct, conversions, members, methods, object_macros, overloads
+from haros_ci.follow import construct, conversions, members, methods, object_macros, overloads, specialisations
 from haros_ci.follow.frames import NEXT, Frame
 from haros_ci.follow.libraries import cpp as library_cpp
 from haros_ci.follow.libraries import numbers as library_numbers
@@ -72,6 +72,8 @@ def _variable(walk: Walk, frame: Frame, name: str) -> tuple[Source, str, syntax.
             if owner is not None:
                 static = methods.field_of(walk, owner[0], owner[1], last, {})
                 if static is not None and static[1].is_static:
+                    if specialisations.are_several(walk, frame, head):
+                        return frame.source, candidate, syntax.Equals(syntax.Unknown(EITHER)), static[2]
                     return static[0], candidate, static[1].init, static[2]
     return None
 
@@ -162,7 +164,8 @@ def _global_name(walk: Walk, frame: Frame, name: str) -> Value | object_macros.O
     for candidate in index.scopes(name, frame.scope, frame.source):
         functions = index.near(index.functions, candidate, frame.source, walk.files)
         if functions:
-            return Callable(*methods.with_body(walk, functions))
+            hidden = specialisations.hides(walk, frame, name, functions)
+            return hidden or Callable(*methods.with_body(walk, functions))
     macro = object_macros.meant(walk, frame, name)
     if macro is not None:
         return macro

@@ -181,7 +181,7 @@ def attribute(walk: Walk, value: Value, name: str, frame: Frame) -> Value:
         return lookup.python_name(walk, inner, name)
     if isinstance(value, Library):
         if value.name == "sys" and name == "argv":
-            return library_python.argv(walk)
+            return library_python.argv(walk, frame)
         if frame.source.program.language == "python":
             return lookup.library_name(f"{value.name}.{name}")
         return Library(f"{value.name}::{name}")

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which full specialisation of a template of functions a call means (en.cppreference.com/w/cpp/language/template_specialization)."""
+"""Specialisations of templates (en.cppreference.com/w/cpp/language/template_specialization).
+
+Which full one of a template of functions a call means; and where a class template is meant itself, as none of its specialisations fits.
+"""
 
 from __future__ import annotations
 
@@ -10,11 +13,95 @@ from haros_ci import syntax
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.overloads import Found, plain, signature
 from haros_ci.follow.walk import Walk
-from haros_ci.syntax import Type
-from haros_ci.values.abstract import Callable
+from haros_ci.index.index import Source
+from haros_ci.model.location import Location
+from haros_ci.syntax import Class, Type
+from haros_ci.values.abstract import Callable, Opaque
+
+#: Types inside types that are compared.
+DEPTH = 4
 
 #: Why a call of a template is not followed.
 NOT_SEEN = "{} has specialisations, of which none is for the template arguments of a call"
+
+
+#: What is said of a class template whose specialisations cannot be distinguished.
+OF_CLASS = "the class template {} has specialisations, and which one is meant is not followed"
+
+
+def of_class(
+    walk: Walk, owner: tuple[Source, Class], targs: Sequence[syntax.Argument], location: Location
+) -> tuple[Source, Class] | None:
+    """The class template itself, for template arguments that fit none of its specialisations, or a class that has none; else None.
+
+    What a specialisation makes is not followed: its methods have the names of the template's.
+    """
+    source, definition = owner
+    every = walk.index.near(walk.index.classes, definition.name, source, walk.files)
+    written = [item for item in every if item[1].specialises]
+    if not written or source.separator == ".":
+        return owner
+    primary = next((item for item in every if not item[1].specialises), None)
+    if primary is None or not targs or any(_fits(walk, item, targs) for item in written):
+        if any(_makes(walk, where, definition.name) for where in dict.fromkeys(item[0] for item in every)):
+            walk.gaps.setdefault(OF_CLASS.format(definition.name), location)
+        return None
+    return primary
+
+
+def hides(walk: Walk, frame: Frame, name: str, found: Sequence[Found]) -> Opaque | None:
+    """What a name such as ``C<T>::f`` means that is written outside of the class template C: not known where C has specialisations."""
+    owner = found[0][1].owner
+    if "::" not in name or not are_several(walk, frame, owner):
+        return None
+    reason = OF_CLASS.format(owner)
+    if any(walk.relevance.makes(function, source) for source, function in found):
+        walk.gaps.setdefault(reason, Location(frame.source.path, frame.function.line if frame.function else None))
+    return walk.opaque(reason, frame)
+
+
+def are_several(walk: Walk, frame: Frame, owner: str) -> bool:
+    """Whether a class template that is named outside of itself has specialisations."""
+    if not owner or frame.source.separator == "." or frame.scope == owner or frame.scope.startswith(f"{owner}::"):
+        return False
+    return any(item[1].specialises for item in walk.index.near(walk.index.classes, owner, frame.source, walk.files))
+
+
+def _makes(walk: Walk, source: Source, owner: str) -> bool:
+    """Whether a method of a class that stands in the file of the class may make something."""
+    return any(
+        function.owner == owner and walk.relevance.makes(function, source) for function in source.program.functions
+    )
+
+
+def _fits(walk: Walk, item: tuple[Source, Class], targs: Sequence[syntax.Argument]) -> bool:
+    """Whether a specialisation may be for these template arguments."""
+    source, definition = item
+    scope = definition.name.rpartition("::")[0]
+    written = [
+        walk.resolved(one, scope, source, {}) if isinstance(one, Type) else one for one in definition.specialises
+    ]
+    return len(written) != len(targs) or all(
+        _may_be(one, other, definition.templates) for one, other in zip(written, targs, strict=True)
+    )
+
+
+def _may_be(written: object, given: object, templates: tuple[str, ...], depth: int = 0) -> bool:
+    """Whether a template argument may be what is written in a specialisation, with the *templates* of that for anything."""
+    if isinstance(written, (Type, syntax.Name)) and written.name in templates:
+        return True
+    if not isinstance(written, Type) or not isinstance(given, Type) or depth > DEPTH:
+        return written == given or not isinstance(written, type(given))
+    if last_part(written.name) != last_part(given.name) or written.marks != given.marks:
+        return False
+    return len(written.arguments) != len(given.arguments) or all(
+        _may_be(one, other, templates, depth + 1) for one, other in zip(written.arguments, given.arguments, strict=True)
+    )
+
+
+def last_part(name: str) -> str:
+    """The name without its scopes."""
+    return name.rpartition("::")[2]
 
 
 def specialised(walk: Walk, frame: Frame, function: Callable, targs: Sequence[syntax.Argument]) -> Callable | None:

@@ -10,6 +10,7 @@ from haros_ci import syntax
 from haros_ci.follow import (
     attempts,
     construct,
+    conversions,
     early,
     expressions,
     guarded,
@@ -230,6 +231,8 @@ def _return(walk: Walk, frame: Frame, statement: syntax.Return) -> str:
     walk.judged = len(walk.active) if frame.is_start or early.is_over(walk, frame) else before
     value = expressions.evaluate(walk, frame, statement.value) if statement.value is not None else Known(None)
     walk.judged = before
+    if isinstance(statement.value, syntax.ListLiteral) and frame.function is not None and frame.source.separator != ".":
+        value = conversions.in_braces(value, walk.type_in(frame.function.returns, frame))
     early.returns(walk, frame, value, statement.value is None)
     if not frame.is_dead and not walk.is_raised:
         frame.returned.append(value)

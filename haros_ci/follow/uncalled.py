@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Functions that a C++ program keeps, in containers before all, and that it is not seen to call: which is called there is not known.
+"""Functions that a program keeps, in containers before all, and that it is not seen to call: which is called there is not known.
 
 Lambdas and bound functions that could make something, and have neither been called nor registered once all callbacks have been followed,
 are called back after these, where the program calls a function that is not known. A doubt says of what they make that this is not certain.
-A lambda in a variable of which the code has no use but calls is kept nowhere.
+A lambda in a variable of which the code has no use but calls is kept nowhere. So are, in Python, the methods of objects whose base class a
+library has: nothing says which of them it calls, and one that the program calls itself is known by that call.
 """
 
 from __future__ import annotations
@@ -31,6 +32,13 @@ def keep(walk: Walk, value: Value) -> Value:
     return value
 
 
+def offer(walk: Walk, function: Callable, doubt: str) -> None:
+    """Note a method that a library may call, for the reason *doubt*."""
+    key = (id(function.function), function.this)
+    if key not in walk.held and len(walk.held) < ROOTS and not (walk.quiet or walk.is_raised or walk.setting):
+        walk.held[key] = Root(function, tuple(walk.conditions), doubt=doubt, dead=walk.ruled_out())
+
+
 def hand_on(walk: Walk, known: int, writes: Writes) -> None:
     """The functions that were kept after the first *known* ones begin with the *writes* of the callback that did it."""
     for key in list(walk.held)[known:]:
@@ -39,13 +47,11 @@ def hand_on(walk: Walk, known: int, writes: Writes) -> None:
 
 def register(walk: Walk) -> bool:
     """Whether some that are kept have not been called, and a call may be of them: they are called back now, each once."""
-    if not walk.calls_unknown:
-        return False
     called = walk.invoked | {id(root.function.function) for root in walk.roots}
     waiting = []
     for key, root in walk.held.items():
         function = root.function
-        if key in walk.offered or key[0] in called:
+        if key in walk.offered or key[0] in called or (root.doubt == KEPT and not walk.calls_unknown):
             continue
         if walk.relevance.makes(function.function, function.source) and key[0] not in _called_by_name(walk, function):
             walk.offered.add(key)

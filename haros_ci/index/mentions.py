@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 
 from haros_ci import syntax
 from haros_ci.index.index import Index, Source
@@ -53,12 +53,18 @@ HELD = (
     syntax.Conditional,
     syntax.Operation,
 )
+#: Base classes of Python that call none of what is overridden.
+CALLING_NOTHING = frozenset(
+    "object Exception Enum IntEnum ABC Node Thread TestCase NamedTuple dict list str int float".split()
+)
+#: Python's comprehensions, as the extraction writes them.
+TURNS = (syntax.Name("[for]"), syntax.Name("[for in]"))
 #: What ``auto`` may take a function from.
 GIVING = (syntax.Lambda, syntax.Name, syntax.Address, syntax.Call, syntax.Conditional, syntax.Subscript)
 
 
-def called_in(item: Part, found: set[str], mentioned: set[str], source: Source) -> None:
-    """Collect what is called or constructed in *item*, and what is mentioned in any other way."""
+def called_in(item: Part, found: set[str], mentioned: set[str], given: set[str], source: Source) -> None:
+    """Collect what is called or constructed in *item*, what is mentioned in any other way, and what Python gives to a function by its name."""
     lambdas: set[int] = set()
     waiting = below((item,))
     while waiting:
@@ -81,12 +87,14 @@ def called_in(item: Part, found: set[str], mentioned: set[str], source: Source) 
             elif isinstance(callee, syntax.Subscript) and isinstance(callee.object, (syntax.Name, syntax.Member)):
                 found.add(last(callee.object.name))
             found.update(last(name) for kind in node.templates for name in type_names(kind))  # make_shared<T>()
-            if source.separator == ".":  # a class that is given may be made by whoever gets it
-                found.update(
-                    argument.name
-                    for argument in node.arguments
-                    if isinstance(argument, syntax.Name) and argument.name[:1].isupper()
-                )
+            if source.separator == ".":
+                for argument in node.arguments:
+                    passed = argument.value if isinstance(argument, syntax.Keyword) else argument
+                    if isinstance(passed, syntax.Name):
+                        # a class that is given may be made by whoever gets it
+                        (found if passed.name[:1].isupper() else given).add(passed.name)
+                    elif isinstance(passed, syntax.Member) and isinstance(passed.object, syntax.This):
+                        given.add(f".{passed.name}")
         elif isinstance(node, syntax.Assignment) and isinstance(node.target, syntax.Subscript):
             found.add(ELEMENT)
         elif isinstance(node, (syntax.New, syntax.Variable)):
@@ -155,6 +163,14 @@ def properties(index: Index) -> frozenset[str]:
         for function in source.program.functions
         if any(syntax.name_of(decorator) in PROPERTIES for decorator in function.decorators)
     )
+
+
+def overriding(source: Source, class_: syntax.Class, known: Container[str]) -> list[str]:
+    """The methods of a Python class that a base may call which is not among the *known* names, as calls of them look."""
+    bases = {last(base.name) for base in class_.bases} - CALLING_NOTHING
+    if source.separator != "." or all(base in known and base != last(class_.name) for base in bases):
+        return []
+    return [f".{last(function.name)}" for function in source.program.functions if function.owner == class_.name]
 
 
 def members_of(index: Index, kinds: frozenset[str]) -> frozenset[str]:
@@ -233,8 +249,16 @@ def callable_variables(block: Part, names: set[str], source: Source, kinds: froz
         elif isinstance(node, syntax.Assignment):
             if python and isinstance(node.target, syntax.Name) and isinstance(node.value, HELD):
                 names.add(node.target.name)
+            elif python and isinstance(node.target, syntax.ListLiteral):
+                names.update(item.name for item in everything((node.target,)) if isinstance(item, syntax.Name))
         elif isinstance(node, syntax.Each) and may_be_called(node.type, source):
             names.add(node.name)
+        elif python and isinstance(node, syntax.Call) and node.callee in TURNS:
+            for item in node.arguments:  # the elements of a comprehension
+                function = source.program.functions[item.function] if isinstance(item, syntax.Lambda) else None
+                if function is not None and function.body is not None:
+                    names.update(parameter.name for parameter in function.parameters)
+                    callable_variables(function.body, names, source, kinds)
 
 
 def targets(item: Part, found: set[str]) -> None:

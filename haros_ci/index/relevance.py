@@ -25,6 +25,7 @@ from haros_ci.index.mentions import (
     last,
     may_be_called,
     members_of,
+    overriding,
     properties,
     shared,
     targets,
@@ -162,9 +163,8 @@ class Relevance:
         key = (id(block), id(function))
         known = self._blocks.get(key)
         if known is None:
-            found: set[str] = set()
-            mentioned: set[str] = set()
-            called_in(block, found, mentioned, source)
+            found, mentioned, given = set[str](), set[str](), set[str]()
+            called_in(block, found, mentioned, given, source)
             if function is not None:
                 if not found.isdisjoint(self._variables_of(function, source)):
                     found.add(CALLED)
@@ -178,7 +178,7 @@ class Relevance:
                 found.add(CALLED)
             if not self._functor_members.isdisjoint(found):
                 found.add(CALL)
-            found.update(self._read(found, mentioned, source))
+            found.update(self._read(found, mentioned, source), given)
             if not self._registering.isdisjoint(found):
                 found |= mentioned  # any of them may be what is called back
             known = self._blocks[key] = (block, frozenset(found))
@@ -344,7 +344,7 @@ class Relevance:
             for where, function in dict.get(self._index.functions, f"{item.name}.__init__", ()):
                 if where.path == source.path and function.body is not None:
                     found += self.names(function.body, where)
-            return found
+            return found + overriding(source, item, self._by_name)
         body = self._without_made(item.body)
         names = self.names(body, source, item) if body is not None else frozenset[str]()
         return names | self.names(item.inits, source) if item.inits else names

@@ -85,7 +85,10 @@ class Directive(Record, frozen=True):
 
 
 class Class(Record, frozen=True):
-    """A class or struct with its bases and its own data members; its methods are functions with it as owner."""
+    """A class or struct with its bases and its own data members; its methods are functions with it as owner.
+
+    *specialises* are the template arguments that ``struct C<int>`` is written for, with *templates* in them where it is partial.
+    """
 
     name: str
     bases: tuple[Type, ...]
@@ -93,6 +96,7 @@ class Class(Record, frozen=True):
     line: int
     column: int
     templates: tuple[str, ...] = ()
+    specialises: tuple[Argument, ...] = ()
 
 
 class Alias(Record, frozen=True):

@@ -127,6 +127,8 @@ class Instance:
     process: str
     #: How many nodelets load each other around it.
     depth: int = 0
+    #: Whether a launch file starts it: roslaunch adds words to its command line.
+    is_launched: bool = False
 
 
 def run_node(
@@ -139,7 +141,8 @@ def run_node(
 ) -> Followed:
     """Follow one node, unless it has been followed under the same names and all that it asked for is the same again."""
     wiring = tuple(sorted(instance.remaps.items()))
-    key = (entry.key, files_key(files), instance.name, instance.namespace, instance.arguments, wiring, instance.process)
+    words = instance.arguments, instance.is_launched
+    key = (entry.key, files_key(files), instance.name, instance.namespace, *words, wiring, instance.process)
     earlier = types.followed.setdefault(key, [])
     for done in earlier:
         if all(same(parameter(name), value) for name, value in done.asked.items()):
@@ -154,6 +157,7 @@ def run_node(
         name=instance.name,
         namespace=instance.namespace,
         arguments=instance.arguments,
+        is_launched=instance.is_launched,
         plugins=types.plugins,
         declared=types.declared,
         parameter=ask,

@@ -22,6 +22,10 @@ from haros_ci.workspace.views import doubles
 _SKETCHES = (".ino", ".pde")
 _OF_ROS = re.compile(r"#[ \t]*include[ \t]*[<\"](?:ros\.h|rosserial|ArduinoHardware|micro_ros|ros2arduino|rclc?/|rcl/)")
 
+#: The branch of Python modules that are started, and what imports a client library of ROS.
+_STARTED = re.compile(r"""^if[ (]+__name__\s*==\s*["']__main__["']""", re.MULTILINE)
+_CLIENT = re.compile(r"^(?:import|from)[ \t]+(?:rospy|rclpy)\b", re.MULTILINE)
+_TESTS = frozenset(("test", "tests"))
 #: A package, and what is wrong with its manifest.
 _Found = tuple[Package, Problem | None]
 
@@ -137,6 +141,7 @@ def assemble(
     reader = TextReader(root, listed, max_file_size, elsewhere, buffer)
     found += _of_rosbuild(owned, names, reader)
     found += _of_sketches(names, reader)
+    found += _of_no_package(owned, reader)
     return Workspace(
         root=root,
         packages=tuple(sorted((package for package, _ in packages.values()), key=lambda p: (p.path, p.name))),
@@ -225,6 +230,23 @@ def _of_sketches(names: frozenset[str], reader: TextReader) -> Iterable[Problem]
         others = f" and {len(found) - 1} more" if len(found) > 1 else ""
         yield Problem(
             found[0], f"a sketch of Arduino{others}: what such nodes publish and subscribe to is not in the model"
+        )
+
+
+def _of_no_package(files: Iterable[SourceFile], reader: TextReader) -> Iterable[Problem]:
+    """One problem for all Python programs that talk to ROS and lie in no package: people start them by their paths, and no node is made of them."""
+    found = []
+    for file in files:
+        if file.package is None and file.language == "python" and not file.third_party:
+            *directories, name = file.path.split("/")
+            if _TESTS.isdisjoint(directories) and not name.startswith("test_") and not name.endswith("launch.py"):
+                text = reader.text(file.path)
+                if _CLIENT.search(text) and _STARTED.search(text):
+                    found.append(file.path)
+    if found:
+        others = f" and {len(found) - 1} more" if len(found) > 1 else ""
+        yield Problem(
+            min(found), f"a Python program that talks to ROS{others} in no package: such nodes are not in the model"
         )
 
 

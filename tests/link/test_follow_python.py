@@ -637,6 +637,21 @@ def test_the_length_of_the_command_line_is_that_of_roslaunch() -> None:
     assert names(python(code, launch)) in (["/a"], ["/?"])
 
 
+@pytest.mark.parametrize("length", ["len(sys.argv)", "len(rospy.myargv())"])
+def test_the_command_line_of_a_node_that_is_started_alone_has_no_words(length: str) -> None:
+    found = python(f'import sys\nif {length} > 1:\n    PUB("a")\nelse:\n    PUB("b")\n')
+    assert {end.name: end.is_ruled_out for end in found.endpoints} == {"/a": True, "/b": False}
+
+
+def test_words_are_not_known_where_a_node_that_is_started_alone_has_some() -> None:
+    found = python(
+        'import sys\ntopic = "d"\nif len(sys.argv) > 1:\n    for word in sys.argv[1:]:\n        topic = word\n    PUB(topic)\n'
+    )
+    assert [(end.name, end.is_ruled_out) for end in found.endpoints] == [("/?", True)]
+    found = python("import sys\ndef main():\n    if len(sys.argv) < 2:\n        return\n    PUB(sys.argv[1])\nmain()\n")
+    assert [end.name for end in found.endpoints] == ["/?"]
+
+
 D = "from dataclasses import dataclass, field\n"
 #: What the constructor that a dataclass or named tuple has by itself makes of its arguments.
 DATA = (

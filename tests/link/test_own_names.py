@@ -92,7 +92,7 @@ def test_an_anonymous_node_keeps_the_part_that_is_known(flags: str) -> None:
 
 
 PYTHON = [
-    ("rospy.init_node(sys.argv[1])", "/?", ["it is __name:=, which roslaunch gives"]),
+    ("rospy.init_node(sys.argv[1])", "/?", [ARGUMENT]),
     ("rospy.init_node('a' if f() else 'b')", "/?", [ONE_OF]),
     ("if f():\n    rospy.init_node('a')\nelse:\n    rospy.init_node('b')", "/?", [ONE_OF]),
     ("rospy.init_node('a_%s' % f())", "/a_?", None),

@@ -437,6 +437,37 @@ def test_other_sketches_are_not_named(tmp_path: Path, files: dict[str, bytes]) -
     assert messages(discover(plant(tmp_path, files), (".",))) == []
 
 
+TOOL = b"import rospy\nif __name__ == '__main__':\n    rospy.init_node('n')\n"
+LOOSE = "a Python program that talks to ROS{} in no package: such nodes are not in the model"
+
+
+@pytest.mark.parametrize(
+    ("files", "words"),
+    [
+        ({"tools/a.py": TOOL}, ""),
+        ({"a.py": TOOL.replace(b"import rospy", b"from rclpy.node import Node"), "b/c.py": TOOL}, " and 1 more"),
+    ],
+)
+def test_programs_in_no_package_are_named_once(tmp_path: Path, files: dict[str, bytes], words: str) -> None:
+    assert messages(discover(plant(tmp_path, files), (".",))) == [(min(files), LOOSE.format(words))]
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        {"tools/a.py": TOOL.replace(b"rospy", b"os")},
+        {"tools/a.py": b"import rospy\n"},
+        {"test/a.py": TOOL},
+        {"tools/test_a.py": TOOL},
+        {"launch/a.launch.py": TOOL},
+        {"arm/a.py": TOOL, "arm/package.xml": manifest("arm")},
+        {"tools/a.md": TOOL},
+    ],
+)
+def test_other_python_is_not_named(tmp_path: Path, files: dict[str, bytes]) -> None:
+    assert messages(discover(plant(tmp_path, files), (".",))) == []
+
+
 def test_a_package_of_rosbuild_that_is_left_out_is_not_named(tmp_path: Path) -> None:
     plant(tmp_path, {f"old/{name}": data for name, data in ROSBUILD.items()})
     assert messages(discover(tmp_path, (".",), exclude=("old",))) == []

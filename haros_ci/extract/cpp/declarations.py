@@ -129,8 +129,10 @@ def class_of(unit: Unit, node: Node, scope: CppScope, depth: int, is_used: bool 
         return ""
     named = types.specified_name(node)
     line, column = unit.position(node if named is None else named)
+    specialises: tuple[syntax.Argument, ...] = ()
     if named is not None:
-        name = scope.qualified(types.path(unit, named, depth)[0])
+        written, specialises = types.path(unit, named, depth)
+        name = scope.qualified(written)
     elif alias or is_used:
         name = scope.qualified(alias or f"(anonymous {line}:{column})")
     else:
@@ -151,7 +153,7 @@ def class_of(unit: Unit, node: Node, scope: CppScope, depth: int, is_used: bool 
     inside = CppScope(name, scope.space, members, scope.guards)
     scopes.declare(unit, body.children, inside, depth)
     unit.function, unit.owner = around
-    unit.found.classes[slot] = Class(name, bases, tuple(members), line, column, scope.templates)
+    unit.found.classes[slot] = Class(name, bases, tuple(members), line, column, scope.templates, specialises)
     return name
 
 

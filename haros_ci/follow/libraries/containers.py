@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import alternatives, assignments, construct, conversions, indexing
+from haros_ci.follow import alternatives, assignments, construct, conversions, copies, indexing
 from haros_ci.follow.frames import Frame, of_element
 from haros_ci.follow.libraries import tuples
 from haros_ci.follow.walk import Walk
@@ -75,7 +75,7 @@ def _grown(
     result = walk.opaque("the list is built in a way that is not followed", frame)
     some, end = certain(cells), None
     if not isinstance(cells, tuple) and name in ("push_back", "emplace_back") and len(args) == 1:
-        end = Cell(conversions.converted(construct.copied(walk, args[0].value, inner), inner), inner)
+        end = Cell(conversions.converted(copies.copied(walk, args[0].value, inner), inner), inner)
         some = (*some, end)[-LIST_LIMIT:]
     others = possible(cells)
     return Partial(result.reason, result.location, result.type, some, others, end) if some or others else result
@@ -102,7 +102,7 @@ def sequence(walk: Walk, frame: Frame, receiver: Sequence, name: str, args: tupl
         return NONE
     if name in ("push_back", "emplace_back", "insert", "push_front", "emplace"):
         if known and name in ("push_back", "emplace_back") and len(args) == 1 and len(held) < LIST_LIMIT:
-            value = conversions.converted(construct.copied(walk, args[0].value, inner), inner)
+            value = conversions.converted(copies.copied(walk, args[0].value, inner), inner)
             walk.state.write(receiver.content, (*held, Cell(value, inner)))
         elif known and name == "emplace_back" and inner is not None and len(held) < LIST_LIMIT:
             value = construct.of_template(walk, frame, inner, args, Location(frame.source.path))
@@ -120,7 +120,7 @@ def sequence(walk: Walk, frame: Frame, receiver: Sequence, name: str, args: tupl
                 kind, place = inner or syntax.Type(""), Location(frame.source.path)
                 made = [
                     Cell(
-                        construct.copied(walk, args[1].value, inner)
+                        copies.copied(walk, args[1].value, inner)
                         if len(args) > 1
                         else construct.of_template(walk, frame, kind, (), place),
                         inner,

@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import callbacks, construct, methods
+from haros_ci.follow import callbacks, construct, linear, methods, properties, uncalled
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import ros2_nodes
 from haros_ci.follow.walk import Walk
@@ -23,6 +23,16 @@ if TYPE_CHECKING:
 BEGINNING = frozenset("init initialize onInit onInitialize setup configure load start".split())
 #: Base classes whose libraries call nothing that is overridden, or what the API rows tell.
 KNOWN = frozenset("std boost ros nodelet rclcpp rviz rclpy rospy object Exception".split())
+#: Modules and classes of Python's own library, and of toolkits that call what is given to them alone.
+KNOWN_PYTHON = frozenset(
+    "abc enum threading multiprocessing unittest typing typing_extensions dataclasses collections argparse logging io queue json "
+    "string contextlib configparser ctypes tkinter Tkinter PyQt4 PyQt5 PyQt6 PySide PySide2 PySide6 python_qt_binding ABC Enum "
+    "IntEnum NamedTuple Thread TestCase dict list str int float tuple set BaseException RuntimeError ValueError KeyError".split()
+)
+#: Classes whose objects are processes when they are started, with nodes of their own (docs.python.org/3/library/multiprocessing.html).
+PROCESSES = frozenset(
+    ("multiprocessing.Process", "multiprocessing.context.Process", "multiprocessing.process.BaseProcess")
+)
 #: How the first part of a name begins whose library is known: packages of several namespaces or modules.
 _BEGINNINGS = ("rclcpp_", "rviz_", "rqt_")
 #: A class, namespace or module of Qt (doc.qt.io): QObject, QSGNode, Qt::, QtWidgets.
@@ -54,17 +64,33 @@ def _called(walk: Walk, name: str, this: Object) -> None:
     """An object whose base class is not in the workspace is called by the library that has that class."""
     assert this.definition is not None
     source, definition = this.definition
-    if source.separator != "::" or not definition.bases:
+    if not definition.bases:
         return
     key = ("called elsewhere", id(definition))
     if key not in walk.found:
-        walk.found[key] = _callable(walk, source, definition)
+        walk.found[key] = (_callable if source.separator == "::" else _callable_python)(walk, source, definition)
     for last in walk.found[key]:
         found = methods.method_of(walk, this, last)
         if found is not None and walk.relevance.makes(found.function, found.source):
             base = methods.library_bases(walk, source, definition)[0]
             doubt = f"{name} is not known, which is given the object and may call it by its base class {base}"
-            callbacks.register(walk, found, doubt=doubt)
+            if source.separator == "::":
+                callbacks.register(walk, found, doubt=doubt)
+            else:
+                uncalled.offer(walk, found, doubt)
+
+
+def started(walk: Walk, name: str, this: Object) -> None:
+    """A method of Python that only the library has of which the object's base class is (``App().run()``): it may call what is overridden."""
+    if this.definition is None or this.definition[0].separator != ".":
+        return
+    source, definition = this.definition
+    if name == "start" and not PROCESSES.isdisjoint(methods.library_bases(walk, source, definition)):
+        run = methods.method_of(walk, this, "run")
+        if run is not None and walk.relevance.makes(run.function, run.source):
+            reason = f"{definition.name} is a process of its own, and what that makes is not followed"
+            walk.gaps.setdefault(reason, Location(run.source.path, run.function.line))
+    _called(walk, name, this)
 
 
 def is_known(base: str) -> bool:
@@ -90,3 +116,36 @@ def _callable(walk: Walk, source: Source, definition: syntax.Class) -> list[str]
             ):
                 names[last] = None
     return list(names)
+
+
+def _callable_python(walk: Walk, source: Source, definition: syntax.Class) -> list[str]:
+    """The same for Python, where nothing says what is overridden: the methods that no method of the class calls."""
+    bases = methods.library_bases(walk, source, definition)
+    firsts = {base.partition(".")[0] for base in bases}
+    if not bases or firsts & KNOWN_PYTHON or any(base in walk.rows or is_known(base) for base in bases):
+        return []
+    own = list(_methods(walk, source, definition))
+    called = frozenset[str]().union(*(walk.relevance.calls_of(function, where) for where, function in own))
+    return list(
+        dict.fromkeys(
+            name
+            for name, function in ((function.name.rpartition(".")[2], function) for _, function in own)
+            if f".{name}" not in called and _may_override(name, function)
+        )
+    )
+
+
+def _methods(walk: Walk, source: Source, definition: syntax.Class) -> Iterator[tuple[Source, syntax.Function]]:
+    """The methods of a Python class and of its bases in the workspace."""
+    for entry in linear.order(walk, source, definition):
+        if not isinstance(entry, str):
+            where, class_ = entry
+            functions = where.program.functions
+            yield from ((where, item) for item in functions if item.owner == class_.name and item.kind != "lambda")
+
+
+def _may_override(name: str, function: syntax.Function) -> bool:
+    """Whether a method is one that is called on an object by its name, as those that a base class calls are."""
+    if function.is_static or properties.is_property(function):
+        return False
+    return name == "__call__" or not name.startswith("__")

@@ -141,7 +141,7 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
     if name == "isinstance":
         return python_kinds.is_instance(args)
     if name in ("rospy.myargv", "sys.argv") and walk.context.arguments is not None:
-        return argv(walk, name == "rospy.myargv")
+        return argv(walk, frame, name == "rospy.myargv")
     if name in dynamic.IMPORTS:
         return dynamic.module(walk, frame, name, args)
     if name == "getattr" and len(args) >= 2 and isinstance(first, Opaque) and first.reason == dynamic.IMPORTED:
@@ -166,17 +166,20 @@ def _own_attribute(walk: Walk, frame: Frame, this: Value, name: Value) -> Value 
     return found
 
 
-def argv(walk: Walk, is_own: bool = False) -> Value:
-    """The command line of the launch file, with the two words that roslaunch adds (wiki.ros.org/roslaunch/XML/node).
+def argv(walk: Walk, frame: Frame, is_own: bool = False) -> Value:
+    """The command line of the launch file, with the two words that a launch adds (wiki.ros.org/roslaunch/XML/node); else that of a node without words.
 
     ``rospy.myargv`` is without them, and without all other remappings.
     """
-    if walk.context.arguments is None:
+    context = walk.context
+    is_launched = context.is_launched or context.process is not None
+    is_other = bool(walk.ruled_out() or walk.beyond or frame.is_dead)
+    if context.arguments is None or (is_other and not is_launched):
         return Opaque("the command line")
-    words: list[Value] = [Opaque("the program's name"), *(Known(word) for word in walk.context.arguments)]
+    words: list[Value] = [Opaque("the program's name"), *(Known(word) for word in context.arguments)]
     if is_own:
         words = [word for word in words if not (isinstance(word, Known) and ":=" in word.of(str))]
-    else:
+    elif is_launched:
         words += [
             Opaque(f"it is {word}, which roslaunch gives", None, syntax.Type("str")) for word in ("__name:=", "__log:=")
         ]

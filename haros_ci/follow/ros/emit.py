@@ -286,13 +286,14 @@ def _service(kind: Type, result: str) -> str:
 
 
 def _value(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[object, Value | None]:
-    from haros_ci.follow.ros.selectors import TypeValue, value_of
+    from haros_ci.follow.ros.selectors import TypeValue, in_type, value_of
 
     if entry.kind not in PARAMETERS or "value" not in entry.values:
         return None, None
     found = value_of(applied, entry.values["value"])
     if found is None or isinstance(found, TypeValue):
         return None, None
+    found = in_type(applied, entry, found)
     known, data = data_of(found)
     if known and not _is_unnamed(applied.walk, data):
         return data, found

@@ -131,7 +131,7 @@ def _named(applied: Applied, entry: Entry, provided: Value | None, node: RosNode
 def _parameter(
     applied: Applied, entry: Entry, node: RosNode | None, why_not: str, name: tuple[str, str | None, Location | None]
 ) -> Value | None:
-    from haros_ci.follow.ros.selectors import TypeValue, value_of
+    from haros_ci.follow.ros.selectors import TypeValue, in_type, value_of
 
     walk = applied.walk
     unknowns: Unknowns = []
@@ -145,7 +145,9 @@ def _parameter(
     full = f"{node.whole.name if node is not None else '/?'}:{text}"
     found = value_of(applied, entry.values["value"]) if "value" in entry.values else None
     default, data = found if not isinstance(found, TypeValue) else None, None
+    kind = value_of(applied, entry.values["type"]) if "type" in entry.values else None
     default = _unwrapped(default)
+    default = in_type(applied, entry, default) if default is not None else None
     word = ros2_selectors.type_word(default)
     if word is not None:  # a type in place of a default value
         default, kind_told = None, word
@@ -158,7 +160,6 @@ def _parameter(
             message = reason.reason if reason else "it is not plain data"
             unknowns.append(("value", message, (reason and reason.location) or applied.location))
             data = None
-    kind = value_of(applied, entry.values["type"]) if "type" in entry.values else None
     declared = kind_told
     if declared is not None:
         pass

@@ -14,10 +14,21 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import name_selectors, ros2_listed, ros2_nodes, ros2_selectors
 from haros_ci.follow.walk import Walk
 from haros_ci.index.ros_types import parameter_type
-from haros_ci.model.api import Row, Template
+from haros_ci.model.api import Entry, Row, Template
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
-from haros_ci.values.abstract import Callable, ClassValue, Known, Library, Object, Opaque, Pointer, Value, concatenate
+from haros_ci.values.abstract import (
+    Callable,
+    ClassValue,
+    Known,
+    Library,
+    Object,
+    Opaque,
+    Pointer,
+    Sequence,
+    Value,
+    concatenate,
+)
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
@@ -112,6 +123,14 @@ def value_of(applied: Applied, template: Template) -> Found:
             found = Known(found.type.name)
         values.append(found if found is not None else applied.walk.opaque("an argument is missing", applied.frame))
     return concatenate(tuple(values))
+
+
+def in_type(applied: Applied, entry: Entry, found: Value) -> Value:
+    """What C++'s braces mean as the default of a parameter, of the type that the call tells; any other value as it is."""
+    if not isinstance(found, Sequence) or applied.frame.source.separator == "." or "type" not in entry.values:
+        return found
+    kind = value_of(applied, entry.values["type"])
+    return conversions.in_braces(found, kind.type) if isinstance(kind, TypeValue) else found
 
 
 def value_at(applied: Applied, template: Template) -> Value | None:
