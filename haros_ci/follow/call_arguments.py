@@ -57,8 +57,7 @@ def arguments(walk: Walk, frame: Frame, written: tuple[Expression, ...]) -> tupl
         keyword = ""
         if isinstance(expression, syntax.Keyword):
             keyword, expression = expression.name, expression.value
-        cell = expressions.cell_of(walk, frame, expression) if isinstance(expression, LVALUES) else None
-        value = cell.value if cell is not None else expressions.evaluate(walk, frame, expression)
+        cell, value = expressions.located(walk, frame, expression)
         kind = cell.type if cell is not None and cell.type is not None else None
         if kind is None and isinstance(expression, TYPED):
             kind = static_types.static_type(walk, frame, expression)

@@ -66,14 +66,7 @@ def call(walk: Walk, frame: Frame, expression: syntax.Call) -> Value:
         return packs.folded(walk, frame, written[0])
     if isinstance(callee, syntax.Member):
         name = callee.name
-        receiver_cell = (
-            expressions.cell_of(walk, frame, callee.object)
-            if isinstance(callee.object, call_arguments.LVALUES)
-            else None
-        )
-        receiver = (
-            receiver_cell.value if receiver_cell is not None else expressions.evaluate(walk, frame, callee.object)
-        )
+        receiver_cell, receiver = expressions.located(walk, frame, callee.object)
         smart = receiver_cell is not None and is_smart_pointer(receiver_cell.type)
         args = call_arguments.arguments(walk, frame, written)
         if smart and receiver_cell is not None and name in library.POINTER_METHODS:

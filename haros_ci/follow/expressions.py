@@ -102,6 +102,17 @@ def cell_of(walk: Walk, frame: Frame, expression: Expression) -> Cell | None:
     return None
 
 
+def located(walk: Walk, frame: Frame, expression: Expression) -> tuple[Cell | None, Value]:
+    """The cell of *expression* if it names one, and its value; what it is made of is evaluated once."""
+    if isinstance(expression, syntax.Name):
+        cell = lookup.named_cell(walk, frame, expression.name)
+        return cell, cell.value if cell is not None else lookup.no_variable(walk, frame, expression.name)
+    if isinstance(expression, syntax.Member):
+        return members.located(walk, frame, expression)
+    cell = cell_of(walk, frame, expression) if isinstance(expression, (syntax.Subscript, syntax.Dereference)) else None
+    return cell, cell.value if cell is not None else evaluate(walk, frame, expression)
+
+
 def _this(walk: Walk, frame: Frame, expression: syntax.This) -> Value:
     around: Frame | None = frame
     while around is not None:

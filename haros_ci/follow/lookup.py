@@ -110,10 +110,12 @@ def _is_container(kind: Type) -> bool:
 
 
 def name(walk: Walk, frame: Frame, expression: syntax.Name) -> Value:
-    name = expression.name
-    cell = named_cell(walk, frame, name)
-    if cell is not None:
-        return cell.value
+    cell = named_cell(walk, frame, expression.name)
+    return cell.value if cell is not None else no_variable(walk, frame, expression.name)
+
+
+def no_variable(walk: Walk, frame: Frame, name: str) -> Value:
+    """What a name that is no variable means: a function, class, module, macro, or a library's name."""
     if frame.source.program.language == "python":
         return python_name(walk, frame, name)
     key = ("name", name, frame.scope, frame.source.path, walk.numbered(frame.templates) if frame.templates else 0)
