@@ -13,6 +13,7 @@ import gc
 import importlib
 import json
 import os
+import runpy
 import shutil
 import signal
 import subprocess
@@ -34,6 +35,9 @@ SMALL = {
     "b.launch.py": "from launch import LaunchDescription\n\n\ndef generate_launch_description():\n    return LaunchDescription([])\n",
     "c.yaml": "n:\n  ros__parameters:\n    a: 1\n",
 }
+
+#: What processes load that a run forks itself.
+BY_OTHERS = ("haros_ci.extract.cpp.read", "haros_ci.linters.catalogue.spelling", "haros_ci.results.scope_cpp")
 
 
 class Server:
@@ -60,11 +64,16 @@ class Server:
         self._process.wait()
 
     def run(
-        self, arguments: list[str], *, cwd: Path, env: Mapping[str, str], timeout: float
+        self, arguments: list[str], *, cwd: Path, env: Mapping[str, str], timeout: float, driver: Path | None = None
     ) -> subprocess.CompletedProcess[bytes]:
-        """``haros-ci ARGUMENTS`` in *cwd* with the environment *env*, and what it has written. Raises TimeoutExpired after *timeout* seconds."""
+        """``haros-ci ARGUMENTS`` in *cwd* with the environment *env*, and what it has written; a *driver* is a script that runs in its place.
+
+        Raises TimeoutExpired after *timeout* seconds.
+        """
         with tempfile.TemporaryDirectory() as written:
             asked = {"arguments": arguments, "cwd": os.fspath(cwd), "env": dict(env), "to": written, "timeout": timeout}
+            if driver is not None:
+                asked["driver"] = os.fspath(driver)
             os.write(self._asking, json.dumps(asked).encode() + b"\n")
             code = json.loads(self._reader.readline())
             out, err = (Path(written, name).read_bytes() for name in ("out", "err"))
@@ -81,18 +90,51 @@ def server() -> Server:
 
 
 def load() -> None:
-    """The modules that a run loads, in the order in which it does: some that need one another bear no other."""
+    """The modules that a run loads, in the order in which it does: some that need one another bear no other. Then the tables of the program."""
     scratch = tempfile.mkdtemp()  # a TemporaryDirectory would be removed at the end of what is forked
+    repository = Path(scratch, "small")
+    repository.mkdir()
     for name, text in SMALL.items():
-        Path(scratch, name).write_text(text)
-    asked = {"arguments": ["check", ".", "--no-cache"], "cwd": scratch, "env": dict(os.environ), "timeout": 120}
+        (repository / name).write_text(text)
+    who = {f"GIT_{role}_{key}": "a@example.org" for role in ("AUTHOR", "COMMITTER") for key in ("NAME", "EMAIL")}
+    alone = {**os.environ, **who, "GIT_CONFIG_GLOBAL": os.devnull, "GIT_CONFIG_NOSYSTEM": "1"}
+    for words in (["init", "-q"], ["add", "."], ["commit", "-q", "-m", "small"]):
+        subprocess.run(["git", *words], cwd=repository, env=alone, check=True)
+    (repository / "n.py").write_text(f"{SMALL['n.py']}print(nowhere)\n")
+    outputs = [f"--output={name}={scratch}/{name}" for name in ("text", "json", "sarif", "github", "markdown")]
+    asked = {
+        "arguments": ["check", ".", f"--cache-dir={scratch}/cache", "--baseline-rev=HEAD", *outputs],
+        "cwd": os.fspath(repository),
+        "env": alone,
+        "timeout": 120,
+    }
     answered({**asked, "to": scratch, "modules": f"{scratch}/modules"}, ())
     names = Path(scratch, "modules").read_text().split("\n")
     shutil.rmtree(scratch)
     for name in names:
         with contextlib.suppress(ImportError):
             importlib.import_module(name)
+    fill()
     gc.freeze()
+
+
+def fill() -> None:
+    """Tables that are made of the program alone, once in a process: neither the environment nor a workspace changes them."""
+    from haros_ci import own_sources, registry
+    from haros_ci.extract.apis import tables
+    from haros_ci.linters import catalogue
+
+    for name in BY_OTHERS:
+        importlib.import_module(name)
+    for packages in (own_sources.OF_FACTS, own_sources.OF_MEASURES, own_sources.OF_FOLLOWED):
+        own_sources.digest(packages)
+    own_sources.program_digest()
+    registry.check_rules()
+    for tool in catalogue.TOOLS:
+        catalogue.rules_of(tool)
+    for language in ("cpp", "python"):
+        for ros in (1, 2):
+            tables.rows(language, ros)
 
 
 def answered(asked: dict[str, Any], ours: tuple[int, ...]) -> int | None:
@@ -130,7 +172,7 @@ def _inside(asked: dict[str, Any]) -> int:
 
     code: object = 1
     try:
-        code = main()
+        code = main() if "driver" not in asked else runpy.run_path(asked["driver"], run_name="__main__") and 0
     except SystemExit as err:
         code = err.code
     except BaseException:

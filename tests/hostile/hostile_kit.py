@@ -181,8 +181,8 @@ class Trap:
     ) -> subprocess.CompletedProcess[bytes]:
         """``haros-ci`` with *arguments* in the workspace, or a *driver* that calls it."""
         env = plain({"HAROS_CI_CACHE": str(self.cache), **(environment or {})})
-        if not (driver or self.afresh):
-            return server().run(list(arguments), cwd=self.root, env=env, timeout=120)
+        if not self.afresh:
+            return server().run(list(arguments), cwd=self.root, env=env, timeout=120, driver=driver)
         command = [sys.executable, "-I", *([str(driver)] if driver else ["-m", "haros_ci"]), *arguments]
         return subprocess.run(
             command,

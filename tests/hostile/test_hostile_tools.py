@@ -242,10 +242,10 @@ def test_files_that_no_tool_gets_through(trap: Trap) -> None:
     for name, data in BOMBS.items():
         trap.write(name, data)
     tools = ("cppcheck", "cpplint", "lizard", "radon")
-    trap.write("haros.yaml", f"linters: {{{', '.join(f'{tool}: {{timeout: 1}}' for tool in tools)}}}\n")
+    trap.write("haros.yaml", f"linters: {{{', '.join(f'{tool}: {{timeout: 0.3}}' for tool in tools)}}}\n")
     outcome = trap.run()
     assert outcome.code == 3
     for tool in ("cppcheck", "cpplint"):
-        assert outcome.says(f"{tool} was stopped after 1 s; without a result: "), outcome.notes()
+        assert outcome.says(f"{tool} was stopped after 0.3 s; without a result: "), outcome.notes()
     assert_harmless(trap, outcome)
     assert_the_rest_is_analysed(outcome)

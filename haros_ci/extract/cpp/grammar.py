@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from functools import cache
 from typing import TypeVar
 
 import tree_sitter_cpp
@@ -21,11 +22,17 @@ _Handler = TypeVar("_Handler")
 
 def kinds(names: str) -> frozenset[int]:
     """The numbers of the node kinds called one of *names*: a kind may have several, for aliases and bare tokens."""
-    requested = frozenset(names.split())
-    found = {i for i in range(LANGUAGE.node_kind_count) if LANGUAGE.node_kind_for_id(i) in requested}
-    if "ERROR" in requested:
-        found.add(ERROR)
-    return frozenset(found)
+    numbers = _numbers()
+    return frozenset(number for name in names.split() for number in numbers.get(name, ()))
+
+
+@cache
+def _numbers() -> Mapping[str, Sequence[int]]:
+    """The numbers of all node kinds by name; the grammar is asked for them once, as 170 sets and tables are made of them."""
+    found: dict[str, list[int]] = {"ERROR": [ERROR]}
+    for number in range(LANGUAGE.node_kind_count):
+        found.setdefault(LANGUAGE.node_kind_for_id(number) or "", []).append(number)
+    return found
 
 
 def table(handlers: Mapping[str, _Handler]) -> dict[int, _Handler]:
