@@ -25,6 +25,7 @@ from haros_ci.launch.ros2.dialect import description_reader
 from haros_ci.launch.ros2.places import Places
 from haros_ci.model.architecture import Architecture, Configuration
 from haros_ci.model.build import Build
+from haros_ci.model.faults import FAULTS, fault
 from haros_ci.model.launch import LaunchFile
 from haros_ci.model.launch_actions import Description
 from haros_ci.model.package import SourceFile
@@ -242,7 +243,11 @@ def _read(workspace: Workspace, path: str, language: str) -> str:
         from haros_ci.extract.cpp.read import read_cpp as read
     else:
         from haros_ci.extract.python.read import read_python as read
-    return encoded(read(workspace.text(path))) or ""
+    try:
+        program = read(workspace.text(path))
+    except FAULTS as err:
+        program = Program(language, problems=((1, fault("the file could not be read into the model", err)),))
+    return encoded(program) or ""
 
 
 def module_name(path: str, roots: Iterable[tuple[str, str]]) -> str:
@@ -312,7 +317,10 @@ def launch_reader(workspace: Workspace) -> Callable[[str], LaunchFile | None]:
     def load(path: str) -> LaunchFile | None:
         if path not in read:
             text = path[1:] if path.startswith("\n") else workspace.text(path)
-            read[path] = read_launch(text) if text else None
+            try:
+                read[path] = read_launch(text) if text else None
+            except FAULTS as err:
+                read[path] = LaunchFile(None, ((1, fault("the launch file could not be read", err)),))
         return read[path]
 
     return load

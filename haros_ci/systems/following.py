@@ -23,6 +23,7 @@ from haros_ci.keeping.kept import Followed, digest_of
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import Endpoint, Unknown
 from haros_ci.model.build import ConfigFile, PluginClass
+from haros_ci.model.faults import FAULTS, fault
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
 from haros_ci.systems.entries import Programs
@@ -35,18 +36,6 @@ KnownNodes = Callable[[str, str, int], KnownNode | None]
 #: What is said of a node that is not followed to its end.
 TOO_LARGE = "the node is too large to be followed to its end; some of what it makes may be missing"
 FAULT = "the node could not be followed to its end"
-#: What a fault of ours raises; a process that is given another name (``Renamed``) is none, and the machine's errors end the run.
-FAULTS = (
-    ArithmeticError,
-    AssertionError,
-    AttributeError,
-    LookupError,
-    NameError,
-    RuntimeError,
-    StopIteration,
-    TypeError,
-    ValueError,
-)
 #: Nodelets that load nodelets that load nodelets.
 DEEPEST = 3
 
@@ -239,8 +228,7 @@ def _followed_in(
         if not follow(walk, entry):
             problems = (Problem(entry.source.path, TOO_LARGE),)
     except FAULTS as err:
-        message = f"{FAULT} ({type(err).__name__}): a fault of haros-ci, please report it"
-        problems = (Problem(entry.source.path, message),)
+        problems = (Problem(entry.source.path, fault(FAULT, err)),)
     if context.loaded:
         trace.is_whole = False
     trace.names.update(relevance.asked())

@@ -14,6 +14,7 @@ from haros_ci.model.build import (
     PluginClass,
     Target,
 )
+from haros_ci.model.faults import FAULTS, fault
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.workspace.cmake import follow
@@ -41,7 +42,13 @@ def builds(workspace: Workspace) -> dict[str, Build]:
     found: dict[str, Build] = {}
     for package in workspace.packages:
         if package.name not in found:
-            found[package.name] = build_of(workspace, package, tree)
+            try:
+                found[package.name] = build_of(workspace, package, tree)
+            except FAULTS as err:
+                message = fault("the build files of the package could not be read", err)
+                found[package.name] = Build(
+                    package=package.name, problems=(Problem(f"{_base(package)}package.xml", message),)
+                )
     return linked(found, frozenset(package.name for package in workspace.packages if package.ros == 1))
 
 

@@ -20,6 +20,7 @@ from haros_ci.launch.ros1.scope import LoaderScope, location
 from haros_ci.launch.ros1.state import RoslaunchBudgetExhausted, RoslaunchState, check_clear_params, inner_namespace
 from haros_ci.model.architecture import Condition, Parameter
 from haros_ci.model.environment import key_of
+from haros_ci.model.faults import FAULTS, fault
 from haros_ci.model.launch import Launched, LaunchElement, LaunchFile
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem, Workspace
@@ -150,7 +151,13 @@ def _walk(state: RoslaunchState, scope: LoaderScope, tags: tuple[LaunchElement, 
             if tag.tag != "master":
                 state.wrong(scope, tag, f"roslaunch knows no <{tag.tag}> here; remove it or correct its name")
             continue
-        perform(state, scope, tag, handler)
+        before = state.presence, state.assumed, state.assumptions, state.is_asking, state.is_spare
+        try:
+            perform(state, scope, tag, handler)
+        except FAULTS as err:
+            state.presence, state.assumed, state.assumptions, state.is_asking, state.is_spare = before
+            state.wrong(scope, tag, fault("what this starts could not be followed", err))
+            state.is_partial = True
 
 
 def _group(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> None:

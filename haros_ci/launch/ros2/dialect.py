@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from haros_ci.launch.ros1.dialect import foreign_constructs, is_ros1
 from haros_ci.model.environment import key_of
+from haros_ci.model.faults import FAULTS, fault
 from haros_ci.model.launch import LaunchFile
 from haros_ci.model.launch_actions import Description
 from haros_ci.model.workspace import Workspace
@@ -54,7 +55,10 @@ def description_reader(
         def load(path: str) -> Description | None:
             kept = interpreted if path.endswith(".py") else known
             if path not in kept:
-                kept[path] = read_python(path, environment) if kept is interpreted else read(path)
+                try:
+                    kept[path] = read_python(path, environment) if kept is interpreted else read(path)
+                except FAULTS as err:
+                    kept[path] = Description(problems=((1, fault("the launch file could not be read", err)),))
             return kept[path]
 
         return load

@@ -16,6 +16,7 @@ from haros_ci.launch.ros2.node import TOOLS, command, component, full_name, load
 from haros_ci.launch.ros2.settings import SETTERS, doubt, kept, name_of
 from haros_ci.launch.ros2.substitutions import truth_of
 from haros_ci.model.architecture import Condition
+from haros_ci.model.faults import FAULTS, fault
 from haros_ci.model.launch import LaunchedNode
 from haros_ci.model.launch_actions import Action, Description
 from haros_ci.model.location import Location
@@ -108,8 +109,22 @@ class LaunchEvaluation:
         else:
             for action in actions:
                 self.context.spend(5)
-                self.action(action, conditions)
+                self._contained(action, conditions)
         self.depth -= 1
+
+    def _contained(self, action: Action, conditions: _Conditions) -> None:
+        """Perform *action*; a fault of ours in it is a problem there, and what stands behind it is performed."""
+        context = self.context
+        depth, chain, assumptions = self.depth, len(self.chain), self.assumptions
+        path, scope, presence, assumed = context.path, context.scope, context.presence, context.assumed
+        try:
+            self.action(action, conditions)
+        except FAULTS as err:
+            self.depth, self.assumptions = depth, assumptions
+            del self.chain[chain:]
+            context.path, context.scope, context.presence, context.assumed = path, scope, presence, assumed
+            context.problem(action.location, fault("what this does could not be followed", err))
+            context.facts.is_open = True
 
     def action(self, action: Action, conditions: _Conditions, handler: _Handler | None = None) -> None:
         """Perform *action* if its tests hold; if that is not known, under a condition that they do."""
