@@ -3,16 +3,21 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from haros_ci.analysis.unmodelled import unmodelled
+from haros_ci.commands.model import of_tests
 from haros_ci.extract.cpp.read import read_cpp
 from haros_ci.index.index import Source
 from haros_ci.model.architecture import Architecture, Configuration, Endpoint, Node
 from haros_ci.model.build import Build, PluginClass
 from haros_ci.model.location import Location
+from haros_ci.workspace.discover import discover
 
 HERE = Location("plugins.xml", 1)
+MANIFEST = "<package format='3'><name>{}</name><version>1.0.0</version><description>d</description><maintainer email='a@b.c'>m</maintainer><license>MIT</license><export><build_type>{}</build_type></export></package>"
 
 
 def build(package: str, base: str, name: str = "arm/Stiff", type_: str = "arm::Stiff") -> dict[str, Build]:
@@ -104,3 +109,38 @@ def test_an_instance_of_a_template_is_known_by_the_class_that_it_is_for() -> Non
     builds = build("arm", "tools::Factory", type_="tools::Maker<arm::Stiff>")
     assert len(unmodelled(architecture(), builds, (source(MAKING),))) == 1
     assert unmodelled(architecture(), builds, (source(MAKING.replace("advertise", "print")),)) == ()
+
+
+@pytest.mark.parametrize(
+    ("package", "path", "kind", "is_named"),
+    [
+        ("tag_test", "launch/camera.launch.py", "ament_cmake", True),
+        ("arm_tests", "launch/arm_launch.xml", "ament_cmake", True),
+        ("arm", "launch/test_arm.launch.py", "ament_cmake", True),
+        # Those of other names are configurations; nobody misses one in a directory of tests, or a file that launches nothing.
+        ("arm", "launch/arm.launch.py", "ament_cmake", False),
+        ("arm", "test/test_arm.launch.py", "ament_cmake", False),
+        ("tag_test", "tests/camera.launch.py", "ament_cmake", False),
+        ("tag_test", "scripts/camera.py", "ament_cmake", False),
+        ("latest", "launch/latest.launch.py", "ament_cmake", False),
+        ("tag_test", "launch/camera.launch.xml", "catkin", False),  # those of ROS 1 are configurations
+    ],
+)
+def test_launch_files_that_are_named_as_tests(
+    tmp_path: Path, package: str, path: str, kind: str, is_named: bool
+) -> None:
+    file = tmp_path / package / path
+    file.parent.mkdir(parents=True)
+    file.write_text("<launch/>" if path.endswith("xml") else "x = 1\n")
+    (tmp_path / package / "package.xml").write_text(MANIFEST.format(package, kind))
+    note = of_tests(discover(tmp_path, ()))
+    assert [f"{package}/{path}" in line for line in note] == [True] * is_named
+
+
+def test_of_many_launch_files_of_tests_five_are_named(tmp_path: Path) -> None:
+    (tmp_path / "launch").mkdir()
+    (tmp_path / "package.xml").write_text(MANIFEST.format("a_test", "ament_cmake"))
+    for number in range(7):
+        (tmp_path / "launch" / f"{number}.launch.py").write_text("x = 1\n")
+    (note,) = of_tests(discover(tmp_path, ()))
+    assert "launch/4.launch.py and 2 more" in note

@@ -186,8 +186,8 @@ Known findings that have moved or changed are followed as --why of haros-ci chec
 --accept-new.
 """,
     "model": """
-Every launch file that no other includes is a configuration, and so is every node that no launch file starts. What cannot be known
-is shown as ?, with the reason. docs/model.md describes the formats.
+Every launch file that no other includes is a configuration, and so is every node that no launch file starts; launch files of tests
+are none (below test/, named test_…, in packages named …_test). What cannot be known is shown as ?, with the reason. docs/model.md describes the formats.
 """,
     "diff": """
 BASE and HEAD are git revisions. Nothing is checked out. The job summary of the action holds the same text for a pull request.

@@ -27,6 +27,8 @@ from haros_ci.writing import put as put_bytes
 
 #: The most problems that are printed one by one.
 SHOWN = 20
+#: Launch files of tests that are named.
+TESTS = 5
 #: Options that say what of the architecture is made, and how it is written.
 OPTIONS = (
     *(
@@ -107,7 +109,8 @@ def model(flags: Mapping[str, Any]) -> int:
         problems = (*workspace.problems, *workspace.faults, *found.problems)
         found = replace(found, problems=tuple(dict.fromkeys(problems)))
         unknown = notes(unmodelled(made.architecture, made.builds, made.sources))
-        return found, (*notes(settings.notes), *warnings(found.problems), *unknown)
+        tests = () if flags["launch"] else of_tests(workspace)
+        return found, (*notes(settings.notes), *warnings(found.problems), *unknown, *tests)
 
     def output() -> Output:
         found, messages = make()
@@ -150,6 +153,19 @@ def model(flags: Mapping[str, Any]) -> int:
         code = max(code, documented(workspace, found)) if flags["check_readme"] else code
     remark(f"cache: {store.stats}")
     return code
+
+
+def of_tests(workspace: Workspace) -> tuple[str, ...]:
+    """A note on launch files that are no configuration because they, or their package, are named as tests."""
+    from haros_ci.launch.ros2.dialect import is_ros2_file
+    from haros_ci.launch.ros2.entry import named_as_tests
+
+    found = named_as_tests(workspace, is_ros2_file(workspace))
+    if not found:
+        return ()
+    others = f" and {len(found) - TESTS} more" if len(found) > TESTS else ""
+    text = f"Named as tests, so no configuration: {', '.join(found[:TESTS])}{others}. --launch FILE shows what one of them starts"
+    return tuple(notes((text,)))
 
 
 def refuse(flags: Mapping[str, Any]) -> None:

@@ -240,3 +240,18 @@ public:
 def test_quiet(body: str) -> None:
     found = component(body)
     assert [end for end in found.endpoints if not end.implicit] == []
+
+
+@pytest.mark.parametrize(
+    ("written", "expected"),
+    [
+        ('"/"', "/?"),
+        ('std::string("/") + std::string("")', "/?"),
+        ('"/a"', "/a"),
+        ('"a/b"', "/a/b"),
+        ('std::string("/") + "a"', "/a"),
+    ],
+)
+def test_a_slash_alone_is_no_name(written: str, expected: str) -> None:
+    (end,) = (one for one in component(f"create_publisher<String>({written}, 1);").endpoints if not one.implicit)
+    assert (end.name, [one.field for one in end.unknowns]) == (expected, ["name"] if "?" in expected else [])

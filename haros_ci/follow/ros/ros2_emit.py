@@ -40,6 +40,8 @@ Unknowns = list[tuple[str, str, Location | None]]
 MORE = "names that parameters may add"
 #: Why a name is not known that is empty as things are, in a branch that is not taken.
 NOT_EMPTY = "as things are it is empty, and this is not made"
+#: Why a name is not known that is a slash alone: rmw refuses it (rmw/validate_full_topic_name.h).
+SLASH_ALONE = "as things are it is '/', which is no name of a topic or service"
 #: Why it is not known whether something is made under a name.
 ONE_OF_NAMES = "its name is one of several"
 PARAMETERS = frozenset(("getters", "setters", "parameters"))
@@ -82,6 +84,8 @@ def _named(applied: Applied, entry: Entry, provided: Value | None, node: RosNode
         if provided != Known("") or not (walk.dead or applied.frame.is_dead):
             return None  # no name, no topic: a filter's subscriber that gets its topic later
         text, why, where = UNKNOWN, NOT_EMPTY, applied.location
+    if why is None and text == "/" and entry.kind not in PARAMETERS:
+        text, why, where = UNKNOWN, SLASH_ALONE, applied.location
     if entry.kind in PARAMETERS:
         return _parameter(applied, entry, node, why_not, (text, why, where))
     if why is not None:

@@ -35,9 +35,7 @@ def entry_files(
         if file.package is None or not is_ros2(file.path):
             continue
         parts = file.path.split("/")
-        if any(part in ("test", "tests") for part in parts[:-1]):
-            continue
-        if parts[-1].startswith("test_") or file.package.endswith(("_test", "_tests")):
+        if _is_below_tests(parts) or _is_named_test(parts, file.package):
             continue
         if file.path.endswith(_NAMES) or parts[-1] in ("launch.xml", "launch.yaml", "launch.py"):
             found.append(file.path)
@@ -55,3 +53,23 @@ def entry_files(
         system = launch_system((path,), workspace, load, {}, environment or {}, places, kept)
         included.update(other for other in system.includes if other != path)
     return tuple(sorted(path for path in entries if path not in included))
+
+
+def named_as_tests(workspace: Workspace, is_ros2: Callable[[str], bool]) -> tuple[str, ...]:
+    """The launch files that are no configuration for their own name or that of their package alone; they may be no tests."""
+    found = []
+    for file in workspace.files:
+        parts = file.path.split("/")
+        if file.package is None or not file.path.endswith(_NAMES) or _is_below_tests(parts) or not is_ros2(file.path):
+            continue
+        if _is_named_test(parts, file.package):
+            found.append(file.path)
+    return tuple(sorted(found))
+
+
+def _is_below_tests(parts: list[str]) -> bool:
+    return any(part in ("test", "tests") for part in parts[:-1])
+
+
+def _is_named_test(parts: list[str], package: str) -> bool:
+    return parts[-1].startswith("test_") or package.endswith(("_test", "_tests"))
