@@ -181,15 +181,20 @@ def _is_of_family(argument: ArgumentDeclaration, system: System) -> bool:
         return False
     start = f"{folder}/{family[0]}" if family is not None else path
     beside = [launch_file for launch_file in system.whole.launch_files if launch_file.startswith(start)]
-    readers = {
+    if len(beside) < _MANY:
+        plain = _without_digits(path)
+        beside = [file for file in system.whole.launch_files if file != path and _without_digits(file) == plain]
+    return not _readers(argument.name, system).isdisjoint(beside)
+
+
+def _readers(name: str, system: System) -> set[str]:
+    """The launch files of all configurations that declare the argument *name* and read it."""
+    return {
         fact.location.path
         for other_system in system.whole.systems
         for fact in other_system.facts(ArgumentDeclaration)
-        if fact.name == argument.name and fact.is_used
+        if fact.name == name and fact.is_used
     }
-    plain = _without_digits(path)
-    twins = {file for file in system.whole.launch_files if _without_digits(file) == plain} - {path}
-    return not readers.isdisjoint(beside if len(beside) >= _MANY else twins)
 
 
 def _without_digits(path: str) -> str:

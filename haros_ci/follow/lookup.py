@@ -15,7 +15,7 @@ from haros_ci.follow.libraries import numbers as library_numbers
 from haros_ci.follow.libraries import python_modules, python_numbers
 from haros_ci.follow.ros import qos
 from haros_ci.follow.walk import Walk
-from haros_ci.index.common_messages import COMMON, NAMES
+from haros_ci.index.common_messages import NAMES
 from haros_ci.index.index import EITHER, Source
 from haros_ci.index.types import MAPS, SEQUENCES
 from haros_ci.model.location import Location
@@ -128,15 +128,24 @@ def no_variable(walk: Walk, frame: Frame, name: str) -> Value:
         profile = qos.preset(value.name)
         if profile is not None:
             return profile
-    if frame.this is not None and "::" not in name:
-        inherited = _inherited(walk, frame, frame.this, name, value)
+    return _as_method(walk, frame, name, value) if frame.this is not None else value
+
+
+def _as_method(walk: Walk, frame: Frame, name: str, value: Value) -> Value:
+    """What *name* means in a method, where *value* is what it means outside: a method of a base or of the object's own class, or *value* for the object."""
+    this = frame.this
+    assert this is not None
+    if "::" not in name:
+        inherited = _inherited(walk, frame, this, name, value)
         value = inherited if inherited is not None else value
-    if isinstance(value, Callable) and frame.this is not None and "::" not in name and _is_virtual(walk, frame, value):
-        method = methods.method_of(walk, frame.this, name)
+    if not isinstance(value, Callable):
+        return value
+    if "::" not in name and _is_virtual(walk, frame, value):
+        method = methods.method_of(walk, this, name)
         if method is not None:
             return method
-    if isinstance(value, Callable) and value.function.owner and not value.function.is_static and frame.this is not None:
-        return Callable(value.source, value.function, frame.this, templates=frame.templates)
+    if value.function.owner and not value.function.is_static:
+        return Callable(value.source, value.function, this, templates=frame.templates)
     return value
 
 
@@ -221,7 +230,7 @@ def python_name(walk: Walk, frame: Frame, name: str) -> Value:
             del tried[frame.source.path]
             return value
     if not hasattr(builtins, name):
-        return Library(_starred(walk, frame.source, name) or name)
+        return Library(python_modules.starred(walk, frame.source, name) or name)
     return Library(name)
 
 
@@ -240,34 +249,6 @@ def _imported_name(walk: Walk, frame: Frame, name: str) -> Value | None:
             if not isinstance(value, Library):
                 return value
     return None
-
-
-def _starred(walk: Walk, source: Source, name: str) -> str | None:
-    """The message type that ``from pkg.msg import *`` brings in: defined in the workspace, or else by the one package outside."""
-    outside = []
-    for alias in reversed(source.program.aliases):  # of several the last counts
-        module = alias.type.name.removesuffix(".*")
-        package, _, kind = module.rpartition(".")
-        if alias.name == "*" and f"{module}.{name}" in walk.rows:
-            return f"{module}.{name}"
-        if alias.name != "*" or kind not in ("msg", "srv"):
-            continue
-        if f"{package}/{name}" in walk.index.interfaces or _of_action(walk, package, name):
-            return f"{module}.{name}"
-        if name in COMMON.get(package, ()):
-            return f"{module}.{name}"
-        if package not in walk.index.packages and package not in COMMON:
-            outside.append(f"{module}.{name}")
-    return outside[0] if len(outside) == 1 and name[:1].isupper() else None
-
-
-def _of_action(walk: Walk, package: str, name: str) -> bool:
-    """Whether *name* is a message of an action of the workspace (wiki.ros.org/actionlib: FooAction, FooGoal, ...)."""
-    action = name
-    for suffix in ("Action", "Goal", "Result", "Feedback"):
-        base = name.removesuffix(suffix)
-        action = base if base != name and base else action
-    return action != name and f"{package}/{action}" in walk.index.interfaces
 
 
 def imported(walk: Walk, frame: Frame, target: str) -> Value:

@@ -70,16 +70,22 @@ def is_refuted_around(result: Result, workspace: Workspace) -> bool:
         return _is_refuted_apart(result, line, workspace)
     if result.rule == "deprecated-class" and _ALIAS.search(result.message) is not None:
         return True
-    is_of_yaml = result.rule == "no-value-for-parameter" and _LOADER.search(result.message) is not None
-    if (is_of_yaml or result.rule in _OF_PYTHON3) and _is_python2(result.location.path, workspace):
-        return True
-    if is_of_yaml and _has_old_yaml(result.location.path, workspace):
+    if _is_refuted_by_age(result, workspace):
         return True
     if result.rule in _OF_SIGNATURES and (
         _is_of_library(result, line, workspace) or is_call_of_decorated(result, workspace)
     ):
         return True
     return result.rule in _OF_MODULES and _is_shadowed(result, line, workspace)
+
+
+def _is_refuted_by_age(result: Result, workspace: Workspace) -> bool:
+    """Whether the file is for Python 2, or for a PyYAML that asks for no loader, and the rule is of newer ones."""
+    path = result.location.path
+    is_of_yaml = result.rule == "no-value-for-parameter" and _LOADER.search(result.message) is not None
+    if (is_of_yaml or result.rule in _OF_PYTHON3) and _is_python2(path, workspace):
+        return True
+    return is_of_yaml and _has_old_yaml(path, workspace)
 
 
 def _is_refuted_apart(result: Result, line: int, workspace: Workspace) -> bool:

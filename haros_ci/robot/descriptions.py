@@ -62,6 +62,11 @@ def _is_named(name: str, text: str) -> bool:
     return at >= 0
 
 
+def _names_passed(callers: str) -> set[str]:
+    """The names of the arguments that launch files pass to xacro."""
+    return {name for pair in _PASSED.findall(callers) for name in pair if name}
+
+
 def _is_passed(name: str, text: str) -> bool:
     """Whether launch files give *name* to xacro as the value of an argument: then another description includes the file.
 
@@ -107,7 +112,7 @@ class Descriptions:
         """Each file that is a description by itself: no other includes it, and it names its robot or a launch file names it."""
         included = self._included()
         callers = "\n".join(self._callers())
-        passed = {name for pair in _PASSED.findall(callers) for name in pair if name}
+        passed = _names_passed(callers)
         tops = [path for path in self._candidates() if not included.has(path.rpartition("/")[2])]
         names = Counter(path.rpartition("/")[2] for path in tops)
         for path in tops[:MAX_FILES]:

@@ -132,3 +132,31 @@ def _libraries(walk: Walk) -> frozenset[str]:
     if known is None:
         known = walk.found["heads",] = frozenset(name.partition(".")[0] for name in walk.rows) | sys.stdlib_module_names
     return known
+
+
+def starred(walk: Walk, source: Source, name: str) -> str | None:
+    """The message type that ``from pkg.msg import *`` brings in: defined in the workspace, or else by the one package outside."""
+    outside = []
+    for alias in reversed(source.program.aliases):  # of several the last counts
+        module = alias.type.name.removesuffix(".*")
+        package, _, kind = module.rpartition(".")
+        if alias.name == "*" and f"{module}.{name}" in walk.rows:
+            return f"{module}.{name}"
+        if alias.name != "*" or kind not in ("msg", "srv"):
+            continue
+        if f"{package}/{name}" in walk.index.interfaces or _of_action(walk, package, name):
+            return f"{module}.{name}"
+        if name in COMMON.get(package, ()):
+            return f"{module}.{name}"
+        if package not in walk.index.packages and package not in COMMON:
+            outside.append(f"{module}.{name}")
+    return outside[0] if len(outside) == 1 and name[:1].isupper() else None
+
+
+def _of_action(walk: Walk, package: str, name: str) -> bool:
+    """Whether *name* is a message of an action of the workspace (wiki.ros.org/actionlib: FooAction, FooGoal, ...)."""
+    action = name
+    for suffix in ("Action", "Goal", "Result", "Feedback"):
+        base = name.removesuffix(suffix)
+        action = base if base != name and base else action
+    return action != name and f"{package}/{action}" in walk.index.interfaces
