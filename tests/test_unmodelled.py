@@ -7,8 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from haros_ci.analysis.unmodelled import unmodelled
-from haros_ci.commands.model import of_tests
+from haros_ci.analysis.unmodelled import of_tests, unmodelled
 from haros_ci.extract.cpp.read import read_cpp
 from haros_ci.index.index import Source
 from haros_ci.model.architecture import Architecture, Configuration, Endpoint, Node

@@ -13,6 +13,7 @@ from haros_ci.extract.apis.tables import rows
 from haros_ci.index.index import Source
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.build import Build
+from haros_ci.model.workspace import Workspace
 from haros_ci.report.summary import plural
 from haros_ci.syntax import Class, Function
 from haros_ci.syntax.walk import everything
@@ -37,6 +38,20 @@ def unmodelled(found: Architecture, builds: Mapping[str, Build], sources: Iterab
     return (
         f"Not modelled: plug-ins of {plural(len(missing), 'package')} ({_listed(missing.items())}). No node is seen to load them, so the topics, "
         "services and parameters that they may use are not in the model",
+    )
+
+
+def of_tests(workspace: Workspace) -> tuple[str, ...]:
+    """A sentence on launch files that are no configuration because they, or their package, are named as tests."""
+    from haros_ci.launch.ros2.dialect import is_ros2_file
+    from haros_ci.launch.ros2.entry import named_as_tests
+
+    found = named_as_tests(workspace, is_ros2_file(workspace))
+    if not found:
+        return ()
+    others = f" and {len(found) - MOST} more" if len(found) > MOST else ""
+    return (
+        f"Named as tests, so no configuration: {', '.join(found[:MOST])}{others}. --launch FILE shows what one of them starts",
     )
 
 

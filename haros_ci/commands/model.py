@@ -27,8 +27,6 @@ from haros_ci.writing import put as put_bytes
 
 #: The most problems that are printed one by one.
 SHOWN = 20
-#: Launch files of tests that are named.
-TESTS = 5
 #: Options that say what of the architecture is made, and how it is written.
 OPTIONS = (
     *(
@@ -94,7 +92,7 @@ def model(flags: Mapping[str, Any]) -> int:
         with stage("loading"):  # what is kept does without all that follows nodes
             from haros_ci.analysis.architecture import varied
             from haros_ci.analysis.code_of import code_of
-            from haros_ci.analysis.unmodelled import unmodelled
+            from haros_ci.analysis.unmodelled import of_tests, unmodelled
         made = varied(workspace, settings, store, **options)
         found = selected(made.architecture, flags["configuration"])
         if flags["rates"] or flags["observed"]:
@@ -109,7 +107,7 @@ def model(flags: Mapping[str, Any]) -> int:
         problems = (*workspace.problems, *workspace.faults, *found.problems)
         found = replace(found, problems=tuple(dict.fromkeys(problems)))
         unknown = notes(unmodelled(made.architecture, made.builds, made.sources))
-        tests = () if flags["launch"] else of_tests(workspace)
+        tests = notes(() if flags["launch"] else of_tests(workspace))
         return found, (*notes(settings.notes), *warnings(found.problems), *unknown, *tests)
 
     def output() -> Output:
@@ -153,19 +151,6 @@ def model(flags: Mapping[str, Any]) -> int:
         code = max(code, documented(workspace, found)) if flags["check_readme"] else code
     remark(f"cache: {store.stats}")
     return code
-
-
-def of_tests(workspace: Workspace) -> tuple[str, ...]:
-    """A note on launch files that are no configuration because they, or their package, are named as tests."""
-    from haros_ci.launch.ros2.dialect import is_ros2_file
-    from haros_ci.launch.ros2.entry import named_as_tests
-
-    found = named_as_tests(workspace, is_ros2_file(workspace))
-    if not found:
-        return ()
-    others = f" and {len(found) - TESTS} more" if len(found) > TESTS else ""
-    text = f"Named as tests, so no configuration: {', '.join(found[:TESTS])}{others}. --launch FILE shows what one of them starts"
-    return tuple(notes((text,)))
 
 
 def refuse(flags: Mapping[str, Any]) -> None:

@@ -80,12 +80,10 @@ def _named(applied: Applied, entry: Entry, provided: Value | None, node: RosNode
     text, why, where = pattern(result if entry.kind in PARAMETERS else marked(result))
     if entry.kind in PARAMETERS and entry.each is not None:
         text = text.removeprefix(".")
-    if why is None and not text and entry.kind not in PARAMETERS:
-        if provided != Known("") or not (walk.dead or applied.frame.is_dead):
+    if why is None and text in ("", "/") and entry.kind not in PARAMETERS:
+        if not text and (provided != Known("") or not (walk.dead or applied.frame.is_dead)):
             return None  # no name, no topic: a filter's subscriber that gets its topic later
-        text, why, where = UNKNOWN, NOT_EMPTY, applied.location
-    if why is None and text == "/" and entry.kind not in PARAMETERS:
-        text, why, where = UNKNOWN, SLASH_ALONE, applied.location
+        text, why, where = UNKNOWN, SLASH_ALONE if text else NOT_EMPTY, applied.location
     if entry.kind in PARAMETERS:
         return _parameter(applied, entry, node, why_not, (text, why, where))
     if why is not None:
