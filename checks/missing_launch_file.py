@@ -13,10 +13,9 @@ from haros_ci.api.packages import is_ignored, writer_of
 #: Files that nodes read; of others they may be the ones who write them.
 _READ = re.compile(r"\.(ya?ml|rviz|urdf|xacro|sdf|srdf|world|launch|launch\.\w+|py|lua|perspective|stl|dae|vcg)$", re.I)
 _WRITES = re.compile(r"output|save|write|dump|record|store|cache|result|calibrat|camera_info|log", re.I)
-#: Paths with arguments in them.
-_WITH_ARGUMENTS = re.compile(
-    r"(?:\$\((?:find|find-pkg-share|dirname|env|optenv)[^()\n]{0,200}\)|[^\s\"'()$])*(?:\$\((?:arg|var)[ \t]+[\w-]+[ \t]*\)(?:[^\s\"'()$])*)+"
-)
+#: An argument in a path, what stands for it, and what ends one part of a path.
+_MARK = "\0"
+_PART = re.compile(r"[\s\"'()$/]+")
 _ARGUMENT = re.compile(r"\$\((?:arg|var)[ \t]+[\w-]+[ \t]*\)")
 #: A value of an environment variable stands at most so often in the name of a file.
 _VALUES = 3
@@ -64,8 +63,8 @@ def _is_without_name(system: System, use: FileUse) -> bool:
     """Whether the name of the file has an argument in it that is empty: whoever starts the launch file is to give it."""
     text = system.workspace.text(use.location.path) if system.workspace is not None else ""
     base = use.inner.rpartition("/")[2]
-    names = (match[0].rpartition("/")[2] for match in _WITH_ARGUMENTS.finditer(text))
-    return any(name != base and _ARGUMENT.sub("", name) == base for name in names)
+    names = _PART.split(_ARGUMENT.sub(_MARK, text))
+    return any(_MARK in name and name.replace(_MARK, "") == base for name in names)
 
 
 def _made(system: System, use: FileUse) -> str:

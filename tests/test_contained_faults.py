@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 import traceback
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -118,6 +119,11 @@ def test_a_tag_of_a_launch_file_of_ros_1(tmp_path: Path) -> None:
 def test_a_tag_without_a_fault(tmp_path: Path) -> None:
     found = launched(tmp_path, "nobody")
     assert [problem for problem in found.problems if "a fault of haros-ci" in problem.message] == []
+
+
+@pytest.mark.parametrize("err", [AssertionError, KeyError, RecursionError, UnicodeDecodeError, re.error])
+def test_what_is_a_fault_of_ours(err: type[Exception]) -> None:
+    assert issubclass(err, FAULTS)
 
 
 @pytest.mark.parametrize("err", [MemoryError, OSError, KeyboardInterrupt, SystemExit])

@@ -287,23 +287,19 @@ def class_inside(walk: Walk, source: Source, definition: Class, name: str, depth
 
 
 def field(walk: Walk, frame: Frame, expression: syntax.Member) -> Value:
-    if expression.name in enums.FIELDS and frame.source.separator == ".":
-        result = enums.field(walk, frame, expression)
-        if result is not None:
-            return result
     return located(walk, frame, expression)[1]
 
 
 def located(walk: Walk, frame: Frame, expression: syntax.Member) -> tuple[Cell | None, Value]:
     """The cell of ``object.name`` where it is a data member, and its value; the object is evaluated once."""
-    value = expressions.evaluate(walk, frame, expression.object)
-    cell = member(walk, value, expression.name, frame)
-    if cell is not None:
-        return cell, cell.value
     if expression.name in enums.FIELDS and frame.source.separator == ".":
         result = enums.field(walk, frame, expression)
         if result is not None:
             return None, result
+    value = expressions.evaluate(walk, frame, expression.object)
+    cell = member(walk, value, expression.name, frame)
+    if cell is not None:
+        return cell, cell.value
     return None, attribute(walk, value, expression.name, frame)
 
 

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import re
+
 #: What such a fault raises. What the machine refuses (MemoryError, OSError) and what a user stops are not among it.
 FAULTS = (
     ArithmeticError,
@@ -14,6 +16,7 @@ FAULTS = (
     StopIteration,
     TypeError,
     ValueError,
+    re.error,
 )
 
 

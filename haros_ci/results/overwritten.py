@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import ast
 import warnings
+from bisect import bisect_right
 from functools import lru_cache
 
 #: What only makes names, and calls nothing that stands in it.
@@ -63,13 +64,17 @@ def _used_inside(scope: ast.Module | ast.FunctionDef | ast.AsyncFunctionDef | as
         if isinstance(node, ast.Name):
             uses.setdefault(node.id, []).append(node.lineno)
         waiting.extend((child, True) for child in ast.iter_child_nodes(node))
+    for lines in uses.values():
+        lines.sort()
     found: list[range] = []
     last: dict[str, tuple[int, bool]] = {}
     for node, is_inside in sorted(made, key=lambda one: one[0].lineno):
         first = last.get(node.name)
         start = min([decorator.lineno for decorator in node.decorator_list] + [node.lineno])
         if first is not None and (is_inside or first[1]):
-            if any(first[0] < line < start for line in uses.get(node.name, ())):
+            lines = uses.get(node.name, [])
+            place = bisect_right(lines, first[0])
+            if place < len(lines) and lines[place] < start:
                 found.append(range(start, node.lineno + 1))
         last[node.name] = (node.end_lineno or node.lineno, is_inside)
     return found

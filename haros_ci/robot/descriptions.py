@@ -23,6 +23,8 @@ from haros_ci.robot.urdf import read_robot
 #: Files that may say with which arguments xacro is run.
 _CALLERS = ("launch", "python", "cmake", "yaml")
 _PASSED = re.compile(r"(?<![\w.])([A-Za-z_]\w*)\s*:=|[\"']([A-Za-z_]\w*)[\"']\s*:")
+#: A name behind ``:=``, as it stands or in Python: ``" control:=", part``, ``f"control:={part}"``.
+_VALUE = re.compile(r":=[\"' \t,+{]{0,20}(?:f[\"'][\"' \t,+{]{0,20})?(\w+)")
 _HOLE = re.compile(r"\$\{[^}]*\}|\$\([^)]*\)|\*|\?|\[[^]]*\]")
 #: Descriptions that are expanded on their own, at most.
 MAX_FILES = 2_000
@@ -76,7 +78,7 @@ def _is_passed(name: str, text: str) -> bool:
     if re.search(rf":=[ \t]*[^\s,;]{{0,300}}?{end}", text):
         return True
     variables = re.findall(rf"^[ \t]*(\w+)[ \t]*=[^\n=]{{0,300}}?(?<![\w.-]){end}", text, re.MULTILINE)
-    return any(re.search(rf":=[\"' \t,+{{f]{{0,20}}\b{variable}\b", text) for variable in set(variables))
+    return bool(variables) and not set(_VALUE.findall(text)).isdisjoint(variables)
 
 
 def _fits(parts: tuple[str, ...], name: str) -> bool:

@@ -246,7 +246,8 @@ def _of_no_package(files: Iterable[SourceFile], reader: TextReader) -> Iterable[
     if found:
         others = f" and {len(found) - 1} more" if len(found) > 1 else ""
         yield Problem(
-            min(found), f"a Python program that talks to ROS{others} in no package: such nodes are not in the model"
+            min(found),
+            f"a Python program outside of all packages that talks to ROS{others}: its nodes are not in the model",
         )
 
 

@@ -116,3 +116,5 @@ def test_many_definitions_are_cheap() -> None:
     assert is_used_before(used, 8_002)
     crossed = "".join(f"def f{i}():\n    pass\n" for i in range(4_000)) + "g(f3999)\n"
     assert not is_used_before(crossed + crossed, 16_000)
+    calls = "g(f)\n" * 5_000
+    assert not is_used_before(calls + "for x in y:\n" + "    def f():\n        pass\n" * 5_000, 15_000)

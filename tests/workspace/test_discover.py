@@ -438,7 +438,7 @@ def test_other_sketches_are_not_named(tmp_path: Path, files: dict[str, bytes]) -
 
 
 TOOL = b"import rospy\nif __name__ == '__main__':\n    rospy.init_node('n')\n"
-LOOSE = "a Python program that talks to ROS{} in no package: such nodes are not in the model"
+LOOSE = "a Python program outside of all packages that talks to ROS{}: its nodes are not in the model"
 
 
 @pytest.mark.parametrize(
