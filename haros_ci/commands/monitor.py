@@ -138,6 +138,7 @@ def judged(recording: Recording, picked: Chosen, *, by_header: bool) -> Held:
     """What *recording* says of the properties."""
     watch = Watch((item.monitor for item in picked.properties), by_header=by_header)
     feed(watch, recording)
+    recording.demand_messages()
     outcomes = watch.finish(recording.last, frozenset(recording.topics))
     notes = (*picked.notes, *recording.notes, *_of_times(watch.clock))
     last = watch.clock.last
