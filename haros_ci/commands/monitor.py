@@ -174,7 +174,8 @@ def _begin(watch: Watch, recording: Recording) -> None:
 
 def _of_times(clock: Clock) -> Iterator[str]:
     if clock.jumps:
-        yield f"times jump back {clock.jumps} times, first at message {clock.first_jump}; no time counts as passed between"
+        how = "once, at" if clock.jumps == 1 else f"{clock.jumps} times, first at"
+        yield f"times jump back {how} message {clock.first_jump}; no time counts as passed between"
     if clock.noise:
         yield f"{clock.noise} messages are older than one before them, by less than 1 s; they count as of the same time"
 

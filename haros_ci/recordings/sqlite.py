@@ -65,17 +65,23 @@ class SqliteFile:
     def rest(
         self, path: Path, channels: dict[str, set[str]], damage: Cut | None = None
     ) -> Iterator[tuple[Channel, int, bytes]]:
-        """The messages of the pages that are there, in their order; Cut at their end, with *damage* or that the file ends early."""
+        """The messages of the pages that are there, in their order, up to one that is missing; Cut then, with *damage* or that the file ends early."""
         with opened(path) as file:
             try:
                 pages = Pages(file)
                 known = topics_of(pages, channels)
             except Cut as cut:
                 raise damage or cut from None
-            for _, row in pages.others():
+            before: int | None = None
+            for number, row in pages.others():
                 channel = known.get(row[1]) if len(row) == 4 and isinstance(row[1], int) else None
                 if channel is None or not (isinstance(row[2], int) and isinstance(row[3], bytes)):
                     continue
+                if (
+                    before is not None and number != before + 1
+                ):  # rosbag2 numbers messages one by one, in the order of the file
+                    break
+                before = number
                 if 0 <= row[2] < LATEST:
                     yield channel, row[2], row[3]
         raise damage or Cut(f"it ends early, after {pages.count:,} of {pages.promised:,} pages of the database")

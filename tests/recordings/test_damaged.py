@@ -52,15 +52,27 @@ def test_of_a_file_that_was_cut_off_the_beginning_is_read_and_the_rest_named(tmp
         assert counts[1] > 400 and counts[2] > 1_000
 
 
-def test_large_messages_of_a_database_that_was_cut_off(tmp_path: Path) -> None:
-    """Their bytes go on in pages of their own; a message of which only a part is there is left out."""
-    path = database(tmp_path, [(1, number, bytes([number]) * 30_000) for number in range(40)])
+def test_of_a_database_that_was_cut_off_no_message_is_left_out_before_another(tmp_path: Path) -> None:
+    """The bytes of large messages go on in pages of their own: a small one that is whole can stand beside one that is not."""
+    rows = [(1, number, bytes([number]) * (30_000 if number % 3 else 10)) for number in range(60)]
+    path = database(tmp_path, rows)
     content = path.read_bytes()
-    for share in (0.2, 0.5, 0.8):
-        path.write_bytes(content[: int(len(content) * share)])
-        raw = list_of(path)
-        assert len(raw) >= int(40 * share) - 2
-        assert all(found == bytes([time]) * 30_000 for time, found in raw)
+    for share in range(5, 100, 2):
+        path.write_bytes(content[: len(content) * share // 100])
+        found = list_of(path)
+        assert found == [row[1:] for row in rows[: len(found)]]
+        assert len(found) >= 60 * share // 100 - 4
+
+
+def test_behind_a_page_that_is_no_longer_there_nothing_is_read(tmp_path: Path) -> None:
+    path = database(tmp_path, [(1, number, bytes([number]) * 1_000) for number in range(90)])
+    content = bytearray(path.read_bytes())
+    leaves = [at for at in range(4_096, len(content), 4_096) if content[at] == 13 and bytes([40]) * 1_000 in content[at : at + 4_096]]  # fmt: skip
+    (hole,) = leaves
+    content[hole : hole + 4_096] = bytes(4_096)
+    path.write_bytes(content[:-4_096])
+    found = list_of(path)
+    assert 20 < len(found) <= 40 and [time for time, _ in found] == list(range(len(found)))
 
 
 @pytest.mark.parametrize("page_size", [512, 4_096, 65_536])
