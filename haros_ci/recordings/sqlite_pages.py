@@ -53,7 +53,7 @@ class Pages:
         self.coding = _CODINGS.get(_U32.unpack_from(head, 56)[0], "")
         if self.size < 512 or self.size & (self.size - 1) or self.usable < 480 or not self.coding:
             raise Cut("its head is damaged")
-        self.bytes = os.fstat(file.fileno()).st_size
+        self.bytes = file.seek(0, os.SEEK_END)
         self.count = self.bytes // self.size
         self.promised = max(_promised(head), self.count)
         self.left = 2 * self.bytes
