@@ -4,8 +4,10 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
+from io import StringIO
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -199,6 +201,26 @@ def test_junit_has_the_violation_as_a_failure(workspace: Path) -> None:
     assert suites.attrib["failures"] == "1"
     (failure,) = suites.iter("failure")
     assert failure.attrib["type"] == "haros-ci:hpl-violated" and str(failure.text).count("[haros-ci:hpl-violated]") == 2
+
+
+def test_progress_is_shown_on_a_terminal_with_the_time_that_is_left(
+    workspace: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from haros_ci.commands import monitor as command
+    from haros_ci.recordings.jsonl import JsonLines
+
+    class Terminal(StringIO):
+        def isatty(self) -> bool:
+            return True
+
+    recording = JsonLines(Path(record(workspace, *((QUESTION, float(n), 1) for n in range(2_000)))))
+    monkeypatch.setattr(command, "_EVERY", 500)
+    monkeypatch.setattr(command, "_PAUSE", -1.0)
+    for stderr, is_shown in ((Terminal(), True), (StringIO(), False)):
+        monkeypatch.setattr(sys, "stderr", stderr)
+        assert len(list(command.shown(recording, recording.messages(frozenset((QUESTION,)))))) == 2_000
+        text = stderr.getvalue()
+        assert bool(re.search(r"\r[\d,]+ messages, \d+ s left", text)) == is_shown and (is_shown or not text)
 
 
 def test_the_clock_is_that_of_recording_or_of_headers(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:

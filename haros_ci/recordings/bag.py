@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from importlib.util import find_spec
 from itertools import islice
 from pathlib import Path
-from typing import Any, BinaryIO, Protocol
+from typing import Any, Protocol
 
 from haros_ci.bounded_yaml import YamlFault, YamlLimits, data
 from haros_ci.errors import UserError
@@ -30,9 +30,10 @@ MAGIC_ROS1, MAGIC_MCAP, MAGIC_SQLITE, MAGIC_ZSTD = (
 
 
 class Container(Protocol):
-    """A file of a bag; *file* is what it is read from, where its place says how much has been read."""
+    """A file of a bag."""
 
-    file: BinaryIO | None
+    def share(self) -> float | None:
+        """How much of it has been read, None if that is not known."""
 
     def raw(self, channels: dict[str, set[str]]) -> Iterator[tuple[Channel, int, bytes]]:
         """Channel, time in nanoseconds and bytes of each message; *channels* takes the topics. Cut where reading ends early."""
@@ -53,9 +54,7 @@ class Bag(Recording):
         self.container: Container | None = None
 
     def share(self) -> float | None:
-        from haros_ci.recordings.jsonl import share_of
-
-        share = share_of(self.container.file) if self.container is not None else None
+        share = self.container.share() if self.container is not None else None
         return None if share is None else (self.read + share) / len(self.files)
 
     def messages(self, requested: frozenset[str]) -> Iterator[tuple[str, Any, int, int]]:

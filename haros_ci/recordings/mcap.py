@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import BinaryIO
 from zlib import crc32
 
-from haros_ci.recordings.jsonl import opened
+from haros_ci.recordings.jsonl import opened, share_of
 from haros_ci.recordings.packed import LARGEST, Unpacking, unpacked
 from haros_ci.recordings.recording import LATEST, LONGEST_NAME, MOST_CHANNELS, Channel, Cut, Definitions, in_order
 
@@ -33,10 +33,13 @@ class McapFile:
         self.schemas: dict[int, tuple[str, str, str | None]] = {}
         self.channels: dict[int, Channel] = {}
 
+    def share(self) -> float | None:
+        return share_of(self.file)
+
     def raw(self, channels: dict[str, set[str]]) -> Iterator[tuple[Channel, int, bytes]]:
         try:
             with Unpacking(self.path) if self.is_packed else opened(self.path) as file:
-                self.file = None if isinstance(file, Unpacking) else file
+                self.file = file.packed if isinstance(file, Unpacking) else file
                 file.read(8)
                 yield from self.records(file, channels)
         except (OSError, EOFError) as err:

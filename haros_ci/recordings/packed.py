@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 from typing import Any, BinaryIO
 
+from haros_ci.recordings.jsonl import opened
 from haros_ci.recordings.recording import Cut
 
 #: Bytes of one chunk or message, unpacked.
@@ -73,18 +74,20 @@ def unpack_file(path: Path, to: BinaryIO, limit: int) -> Cut | None:
 
 
 class Unpacking:
-    """A zstd file, unpacked as it is read. It ends where it is damaged, and *damage* says so."""
+    """A zstd file, *packed*, that is unpacked as it is read. It ends where it is damaged, and *damage* says so."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
         self.damage: Cut | None = None
 
     def __enter__(self) -> Unpacking:
-        self.file = _zstd().open(self.path, "rb")
+        self.packed = opened(self.path)
+        self.file = _zstd().open(self.packed, "rb")
         return self
 
     def __exit__(self, *_: object) -> None:
         self.file.close()
+        self.packed.close()
 
     def read(self, size: int) -> bytes:
         """The next *size* bytes, less at the end."""

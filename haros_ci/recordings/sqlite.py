@@ -10,7 +10,6 @@ import sqlite3
 from collections.abc import Iterator
 from contextlib import ExitStack, closing
 from pathlib import Path
-from typing import BinaryIO
 from urllib.parse import quote
 
 from haros_ci.recordings.jsonl import opened
@@ -25,8 +24,12 @@ class SqliteFile:
 
     def __init__(self, path: Path, *, is_packed: bool = False) -> None:
         self.path = path
-        self.file: BinaryIO | None = None
         self.is_packed = is_packed
+        #: The messages that were read, and how many there may be; pages, where SQLite does not open the file.
+        self.read = self.most = 0
+
+    def share(self) -> float | None:
+        return min(self.read / self.most, 1.0) if self.most > 0 else None
 
     def raw(self, channels: dict[str, set[str]]) -> Iterator[tuple[Channel, int, bytes]]:
         with ExitStack() as stack:
@@ -69,6 +72,7 @@ class SqliteFile:
         with opened(path) as file:
             try:
                 pages = Pages(file)
+                self.most = pages.count
                 known = topics_of(pages, channels)
             except Cut as cut:
                 raise damage or cut from None
@@ -79,9 +83,9 @@ class SqliteFile:
                     continue
                 if (
                     before is not None and number != before + 1
-                ):  # rosbag2 numbers messages one by one, in the order of the file
+                ):  # rosbag2 numbers them one by one, in the order of the file
                     break
-                before = number
+                before, self.read = number, pages.at
                 if 0 <= row[2] < LATEST:
                     yield channel, row[2], row[3]
         raise damage or Cut(f"it ends early, after {pages.count:,} of {pages.promised:,} pages of the database")
@@ -107,6 +111,7 @@ class SqliteFile:
             definition = definitions.get(str(type))
             known[key] = channel = Channel(str(topic), str(type), definition, str(form), profiles=str(offered))
             channels.setdefault(channel.topic, set()).add(str(type))
+        self.most = _last(database)
         for key, time, content in database.execute("SELECT topic_id, timestamp, data FROM messages ORDER BY timestamp"):
             if (
                 key not in known
@@ -115,6 +120,7 @@ class SqliteFile:
                 or not isinstance(content, bytes)
             ):
                 raise Cut("a message has no topic, or no time")
+            self.read += 1
             yield known[key], time, content
 
     def definitions(self, database: sqlite3.Connection) -> Iterator[tuple[str, str]]:
@@ -124,6 +130,15 @@ class SqliteFile:
         for type, encoding, text in database.execute(query, (MOST_CHANNELS,)):
             if encoding == "ros2msg":
                 yield str(type), texts.kept(str(text))
+
+
+def _last(database: sqlite3.Connection) -> int:
+    """The number of the last message, which is how many there are; 0 if that is not known."""
+    try:
+        ((last,),) = database.execute("SELECT MAX(rowid) FROM messages").fetchall()
+    except sqlite3.Error:
+        return 0
+    return last if isinstance(last, int) else 0
 
 
 def topics_of(pages: Pages, channels: dict[str, set[str]]) -> dict[int, Channel]:

@@ -58,6 +58,8 @@ class Pages:
         self.promised = max(_promised(head), self.count)
         self.left = 2 * self.bytes
         self.seen: set[int] = set()
+        #: The page that ``others`` is at.
+        self.at = 0
 
     def tables(self) -> dict[str, tuple[int, str]]:
         """The first page of each table, and the text that made it."""
@@ -85,6 +87,7 @@ class Pages:
     def others(self) -> Iterator[Row]:
         """The rows of all pages that no call has looked at so far, in the order of the file."""
         for number in range(1, self.count + 1):
+            self.at = number
             if number not in self.seen:
                 page, start = self.page(number)
                 if len(page) > start and page[start] == _LEAF:

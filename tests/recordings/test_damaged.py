@@ -241,3 +241,29 @@ def test_a_directory_without_files_is_none(tmp_path: Path) -> None:
     )
     with pytest.raises(UserError, match="names no files"):
         Bag(tmp_path)
+
+
+@pytest.mark.parametrize(
+    "kind", ["bag", "db3", "mcap", "db3+message", "db3+file", "mcap+file", "mcap+message", "jsonl"]
+)
+def test_how_much_has_been_read_is_known_of_every_recording(tmp_path: Path, kind: str) -> None:
+    """The time that is left stands on it."""
+    if kind == "jsonl":
+        path = tmp_path / "run.jsonl"
+        path.write_text(
+            "".join(f'{{"topic": "{topic}", "time": {time}, "msg": {{"data": 1}}}}\n' for topic, _, time in ROWS)
+        )
+        recording: Recording = JsonLines(path)
+    else:
+        recording = Bag(written(tmp_path, kind))
+    shares = [recording.share() for _ in recording.messages(TOPICS)]
+    known = [share for share in shares if share is not None]
+    assert len(known) == len(ROWS) and known == sorted(known) and 0 < known[0] and 0.5 < known[-1] <= 1
+
+
+def test_how_much_has_been_read_of_a_database_that_was_cut_off(tmp_path: Path) -> None:
+    path = written(tmp_path, "db3")
+    path.write_bytes(path.read_bytes()[: path.stat().st_size // 2])
+    recording = Bag(path)
+    shares = [recording.share() or 0 for _ in recording.messages(TOPICS)]
+    assert shares == sorted(shares) and 0 < shares[0] < shares[-1] <= 1
