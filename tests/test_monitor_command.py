@@ -194,6 +194,17 @@ def test_the_code_flow_is_in_the_order_of_the_messages(workspace: Path) -> None:
     assert {one["physicalLocation"]["region"]["startLine"] for one in steps} == {6}
 
 
+def test_the_code_flow_ends_where_what_did_not_come_is_published(workspace: Path) -> None:
+    run = record(workspace, (QUESTION, 5, 1), (QUESTION, 8, 1))
+    arguments = ["--jsonl", run, "--no-cache", "--configuration", "demo", "--property", "answers"]
+    assert main(["monitor", *arguments, "--output", "sarif=run.sarif"]) == 1
+    (log,) = json.loads((workspace / "run.sarif").read_text())["runs"]
+    (flow,) = log["results"][0]["codeFlows"][0]["threadFlows"]
+    (step,) = (one["location"] for one in flow["locations"])  # nobody in the model publishes the question
+    assert step["message"]["text"] == "t = +0.100 s: /robot/level did not come; /robot/a publishes it here."
+    assert step["physicalLocation"]["region"]["startLine"] == 6
+
+
 def test_junit_has_the_violation_as_a_failure(workspace: Path) -> None:
     run = record(workspace, (QUESTION, 5, 1), (LEVEL, 6, 101))
     assert main(["monitor", "--jsonl", run, "--no-cache", "--output", "junit=run.xml"]) == 1
