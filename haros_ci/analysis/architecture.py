@@ -9,6 +9,7 @@ from functools import partial
 from typing import Any
 
 from haros_ci.analysis.api_rows import api_rows, plugin_rows
+from haros_ci.analysis.coverage import Calls
 from haros_ci.analysis.coverage_marks import marked
 from haros_ci.analysis.kept_nodes import keeper
 from haros_ci.analysis.kept_runs import launch_state
@@ -49,11 +50,12 @@ class Common:
     """What the revisions of one change have in common, so that it is done once.
 
     *launched* is what launch files start, by the state of all that they are evaluated with (``launch_state``); *records* are those of
-    nodes that earlier runs have followed, as they were read.
+    nodes that earlier runs have followed, as they were read; *calls* what is found in the text of files.
     """
 
     launched: dict[str, dict[tuple[object, ...], Any]] = field(default_factory=dict)
     records: dict[str, Earlier | None] = field(default_factory=dict)
+    calls: Calls = field(default_factory=dict)
 
 
 def architecture(
@@ -176,7 +178,7 @@ def _of_view(
         configurations=tuple(hinted),
         problems=tuple(sorted(said_before, key=lambda p: (p.path, p.line or 0, p.message))),
     )
-    return marked(replace(made, architecture=whole, under=under), workspace, settings)
+    return marked(replace(made, architecture=whole, under=under), workspace, settings, common.calls)
 
 
 def filled(

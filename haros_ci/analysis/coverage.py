@@ -18,7 +18,7 @@ from haros_ci.coverage.judge import Places, Seen, Syntax, TextSite
 from haros_ci.coverage.names import Names, joined, names_of
 from haros_ci.coverage.pieces import Piece, around, last_name, pieces_of
 from haros_ci.coverage.reach import Reach, reach_of
-from haros_ci.coverage.search import may_have, shown
+from haros_ci.coverage.search import TextCall, calls_in, may_have, shown
 from haros_ci.index.index import Source
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import Architecture, Node
@@ -33,6 +33,7 @@ from haros_ci.workspace.views import views
 NOT_IN = " is not in the model"
 
 Rows = Mapping[tuple[str, int], Iterable[Row]]
+Calls = dict[tuple[str, str, int | None], tuple[TextCall, ...]]
 
 
 @timed("coverage")
@@ -52,10 +53,13 @@ def _sites(made: Linked, workspace: Workspace, settings: Settings) -> Iterator[S
     return judging(made, workspace, settings).sites()
 
 
-def judging(made: Linked, workspace: Workspace, settings: Settings) -> CoverageJudge:
-    """What tells the call sites of a workspace, and what the architecture that was *made* says of them."""
+def judging(made: Linked, workspace: Workspace, settings: Settings, calls: Calls | None = None) -> CoverageJudge:
+    """What tells the call sites of a workspace, and what the architecture that was *made* says of them.
+
+    *calls* has, and gets, what is found in the text of files.
+    """
     rows = api_rows(settings.project.get("apis"), "", [], plugin_rows(settings))
-    return CoverageJudge(made, workspace, rows, code_of(made, workspace))
+    return CoverageJudge(made, workspace, rows, code_of(made, workspace), calls={} if calls is None else calls)
 
 
 @timed("coverage")
@@ -122,23 +126,35 @@ class CoverageJudge:
     #: Modules that only share the last part of their names with one that is imported.
     shadowed: frozenset[str] = frozenset()
 
+    #: What was found in the text of files, by their digest, language and ROS version, for the other revision of a change.
+    calls: Calls = field(default_factory=dict)
+
     def found(self, paths: Collection[str] | None = None) -> list[TextSite]:
         """The call sites in *paths*, or in all files, file by file; a file is searched once."""
         kept: dict[str, tuple[TextSite, ...]] = self.made.kept.setdefault("calls", {})
         names = _names(self.rows)
+        digests = {file.path: file.digest for file in self.workspace.files}
         for source in self.code.sources:
             if (paths is None or source.path in paths) and source.path not in kept:
-                kept[source.path] = tuple(self._found(source, names[language_of(source), self.code.ros_of(source)]))
+                kind = language_of(source), self.code.ros_of(source)
+                kept[source.path] = tuple(self._found(source, names[kind], (digests.get(source.path, ""), *kind)))
         return [site for source in self.code.sources for site in kept.get(source.path, ())]
 
     def places(self) -> Places:
         """Where the model has endpoints."""
         return judge.places_of(_locations(self.made.architecture))
 
-    def _found(self, source: Source, names: Names) -> Iterator[TextSite]:
-        text = self.workspace.text(source.path)
-        if not source.path.endswith((".yaml", ".yml")) and may_have(text, names):
-            yield from judge.found_in(self.code, source, self.text(source), names)
+    def _found(self, source: Source, names: Names, key: tuple[str, str, int | None]) -> Iterator[TextSite]:
+        if source.path.endswith((".yaml", ".yml")):
+            return
+        calls = self.calls.get(key) if key[0] else None
+        if calls is None:
+            has = may_have(self.workspace.text(source.path), names)
+            calls = tuple(calls_in(self.text(source), names, source.program.language)) if has else ()
+            if key[0]:
+                self.calls[key] = calls
+        if calls:
+            yield from judge.found_in(self.code, source, self.workspace.text(source.path), names, calls)
 
     def text(self, source: Source) -> str:
         """The text of a file with blanks for comments and texts."""

@@ -168,7 +168,13 @@ def _inspected(
     processes = settings.jobs if len(workspace.files) > FEW else 1
     share = partial(shared, processes=processes, here=OF_CHANGES)
     old = base.workspace if base is not None else None
-    of_systems, of_project, changes = run_all(chosen, all_systems, project, own.TOOL, under, share, old)
+
+    def beside() -> tuple[str, ...]:
+        return (*unmodelled(found, made.builds, made.sources), *_uncovered(made, workspace, settings))
+
+    of_systems, of_project, changes, sentences = run_all(
+        chosen, all_systems, project, own.TOOL, under, share, old, beside
+    )
     failures = (*of_systems.notifications, *of_project.notifications)
     faults = tuple(refused(workspace))
     cut: tuple[Problem, ...] = ()
@@ -192,11 +198,7 @@ def _inspected(
                 for p in (*found.problems, *project.problems)
                 if (p.path, p.line) not in as_findings
             ),
-            *(
-                Notification(Level.NOTE, sentence, ARCHITECTURE)
-                for sentence in unmodelled(found, made.builds, made.sources)
-            ),
-            *(Notification(Level.NOTE, sentence, ARCHITECTURE) for sentence in _uncovered(made, workspace, settings)),
+            *(Notification(Level.NOTE, sentence, ARCHITECTURE) for sentence in sentences),
         ),
         graphs=of_systems.graphs,
         architecture=not failures,
