@@ -54,6 +54,8 @@ def run_all(
     are one piece of work. The checks that look at the base revision are another: one process links it, this one if *share* does them here.
     """
     of_project = [check for check in checks if check.project is not None]
+    if project.is_as_before:
+        of_project = [check for check in of_project if OF_CHANGES not in check.tags]
     unseen, budget = markers(project.workspace, base), Patience()
     work: list[tuple[str, str, Callable[[], Any]]] = [(OF_CHANGES, "", lambda: project.changes)] if base else []
     for check in sorted(of_project, key=lambda check: OF_CHANGES not in check.tags):
