@@ -9,28 +9,24 @@ from dataclasses import dataclass, field
 from haros_ci.analysis.api_rows import api_rows, plugin_rows
 from haros_ci.analysis.code_of import code_of
 from haros_ci.analysis.coverage_files import Plugins, area_of, built, copies, imported, loaded, plugins_of, shadowed
-from haros_ci.analysis.coverage_nodes import Users
+from haros_ci.analysis.coverage_nodes import Users, gaps, locations, roots
 from haros_ci.code.codebase import Codebase
 from haros_ci.config.settings import Settings
 from haros_ci.coverage import judge
 from haros_ci.coverage.blanked import blanked
 from haros_ci.coverage.judge import Places, Seen, Syntax, TextSite
 from haros_ci.coverage.names import Names, joined, names_of
-from haros_ci.coverage.pieces import Piece, around, last_name, pieces_of
+from haros_ci.coverage.pieces import Piece, around, pieces_of
 from haros_ci.coverage.reach import Reach, reach_of
 from haros_ci.coverage.search import TextCall, calls_in, may_have, shown
 from haros_ci.index.index import Source
 from haros_ci.model.api import Row
-from haros_ci.model.architecture import Architecture, Node
 from haros_ci.model.coverage import ENDPOINT, ENOUGH, OPEN, OTHER, PRODUCTION, TEST, UNREACHED, Coverage, Site
 from haros_ci.model.workspace import Workspace
 from haros_ci.systems.client_libraries import library_files
 from haros_ci.systems.link import Linked
 from haros_ci.timing import timed
 from haros_ci.workspace.views import views
-
-#: How the reason of an unknown ``endpoints`` ends that a call gives which the model does not account for.
-NOT_IN = " is not in the model"
 
 Rows = Mapping[tuple[str, int], Iterable[Row]]
 Calls = dict[tuple[str, str, int | None], tuple[TextCall, ...]]
@@ -142,7 +138,7 @@ class CoverageJudge:
 
     def places(self) -> Places:
         """Where the model has endpoints."""
-        return judge.places_of(_locations(self.made.architecture))
+        return judge.places_of(locations(self.made.architecture))
 
     def _found(self, source: Source, names: Names, key: tuple[str, str, int | None]) -> Iterator[TextSite]:
         if source.path.endswith((".yaml", ".yml")):
@@ -215,15 +211,15 @@ class CoverageJudge:
         reach = self._reach(pieces, plugins, known)
         known_ids = {id(piece) for piece in known}
         below = _below(plugins, reach)
-        gaps = dict(_gaps(self.made.architecture))
+        incomplete = dict(gaps(self.made.architecture))
         seen = Seen(places, judge.wrapped(self.code, where, places), judge.by_routine(self.code, found_here))
         for match, piece in found_here:
             if match.call.made and piece is not None and piece.owner == match.call.name:
                 yield id(match), ("", "", "")  # a constructor of that class itself
             elif not places.has(match):
                 state, reason, detail = self._verdict(match, piece, seen, where, reach, plugins)
-                if state == OPEN and match.source.path in gaps:
-                    reason, detail = "a node is not known as a whole", gaps[match.source.path]
+                if state == OPEN and match.source.path in incomplete:
+                    reason, detail = "a node is not known as a whole", incomplete[match.source.path]
                 elif state == OPEN:
                     reason, detail = _about(match, piece, plugins, known_ids, below)
                 yield id(match), (state, reason, detail)
@@ -242,8 +238,8 @@ class CoverageJudge:
         self.shadowed = shadowed(self.code, modules)
         reach = reach_of(self.code, pieces, modules)
         loading = loaded(self.workspace, plugins, self.texts, reach.classes)
-        roots = {*_roots(self.made.architecture), *loading}
-        reach.start(known, sorted(roots))
+        begun = {*roots(self.made.architecture), *loading}
+        reach.start(known, sorted(begun))
         return reach
 
     def _verdict(
@@ -335,31 +331,3 @@ def _title(piece: Piece) -> str:
     """The name of a function with its class's."""
     separator = "::" if piece.function is not None and "::" in piece.function.name else "."
     return separator.join(item for item in (piece.owner, piece.name) if item)
-
-
-def _gaps(found: Architecture) -> Iterator[tuple[str, str]]:
-    """The files in which something keeps a node from being known as a whole, with the node and what it is."""
-    for configuration in found.configurations:
-        for node in configuration.nodes:
-            for unknown in node.unknowns:
-                is_gap = unknown.field == "endpoints" and not unknown.reason.endswith(NOT_IN)
-                if is_gap and unknown.location is not None:
-                    yield unknown.location.path, f"{node.name}: {unknown.reason}"
-
-
-def _locations(found: Architecture) -> Iterator[tuple[str, int, int]]:
-    for configuration in found.configurations:
-        for node in (*configuration.nodes, *configuration.alternatives):
-            for endpoint in node.endpoints:
-                at = endpoint.location
-                if at is not None and at.line is not None:
-                    yield at.path, at.line, at.column or 0
-
-
-def _roots(found: Architecture) -> Iterator[str]:
-    """The last parts of the names of classes that nodes are made of."""
-    nodes: Iterable[Node] = (
-        node for configuration in found.configurations for node in (*configuration.nodes, *configuration.alternatives)
-    )
-    for node in nodes:
-        yield last_name((node.class_name or node.type).replace("/", "::"))

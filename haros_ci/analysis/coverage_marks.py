@@ -7,8 +7,8 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from haros_ci.analysis.coverage import NOT_IN, Calls, CoverageJudge, judging
-from haros_ci.analysis.coverage_nodes import Users, type_name
+from haros_ci.analysis.coverage import Calls, CoverageJudge, judging
+from haros_ci.analysis.coverage_nodes import NOT_IN, Users, type_name
 from haros_ci.code.codebase import Routine
 from haros_ci.config.settings import Settings
 from haros_ci.coverage import judge
