@@ -7,7 +7,7 @@ from haros_ci.analysis.api_rows import api_rows
 from haros_ci.index.api_names import called_back
 from haros_ci.model.api import Row, load_row
 from haros_ci.model.once import TABLES, once
-from haros_ci.systems.keeping import _of_rows
+from haros_ci.systems.keeping import of_rows
 
 OWN = {"call": "acme::listen", "calls": ["0"]}
 
@@ -57,5 +57,5 @@ def test_rows_of_a_project_come_first_and_count() -> None:
     for version, rows in own.items():
         assert rows[0].call == "acme::listen" and rows[1:] == plain[version]
         assert called_back(rows) - called_back(plain[version]) == {"acme::listen"}
-        assert _of_rows(rows) != _of_rows(plain[version])
+        assert of_rows(rows) != of_rows(plain[version])
     assert plain == api_rows(None, "", []), "and they stay with their project"

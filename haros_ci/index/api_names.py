@@ -20,7 +20,7 @@ MAKERS = frozenset(("make_shared", "make_unique"))
 
 def api_names(index: Index, rows: tuple[Row, ...]) -> frozenset[str]:
     """How the calls look by which something is made."""
-    found, calls = _making(rows)
+    found, calls = making_rows(rows)
     if any("<nodelet/loader.h>" in source.program.includes for source in index.sources.values()):
         found |= {".load"}
     if behavior_tree_files.users(index):
@@ -36,7 +36,7 @@ def called_back(rows: tuple[Row, ...]) -> frozenset[str]:
 
 
 @once
-def _making(rows: tuple[Row, ...]) -> tuple[frozenset[str], tuple[tuple[str, str], ...]]:
+def making_rows(rows: tuple[Row, ...]) -> tuple[frozenset[str], tuple[tuple[str, str], ...]]:
     """How the calls of those rows look that make something, and the namespace and name of each."""
     making = [row for row in rows if _makes(row)]
     calls = [row.call.rpartition("::") for row in making]

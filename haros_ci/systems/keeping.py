@@ -35,7 +35,8 @@ class Keeper:
 
 
 @once
-def _of_rows(rows: tuple[Row, ...]) -> str:
+def of_rows(rows: tuple[Row, ...]) -> str:
+    """The key of one language's and version's API rows."""
     return kept.digest_of(rows)
 
 
@@ -44,7 +45,7 @@ def key_of(types: Types, rows: Mapping[tuple[str, int], Iterable[Row]]) -> str:
     cpp, python = types.programs.cpp, types.programs.python
     plugins = [(name, plugin.source.path, *plugin.key) for name, plugin in sorted(types.plugins.items())]
     return kept.digest_of(
-        [(version, _of_rows(tuple(items))) for version, items in sorted(rows.items())],
+        [(version, of_rows(tuple(items))) for version, items in sorted(rows.items())],
         [sorted(index.interfaces) for index in (cpp, python)],
         [sorted(index.packages) for index in (cpp, python)],
         sorted(cpp.defined.items(), key=repr),

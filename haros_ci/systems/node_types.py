@@ -51,7 +51,7 @@ def types_of(
     python.packages = frozenset(package.name for package in workspace.packages)
     programs = Programs(cpp, python, by_path, builds)
     held = {version: tuple(items) for version, items in rows.items()}
-    tables = {version: _by_call(items) for version, items in held.items()}
+    tables = {version: by_call(items) for version, items in held.items()}
     cpp.library = frozenset().union(
         *(api_rows.all_names(items) for version, items in held.items() if version[0] == "cpp")
     )
@@ -98,7 +98,7 @@ def types_of(
 
 
 @once
-def _by_call(rows: tuple[Row, ...]) -> Mapping[str, tuple[Row, ...]]:
+def by_call(rows: tuple[Row, ...]) -> Mapping[str, tuple[Row, ...]]:
     """The rows by the names of what is called, in their order."""
     table: dict[str, list[Row]] = {}
     for row in rows:
