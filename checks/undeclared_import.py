@@ -11,6 +11,7 @@ from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectP
 from haros_ci.api.packages import (
     Need,
     Provisions,
+    Reason,
     add_dependency,
     closes_a_cycle,
     dependency_tags,
@@ -28,6 +29,7 @@ from haros_ci.api.packages import (
     only_for_tests,
     others_of,
     pinned,
+    proposed_before,
     said_misplaced,
     unreached,
 )
@@ -67,9 +69,7 @@ class _UndeclaredModule:
 
 def check(project: Project) -> Iterator[Finding]:
     provisions, sources = Provisions(project), project.sources
-    proposed: dict[
-        str, frozenset[str]
-    ] = {}  # by package what is advised so far: two advices must close no cycle either
+    proposed = dict(proposed_before(Reason.IMPORT, project))
     for package in project.packages:
         needs = list(imports_of(package, sources)) if package.manifest is not None else []
         provided = provisions.of(package, tests=False) if needs else None

@@ -12,6 +12,7 @@ from haros_ci.api.packages import (
     Leftovers,
     Package,
     Provisions,
+    Reason,
     Sources,
     closes_a_cycle,
     dependency_place,
@@ -23,6 +24,7 @@ from haros_ci.api.packages import (
     is_to_be_had,
     lacking,
     needs_of,
+    proposed_before,
     provided,
     unreached,
 )
@@ -46,7 +48,9 @@ def check(project: Project) -> Iterator[Finding]:
     system, leftovers = project.systems[0], Leftovers(project)
     provisions, sources = Provisions(project), project.sources
     used = _used(project.systems)
-    names = {name: _declarable(name, packages, system) for name, (_, packages) in used.items()}
+    names = {**proposed_before(Reason.LAUNCH, project)}
+    for name, (_, packages) in used.items():
+        names[name] = names.get(name, frozenset()) | _declarable(name, packages, system)
     for package, packages in used.values():
         found, is_whole = provided(package, system)
         if not packages.keys() <= found:

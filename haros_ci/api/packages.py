@@ -82,6 +82,7 @@ from haros_ci.checking.plugins import (
     registrations,
     variant,
 )
+from haros_ci.checking.proposals import Reason, proposed_before
 from haros_ci.checking.provision import (
     Provision,
     Provisions,
@@ -166,6 +167,7 @@ __all__ = [
     "Programs",
     "Provision",
     "Provisions",
+    "Reason",
     "Registration",
     "SourceFile",
     "Sources",
@@ -260,6 +262,7 @@ __all__ = [
     "plugin_library",
     "plugins_in_parameters",
     "plugins_in_yaml",
+    "proposed_before",
     "provided",
     "reaches",
     "registers_otherwise",
