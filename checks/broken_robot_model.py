@@ -242,7 +242,9 @@ def tree(description: Description) -> Iterator[Finding]:
         role, joint = uses[0]
         what = f"the {role} link {name!r}, which the robot does not have" if name else f"no {role} link"
         others = {id(use) for _, use in uses} - {id(joint)}
-        more = f" (and {len(others)} more joints name it)" if others and name else ""
+        more = (
+            f" (and {len(others)} more joint{'s name' if len(others) > 1 else ' names'} it)" if others and name else ""
+        )
         yield finding(
             description,
             joint.location,

@@ -228,11 +228,17 @@ def _no_directory(
         end = (len(text.splitlines()) + 1, 1)
         lines = "".join(f"[{section}]\n{_SECTIONS[section]}=$base/lib/{package.name}\n" for section in lacking)
         fixes = (Fix(f"put programs into lib/{package.name}", (Edit(path, end, end, lines),)),)
+    if package.has("setup.cfg"):
+        what = f"setup.cfg of package {package.name} does not set"
+        mend = f"write install_scripts=$base/lib/{package.name} under [install]"
+    else:
+        what = f"package {package.name} has no setup.cfg, which sets"
+        keys = [f"{key}=$base/lib/{package.name} under [{section}]" for section, key in _SECTIONS.items()]
+        mend = f"add setup.cfg with {' and '.join(keys)}"
     return Finding(
         at=Location(path, 1) if text else node.location,
         message=(
-            f"setup.cfg of package {package.name} does not set the directory for programs: they are installed to bin, "
-            f"where ros2 run does not find {node.name}; write install_scripts=$base/lib/{package.name} under [install]"
+            f"{what} the directory for programs: they are installed to bin, where ros2 run does not find {node.name}; {mend}"
         ),
         about=(package.name, "install_scripts"),
         fixes=fixes,

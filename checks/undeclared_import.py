@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, line_of, listed
+from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, line_of, listed, spelled_out
 from haros_ci.api.packages import (
     Need,
     Provisions,
@@ -158,7 +158,7 @@ def _finding(package: ProjectPackage, group: list[_UndeclaredModule]) -> Finding
     return Finding(
         at=last_dependency(package),
         message=f"{package.name} imports {listed(modules)}, but package.xml declares no package that provides {them}: "
-        f"{fails}; add {listed(lines)}{_by_choice(group)}{_aside(group)}{said_misplaced(package, (missing.name for missing in group))}",
+        f"{fails}; add {spelled_out(lines)}{_by_choice(group)}{_aside(group)}{said_misplaced(package, (missing.name for missing in group))}",
         about=(package.name, *modules),
         related=tuple(place for missing in group for place in _places(missing)),
         apart=modules,

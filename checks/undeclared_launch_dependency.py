@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, System, listed
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, System, listed, spelled_out
 from haros_ci.api.launch import PackageUse, included_by, is_optional, owner, said_by
 from haros_ci.api.packages import (
     Leftovers,
@@ -107,7 +107,7 @@ def _finding(package: Package, group: list[_UndeclaredPackage], level: Level | N
     return Finding(
         at=dependency_place(package),
         message=f"{files} of {package.name} {'uses' if is_one else 'use'} {listed(names)}, but package.xml does not declare {them}: "
-        f"{fails} on a machine without {lacking}; add {listed([dependency_tag(tag, name, package) for name in names])}",
+        f"{fails} on a machine without {lacking}; add {spelled_out([dependency_tag(tag, name, package) for name in names])}",
         about=(package.name, *names),
         related=tuple((use.location, f"needs {missing.name}") for missing in group for use in missing.uses[:_SHOWN]),
         flow=included_by(group[0].uses[0]) if len(group) == 1 else (),

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, listed
+from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, listed, spelled_out
 from haros_ci.api.packages import (
     Lookup,
     Provisions,
@@ -67,7 +67,7 @@ def _finding(package: ProjectPackage, missing: dict[str, list[Lookup]]) -> Findi
     return Finding(
         at=last_dependency(package),
         message=f"programs of {package.name} look up the directory of {listed(names)}, but package.xml does not declare {them}: "
-        f"they fail on a machine without {without}; add {listed([dependency_tags(package, tag, name) for name in names])}{said_misplaced(package, names)}",
+        f"they fail on a machine without {without}; add {spelled_out([dependency_tags(package, tag, name) for name in names])}{said_misplaced(package, names)}",
         about=(package.name, *names),
         related=tuple((use.location, f"needs {name}") for name, uses in missing.items() for use in uses[:_SHOWN]),
         apart=names,

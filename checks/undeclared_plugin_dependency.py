@@ -8,7 +8,7 @@ from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 
-from haros_ci.api import Check, Finding, Level, Location, Project, System, listed
+from haros_ci.api import Check, Finding, Level, Location, Project, System, listed, spelled_out
 from haros_ci.api.launch import FileUse, PackageUse, ParameterFileUse, owner
 from haros_ci.api.packages import (
     Package,
@@ -106,7 +106,7 @@ def _finding(package: Package, lacking: Mapping[str, list[PluginUse]], level: Le
         at=dependency_place(package),
         message=f"parameters of {package.name} name the plug-in{'' if one else 's'} {named}, but package.xml does not declare "
         f"{'this package' if one else 'these packages'}: on a machine without {'it' if one else 'them'} the node cannot load the "
-        f"plug-in; add {listed([dependency_tag(tag, name, package) for name in lacking])}",
+        f"plug-in; add {spelled_out([dependency_tag(tag, name, package) for name in lacking])}",
         about=(package.name, *lacking),
         related=tuple(
             (plugin.location, f"needs {name}") for name, plugins in lacking.items() for plugin in plugins[:_SHOWN]

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from haros_ci.checking.appearing import is_ignored, is_told_of, may_appear
 from haros_ci.checking.boost import boost_keys
+from haros_ci.checking.build_tool import AMENT, CATKIN, always_called, undeclared_build_tools
 from haros_ci.checking.built_against import is_built_against
 from haros_ci.checking.cmake import OF_TARGETS, CMake, Install, Link
 from haros_ci.checking.cmake_variables import may_set_variables
@@ -138,6 +139,10 @@ from haros_ci.model.element import Element
 from haros_ci.model.package import Dependency, Package, SourceFile
 
 __all__ = [
+    "AMENT",
+    "CATKIN",
+    "always_called",
+    "undeclared_build_tools",
     "BUILD",
     "EXEC",
     "EXPORTED",
