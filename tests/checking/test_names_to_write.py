@@ -43,7 +43,8 @@ def test_all_dependencies_to_add_are_named(tmp_path: Path) -> None:
         "package.xml": MANIFEST.format("<exec_depend>rclpy</exec_depend>", "ament_python"),
         "setup.py": SETUP,
         "demo/__init__.py": "",
-        "demo/run.py": RUN + "".join(f"import {name}\n" for name in ("requests", "cv2", "pandas", "scipy", "serial", "PIL")),
+        "demo/run.py": RUN
+        + "".join(f"import {name}\n" for name in ("requests", "cv2", "pandas", "scipy", "serial", "PIL")),
         "launch/a.launch.xml": f"<launch>{nodes}</launch>\n",
     }
     (message,) = messages("undeclared-launch-dependency", files, tmp_path / "a")
