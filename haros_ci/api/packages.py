@@ -85,6 +85,7 @@ from haros_ci.checking.plugins import (
 )
 from haros_ci.checking.proposals import Reason, proposed_before
 from haros_ci.checking.provision import (
+    OF_PYTHON,
     Provision,
     Provisions,
     Sources,
@@ -140,6 +141,7 @@ from haros_ci.model.package import Dependency, Package, SourceFile
 
 __all__ = [
     "AMENT",
+    "OF_PYTHON",
     "CATKIN",
     "always_called",
     "undeclared_build_tools",

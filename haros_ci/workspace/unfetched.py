@@ -25,24 +25,22 @@ def unfetched(workspace: Workspace, empty: Iterable[str], excludes: Excludes) ->
     there = [path for path in paths if path in known]
     unknown = [path for path in paths if path not in known]
     if there:
-        are = "a submodule that is" if len(there) == 1 else "submodules that are"
+        them = _them(there)
         yield Problem(
-            there[0], f"{_others(there)}{are} not checked out: nothing in {_them(there)} is analysed; {_FETCH}"
+            there[0], f"a submodule that is not checked out{_so_are(there)}: nothing in {them} is analysed; {_FETCH}"
         )
     if unknown:
-        is_ = "is a commit" if len(unknown) == 1 else "are commits"
         yield Problem(
             unknown[0],
-            f"{_others(unknown)}{is_} of another repository that .gitmodules does not name: no clone gets the files; add "
+            f"a commit of another repository that .gitmodules does not name{_so_are(unknown)}: no clone gets the files; add "
             f"{_them(unknown)} to .gitmodules (git submodule add URL DIRECTORY), or the files themselves (git rm --cached, git add)",
         )
 
 
-def _others(paths: list[str]) -> str:
+def _so_are(paths: list[str]) -> str:
     """The directories after the first, which is the place of the problem."""
-    shown = paths[1:_NAMED]
-    more = [f"{len(paths) - _NAMED} more"] if len(paths) > _NAMED else []
-    return f"with {', '.join((*shown, *more))} " if shown else ""
+    names = [*paths[1:_NAMED], *([f"{len(paths) - _NAMED} more"] if len(paths) > _NAMED else [])]
+    return f", and so {'is' if len(paths) == 2 else 'are'} {', '.join(names)}" if names else ""
 
 
 def _them(paths: list[str]) -> str:
