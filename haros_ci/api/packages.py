@@ -57,6 +57,7 @@ from haros_ci.checking.manifests import (
 )
 from haros_ci.checking.needs import Need, lacking, needs_of
 from haros_ci.checking.outside_targets import may_be_added, may_have_more
+from haros_ci.checking.own_modules import LostImport, OwnModules
 from haros_ci.checking.package_names import meant_here, meant_released
 from haros_ci.checking.pages import is_for_noetic
 from haros_ci.checking.plugin_readers import is_of_node, may_load
@@ -141,6 +142,8 @@ from haros_ci.model.package import Dependency, Package, SourceFile
 
 __all__ = [
     "AMENT",
+    "LostImport",
+    "OwnModules",
     "OF_PYTHON",
     "CATKIN",
     "always_called",
