@@ -136,16 +136,22 @@ def _mismatches(package: ProjectPackage, kind: str, at: Location) -> Iterator[Fi
     elif kind == "ament_python" and (ament or catkin) is not None and package.has("setup.py"):
         call = ament or catkin
         made = next((t for t in package.build.targets if not t.is_test and t.kind != "imported"), None)
-        if call is not None and made is not None:
+        interfaces = always_called(package, "rosidl_generate_interfaces")
+        if call is not None and (made is not None or interfaces is not None):
+            lost, where = "", call.location
+            if made is not None:
+                lost, where = f"{made.name} is not built", made.location
+            elif interfaces is not None:
+                lost, where = "its interfaces are not generated", interfaces.location
             yield _finding(
                 package,
                 at,
                 (
-                    f"{package} has the build type ament_python: colcon runs setup.py but not CMakeLists.txt, so {made.name} "
-                    "is not built; use ament_cmake with ament_cmake_python, or a separate package"
+                    f"{package} has the build type ament_python: colcon runs setup.py but not CMakeLists.txt, so {lost}; "
+                    "use ament_cmake with ament_cmake_python, or a separate package"
                 ),
                 "CMake is not run",
-                ((made.location, f"{made.name} is defined here"),),
+                ((where, "what CMake would make"),),
                 level=Level.WARNING,
             )
 
