@@ -17,6 +17,8 @@ LONGEST_CODE_LINE = 5_000
 #: has a text that begins so (RFC 1740, appendix A: AppleDouble).
 _APPLE_DOUBLE = b"\x00\x05\x16\x07"
 _UTF_16 = (b"\xff\xfe", b"\xfe\xff")
+#: How a file begins that git-lfs has not replaced by the contents (its specification, "The Pointer").
+_LFS = b"version https://git-lfs.github.com/spec/"
 
 
 def examine(path: str, language: str, data: bytes) -> tuple[bool, Problem | None]:
@@ -35,6 +37,8 @@ def _examined(path: str, language: str, data: bytes) -> tuple[bool, Problem | No
         return False, Problem(path, "skipped: encoded as UTF-16; save it as UTF-8")
     if b"\0" in data:
         return False, Problem(path, f"skipped: binary data where {language} text was expected")
+    if data.startswith(_LFS):
+        return False, Problem(path, "skipped: a pointer of Git LFS, not the contents; fetch them (git lfs pull)")
     limit = LONGEST_CODE_LINE if language in ("cpp", "python") else LONGEST_LINE
     line = _overlong_line(data, limit)
     if line is not None:

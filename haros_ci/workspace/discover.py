@@ -222,7 +222,7 @@ def _may_be_script(place: str) -> bool:
 
 
 def unusable_name(path: str) -> Problem | None:
-    """A problem if *path* cannot stand in a line of text: not UTF-8, or with a line break."""
+    """A problem if *path* cannot stand in a line of text, as it is not UTF-8 or has a line break."""
     if path.isprintable():
         return None
     parts = path.split("/")
