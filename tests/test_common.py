@@ -75,3 +75,9 @@ def test_what_was_followed_is_read_once(tmp_path: Path) -> None:
     held = [record for record in common.records.values() if record is not None]
     assert held
     assert all(record.made for record in held)
+
+
+def test_what_is_found_in_a_file_is_found_once(tmp_path: Path) -> None:
+    common, with_head, alone = made(tmp_path, SHARED["a comment"])
+    assert len(common.calls) == 3, "the talker, and the listener of each"
+    assert with_head == alone

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from haros_ci.analysis.architecture import varied
-from haros_ci.analysis.coverage import NOT_IN
+from haros_ci.analysis.coverage_nodes import NOT_IN
 from haros_ci.config.settings import Settings
 from haros_ci.workspace.cache import MemoryCache
 from haros_ci.workspace.discover import discover

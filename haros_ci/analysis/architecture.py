@@ -9,6 +9,7 @@ from functools import partial
 from typing import Any
 
 from haros_ci.analysis.api_rows import api_rows, plugin_rows
+from haros_ci.analysis.coverage import Calls
 from haros_ci.analysis.coverage_marks import marked
 from haros_ci.analysis.kept_nodes import keeper
 from haros_ci.analysis.kept_runs import launch_state
@@ -50,11 +51,12 @@ class Common:
     """What the revisions of one change have in common, so that it is done once.
 
     *launched* is what launch files start, by the state of all that they are evaluated with (``launch_state``); *records* are those of
-    nodes that earlier runs have followed, as they were read.
+    nodes that earlier runs have followed, as they were read; *calls* what is found in the text of files.
     """
 
     launched: dict[str, Memo] = field(default_factory=dict)
     records: dict[str, Earlier | None] = field(default_factory=dict)
+    calls: Calls = field(default_factory=dict)
 
 
 def architecture(
@@ -177,7 +179,7 @@ def _of_view(
         configurations=tuple(hinted),
         problems=tuple(sorted(said_before, key=lambda p: (p.path, p.line or 0, p.message))),
     )
-    return marked(replace(made, architecture=whole, under=under), workspace, settings)
+    return marked(replace(made, architecture=whole, under=under), workspace, settings, common.calls)
 
 
 def filled(
@@ -198,17 +200,17 @@ def programs(
     roots = [(directory, name) for build in built.values() for name, directory in build.python_roots]
     sources = []
     files = [file for file in workspace.files if file.language in ("cpp", "python")]
-    kept = {file.path: decoded(store.get_text(*_place(file))) for file in files}
+    kept = {file.path: decoded(store.get_text(*facts_at(file))) for file in files}
     new = [file for file in files if kept[file.path] is None]
     ones: dict[tuple[str | None, str], SourceFile] = {}
     for file in new:
         ones.setdefault((file.language, file.digest or file.path), file)  # copies are read once
-    jobs = [partial(_read, workspace, file.path, file.language) for file in ones.values()]
+    jobs = [partial(read_facts, workspace, file.path, file.language) for file in ones.values()]
     texts = dict(zip(ones, shared(jobs, [file.path for file in ones.values()], processes), strict=True))
     for file in new:
         text = texts[file.language, file.digest or file.path]
         if text:
-            store.put_text(*_place(file), text)
+            store.put_text(*facts_at(file), text)
         kept[file.path] = decoded(text)
     for file in files:
         program = kept[file.path] or Program(file.language or "", problems=((1, TOO_DEEP),))
@@ -232,12 +234,12 @@ def parameter_libraries(workspace: Workspace, built: Mapping[str, Build], proble
             yield Source(library.path, library.package, program, module)
 
 
-def _place(file: SourceFile) -> tuple[str, str, str]:
+def facts_at(file: SourceFile) -> tuple[str, str, str]:
     """Where the facts of a file are kept: their kind, the path, and all that they depend on."""
     return f"facts-{file.language}", file.path, f"{digest(OF_FACTS)} {file.digest}"
 
 
-def _read(workspace: Workspace, path: str, language: str) -> str:
+def read_facts(workspace: Workspace, path: str, language: str) -> str:
     """A file's facts as JSON has them; whoever asks for them decodes it, whether they are just read or come from the cache."""
     read: Callable[[str], Program]
     if language == "cpp":

@@ -9,19 +9,18 @@ from dataclasses import dataclass, field
 from haros_ci.analysis.api_rows import api_rows, plugin_rows
 from haros_ci.analysis.code_of import code_of
 from haros_ci.analysis.coverage_files import Plugins, area_of, built, copies, imported, loaded, plugins_of, shadowed
-from haros_ci.analysis.coverage_nodes import Users
+from haros_ci.analysis.coverage_nodes import Users, gaps, locations, roots
 from haros_ci.code.codebase import Codebase
 from haros_ci.config.settings import Settings
 from haros_ci.coverage import judge
 from haros_ci.coverage.blanked import blanked
 from haros_ci.coverage.judge import Places, Seen, Syntax, TextSite
 from haros_ci.coverage.names import Names, joined, names_of
-from haros_ci.coverage.pieces import Piece, around, last_name, pieces_of
+from haros_ci.coverage.pieces import Piece, around, pieces_of
 from haros_ci.coverage.reach import Reach, reach_of
-from haros_ci.coverage.search import may_have, shown
+from haros_ci.coverage.search import TextCall, calls_in, may_have, shown
 from haros_ci.index.index import Source
 from haros_ci.model.api import Row
-from haros_ci.model.architecture import Architecture, Node
 from haros_ci.model.coverage import ENDPOINT, ENOUGH, OPEN, OTHER, PRODUCTION, TEST, UNREACHED, Coverage, Site
 from haros_ci.model.workspace import Workspace
 from haros_ci.systems.client_libraries import library_files
@@ -29,10 +28,8 @@ from haros_ci.systems.link import Linked
 from haros_ci.timing import timed
 from haros_ci.workspace.views import views
 
-#: How the reason of an unknown ``endpoints`` ends that a call gives which the model does not account for.
-NOT_IN = " is not in the model"
-
 Rows = Mapping[tuple[str, int], Iterable[Row]]
+Calls = dict[tuple[str, str, int | None], tuple[TextCall, ...]]
 
 
 @timed("coverage")
@@ -52,10 +49,13 @@ def _sites(made: Linked, workspace: Workspace, settings: Settings) -> Iterator[S
     return judging(made, workspace, settings).sites()
 
 
-def judging(made: Linked, workspace: Workspace, settings: Settings) -> CoverageJudge:
-    """What tells the call sites of a workspace, and what the architecture that was *made* says of them."""
+def judging(made: Linked, workspace: Workspace, settings: Settings, calls: Calls | None = None) -> CoverageJudge:
+    """What tells the call sites of a workspace, and what the architecture that was *made* says of them.
+
+    *calls* has, and gets, what is found in the text of files.
+    """
     rows = api_rows(settings.project.get("apis"), "", [], plugin_rows(settings))
-    return CoverageJudge(made, workspace, rows, code_of(made, workspace))
+    return CoverageJudge(made, workspace, rows, code_of(made, workspace), calls={} if calls is None else calls)
 
 
 @timed("coverage")
@@ -99,7 +99,7 @@ def _names(rows: Rows) -> Mapping[tuple[str, int | None], Names]:
     """The names of the calls of ROS APIs by language and ROS version; None for files of neither version or both."""
     table: dict[tuple[str, int | None], Names] = {}
     for language in ("cpp", "python"):
-        one, two = (names_of(rows.get((language, ros), ())) for ros in (1, 2))
+        one, two = (names_of(tuple(rows.get((language, ros), ()))) for ros in (1, 2))
         table.update({(language, 1): one, (language, 2): two, (language, None): joined(one, two)})
     return table
 
@@ -122,23 +122,35 @@ class CoverageJudge:
     #: Modules that only share the last part of their names with one that is imported.
     shadowed: frozenset[str] = frozenset()
 
+    #: What was found in the text of files, by their digest, language and ROS version, for the other revision of a change.
+    calls: Calls = field(default_factory=dict)
+
     def found(self, paths: Collection[str] | None = None) -> list[TextSite]:
         """The call sites in *paths*, or in all files, file by file; a file is searched once."""
         kept: dict[str, tuple[TextSite, ...]] = self.made.kept.setdefault("calls", {})
         names = _names(self.rows)
+        digests = {file.path: file.digest for file in self.workspace.files}
         for source in self.code.sources:
             if (paths is None or source.path in paths) and source.path not in kept:
-                kept[source.path] = tuple(self._found(source, names[language_of(source), self.code.ros_of(source)]))
+                kind = language_of(source), self.code.ros_of(source)
+                kept[source.path] = tuple(self._found(source, names[kind], (digests.get(source.path, ""), *kind)))
         return [site for source in self.code.sources for site in kept.get(source.path, ())]
 
     def places(self) -> Places:
         """Where the model has endpoints."""
-        return judge.places_of(_locations(self.made.architecture))
+        return judge.places_of(locations(self.made.architecture))
 
-    def _found(self, source: Source, names: Names) -> Iterator[TextSite]:
-        text = self.workspace.text(source.path)
-        if not source.path.endswith((".yaml", ".yml")) and may_have(text, names):
-            yield from judge.found_in(self.code, source, self.text(source), names)
+    def _found(self, source: Source, names: Names, key: tuple[str, str, int | None]) -> Iterator[TextSite]:
+        if source.path.endswith((".yaml", ".yml")):
+            return
+        calls = self.calls.get(key) if key[0] else None
+        if calls is None:
+            has = may_have(self.workspace.text(source.path), names)
+            calls = tuple(calls_in(self.text(source), names, source.program.language)) if has else ()
+            if key[0]:
+                self.calls[key] = calls
+        if calls:
+            yield from judge.found_in(self.code, source, self.workspace.text(source.path), names, calls)
 
     def text(self, source: Source) -> str:
         """The text of a file with blanks for comments and texts."""
@@ -199,15 +211,15 @@ class CoverageJudge:
         reach = self._reach(pieces, plugins, known)
         known_ids = {id(piece) for piece in known}
         below = _below(plugins, reach)
-        gaps = dict(_gaps(self.made.architecture))
+        incomplete = dict(gaps(self.made.architecture))
         seen = Seen(places, judge.wrapped(self.code, where, places), judge.by_routine(self.code, found_here))
         for match, piece in found_here:
             if match.call.made and piece is not None and piece.owner == match.call.name:
                 yield id(match), ("", "", "")  # a constructor of that class itself
             elif not places.has(match):
                 state, reason, detail = self._verdict(match, piece, seen, where, reach, plugins)
-                if state == OPEN and match.source.path in gaps:
-                    reason, detail = "a node is not known as a whole", gaps[match.source.path]
+                if state == OPEN and match.source.path in incomplete:
+                    reason, detail = "a node is not known as a whole", incomplete[match.source.path]
                 elif state == OPEN:
                     reason, detail = _about(match, piece, plugins, known_ids, below)
                 yield id(match), (state, reason, detail)
@@ -226,8 +238,8 @@ class CoverageJudge:
         self.shadowed = shadowed(self.code, modules)
         reach = reach_of(self.code, pieces, modules)
         loading = loaded(self.workspace, plugins, self.texts, reach.classes)
-        roots = {*_roots(self.made.architecture), *loading}
-        reach.start(known, sorted(roots))
+        begun = {*roots(self.made.architecture), *loading}
+        reach.start(known, sorted(begun))
         return reach
 
     def _verdict(
@@ -319,31 +331,3 @@ def _title(piece: Piece) -> str:
     """The name of a function with its class's."""
     separator = "::" if piece.function is not None and "::" in piece.function.name else "."
     return separator.join(item for item in (piece.owner, piece.name) if item)
-
-
-def _gaps(found: Architecture) -> Iterator[tuple[str, str]]:
-    """The files in which something keeps a node from being known as a whole, with the node and what it is."""
-    for configuration in found.configurations:
-        for node in configuration.nodes:
-            for unknown in node.unknowns:
-                is_gap = unknown.field == "endpoints" and not unknown.reason.endswith(NOT_IN)
-                if is_gap and unknown.location is not None:
-                    yield unknown.location.path, f"{node.name}: {unknown.reason}"
-
-
-def _locations(found: Architecture) -> Iterator[tuple[str, int, int]]:
-    for configuration in found.configurations:
-        for node in (*configuration.nodes, *configuration.alternatives):
-            for endpoint in node.endpoints:
-                at = endpoint.location
-                if at is not None and at.line is not None:
-                    yield at.path, at.line, at.column or 0
-
-
-def _roots(found: Architecture) -> Iterator[str]:
-    """The last parts of the names of classes that nodes are made of."""
-    nodes: Iterable[Node] = (
-        node for configuration in found.configurations for node in (*configuration.nodes, *configuration.alternatives)
-    )
-    for node in nodes:
-        yield last_name((node.class_name or node.type).replace("/", "::"))

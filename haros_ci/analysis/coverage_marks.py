@@ -7,8 +7,8 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from haros_ci.analysis.coverage import NOT_IN, CoverageJudge, judging
-from haros_ci.analysis.coverage_nodes import Users, type_name
+from haros_ci.analysis.coverage import Calls, CoverageJudge, judging
+from haros_ci.analysis.coverage_nodes import NOT_IN, Users, type_name
 from haros_ci.code.codebase import Routine
 from haros_ci.config.settings import Settings
 from haros_ci.coverage import judge
@@ -38,13 +38,13 @@ Marks = Mapping[str, tuple[Unknown, ...]]
 
 
 @timed("coverage")
-def marked(made: Linked, workspace: Workspace, settings: Settings) -> Linked:
+def marked(made: Linked, workspace: Workspace, settings: Settings, calls: Calls | None = None) -> Linked:
     """*made* with an unknown ``endpoints`` at every node that a call may belong to which the model does not account for.
 
     Those are calls in a function that makes endpoints of the node, or in another method of a class of which one does, unless nothing names
-    it.
+    it. *calls* has, and gets, what is found in the text of files.
     """
-    marks = _marks(made, workspace, settings)
+    marks = _marks(made, workspace, settings, calls)
     if not marks:
         return made
 
@@ -57,9 +57,9 @@ def marked(made: Linked, workspace: Workspace, settings: Settings) -> Linked:
     return replace(made, architecture=whole, under=under)
 
 
-def _marks(made: Linked, workspace: Workspace, settings: Settings) -> Marks:
+def _marks(made: Linked, workspace: Workspace, settings: Settings, calls: Calls | None) -> Marks:
     """What is unknown of each node type."""
-    coverage = judging(made, workspace, settings)
+    coverage = judging(made, workspace, settings, calls)
     users = Users(made.architecture, made.sources, within=True)
     places = coverage.places()
     pending = [site for site in coverage.found(users.paths) if not places.has(site)]

@@ -4,12 +4,16 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
+from haros_ci.coverage.pieces import last_name
 from haros_ci.index.index import Source
 from haros_ci.model.architecture import Architecture, Node
 from haros_ci.syntax import Function
+
+#: How the reason of an unknown ``endpoints`` ends that a call gives which the model does not account for.
+NOT_IN = " is not in the model"
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,3 +91,32 @@ class Users:
             frozen = {number: frozenset(names) for number, names in users.items()}
             self._files[path] = _File(lines, tuple(functions), frozen)
         return self._files[path]
+
+
+def gaps(found: Architecture) -> Iterator[tuple[str, str]]:
+    """The files in which something keeps a node from being known as a whole, with the node and what it is."""
+    for configuration in found.configurations:
+        for node in configuration.nodes:
+            for unknown in node.unknowns:
+                is_gap = unknown.field == "endpoints" and not unknown.reason.endswith(NOT_IN)
+                if is_gap and unknown.location is not None:
+                    yield unknown.location.path, f"{node.name}: {unknown.reason}"
+
+
+def locations(found: Architecture) -> Iterator[tuple[str, int, int]]:
+    """Where endpoints are made: path, line and column."""
+    for configuration in found.configurations:
+        for node in (*configuration.nodes, *configuration.alternatives):
+            for endpoint in node.endpoints:
+                at = endpoint.location
+                if at is not None and at.line is not None:
+                    yield at.path, at.line, at.column or 0
+
+
+def roots(found: Architecture) -> Iterator[str]:
+    """The last parts of the names of classes that nodes are made of."""
+    nodes: Iterable[Node] = (
+        node for configuration in found.configurations for node in (*configuration.nodes, *configuration.alternatives)
+    )
+    for node in nodes:
+        yield last_name((node.class_name or node.type).replace("/", "::"))

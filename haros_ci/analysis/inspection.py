@@ -143,7 +143,8 @@ def _inspected(
     with stage("loading"):
         from haros_ci.analysis.cut_short import cut_short
         from haros_ci.analysis.launch_faults import refused
-        from haros_ci.analysis.unmodelled import unmodelled
+        from haros_ci.analysis.same_model import has_same_model
+        from haros_ci.analysis.unmodelled import lacking
         from haros_ci.checking.all_checks import OF_CHANGES, run_all
         from haros_ci.checking.run import Assigned
         from haros_ci.checking.system import System, systems
@@ -161,14 +162,20 @@ def _inspected(
         progress(f"{len(chosen)} checks")
     all_systems = tuple(systems(found, workspace))
     past, renames = _past(base, architectures), base.renames if base else None
+    is_same = (
+        base is not None and not settings.plugins and has_same_model(base, workspace, made.sources, architectures.store)
+    )
     where = settings.project_file or ""
     access = settings.access
     seen = project_of(made, workspace, all_systems, past, renames, project_file=where, access=access)
-    project = architectures.seen(seen)
+    project = architectures.seen(seen.without_changes() if is_same else seen)
     processes = settings.jobs if len(workspace.files) > FEW else 1
     share = partial(shared, processes=processes, here=OF_CHANGES)
     old = base.workspace if base is not None else None
-    of_systems, of_project, changes = run_all(chosen, all_systems, project, own.TOOL, under, share, old)
+    beside = partial(lacking, made, workspace, settings)
+    of_systems, of_project, changes, sentences = run_all(
+        chosen, all_systems, project, own.TOOL, under, share, old, beside
+    )
     failures = (*of_systems.notifications, *of_project.notifications)
     faults = tuple(refused(workspace))
     cut: tuple[Problem, ...] = ()
@@ -192,11 +199,7 @@ def _inspected(
                 for p in (*found.problems, *project.problems)
                 if (p.path, p.line) not in as_findings
             ),
-            *(
-                Notification(Level.NOTE, sentence, ARCHITECTURE)
-                for sentence in unmodelled(found, made.builds, made.sources)
-            ),
-            *(Notification(Level.NOTE, sentence, ARCHITECTURE) for sentence in _uncovered(made, workspace, settings)),
+            *(Notification(Level.NOTE, sentence, ARCHITECTURE) for sentence in sentences),
         ),
         graphs=of_systems.graphs,
         architecture=not failures,
@@ -238,14 +241,6 @@ def is_inspected(workspace: Workspace, selection: Selection, settings: Settings,
 def chosen_checks(workspace: Workspace, selection: Selection, known: Registry) -> tuple[Check, ...]:
     """The checks that are on in any file."""
     return tuple(check for check in known.checks if is_on(known.check_rules[check.id], workspace, selection))
-
-
-def _uncovered(made: Linked, workspace: Workspace, settings: Settings) -> tuple[str, ...]:
-    """A sentence where the model lacks many of the calls of ROS APIs."""
-    with stage("loading"):
-        from haros_ci.analysis.coverage import uncovered
-
-    return uncovered(made, workspace, settings)
 
 
 def _past(base: Base | None, architectures: Architectures) -> Callable[[], Project | None]:

@@ -7,6 +7,8 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 
 from haros_ci import syntax
+from haros_ci.analysis.coverage import uncovered
+from haros_ci.config.settings import Settings
 from haros_ci.coverage.names import Names, joined, names_of
 from haros_ci.coverage.pieces import last_name
 from haros_ci.extract.apis.tables import rows
@@ -17,10 +19,16 @@ from haros_ci.model.workspace import Workspace
 from haros_ci.report.summary import plural
 from haros_ci.syntax import Class, Function
 from haros_ci.syntax.walk import everything
+from haros_ci.systems.link import Linked
 
 #: Bases of plug-ins that are nodes themselves: one that no launch file loads is shown as a configuration of its own.
 _NODES = frozenset(("nodelet::Nodelet", "rclcpp_components::NodeFactory"))
 MOST = 5
+
+
+def lacking(made: Linked, workspace: Workspace, settings: Settings) -> tuple[str, ...]:
+    """Sentences on what the model that was *made* of *workspace* lacks: known kinds of programs, and calls of ROS APIs."""
+    return (*unmodelled(made.architecture, made.builds, made.sources), *uncovered(made, workspace, settings))
 
 
 def unmodelled(found: Architecture, builds: Mapping[str, Build], sources: Iterable[Source] = ()) -> tuple[str, ...]:

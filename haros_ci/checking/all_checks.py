@@ -22,6 +22,9 @@ from haros_ci.timing import Spent, now, side_by_side
 OF_CHANGES = "change"
 #: The piece of work that the checks of systems are.
 SYSTEMS = "systems"
+#: The piece of work that is no check: what else is to be said of the model.
+BESIDE = "beside"
+Notes = tuple[str, ...]
 #: Does pieces of work, those of one group in one process, and gives their results in order.
 Share = Callable[[Sequence[Callable[[], Any]], Sequence[Hashable]], Sequence[Any]]
 
@@ -43,13 +46,16 @@ def run_all(
     under: Under | None,
     share: Share,
     base: Workspace | None = None,
-) -> tuple[Checked, Checked, Changes | None]:
-    """What *checks* say of the *systems* and of the *project*, and what has changed in the graph since *base*, where there is one.
+    beside: Callable[[], Notes] = tuple,
+) -> tuple[Checked, Checked, Changes | None, Notes]:
+    """What *checks* say of the *systems* and of the *project*, what has changed in the graph since *base*, where there is one, and what *beside* gives.
 
     Findings of systems are confirmed under other launch arguments in the order of the systems, and share what is followed for that, so they
     are one piece of work. The checks that look at the base revision are another: one process links it, this one if *share* does them here.
     """
     of_project = [check for check in checks if check.project is not None]
+    if project.is_as_before:
+        of_project = [check for check in of_project if OF_CHANGES not in check.tags]
     unseen, budget = markers(project.workspace, base), Patience()
     work: list[tuple[str, str, Callable[[], Any]]] = [(OF_CHANGES, "", lambda: project.changes)] if base else []
     for check in sorted(of_project, key=lambda check: OF_CHANGES not in check.tags):
@@ -57,12 +63,14 @@ def run_all(
         work.append((group, check.id, partial(run_on_project, (check,), project, tool, unseen, budget)))
     place = sum(group == OF_CHANGES for group, _, _ in work)
     work.insert(place, (SYSTEMS, "", partial(run_checks, checks, systems, tool, under)))
+    work.insert(place + 1, (BESIDE, "", beside))
     done: Sequence[_Done] = share([partial(_timed, do) for _, _, do in work], [group for group, _, _ in work])
     if any(piece.process != os.getpid() for piece in done):
         for (_, part, _), piece in zip(work, done, strict=True):
             side_by_side(CHECKS, part, piece.spent)
     found = {name or group: piece.found for (group, name, _), piece in zip(work, done, strict=True)}
-    return found[SYSTEMS], _together([found[check.id] for check in of_project]), found.get(OF_CHANGES)
+    of_checks = _together([found[check.id] for check in of_project])
+    return found[SYSTEMS], of_checks, found.get(OF_CHANGES), found[BESIDE]
 
 
 def _timed(do: Callable[[], Any]) -> _Done:

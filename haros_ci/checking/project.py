@@ -165,6 +165,8 @@ class Project:
         self.systems = tuple(system for system in systems if not system.is_refused)
         self.renames = renames or {}
         self._base = base
+        #: Whether its systems and code are those of the base revision, but for the lines that things stand on.
+        self.is_as_before = False
         self._revision = revision
         #: What is known of packages that are not in the workspace.
         self.knowledge = packaged() if knowledge is None else knowledge
@@ -203,10 +205,15 @@ class Project:
     @cached_property
     def changes(self) -> Changes:
         """What is otherwise than at the base revision; nothing without one."""
-        base, here = self.base, self._revision
+        base, here = None if self.is_as_before else self.base, self._revision
         if base is None or here is None or base._revision is None:
             return Changes()
         return changes_of(base._revision, here, self.renames)
+
+    def without_changes(self) -> Project:
+        """Itself, where the change leaves systems and code as they were: checks of changes have nothing to look at, and no base is made for them."""
+        self.is_as_before = True
+        return self
 
     @property
     def packages(self) -> tuple[ProjectPackage, ...]:

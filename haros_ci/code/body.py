@@ -6,8 +6,9 @@ Lambdas and nested functions are not part of the body that they stand in: they r
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 from haros_ci import syntax
 from haros_ci.syntax import Block, Expression, Function, Statement, Type
@@ -15,7 +16,9 @@ from haros_ci.syntax import Block, Expression, Function, Statement, Type
 #: The parts of statements that are blocks or hold them are walked by kind; all other parts are expressions.
 Around = tuple["Place", ...]
 #: Expressions that are made of no others.
-LEAVES = (syntax.Name, syntax.String, syntax.Number, syntax.Boolean, syntax.This, syntax.Null, syntax.TypeName)
+_LEAVES: frozenset[type] = frozenset(
+    (syntax.Name, syntax.String, syntax.Number, syntax.Boolean, syntax.This, syntax.Null, syntax.TypeName)
+)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -224,7 +227,7 @@ def _statement(statement: Statement, body: Body, around: Around) -> None:
 
 
 def _expression(expression: Expression, body: Body, around: Around, is_bare: bool = False) -> None:
-    waiting = [expression] if not isinstance(expression, LEAVES) else []
+    waiting = [expression] if expression.__class__ not in _LEAVES else []
     while waiting:
         node = waiting.pop()
         if isinstance(node, syntax.Call):
@@ -239,36 +242,34 @@ def _expression(expression: Expression, body: Body, around: Around, is_bare: boo
         elif isinstance(node, syntax.Unknown):
             body.is_partial = True
             continue
-        waiting.extend([part for part in reversed(parts(node)) if not isinstance(part, LEAVES)])
+        waiting.extend([part for part in reversed(parts(node)) if part.__class__ not in _LEAVES])
 
 
 def parts(node: Expression) -> list[Expression]:
     """The expressions that an expression is made of, in the order of the text."""
-    if isinstance(node, syntax.Member):
-        return [node.object]
-    if isinstance(node, (syntax.Address, syntax.Dereference, syntax.Star, syntax.DoubleStar)):
-        return [node.value]
-    if isinstance(node, syntax.Call):
-        return [node.callee, *node.arguments]
-    if isinstance(node, syntax.Subscript):
-        return [node.object, node.index]
-    if isinstance(node, syntax.New):
-        return list(node.arguments)
-    if isinstance(node, syntax.Operation):
-        return list(node.operands)
-    if isinstance(node, syntax.Assignment):
-        return [node.target, node.value]
-    if isinstance(node, syntax.Conditional):
-        return [node.test, node.then, node.other]
-    if isinstance(node, syntax.ListLiteral):
-        return list(node.items)
-    if isinstance(node, syntax.Format):
-        return list(node.parts)
-    if isinstance(node, syntax.DictLiteral):
-        return [literal for pair in node.pairs for literal in pair]
-    if isinstance(node, (syntax.Cast, syntax.Keyword)):
-        return [node.value]
-    return []
+    of_its_kind = _PARTS.get(node.__class__)
+    return of_its_kind(node) if of_its_kind is not None else []
+
+
+def _value(node: Any) -> list[Expression]:
+    return [node.value]
+
+
+#: How ``parts`` finds those of an expression, by its class: there are hundreds of thousands of them.
+_PARTS: dict[type, Callable[[Any], list[Expression]]] = {
+    syntax.Member: lambda node: [node.object],
+    **dict.fromkeys((syntax.Address, syntax.Dereference, syntax.Star, syntax.DoubleStar), _value),
+    **dict.fromkeys((syntax.Cast, syntax.Keyword), _value),
+    syntax.Call: lambda node: [node.callee, *node.arguments],
+    syntax.Subscript: lambda node: [node.object, node.index],
+    syntax.New: lambda node: list(node.arguments),
+    syntax.Operation: lambda node: list(node.operands),
+    syntax.Assignment: lambda node: [node.target, node.value],
+    syntax.Conditional: lambda node: [node.test, node.then, node.other],
+    syntax.ListLiteral: lambda node: list(node.items),
+    syntax.Format: lambda node: list(node.parts),
+    syntax.DictLiteral: lambda node: [literal for pair in node.pairs for literal in pair],
+}
 
 
 def nodes(expression: Expression) -> Iterator[Expression]:

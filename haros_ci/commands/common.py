@@ -230,11 +230,10 @@ def run_with_systems(settings: Settings, flags: Flags) -> tuple[Report, Workspac
 
 def under_cache(work: Callable[[DiskCache | MemoryCache, Progress], Made], settings: Settings, flags: Flags) -> Made:
     """What *work* makes with a cache, saying on stderr what is being done when a person watches."""
-    import gc
-
-    gc.disable()  # a short-lived process over acyclic values: the collector would only look for what is not there
+    from haros_ci.commands.collector import without_collector
     from haros_ci.plugins.stdout import kept_clean
 
+    without_collector()
     store = store_for(settings)
     watched = sys.stderr.isatty() and not os.environ.get("CI") and not flags.get("quiet")
 

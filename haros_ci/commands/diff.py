@@ -12,6 +12,7 @@ import click
 from haros_ci.analysis.architecture import varied
 from haros_ci.analysis.comparison import revision_of
 from haros_ci.changes.revision import changes_of
+from haros_ci.commands.collector import without_collector
 from haros_ci.commands.common import cores, settings_from, store_for
 from haros_ci.commands.timings import with_timings
 from haros_ci.config.settings import Settings
@@ -30,9 +31,7 @@ FORMATS = ("text", "markdown", "json", "html")
 @with_timings
 def diff(flags: Mapping[str, Any]) -> int:
     """Compare, print; exit code 0, with ``--exit-code`` 1 if anything has changed; 2 for a revision that cannot be had."""
-    import gc
-
-    gc.disable()
+    without_collector()
     settings = settings_from({**flags, "paths": (), "no_baseline": True, "baseline_rev": flags["base"]})
     store = store_for(settings)
     try:

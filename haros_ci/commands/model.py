@@ -12,6 +12,7 @@ from typing import Any
 import click
 
 from haros_ci.analysis.kept_runs import Output, kept_output
+from haros_ci.commands.collector import without_collector
 from haros_ci.commands.common import cores, settings_from, store_for
 from haros_ci.commands.timings import with_timings
 from haros_ci.config.settings import Settings
@@ -63,11 +64,9 @@ FORMATS = ("text", "json", "dot", "mermaid", "svg", "sqlite", "nodl", "readme")
 @with_timings
 def model(flags: Mapping[str, Any]) -> int:
     """Extract, link, print; exit code 1 if what is expected or documented differs, 2 for wrong usage, else 0."""
-    import gc
-
     refuse(flags)
     format = COMPACT if flags["compact"] else flags["format"]
-    gc.disable()
+    without_collector()
     settings = settings_from({**flags, "no_baseline": True})
     workspace = discover(settings.root, settings.paths, exclude=settings.exclude, max_file_size=settings.max_file_size)
     store = store_for(settings)

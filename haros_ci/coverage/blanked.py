@@ -17,6 +17,15 @@ def blanked(text: str, language: str) -> str:
     return (_PYTHON if language == "python" else _CPP).sub(_blank, text)
 
 
+def uncommented(text: str, language: str) -> str:
+    """*text* with a blank for each character of a comment; texts stay."""
+    return (_PYTHON if language == "python" else _CPP).sub(_blank_comment, text)
+
+
+def _blank_comment(match: re.Match[str]) -> str:
+    return match[0] if match[0][0] in "\"'" else _VISIBLE.sub(" ", match[0])
+
+
 def _blank(match: re.Match[str]) -> str:
     found = match[0]
     if found[0] not in "\"'":

@@ -14,7 +14,7 @@ from haros_ci.code.body import Call as Called
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.coverage.names import Names
 from haros_ci.coverage.pieces import Piece, last_name
-from haros_ci.coverage.search import TextCall, calls_in
+from haros_ci.coverage.search import TextCall
 from haros_ci.index.index import Source
 from haros_ci.syntax import Type
 
@@ -49,10 +49,10 @@ class TextSite:
     start_column: int
 
 
-def found_in(code: Codebase, source: Source, text: str, names: Names) -> Iterator[TextSite]:
-    """The call sites of a file whose blanked text is *text*."""
+def found_in(code: Codebase, source: Source, text: str, names: Names, found: Iterable[TextCall]) -> Iterator[TextSite]:
+    """The call sites of a file with *text*, of what ``calls_in`` has *found* in it."""
     lines = [0, *(match.end() for match in re.finditer(r"\n", text))]
-    for call in calls_in(text, names, source.program.language):
+    for call in found:
         if call.made and not _is_api_class(code, source, call, names):
             continue
         line, first = bisect_right(lines, call.offset), bisect_right(lines, call.start)

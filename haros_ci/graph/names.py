@@ -45,6 +45,8 @@ def resolve(name: str, namespace: str, node: str) -> str:
 
 def clean(name: str) -> str:
     """Without doubled and trailing slashes, with one in front."""
+    if name[:1] == "/" and name[-1] != "/" and "//" not in name:
+        return name
     return "/" + "/".join(part for part in name.split("/") if part)
 
 

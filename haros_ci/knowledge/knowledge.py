@@ -26,6 +26,10 @@ class Knowledge:
     """
 
     facts: Facts = field(default_factory=Facts)
+    #: What comes with a name in a version of ROS, for the next one who asks.
+    _depends: dict[tuple[str, int | None], frozenset[str] | None] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
 
     def is_package(self, name: str, distribution: str | None = None) -> bool | None:
         """Whether *distribution*, or any, has a package of this name; None where the facts are too few to say no.
@@ -109,10 +113,12 @@ class Knowledge:
 
     def depends(self, name: str, ros: int | None = None) -> frozenset[str] | None:
         """What comes with *name* once it is installed, in any distribution of *ros* 1 or 2 (None: of both)."""
-        found = [self.facts.words(f"requires{number}", name) for number in ((ros,) if ros in (1, 2) else (1, 2))]
-        found.append(self.facts.words("keys", name))
-        rows = [row for row in found if row is not None]
-        return frozenset().union(*rows) - {_UNSURE} if rows else None
+        if (name, ros) not in self._depends:
+            found = [self.facts.words(f"requires{number}", name) for number in ((ros,) if ros in (1, 2) else (1, 2))]
+            found.append(self.facts.words("keys", name))
+            rows = [row for row in found if row is not None]
+            self._depends[name, ros] = frozenset().union(*rows) - {_UNSURE} if rows else None
+        return self._depends[name, ros]
 
     def is_whole(self, name: str) -> bool:
         """Whether all that comes with *name* is known. It is not for keys of packages that only some systems have."""

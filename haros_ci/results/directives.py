@@ -52,7 +52,7 @@ def directives(text: str, path: str, kind: str, *, metrics: bool = False) -> Ite
                 own = comment.line + comment.text.count("\n", 0, match.start())
                 line = own + (match["kind"] == "ignore-next-line")
                 if match["kind"] == "ignore" and comment.alone:
-                    code = _code_lines(text, kind) if code is None else code
+                    code = code_lines(text, kind) if code is None else code
                     after = bisect_right(code, comment.end_line)
                     line = code[after] if after < len(code) else own
                 yield _directive(match, line, Location(path, own, comment.column if own == comment.line else None))
@@ -81,7 +81,7 @@ def _directive(match: re.Match[str], line: int, place: Location, *, metrics_only
     )
 
 
-def _code_lines(text: str, kind: str) -> list[int]:
+def code_lines(text: str, kind: str) -> list[int]:
     """The lines that hold more than comments, ascending."""
     empty = {number for number, line in enumerate(lines_of(text), 1) if not line or line.isspace()}
     for comment in comments(text, kind):

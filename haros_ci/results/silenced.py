@@ -3,19 +3,24 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
 from haros_ci.model.location import Location
-from haros_ci.results.comments import lines_of, syntax
-from haros_ci.results.directives import directives
-from haros_ci.results.line_map import line_mapper
+from haros_ci.results.comments import bare, lines_of, syntax
+from haros_ci.results.directives import code_lines, directives
+from haros_ci.results.line_map import line_mapper, words
 from haros_ci.results.result import Run, Silenced
 from haros_ci.results.silencers import is_generated, silencers
 
 #: Texts with more characters than this are compared by what their comments say and stand beside alone.
 _LARGEST_MAPPED = 1_000_000
+
+
+#: What a comment says, and a line.
+_Key = tuple[str, int | None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,11 +35,12 @@ class SilencedPair:
 
 @dataclass(frozen=True, slots=True)
 class _Mark:
-    """A comment that silences: where it stands, what it says, and the code that it is about."""
+    """A comment that silences: where it stands, what it says, and the code that it is about, with its line."""
 
     place: Location
     words: str
     code: str
+    code_line: int
     name: str
     is_own: bool
 
@@ -42,9 +48,10 @@ class _Mark:
 def silenced(pairs: Iterable[SilencedPair], removed: Iterable[tuple[str, str, str]], runs: Iterable[Run]) -> Silenced:
     """The comments that are new in *pairs*, and how many results of *runs* are suppressed by new ones alone.
 
-    A comment is old if one with the same words stands in the base on the line that maps to its own, or beside the same code: in the same
-    file, in another changed file, or in one that is *removed* (path, language and text). Of a file that was generated before and
-    still is nothing is said.
+    A comment is old if one with the same words stands in the base on the line that maps to its own, or beside the line that maps to its code, or
+    beside the same code that has moved: from another place of the file, from another changed file, or from one that is *removed* (path, language
+    and text). If that code is still in its place, it has lost the comment, and the comment is new. Of a file that was generated before
+    and still is nothing is said.
     """
     new: list[_Mark] = []
     pool: Counter[tuple[str, str]] = Counter()
@@ -78,41 +85,60 @@ def _marks(path: str, language: str, text: str) -> Iterator[_Mark]:
     lines: list[str] | None = None
     for directive in directives(text, path, kind):
         lines = lines_of(text) if lines is None else lines
-        code = lines[directive.line - 1] if directive.line <= len(lines) else ""
-        yield _Mark(directive.place, directive.words, "".join(code.split()), "haros", is_own=True)
+        code = bare(lines[directive.line - 1], kind) if directive.line <= len(lines) else ""
+        yield _Mark(directive.place, directive.words, code, directive.line, "haros", is_own=True)
     for found in silencers(text, kind):
-        yield _Mark(Location(path, found.line), found.words, found.code, found.form.name, is_own=False)
+        place = Location(path, found.line)
+        yield _Mark(place, found.words, found.code, found.code_line, found.form.name, is_own=False)
 
 
 def _unmapped(pair: SilencedPair, marks: list[_Mark], before: list[_Mark]) -> tuple[list[_Mark], list[_Mark]]:
-    """The *marks* that do not stand where an equal one of *before* stood, and those of *before* that remain."""
-    if not marks or not before or pair.base is None:
+    """The *marks* that do not stand where an equal one of *before* stood, and those of *before* whose code is gone from its place."""
+    if pair.base is None or not before or max(len(pair.base), len(pair.head)) > _LARGEST_MAPPED:
         return marks, before
-    old = Counter((mark.words, mark.code) for mark in before)
-    left = []
-    for mark in marks:
-        if old[mark.words, mark.code] > 0:
-            old[mark.words, mark.code] -= 1
-        else:
-            left.append(mark)
-    rest = [mark for mark in before if _taken(old, (mark.words, mark.code))]
-    if not left or not rest or max(len(pair.base), len(pair.head)) > _LARGEST_MAPPED:
+    kind = syntax(pair.language, pair.path)
+    mapped = _code_mapper(pair.base, pair.head, kind)
+    code = [mapped(mark.code_line) for mark in before]
+    by_code: Counter[_Key] = Counter(
+        (mark.words, line) for mark, line in zip(before, code, strict=True) if line is not None
+    )
+    left = [mark for mark in marks if not _taken(by_code, (mark.words, mark.code_line))]
+    lines = lines_of(pair.head)
+    rest = []
+    for mark, line in zip(before, code, strict=True):
+        is_left = line is None or _taken(by_code, (mark.words, line))
+        if is_left and (line is None or words(mark.code) - words(bare(lines[line - 1], kind))):
+            rest.append(mark)
+    if not left or not rest:
         return left, rest
-    mapped: Callable[[int], int | None] = line_mapper(pair.base, pair.head)
-    places = Counter((mark.words, mapped(mark.place.line or 1)) for mark in rest)
-    new = []
-    for mark in left:  # the code beside it was edited
-        key = (mark.words, mark.place.line)
-        if places[key] > 0:
-            places[key] -= 1
-        else:
-            new.append(mark)
-    return new, [mark for mark in rest if _taken(places, (mark.words, mapped(mark.place.line or 1)))]
+    place = line_mapper(pair.base, pair.head)
+    places = [place(mark.place.line or 1) for mark in rest]
+    by_place: Counter[_Key] = Counter((mark.words, line) for mark, line in zip(rest, places, strict=True))
+    left = [mark for mark in left if not _taken(by_place, (mark.words, mark.place.line))]
+    return left, [m for m, line in zip(rest, places, strict=True) if _taken(by_place, (m.words, line))]
 
 
-def _taken(counts: Counter[tuple[str, str]] | Counter[tuple[str, int | None]], key: tuple[str, object]) -> bool:
+def _code_mapper(old: str, new: str, kind: str) -> Callable[[int], int | None]:
+    """As ``line_mapper``, by the code alone: comments and the lines of comments do not count, so that one that moves leaves its code in place."""
+    numbers = [code_lines(text, kind) for text in (old, new)]
+    texts = []
+    for text, found in zip((old, new), numbers, strict=True):
+        lines = lines_of(text)
+        texts.append("\n".join(bare(lines[number - 1], kind) for number in found))
+    inner = line_mapper(*texts)
+    before, after = numbers
+
+    def mapped(line: int) -> int | None:
+        at = bisect_left(before, line)
+        place = inner(at + 1) if at < len(before) and before[at] == line else None
+        return None if place is None or place > len(after) else after[place - 1]
+
+    return mapped
+
+
+def _taken(counts: Counter[_Key], key: _Key) -> bool:
     """Whether one of *key* is left, which is taken."""
-    if counts[key] > 0:  # type: ignore[index]  # the key is of the kind that the counts have
-        counts[key] -= 1  # type: ignore[index]  # the same
+    if counts[key] > 0:
+        counts[key] -= 1
         return True
     return False

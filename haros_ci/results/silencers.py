@@ -82,12 +82,13 @@ _HEAD = 10
 
 @dataclass(frozen=True, slots=True)
 class Silencer:
-    """A comment of that *form* on *line*: its *words* without white space, and the *code* that it stands beside or before."""
+    """A comment of that *form* on *line*: its *words* without white space, and the *code* that it stands beside or before, on *code_line*."""
 
     form: Form
     line: int
     words: str
     code: str
+    code_line: int
 
 
 def silencers(text: str, kind: str) -> Iterator[Silencer]:
@@ -106,15 +107,17 @@ def silencers(text: str, kind: str) -> Iterator[Silencer]:
             if form.name == "type: ignore" and comment.alone and _follows_code(lines, comment):
                 continue
             line = comment.line + comment.text.count("\n", 0, found.start())
-            yield Silencer(form, line, "".join(found[0].split()), code_of(lines, comment))
+            code, code_line = _code_of(lines, comment)
+            yield Silencer(form, line, "".join(found[0].split()), code, code_line)
 
 
-def code_of(lines: list[str], comment: Comment) -> str:
-    """The code beside *comment*, or on the next line that is not blank; white space does not count."""
+def _code_of(lines: list[str], comment: Comment) -> tuple[str, int]:
+    """The code beside *comment*, or on the next line that is not blank, without white space, and its line."""
     if not comment.alone:
-        return "".join(lines[comment.line - 1][: comment.column - 1].split())
-    following = (line for line in lines[comment.end_line : comment.end_line + 5] if line.strip())
-    return "".join(next(following, "").split())
+        return "".join(lines[comment.line - 1][: comment.column - 1].split()), comment.line
+    following = lines[comment.end_line : comment.end_line + 5]
+    index = next((index for index, line in enumerate(following) if line.strip()), None)
+    return ("", comment.line) if index is None else ("".join(following[index].split()), comment.end_line + index + 1)
 
 
 def is_generated(text: str) -> bool:

@@ -101,6 +101,8 @@ class Types:
     #: Results under the names and parameters of a node, with what they are made of, by both; and their endpoints by node.
     put: dict[Any, tuple[Followed, Followed | None]] = field(default_factory=dict)
     ends: dict[int, tuple[Followed, dict[str, tuple[Endpoint, ...]]]] = field(default_factory=dict)
+    #: What each result of a ROS 2 entry is known by, with the result.
+    digests: dict[int, tuple[Followed, str]] = field(default_factory=dict)
     #: The ROS version of each package, None where it does not tell.
     versions: Mapping[str, int | None] = field(default_factory=dict)
 

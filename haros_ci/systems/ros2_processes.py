@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import Any
 
 from haros_ci.follow.context import Context
@@ -81,6 +82,7 @@ def _shared(
     earlier = types.followed.setdefault(key, [])
     marks = Marks(names)
 
+    @cache  # what was followed with other parameters asks for much the same
     def parameter(full: str) -> Value | None:
         if full in names:
             return Known(names[full])
@@ -91,7 +93,7 @@ def _shared(
     is_over = sum(counted.values()) > OF_ONE_PROGRAM
     for done in earlier:
         if sharing.fits(done, names, parameter):
-            digest = _digest(key, done)
+            digest = _digest(types, key, done)
             if is_over and digest not in counted:
                 break  # what an earlier run has followed; this one would not
             counted[digest] = types.used[digest] = done.steps
@@ -131,7 +133,7 @@ def _shared(
     )
     done = followed_in(types, entry, files, context, requested, key)
     earlier.append(done)
-    digest = _digest(key, done)
+    digest = _digest(types, key, done)
     counted[digest] = types.used[digest] = done.steps
     return _put_under(types, done, names, instead, parameter)
 
@@ -151,5 +153,8 @@ def _put_under(
     return types.put[key][1]
 
 
-def _digest(key: Any, done: Followed) -> str:
-    return digest_of(key, *done.asked.items(), *done.answers)
+def _digest(types: Types, key: Any, done: Followed) -> str:
+    """What *done* is known by, made once."""
+    if id(done) not in types.digests:
+        types.digests[id(done)] = (done, digest_of(key, *done.asked.items(), *done.answers))
+    return types.digests[id(done)][1]

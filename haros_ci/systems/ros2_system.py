@@ -265,7 +265,7 @@ def _implicit(node: RosNode, kind: str, started: Started, ends: tuple[Endpoint, 
         if isinstance(sim, Opaque) and value is None and end.kind == "parameters":
             end = replace(end, effective=None, unknowns=(Unknown("value", sim.reason, sim.location),))
         if (end.kind, final_name) not in there:
-            yield replace(end, name=final_name)
+            yield end if final_name == end.name else replace(end, name=final_name)
 
 
 def _sorted(ends: Iterable[Endpoint]) -> tuple[Endpoint, ...]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
+from operator import is_not
 from typing import Any
 
 from haros_ci.follow.made import MadeEntity
@@ -111,6 +112,12 @@ def put_under(
 
     def node(before: RosNode) -> RosNode:
         if id(before) not in nodes:
+            main = node(before.main) if before.main is not None else None
+            texts_of = (before.name, before.own, before.space, before.why[0] if before.why else "")
+            is_as_it_was = main is before.main and not any(BEGIN in part for part in texts_of)
+            if is_as_it_was and not any(rule in rules for rule in before.rules):
+                nodes[id(before)] = before
+                return before
             nodes[id(before)] = replace(
                 before,
                 name=name(before.name),
@@ -118,7 +125,7 @@ def put_under(
                 space=name(before.space),
                 rules=tuple(rules.get(rule, rule) for rule in before.rules),
                 why=before.why and (text(before.why[0]), before.why[1]),
-                main=node(before.main) if before.main is not None else None,
+                main=main,
             )
         return nodes[id(before)]
 
@@ -129,17 +136,21 @@ def put_under(
             effective = value.value if isinstance(value, Known) else None
         elif isinstance(effective, str):
             effective = text(effective)
+        own = node(before.node) if before.node is not None else None
+        texts_of = (before.name, before.written or "", *(why for _, why, _ in before.unknowns))
+        if own is before.node and effective is before.effective and not any(BEGIN in part for part in texts_of):
+            return before
         return replace(
             before,
             name=name(before.name),
             effective=effective,
-            node=node(before.node) if before.node is not None else None,
+            node=own,
             unknowns=tuple((what, text(why), where) for what, why, where in before.unknowns),
             written=before.written and text(before.written),
         )
 
     every = tuple(map(made, followed.made))
-    if _number(every) != _number(followed.made):
+    if any(map(is_not, every, followed.made)) and _number(every) != _number(followed.made):
         return None
     return replace(
         followed,

@@ -21,6 +21,8 @@ def keys(text: str) -> Iterator[str]:
 
 def filled(text: str, texts: Mapping[str, str]) -> str:
     """*text* with what its marks stand for; a mark that *texts* has not stays."""
+    if BEGIN not in text:
+        return text
 
     def put(found: re.Match[str]) -> str:
         space, after, other = found.groups()

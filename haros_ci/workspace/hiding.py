@@ -6,7 +6,7 @@ from __future__ import annotations
 import hashlib
 import os
 import stat
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
@@ -26,7 +26,7 @@ from haros_ci.workspace.selection import (
     is_never_source,
     output_directories,
 )
-from haros_ci.workspace.used_code import UsedCode
+from haros_ci.workspace.used_code import CODE, UsedCode
 from haros_ci.workspace.views import doubles
 
 #: Files that a message names; the rest is counted.
@@ -106,15 +106,21 @@ class TrackedChange:
         used = UsedCode(workspace)
         aside = self._aside(candidates, scope, excludes)
         reached = [path for path, directory in aside.items() if used.reaches(path, directory)]
+        others = self._changed_without_code(analysed, scope, excludes) if self.is_known else []
+        code = {path: why for path in others if (why := used.why(path)) and self.has_changed(path)}
         unread = (
             *self._led_away(workspace.links, analysed, excludes),
-            *self._used(used, analysed, scope, excludes),
+            *(Problem(path, f"skipped: {why}") for path, why in code.items()),
+            *(self._stray_launch_files(used, analysed) if self.is_known else ()),
             *(Problem(path, f"skipped: it lies in {aside[path]}, which is never analysed") for path in reached),
             *self._new_submodules(scope),
         )
         hiding = Hiding(
             warnings=(*self._warnings(candidates, scope), *self._enclosing(candidates, workspace)),
-            notes=tuple(self._notes(sorted(aside.keys() - {*reached}), scope)),
+            notes=(
+                *self._notes(sorted(aside.keys() - {*reached}), scope),
+                *self._unused_code([path for path in others if path not in code and used.is_python(path)]),
+            ),
             unread=(*workspace.hiding.unread, *unread),
             later=tuple(sorted(package.path for package in workspace.packages if self._is_new(package))),
         )
@@ -231,30 +237,27 @@ class TrackedChange:
                 aside[path] = hidden
         return aside
 
-    def _used(
-        self, used: UsedCode, analysed: Collection[str], scope: AnalysedPaths, excludes: Excludes
-    ) -> Iterator[Problem]:
-        """One for each changed file that is code by what uses it, and that is not analysed."""
-        if not self.is_known:
-            return
-        for path in self._changed_without_language(scope, excludes):
-            why = "" if path in analysed else used.why(path)
-            if why and self.has_changed(path):
-                yield Problem(path, f"skipped: {why}")
-        for path in sorted(analysed):
-            if path in self.tracked and path not in self.base and used.is_stray_launch(path):
-                yield Problem(
-                    path,
-                    "skipped: a launch file by its text, not by its name, which nothing includes; call it .launch or .launch.xml",
-                )
+    def _unused_code(self, paths: list[str]) -> Iterator[Problem]:
+        """One for all changed files at *paths*, which hold Python under other names, and which nothing is seen to run."""
+        if changed := [path for path in paths if self.has_changed(path)]:
+            verb = "holds" if len(changed) == 1 else "hold"
+            text = f"{_plural(len(changed), 'changed file')} {verb} Python under a name that is not analysed as Python"
+            yield Problem(changed[0], f"{text}: {_named(changed)}")
 
-    def _changed_without_language(self, scope: AnalysedPaths, excludes: Excludes) -> list[str]:
-        """The changed files in *scope* whose names are those of no language."""
+    def _stray_launch_files(self, used: UsedCode, analysed: Collection[str]) -> Iterator[Problem]:
+        for path in sorted(analysed):
+            if path in self.tracked and path not in self.base and (kind := used.kind_of_stray_launch(path)):
+                text = "skipped: a launch file by its text, not by its name, which nothing includes"
+                yield Problem(path, f"{text}; call it .launch.{kind}")
+
+    def _changed_without_code(self, analysed: Mapping[str, str], scope: AnalysedPaths, excludes: Excludes) -> list[str]:
+        """The changed files in *scope* that are not analysed as C++ or Python, nor called so."""
         return [
             path
             for path, name in sorted(self.tracked.items())
             if self.base.get(path) != name and path not in self.submodules and scope.given(path) is not None
-            if language_of(path.rpartition("/")[2]) is None and not _excluded(path, excludes)
+            if language_of(path.rpartition("/")[2]) not in CODE and analysed.get(path) not in CODE
+            if not _excluded(path, excludes)
         ]
 
     def _never_analysed(self, path: str, outputs: frozenset[str]) -> str:

@@ -29,6 +29,7 @@ class PathListing:
     problems: list[Problem] = field(default_factory=list)
     tracked: dict[str, str] = field(default_factory=dict)
     submodules: set[str] = field(default_factory=set)
+    empty: list[str] = field(default_factory=list)
 
 
 def list_files(root: Path, directories: tuple[str, ...], change: Path | None = None) -> PathListing:
@@ -89,7 +90,10 @@ def _list_repository(
             part = (is_changed and path in found.tracked) or below_it == change
             _list_repository(listing, root, below_it, [mount + path], is_changed=part, change=change)
         else:
+            before = len(listing.paths)
             _walk(listing, root, mount + path)
+            if len(listing.paths) == before and path in found.tracked:
+                listing.empty.append(mount + path)
     for directory in directories if found.is_whole else ():
         for ignored in _ignored_as_a_whole(root, directory, paths + [mount + path for path in found.nested]):
             _walk(listing, root, ignored, change=change)

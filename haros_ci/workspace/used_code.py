@@ -13,18 +13,22 @@ from fnmatch import fnmatchcase
 
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
+from haros_ci.workspace.code_text import BODY, has_lines_of_python, is_cpp, is_python
 from haros_ci.workspace.language import language_of, suffix_of
 
 #: What is put behind the name of a file of which a build makes one: CMake's, empy's, Jinja's.
 TEMPLATES = frozenset(("in", "em", "template", "tmpl", "tpl", "j2", "jinja", "jinja2"))
-#: The beginning of a launch file in XML, whatever its name is.
+#: The beginning of a launch file in XML, and in YAML, whatever its name is.
 _LAUNCH = re.compile(r"(?:\s|<\?[^>]{0,1000}>|<!--(?:[^-]|-(?!->))*-->)*<launch[\s/>]")
+_LAUNCH_YAML = re.compile(
+    r"(?:\s|#[^\n]{0,1000}\n|(?:---|%)[^\n]{0,1000}\n)*[\"']?launch[\"']?[ \t]*:\s*(?:#[^\n]{0,1000}\n\s*){0,20}(?:-|\[\s*\{)"
+)
 #: Code that no reader here knows, and no other name is needed for: Cython, and Python that is compiled.
 _UNKNOWN = {"pyx": "Cython", "pxi": "Cython", "pyc": "Python that is compiled"} | dict.fromkeys(
     ("egg", "whl", "pyz"), "an archive of Python"
 )
 _REFERRING = frozenset(("cpp", "python", "cmake", "launch", "setup", "package"))
-_CODE = frozenset(("cpp", "python"))
+CODE = frozenset(("cpp", "python"))
 
 #: What may stand between the words of a directive, once lines are spliced.
 _GAP = r"(?:[ \t]|/\*(?:[^*\n]|\*(?!/)){0,1000}\*/)*"
@@ -65,14 +69,26 @@ _GIVEN = re.compile(
 _OTHERS = re.compile(
     r"#![^\n]{0,200}?\b(?:perl|ruby|node|deno|julia|octave|gnuplot|lua|Rscript|tclsh|wish|awk|gawk|make|php|expect|(?:ba|da|k|z)?sh)\b"
 )
+#: In files of dynamic_reconfigure, which are read as such (``cfg/Planner.cfg``).
+_RECONFIGURE = "ParameterGenerator"
+_ASKS_FOR_PYTHON = re.compile(r"#![^\n]{0,200}?\b(?:python|pypy)[\d.]{0,6}(?:\s|\Z)")
+#: Words of what may run a text or a program, in Python code that names a file with Python in it.
+_MAY_RUN = re.compile(
+    r"\b(?:exec|execfile|eval|compile|runpy|subprocess|Popen|popen|system|exec[lv]p?e?|spawn\w*|pty|run|runcode|runsource|interact|InteractiveInterpreter"
+    r"|InteractiveConsole|cProfile|profile|timeit|doctest|testfile|importlib|import_module|__import__|imp|zipimport|Loader|SourceFileLoader|PYTHONSTARTUP"
+    r"|FindExecutable|ExecuteProcess|Node)\b"
+)
+#: How C++ begins: a directive, a comment, a declaration.
+_BEGINS_CPP = re.compile(
+    r"\s*(?:#[ \t]*(?:pragma|include|if|ifdef|ifndef|define)\b|//|/\*|(?:namespace|using|template|struct|class|enum|union|static|inline|extern|constexpr|typedef)\b"
+    r"|[A-Za-z_][\w:<>,&*\[\] \t]{0,300}(?:\([^;{}]{0,500}\)\s{0,20}(?:const\s{0,20})?\{|=|;))"
+)
 _IDENTIFIER = re.compile(r"\b[A-Za-z_]\w{0,100}\b")
 _BOUND = re.compile(r"\b([A-Za-z_]\w{0,100})[ \t]*(?::[^=\n]{0,100})?=(?!=)|\bas[ \t]+([A-Za-z_]\w{0,100})")
 _STRING = re.compile(r"[\"']([^\"'\n]{1,1000})[\"']")
+_HEAD = 512
 #: How many names in turn may lead from what runs a text to the name of its file.
 _STEPS = 4
-#: A body of a function, which is what findings are in; a template without one has values alone.
-_NO_CPP = re.compile(r"\A#!|^syntax = \"proto[23]\";$", re.M)
-_BODY = re.compile(r"\)[^;{}()]{0,80}\{|\]\s*\{")
 
 
 class UsedCode:
@@ -83,25 +99,63 @@ class UsedCode:
         self._names: dict[str, frozenset[str]] = {}
 
     def why(self, path: str) -> str:
-        """Why the file at *path*, whose name is that of no language, is code, as a clause; "" if nothing says so."""
+        """Why the file at *path*, which is not analysed as code, is code, as a clause; "" if nothing says so.
+
+        If its name is that of another language (``part.yaml``), its text has to be code, too, but for what C++ includes.
+        """
         name = path.rpartition("/")[2]
+        language = language_of(name)
+        text = self._workspace.text(path)
         if suffix := _UNKNOWN.get(suffix_of(name)):
             return f"it is {suffix}, which is not analysed"
-        if name in self._of("cpp", _included):
+        if name in self._of("cpp", _included) or (
+            name in self._of("cpp", _perhaps_included) and _is_cpp(text, language)
+        ):
             return "C++ includes it, and no C++ file is called so"
-        if self._is_among(name, "cmake", _compiled):
+        return self._why_built(path, name, text, language) or self._why_run(name, text, language)
+
+    def _why_built(self, path: str, name: str, text: str, language: str | None) -> str:
+        """Why CMake makes code of it, or a program."""
+        if self._is_among(name, "cmake", _compiled) and _is_cpp(text, language):
             return "CMake has it compiled, and no C++ file is called so"
-        if name in self._of("cmake", _filled) and (language := self._template_of(path, name)):
-            return f"a build makes {language} of it"
-        if self._is_among(name, "cmake", _taken) and self._is_cpp(path):
+        if name in self._of("cmake", _filled) and (made := _template_of(name, text)) and _is_cpp(text, language):
+            return f"a build makes {made} of it"
+        if self._is_among(name, "cmake", _taken) and is_cpp(text) and _is_cpp(text, language):
             return "CMake takes it, it holds functions of C++, and no C++ file is called so"
-        if self._is_among(name, "cmake", _programs) and not self._is_binary(path):
+        is_program = language is None and text and _OTHERS.match(text) is None
+        if is_program and self._is_among(name, "cmake", _programs):
             return "CMake installs it as a program, and neither its name nor its first line tells the language"
-        if name in self._of("python", _loaded) and (name.endswith(".zip") or self._workspace.text(path)):
-            return "Python code loads it as Python, and no Python file is called so"
-        if name in self._given() and self._workspace.text(path):
-            return "it is given to Python as a program, and no Python file is called so"
         return ""
+
+    def _why_run(self, name: str, text: str, language: str | None) -> str:
+        """Why an interpreter of Python runs it."""
+        is_archive = name.endswith(".zip")
+        if not text.strip() and not is_archive:
+            return ""
+        is_reconfigure = language == "setup" and _RECONFIGURE in text
+        if language is not None and _ASKS_FOR_PYTHON.match(text) and not is_reconfigure:
+            return f"its first line asks for Python, and its name is that of {language}"
+        is_perhaps_python = (
+            language is None or (language != "markdown" and has_lines_of_python(text)) or is_python(text)
+        )
+        if is_perhaps_python and name in self._of("python", _loaded):
+            return "Python code loads it as Python, and no Python file is called so"
+        if is_perhaps_python and name in self._given():
+            return "it is given to Python as a program, and no Python file is called so"
+        if is_python(text, with_calls=language != "cmake") and (user := self._user_of(name, is_reconfigure)):
+            return f"it holds Python, {user} names it, and no Python file is called so"
+        return ""
+
+    def _user_of(self, name: str, is_reconfigure: bool) -> str:
+        """The path of a file that names the file called *name*, and that may have it run; "" without one."""
+        place = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w-])")
+        for file in self._files(("python", "launch", "shell", "dockerfile")):
+            source = self._workspace.text(file.path)
+            if name in source and place.search(source) and (file.language != "python" or _MAY_RUN.search(source)):
+                return file.path
+        is_taken = self._is_among(name, "cmake", _programs)
+        is_taken |= not is_reconfigure and self._is_among(name, "cmake", _taken)
+        return "CMakeLists.txt" if is_taken else ""
 
     def reaches(self, path: str, directory: str) -> bool:
         """Whether analysed files, or links, lead to the file at *path* below *directory*, which nobody enters."""
@@ -120,13 +174,22 @@ class UsedCode:
                     return True
         return is_named and any(file.search(self._workspace.text(f.path)) for f in self._files(_REFERRING))
 
-    def is_stray_launch(self, path: str) -> bool:
-        """Whether the file at *path* is a launch file by its text, not by its name, and none that is analysed names it."""
-        name = path.rpartition("/")[2]
-        if language_of(name) != "xml" or not _LAUNCH.match(self._workspace.text(path)):
+    def is_python(self, path: str) -> bool:
+        """Whether the file at *path* is a program of Python by its text; stubs (PEP 484) and settings of dynamic_reconfigure are none."""
+        if suffix_of(path.rpartition("/")[2]) == "pyi" or b"\0" in self._workspace.reader.head(path, _HEAD):
             return False
-        others = self._files(("launch", "python", "xml", "yaml"))
-        return not any(name in self._workspace.text(file.path) for file in others if file.path != path)
+        text = self._workspace.text(path)
+        return _RECONFIGURE not in text and is_python(text, with_calls=False)
+
+    def kind_of_stray_launch(self, path: str) -> str:
+        """``xml`` or ``yaml`` if the file at *path* is a launch file by its text, not by its name, and none that is analysed names it; else ""."""
+        name = path.rpartition("/")[2]
+        kind = language_of(name) or ""
+        form = {"xml": _LAUNCH, "yaml": _LAUNCH_YAML}.get(kind)
+        if form is None or not form.match(self._workspace.text(path)):
+            return ""
+        others = self._files(("launch", "python", "xml", "yaml", "cmake"))
+        return "" if any(name in self._workspace.text(file.path) for file in others if file.path != path) else kind
 
     def _files(self, languages: Collection[str]) -> Iterator[SourceFile]:
         return (file for file in self._workspace.files if file.language in languages)
@@ -148,24 +211,6 @@ class UsedCode:
         names = self._of(language, find)
         return name in names or any("*" in pattern and fnmatchcase(name, pattern) for pattern in names)
 
-    def _template_of(self, path: str, name: str) -> str:
-        """The language of what a template makes, "" if it is neither C++ nor Python, or holds values alone."""
-        stem, _, suffix = name.rpartition(".")
-        language = language_of(stem) if suffix.lower() in TEMPLATES else "cpp"
-        if language == "python":
-            return "Python"
-        return "C++" if language == "cpp" and _BODY.search(self._workspace.text(path)) else ""
-
-    def _is_cpp(self, path: str) -> bool:
-        """Whether a file has functions of C++, as far as its text tells: Protocol Buffers and shell scripts have what looks like some."""
-        text = self._workspace.text(path)
-        return _BODY.search(text) is not None and ";" in text and not _NO_CPP.search(text)
-
-    def _is_binary(self, path: str) -> bool:
-        """Whether it is no text, or a script of another language, such as Perl's."""
-        text = self._workspace.text(path)
-        return not text or _OTHERS.match(text) is not None
-
 
 def _included(text: str) -> Iterator[str]:
     if "\\" in text or "??/" in text:
@@ -173,7 +218,29 @@ def _included(text: str) -> Iterator[str]:
     yield from _INCLUDE.findall(text)
     if _COMPUTED.search(text):
         yield from _DEFINE.findall(text)
-        yield from _PIECE.findall(text)
+
+
+def _perhaps_included(text: str) -> Iterable[str]:
+    """Any word, where a macro makes the name of what is included."""
+    if "\\" in text or "??/" in text:
+        text = _SPLICE.sub("", text)
+    return _PIECE.findall(text) if _COMPUTED.search(text) else ()
+
+
+def _is_cpp(text: str, language: str | None) -> bool:
+    """Whether a file may be C++: under a name of no language if it has a statement or block, under one of another language if it begins and goes on so."""
+    if language is None:
+        return ";" in text or "{" in text
+    return _BEGINS_CPP.match(text) is not None and is_cpp(text)
+
+
+def _template_of(name: str, text: str) -> str:
+    """The language of what a template makes, "" if it is neither C++ nor Python, or holds values alone."""
+    stem, _, suffix = name.rpartition(".")
+    language = language_of(stem) if suffix.lower() in TEMPLATES else "cpp"
+    if language == "python":
+        return "Python"
+    return "C++" if language == "cpp" and BODY.search(text) else ""
 
 
 def _compiled(text: str) -> Iterable[str]:
@@ -186,7 +253,7 @@ def _filled(text: str) -> Iterator[str]:
         made = [language_of(word.rpartition("/")[2]) for word in words]
         for word in words:
             stem, _, suffix = word.rpartition("/")[2].rpartition(".")
-            if _CODE & {*made} or (suffix.lower() in TEMPLATES and language_of(stem) in _CODE):
+            if CODE & {*made} or (suffix.lower() in TEMPLATES and language_of(stem) in CODE):
                 yield word
 
 

@@ -87,7 +87,7 @@ def test_as_many_processes_as_there_are_find_the_same(processes: int) -> None:
 
 
 def test_findings_are_sorted_and_failures_in_the_order_of_the_checks() -> None:
-    of_system, of_project, changes = run(3)
+    of_system, of_project, changes, _ = run(3)
     assert [result.message for result in of_system.results] == ["seen in demo"]
     places = [result.sort_key for result in of_project.results]
     assert places == sorted(places) and len(places) == 34
@@ -97,7 +97,7 @@ def test_findings_are_sorted_and_failures_in_the_order_of_the_checks() -> None:
 
 def test_a_package_that_no_build_sees_is_a_note_unless_the_change_hides_it() -> None:
     def level(base: Workspace | None) -> Level:
-        _, found, _ = run(2, base=base)
+        _, found, _, _ = run(2, base=base)
         (result,) = (result for result in found.results if result.rule == "of-builds")
         return result.level
 
@@ -119,7 +119,7 @@ class Asked:
 
 def test_what_looks_at_the_base_revision_is_one_piece_of_work_and_the_first() -> None:
     asked = Asked()
-    _, _, changes = run_all(CHECKS, SYSTEMS_HERE, PROJECT, "haros-ci", None, asked, WORKSPACE)
+    _, _, changes, _ = run_all(CHECKS, SYSTEMS_HERE, PROJECT, "haros-ci", None, asked, WORKSPACE)
     assert list(asked.groups[:3]) == [OF_CHANGES, OF_CHANGES, SYSTEMS]
     assert OF_CHANGES not in asked.groups[2:]
     assert changes is not None and not changes.changes

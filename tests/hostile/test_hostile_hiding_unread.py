@@ -16,6 +16,7 @@ QUICK = ("--ignore=pylint,cpplint,metrics,ruff,cppcheck",)
 RULE = "file-not-analysed"
 TEXT = "int f(int x) { return x; }\n"
 LONG = f"int a[] = {{{'1, ' * 2_000}}};\n"
+LFS = "version https://git-lfs.github.com/spec/v1"
 A = "src/a.cpp"
 
 
@@ -39,6 +40,7 @@ CASES = [
     Case("a long line", lambda t: t.write(A, TEXT + LONG), "line 2: a line of more than 5000 characters"),
     Case("a long line in a new file", lambda t: t.write("n.py", f"x = '{'x' * 6000}'\n"), "5000", "n.py"),
     Case("a NUL", lambda t: t.write(A, TEXT + "\0"), "binary data where cpp text was expected"),
+    Case("a pointer", lambda t: t.write("n.hpp", f"{LFS}\noid sha256:0\nsize 1\n"), "a pointer of Git LFS", "n.hpp"),
     Case("UTF-16", lambda t: t.write(A, TEXT.encode("utf-16")), "encoded as UTF-16; save it as UTF-8"),
     Case("large", lambda t: t.write(A, TEXT * 100_000), "more than the limit of 2000000; raise it or exclude the file"),
     Case("a link out", lambda t: replaced(t, A, "../../outside/secret.hpp"), "leads out of the workspace"),

@@ -10,6 +10,7 @@ import pytest
 from haros_ci.workspace.discover import discover
 from haros_ci.workspace.used_code import UsedCode
 
+PYTHON = "def f():\n    return undefined\n"
 BODY = "int f(int x) {\n  return x;\n}\n"
 
 #: A file that refers to "src/part.…", its text, and the name and text of the part.
@@ -127,10 +128,128 @@ FIRES = {
         "part.mod",
         "import os\n",
     ),
+    "an include of a name of data": ("src/a.cpp", '#include "part.md"\n', "part.md", "using A = int;\n"),
+    "an include of settings": ("src/a.cpp", '#include "../b/part.yaml"\n', "part.yaml", BODY),
+    "an include of data by a macro": ("src/a.cpp", "#define S(x) #x\n#include S(part.xml)\n", "part.xml", BODY),
+    "a language for a page": (
+        "CMakeLists.txt",
+        "set_source_files_properties(src/part.md PROPERTIES LANGUAGE CXX)\n",
+        "part.md",
+        "/* a */\n" + BODY,
+    ),
+    "settings that are copied as C++": ("CMakeLists.txt", "file(COPY_FILE src/part.yaml a.cpp)\n", "part.yaml", BODY),
+    "a name of data with a shebang": ("a.py", "", "part.xml", "#!/usr/bin/env python3\nx\n"),
+    "a name of data that is run": ("a.py", "exec(open('part.yaml').read())\n", "part.yaml", "import os\n(\n"),
+    "a page that is run": ("a.py", "runpy.run_path('part.md')\n", "part.md", "print(undefined)\n"),
+    "a name as an argument": (
+        "a.py",
+        "def load(name):\n    exec(open(name).read())\n\nload('part.dat')\n",
+        "part.dat",
+        PYTHON,
+    ),
+    "over lines": ("a.py", "with open('part.dat',\n  'r') as f:\n    exec(\n        f.read())\n", "part.dat", PYTHON),
+    "an interpreter in Python code": (
+        "a.py",
+        "code.InteractiveInterpreter().runsource(open('part.dat').read())\n",
+        "part.dat",
+        PYTHON,
+    ),
+    "a profiler": ("a.py", "cProfile.run(open('part.cfg').read())\n", "part.cfg", PYTHON),
+    "a debugger": ("a.py", "text = open('part.dat').read()\nimport pdb\npdb.run(text)\n", "part.dat", PYTHON),
+    "lines of a file": ("a.py", "exec(''.join(linecache.getlines('part.dat')))\n", "part.dat", PYTHON),
+    "a pipe": ("a.py", "subprocess.run('cat part.dat | python3', shell=True)\n", "part.dat", PYTHON),
+    "words of a command": ("a.py", "os.execvp('python3', shlex.split('python3 part.cfg'))\n", "part.cfg", PYTHON),
+    "a shell script": ("a.sh", "cat part.dat | python3\n", "part.dat", PYTHON),
+    "a program in a launch file": (
+        "a.launch",
+        '<launch><node pkg="p" type="part.yaml" name="n"/></launch>\n',
+        "part.yaml",
+        PYTHON,
+    ),
+    "a program called as data": (
+        "CMakeLists.txt",
+        "install(PROGRAMS src/part.yaml DESTINATION lib)\n",
+        "part.yaml",
+        PYTHON,
+    ),
+    "settings of dynamic_reconfigure that are run": (
+        "a.py",
+        "subprocess.run(['python3', 'part.cfg'])\n",
+        "part.cfg",
+        "import os\ngen = ParameterGenerator()\n",
+    ),
     "Cython": ("a.py", "", "part.pyx", "import os\n"),
     "compiled Python": ("a.py", "", "part.pyc", "x"),
 }
+PAGE = "# Part\n\nUse it so:\n\n```python\nimport os\n```\n\n```cpp\nint f() {\n  return 1;\n}\n```\n"
 QUIET = {
+    "a page that nothing includes": ("src/a.cpp", '#include "other.md"\n', "part.md", BODY),
+    "a page of the setup": (
+        "setup.py",
+        "with open('version.py') as f:\n    exec(f.read())\nwith open('part.md') as f:\n    text = f.read()\n",
+        "part.md",
+        PAGE,
+    ),
+    "a page beside a header that a macro names": (
+        "src/a.cpp",
+        "// see part.md\n#include FT_FREETYPE_H\n",
+        "part.md",
+        PAGE,
+    ),
+    "a page on which a command depends": (
+        "CMakeLists.txt",
+        "add_custom_target(doc DEPENDS src/part.md)\n",
+        "part.md",
+        PAGE,
+    ),
+    "settings of a program": (
+        "a.py",
+        "subprocess.run([sys.executable, 'a.py'])\nyaml.safe_load(open('part.yaml'))\n",
+        "part.yaml",
+        "a: 1\nb:\n  import: os\n",
+    ),
+    "settings beside a search path": (
+        "a.py",
+        "here = os.path.dirname(__file__)\nsys.path.append(here)\nf = os.path.join(here, 'part.yaml')\n",
+        "part.yaml",
+        "rate: 10\n",
+    ),
+    "a list of requirements": (
+        "a.py",
+        "subprocess.run('pip install -r part.txt')\n",
+        "part.txt",
+        "numpy\nscipy==1.0\n",
+    ),
+    "JSON": ("a.py", "subprocess.run(['tool', 'part.json'])\n", "part.json", '{"a": [1, 2], "b": "f(x)"}\n'),
+    "settings that parse as Python": (
+        "a.py",
+        "subprocess.run(['tool', 'part.ini'])\n",
+        "part.ini",
+        "a = 1\nb = name\n",
+    ),
+    "Python that only an editor reads": ("a.py", "print('part.txt')\n", "part.txt", PYTHON),
+    "Python of another name": ("a.py", "exec(open('apart.txt').read())\n", "part.txt", PYTHON),
+    "a shell script that is installed": (
+        "CMakeLists.txt",
+        "install(PROGRAMS src/part.sh DESTINATION lib/p)\n",
+        "part.sh",
+        "#!/bin/sh\nf() {\n  python3 -c 'import os';\n}\n",
+    ),
+    "a module of CMake": ("CMakeLists.txt", "include(src/part.cmake)\n", "part.cmake", "project(a)\nmessage(b)\n"),
+    "a robot that is read": (
+        "a.py",
+        "subprocess.check_output(['xacro', 'part.urdf'])\n",
+        "part.urdf",
+        "<robot name='a'><!-- import os --></robot>\n",
+    ),
+    "an archive of settings": ("a.launch", '<launch><rosparam file="part.yaml"/></launch>\n', "part.yaml", "if: on\n"),
+    "settings of dynamic_reconfigure": (
+        "CMakeLists.txt",
+        "generate_dynamic_reconfigure_options(src/part.cfg)\n",
+        "part.cfg",
+        "#!/usr/bin/env python\nfrom dynamic_reconfigure.parameter_generator_catkin import *\ngen = ParameterGenerator()\n",
+    ),
+    "weights": ("a.py", "exec(x)\nload('part.pth')\n", "part.pth", "\0"),
     "what a program of Python is given": (
         "a.py",
         "subprocess.run([sys.executable, 'tool.py', 'part.txt'])\n",
@@ -206,7 +325,7 @@ QUIET = {
         "a.py",
         "exec(open('version.py').read())\nsetup(long_description=open('part.rst').read())\n",
         "part.rst",
-        "import os\n",
+        "Part\n====\n\n    import os\n",
     ),
     "a model that is evaluated": ("a.py", "model.eval('part.pth')\nre.compile('part.pth')\n", "part.pth", "x"),
     "what is no text": ("a.py", "exec(open('part.txt').read())\n", "part.txt", "\0"),
@@ -268,9 +387,21 @@ def test_a_link_leads_there(tmp_path: Path) -> None:
         ("all.xml", "<robot><launch/></robot>\n", "", False),
         ("all.launch.xml", "<launch/>\n", "", False),
         ("all.launch", "<launch/>\n", "", False),
+        ("all.yaml", "launch:\n- node:\n    pkg: a\n", "", True),
+        ("all.yml", "%YAML 1.2\n---\n# a\n'launch' :\n  # b\n  - node: {pkg: a}\n", "", True),
+        ("all.yaml", "launch: [{node: {pkg: a}}]\n", "", True),
+        ("all.yaml", "launch:\n- node:\n    pkg: a\n", "# all.yaml\n", False),
+        ("all.xml", "<launch/>\n", "add_rostest(all.xml)\n", False),
+        ("all.yaml", "launch: true\n", "", False),
+        ("all.yaml", "launch:\n  file: a.py\n", "", False),
+        ("all.yaml", "launches:\n- a\n", "", False),
+        ("all.yaml", "a:\n  launch:\n  - a\n", "", False),
+        ("all.launch.yaml", "launch:\n- node:\n    pkg: a\n", "", False),
     ],
 )
 def test_launch_files_by_their_text_alone(name: str, text: str, other: str, is_stray: bool, tmp_path: Path) -> None:
     (tmp_path / name).write_text(text)
-    (tmp_path / "other.launch").write_text(other)
-    assert UsedCode(discover(tmp_path, (".",))).is_stray_launch(name) is is_stray
+    (tmp_path / ("CMakeLists.txt" if "(" in other else "other.launch")).write_text(other)
+    assert UsedCode(discover(tmp_path, (".",))).kind_of_stray_launch(name) == (
+        is_stray and Path(name).suffix[1:].replace("yml", "yaml") or ""
+    )

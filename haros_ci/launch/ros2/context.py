@@ -90,8 +90,8 @@ class Context:
     files: set[str] = field(default_factory=set)
     #: What a RewrittenYaml stands for, by the path that performing it gives.
     rewritten: dict[str, Any] = field(default_factory=dict)
-    #: The file and the documents that such a path has given, and the ids of what has substitutions in these.
-    rewritten_trees: dict[str, tuple[str, Any, frozenset[int]]] = field(default_factory=dict)
+    #: The file and the documents that such a path has given.
+    rewritten_trees: dict[str, tuple[str, Any]] = field(default_factory=dict)
     steps: int = BUDGET
     #: Under which launch arguments that is done which is being performed.
     presence: Presence = ()

@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 from haros_ci.bounded_yaml import YamlFault
@@ -58,7 +59,23 @@ def file_rules(
         return (missing(str(err), location),)
     patterns = sections_of(context.places, file, trees, component.name if component is not None else None)
     ros2.parameter_file(context, path, location, file, patterns)
+    key = ("rules", id(trees), file, location, component)
+    if key in context.places.made:
+        found, leaves = context.places.made[key][1]
+        context.spend(leaves)
+    else:
+        found, leaves = _rules(context, trees, file, location, component)
+        context.places.made[key] = (trees, (found, leaves))
+    rules: tuple[ParameterRule, ...] = found
+    return rules
+
+
+def _rules(
+    context: Context, trees: tuple[Tree, ...], file: str, location: Location, component: Component | None
+) -> tuple[tuple[ParameterRule, ...], int]:
+    """The parameters that the documents of a file give, and the steps that it took to read them."""
     found: list[ParameterRule] = []
+    before = context.steps
     for tree in trees:
         sections, reason = _for_nodes(tree) if component is None else _for_component(tree, component)
         if reason:
@@ -67,7 +84,7 @@ def file_rules(
             for name, value in _leaves(leaves, ""):
                 context.spend(1)
                 found.append(_rule(pattern, name, value, location, file, component is not None))
-    return tuple(found)
+    return tuple(found), before - context.steps
 
 
 def parameter_file(places: Places, path: str, location: Location) -> tuple[ParameterRule, ...]:
@@ -144,16 +161,15 @@ def _trees(
             raise _Missing("a file is rewritten too often")
         again = context.rewritten_trees.get(path.raw)
         if again is not None:
-            return again[0], _performed(context, again[1], again[2]) if substitutes else again[1]
+            return again[0], _performed(context, again[1]) if substitutes else again[1]
         file, trees = _trees(context, how["source"], False, location, depth + 1)
         for text in rewritten_names(how):
             if not text.known:
                 raise _Missing(f"it is not known what is rewritten in the file: {text.reasons[0]}")
         context.spend(20 + sum(size_of(tree) for tree in trees) // 4)
-        trees = rewrite(trees, how)
-        phrased = _phrased(trees)
-        context.rewritten_trees[path.raw] = (file, trees, phrased)
-        return file, _performed(context, trees, phrased) if substitutes else trees
+        trees = _once(context, ("rewritten", id(trees), *sorted(how.items())), trees, partial(rewrite, trees, how))
+        context.rewritten_trees[path.raw] = (file, trees)
+        return file, _performed(context, trees) if substitutes else trees
     found, content, reason = context.places.read(path.raw)
     ros2.named(context, path, location, "parameters")
     if found is None:
@@ -181,13 +197,26 @@ def _trees(
     return found, trees_
 
 
-def _phrased(trees: tuple[Tree, ...]) -> frozenset[int]:
-    """The ids of what has substitutions to perform, in it or below."""
+def _once(
+    context: Context, key: tuple[object, ...], trees: tuple[Tree, ...], make: Callable[[], tuple[Tree, ...]]
+) -> tuple[Tree, ...]:
+    """What *make* makes of *trees*, made once for all launch files; *key* has their identity. It is read only."""
+    if key not in context.places.made:
+        context.places.made[key] = (trees, make())
+    made: tuple[Tree, ...] = context.places.made[key][1]
+    return made
+
+
+def _phrased(trees: tuple[Tree, ...]) -> tuple[frozenset[int], tuple[Scalar, ...]]:
+    """The ids of what has substitutions to perform, in it or below; and the scalars that have, in order, as often as they stand there."""
     found: set[int] = set()
+    scalars: list[Scalar] = []
 
     def has_phrase(tree: Tree) -> bool:
         if isinstance(tree, Scalar):
             has = "$(" in tree.text and not tree.reasons
+            if has:
+                scalars.append(tree)
         else:
             has = sum(map(has_phrase, tree.entries.values() if isinstance(tree, Map) else tree.items)) > 0
         if has:
@@ -196,30 +225,46 @@ def _phrased(trees: tuple[Tree, ...]) -> frozenset[int]:
 
     for tree in trees:
         has_phrase(tree)
-    return frozenset(found)
+    return frozenset(found), tuple(scalars)
 
 
-def _performed(context: Context, trees: tuple[Tree, ...], phrased: frozenset[int]) -> tuple[Tree, ...]:
-    """Substitutions inside the scalars of a file that has been rewritten; what is not *phrased* is the same in both."""
+def _performed(context: Context, trees: tuple[Tree, ...]) -> tuple[Tree, ...]:
+    """Substitutions inside the scalars of a file that has been rewritten; what has none is the same in both."""
+    key = ("phrased", id(trees))
+    if key not in context.places.made:
+        context.places.made[key] = (trees, _phrased(trees))
+    phrased, scalars = context.places.made[key][1]
+    if not scalars:
+        return trees
+    performed = tuple(_performed_scalar(context, scalar) for scalar in scalars)
 
-    def done(tree: Tree) -> Tree:
-        if id(tree) not in phrased:
-            return tree
-        if isinstance(tree, Map):
-            return Map({key: done(value) for key, value in tree.entries.items()}, tree.line)
-        if isinstance(tree, Items):
-            return Items([done(item) for item in tree.items], tree.line)
-        phrase, problem = read_phrase(tree.text)
-        if problem:
-            return replace(tree, reasons=(problem,))
-        made = perform(context, phrase, 0)
-        if made.known and tree.is_plain:
-            again = read_trees(made)
-            if len(again) == 1 and isinstance(again[0], Scalar):
-                return replace(again[0], line=tree.line)
-        return replace(tree, text=made.raw, reasons=made.reasons)
+    def make() -> tuple[Tree, ...]:
+        rest = iter(performed)
 
-    return tuple(done(tree) for tree in trees)
+        def done(tree: Tree) -> Tree:
+            if id(tree) not in phrased:
+                return tree
+            if isinstance(tree, Map):
+                return Map({key: done(value) for key, value in tree.entries.items()}, tree.line)
+            if isinstance(tree, Items):
+                return Items([done(item) for item in tree.items], tree.line)
+            return next(rest)
+
+        return tuple(done(tree) for tree in trees)
+
+    return _once(context, ("performed", id(trees), performed), trees, make)
+
+
+def _performed_scalar(context: Context, scalar: Scalar) -> Scalar:
+    phrase, problem = read_phrase(scalar.text)
+    if problem:
+        return replace(scalar, reasons=(problem,))
+    made = perform(context, phrase, 0)
+    if made.known and scalar.is_plain:
+        again = read_trees(made)
+        if len(again) == 1 and isinstance(again[0], Scalar):
+            return replace(again[0], line=scalar.line)
+    return replace(scalar, text=made.raw, reasons=made.reasons)
 
 
 def _below(tree: Tree, keys: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], Tree]]:

@@ -29,6 +29,8 @@ class Places:
     files: Files = field(init=False)
     #: Parameter files that have been parsed, by path and text; they are read only.
     parsed: dict[tuple[str, Text], Any] = field(default_factory=dict, init=False, repr=False, compare=False)
+    #: What has been made of parsed files, by what it is and their identity, after what it is made of, which keeps that identity its own.
+    made: dict[tuple[object, ...], tuple[Any, Any]] = field(default_factory=dict, init=False, repr=False, compare=False)
     #: What else is remembered of files, by what it is and their paths.
     remembered: dict[tuple[str, str], Any] = field(default_factory=dict, init=False, repr=False, compare=False)
 

@@ -6,9 +6,11 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from launching_kit import HERE, launch, node, only, perform, told, values
+from launching_kit import HERE, launch, loader, node, only, perform, told, values, workspace
 
-from haros_ci.model.launch_actions import Action, ParameterSource, Phrase, Substitution
+from haros_ci.launch.ros2.evaluate import launch_system
+from haros_ci.launch.ros2.places import Places
+from haros_ci.model.launch_actions import Action, Description, ParameterSource, Phrase, Substitution
 
 FILE = "bot/config/p.yaml"
 PATH = "$(find-pkg-share bot)/config/p.yaml"
@@ -299,6 +301,30 @@ def test_a_file_that_is_rewritten_once_is_performed_for_each_node() -> None:
     assert found[0] == found[3] == [1, None, 8, True, "1"]
     assert found[1] == ["two", None, 8, True, "two"]
     assert found[2] == ["$(var v)", None, 8, True, "$(var v)"]
+
+
+def test_what_one_launch_file_makes_of_a_file_is_used_again_by_another_where_it_is_the_same() -> None:
+    yaml = "n: {ros__parameters: {x: $(var v), y: 1}}\nm: {ros__parameters: {z: $(var v)}}\n"
+    rewrites = ((("y",), (Substitution("var", (("w",),)),)),)
+    made = {"source": (PATH,), "rewrites": rewrites, "root_key": None, "key_rewrites": (), "convert_types": True}
+    source = ParameterSource(kind="file", location=HERE, path=(Substitution("rewritten", data=made),), substitutes=True)
+    phrases = (("package", ("p",)), ("executable", ("e",)), ("name", ("n",)))
+    started = Action(kind="node", location=HERE, phrases=phrases, parameters=(source,))
+    files = {HERE.path: "#", FILE: yaml}
+
+    def given(v: str, w: str, places: Places) -> list[tuple[str, str, Any]]:
+        lets = [
+            Action(kind="let", location=HERE, phrases=(("name", (name,)), ("value", (value,))))
+            for name, value in (("v", v), ("w", w))
+        ]
+        load = loader(files, {HERE.path: Description(actions=(*lets, started))})
+        return values(launch_system((HERE.path,), places.workspace, load, {}, {}, places))
+
+    places = Places(workspace(files))
+    for v, w in (("1", "2"), ("one", "2"), ("1", "two"), ("1", "2")):
+        assert given(v, w, places) == given(v, w, Places(places.workspace))
+    assert sum(key[0] == "rules" for key in places.made) == 3
+    assert sum(key[0] == "rewritten" for key in places.made) == 2
 
 
 def test_what_is_rewritten_must_be_known() -> None:
