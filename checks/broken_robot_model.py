@@ -238,17 +238,23 @@ def tree(description: Description) -> Iterator[Finding]:
                 Level.WARNING,
                 related=((place_of(before, joint), f"the joint {before.name!r}"),),
             )
+    roles = [role for uses in unknown.values() for role, _ in uses]
+    is_part = not description.is_named and len(unknown) == 1 and all(unknown) and set(roles) == {"parent"}
     for name, uses in unknown.items():
         role, joint = uses[0]
         what = f"the {role} link {name!r}, which the robot does not have" if name else f"no {role} link"
         others = {id(use) for _, use in uses} - {id(joint)}
-        more = f" (and {len(others)} more joints name it)" if others and name else ""
+        more = (
+            f" (and {len(others)} more joint{'s name' if len(others) > 1 else ' names'} it)" if others and name else ""
+        )
         yield finding(
             description,
             joint.location,
-            f"joint {joint.name or '?'} names {what}{more}: urdfdom rejects the robot; correct the link's name",
+            f"joint {joint.name or '?'} names {what}{more}: urdfdom rejects the robot; correct the link's name"
+            f"{' (nothing here loads the file: it may be a part for another robot)' if is_part else ''}",
             f"link {name}" if name else f"joint {joint.name}",
             joint,
+            Level.NOTE if is_part else None,
             related=tuple((use.location, f"joint {use.name}") for _, use in uses[1:4]),
         )
     roots = [link for link in robot.links if link.name not in parents]

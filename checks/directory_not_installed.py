@@ -58,7 +58,7 @@ def check(project: Project) -> Iterator[Finding]:
         if not project.exists(path) or _is_made(package, inner) or _ASIDE.search(place.path.lower()):
             continue
         found = landings(package, path)
-        if f"share/{name}/{inner}" in found or any("$" in item for item in found):
+        if f"share/{name}/{inner}" in found or any("$" in item for item in found) or _is_filled(package, path, inner):
             continue
         need = needs.setdefault((name, inner.partition("/")[0]), _Need())
         need.places.append((place, f"needs {inner}"))
@@ -96,6 +96,15 @@ def check(project: Project) -> Iterator[Finding]:
                 if is_one
                 else _nothing(package, things)
             )
+
+
+def _is_filled(package: ProjectPackage, path: str, inner: str) -> bool:
+    """Whether files of the directory at *path* are installed one by one to where it is looked for: by ``glob()`` in data_files."""
+    place = f"share/{package.name}/{inner}".rstrip("/")
+    return any(
+        row.path.startswith(f"{path.rstrip('/')}/") and row.destination in (place, f"{place}/")
+        for row in package.build.installed
+    )
 
 
 def _needed(project: Project, needs: Mapping[tuple[str, str], _Need]) -> set[tuple[str, str]]:

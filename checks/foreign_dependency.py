@@ -6,12 +6,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, listed
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, spelled_out
 from haros_ci.api.packages import COUNTERPARTS, Dependency, holds, is_nested, repositories_named
 
 #: What builds a package; of another one wrong-build-type tells.
 _TOOLS = ("buildtool_depend", "buildtool_export_depend", "doc_depend")
-_SHOWN = 5
 
 #: What makes code of interfaces, and what that code needs.
 _GENERATORS = frozenset(
@@ -86,19 +85,18 @@ def _is_foreign(package: ProjectPackage, need: Dependency) -> bool:
 def _finding(package: ProjectPackage, ros: int, found: list[Dependency]) -> Finding:
     found.sort(key=lambda need: (need.name not in COUNTERPARTS[ros], need.line or 0))
     names = [need.name for need in found]
-    more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
-    shown = {name: _instead(package, ros, name) for name in names[:_SHOWN]}
+    shown = {name: _instead(package, ros, name) for name in names}
     known = [name for name in shown if name in COUNTERPARTS[ros]]
     remove = [name for name in known if not shown[name]]
     write = [f"{shown[name]} for {name}" for name in known if shown[name]]
-    remedy = [f"remove {listed(remove)}"] if remove else []
-    remedy += [f"write {', '.join(write)}"] if write else []
+    remedy = [f"remove {spelled_out(remove)}"] if remove else []
+    remedy += [f"write {spelled_out(write)}"] if write else []
     if not known:
         one = "it" if len(names) == 1 else "them"
         remedy = [f"nothing in the package names {one}: remove {one}, or add the sources to the workspace"]
     return Finding(
         at=_at(package, found[0]),
-        message=f"{package.name} is a ROS {ros} package and depends on {', '.join(names[:_SHOWN])}{more}, which no ROS "
+        message=f"{package.name} is a ROS {ros} package and depends on {spelled_out(names)}, which no ROS "
         f"{ros} distribution has: rosdep stops here; {', and '.join(remedy)}",
         about=(package.name,),
         related=tuple((_at(package, need), f"depends on {need.name}, too") for need in found[1:20]),

@@ -51,8 +51,8 @@ def check(project: Project) -> Iterator[Finding]:
     for package in project.packages:
         call = _call(package, "rosidl_generate_interfaces")
         old = _call(package, "generate_messages") if package.ros != 2 else None
-        if package.manifest is None:
-            continue
+        if package.manifest is None or package.raw.build_type == "ament_python":
+            continue  # nothing runs its CMake: wrong-build-type tells of it
         if call is not None and not {"SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK"} & set(call.arguments):
             yield from _group(package, package.manifest, call)
         if call is not None:

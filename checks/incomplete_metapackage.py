@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, is_slip
+from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, is_slip, spelled_out
 from haros_ci.api.packages import exports, needs, place
 
 #: Words in names of packages that lists leave out on purpose.
@@ -20,7 +20,6 @@ LEAST = 3
 #: The share of the repository's packages that are on the list if it is a list of them.
 SHARE = 0.75
 #: So many missing packages are named, and so many of their manifests.
-SHOWN = 5
 RELATED = 20
 
 
@@ -87,12 +86,10 @@ def _installed_with(project: Project, names: set[str]) -> set[str]:
 def _missing(meta: ProjectPackage, packages: list[ProjectPackage]) -> Finding:
     """One finding for a list, however many packages are not on it."""
     names = [package.name for package in packages]
-    shown = names[:SHOWN] if len(names) > SHOWN + 1 else names
-    more = f" and {len(names) - len(shown)} more" if len(shown) < len(names) else ""
     one = len(names) == 1
     return Finding(
         at=place(meta, next(iter(needs(meta, "run_depend", "exec_depend")), None)),
-        message=f"the metapackage {meta} does not list {', '.join(shown)}{more} of its repository: users who install "
+        message=f"the metapackage {meta} does not list {spelled_out(names)} of its repository: users who install "
         f"{meta} do not get {('it' if one else 'them')}; add {('it' if one else 'them')} to the list, or add "
         "<deprecated/> to the manifest of a package to leave out",
         about=(meta.name, *names),

@@ -29,6 +29,8 @@ _ASIDE = ("deprecated", "unused", "old", "backup", "test", "tests", "examples")
 def check(project: Project) -> Iterator[Finding]:
     used: Mapping[str, Location] | None = None
     for package in project.packages:
+        if package.raw.build_type == "ament_python":
+            continue  # nothing runs its CMake: wrong-build-type tells of it
         commands = package.commands(*_OLD, _NEW)
         left = [
             interface

@@ -6,10 +6,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, is_slip, listed
+from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, is_slip, listed, spelled_out
 from haros_ci.api.packages import (
+    OF_PYTHON,
     Need,
     distributions_of,
+    drop_element,
     first_provider,
     holds_for_python,
     imports_of,
@@ -29,8 +31,9 @@ def check(project: Project) -> Iterator[Finding]:
     sources = project.sources
     for package in project.packages:
         yield from _together(package)
+        yield from _of_python(package)
         declared = _declared(package)
-        unknown = [name for name in sorted(declared) if _is_nowhere(name, package)]
+        unknown = [name for name in sorted(declared) if _is_nowhere(name, package) and name not in OF_PYTHON]
         if not unknown or package.manifest is None:
             continue
         needs = [
@@ -64,6 +67,37 @@ def _together(package: ProjectPackage) -> Iterator[Finding]:
                 about=(package.name, word(child)),
                 apart=(child.tag, *names),
             )
+
+
+def _of_python(package: ProjectPackage) -> Iterator[Finding]:
+    """Modules that come with Python, which is declared by no name of theirs: one finding for all of a manifest."""
+    children = package.manifest.children if package.manifest is not None else ()
+    found = [
+        child
+        for child in children
+        if child.tag.endswith("depend") and word(child) in OF_PYTHON and _is_nowhere(word(child), package)
+    ]
+    if not any(_is_imported(word(child), package) for child in found):
+        return
+    names = list(dict.fromkeys(map(word, found)))
+    many = len(names) > 1
+    drops = [drop_element(package, child, "") for child in found]
+    edits = tuple(edit for drop in drops if drop is not None for edit in drop.edits)
+    yield Finding(
+        at=place(package, found[0]),
+        message=f"{package.name} depends on {spelled_out(names)}, which {'are modules' if many else 'is a module'} of Python itself and neither "
+        f"{'ROS packages nor rosdep keys' if many else 'a ROS package nor a rosdep key'}: rosdep stops here; remove {'them' if many else 'it'}",
+        about=(package.name, *names),
+        related=tuple((place(package, child), f"depends on {word(child)}, too") for child in found[1:]),
+        apart=tuple(names),
+        fixes=(Fix(f"remove {spelled_out(names)}", edits),) if None not in drops else (),
+    )
+
+
+def _is_imported(module: str, package: ProjectPackage) -> bool:
+    """Whether a file of the package imports *module*: a package of this name may be elsewhere, and is not meant then."""
+    line = re.compile(rf"^[ \t]*(?:import[ \t]+(?:[\w., \t]*,[ \t]*)?|from[ \t]+){module}\b", re.MULTILINE)
+    return any(line.search(package.project.text(file.path)) for file in package.files if file.language == "python")
 
 
 def _is_nowhere(name: str, package: ProjectPackage) -> bool:

@@ -17,11 +17,13 @@ SPINS = re.compile(
 #: What main may hand its node to, besides.
 STARTS = re.compile(r"\b(run|exec|start|loop|join|Run|Start|Loop|Exec)\w*\s*\(")
 INITS = {"rclcpp::init": 2, "ros::init": 1, "rclpy.init": 2}
+SPINNING = ("spin", "spin_once", "spin_until_future_complete")
 KINDS = frozenset(("subscription", "timer", "service"))
 
 
 def check(project: Project) -> Iterator[Finding]:
     code = project.code
+    yield from _classes_spun(code)
     for routine, call in calls_of(code, "init"):
         if routine.is_test or _name(code, routine, call) not in INITS:
             continue
@@ -46,6 +48,27 @@ def check(project: Project) -> Iterator[Finding]:
             about=(routine.source.package or routine.path, routine.path.rpartition("/")[2]),
             related=((made.location, f"{made.routine.title} is its callback"),),
         )
+
+
+def _classes_spun(code: Codebase) -> Iterator[Finding]:
+    """Calls of rclpy that spin a class in the place of a node that is made of it."""
+    known = {f"{source.module}.{class_.name}" for source in code.sources for _, class_ in code.classes(source)}
+    for routine, call in (found for name in SPINNING for found in calls_of(code, name)):
+        if not routine.is_python or routine.is_test or not call.args or not isinstance(call.args[0], syntax.Name):
+            continue
+        name = str(call.args[0].name)
+        whole = dotted(code, routine, call.args[0])
+        if not whole or dotted(code, routine, call.callee) not in {f"rclpy.{spinning}" for spinning in SPINNING}:
+            continue
+        if re.search(rf"^[ \t]*{name}[ \t]*(?::[^=\n]*)?=(?!=)", code.text(routine.path), re.MULTILINE) is not None:
+            continue  # the name is given to something else
+        if f"{routine.source.module}.{name}" in known if whole == name else whole in known:
+            yield Finding(
+                at=call_place(routine, call),
+                message=f"rclpy.{call.name}() is given the class {name}, not a node that is made of it: the line raises an exception; "
+                f"give it the object ({name}())",
+                about=(routine.source.package or routine.path, routine.path.rpartition("/")[2], name),
+            )
 
 
 def _is_used(callback: Callback, routine: Routine, text: str) -> bool:

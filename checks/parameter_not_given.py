@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, End, Finding, Level, System, SystemNode, near
+from haros_ci.api import Check, End, Finding, Level, System, SystemNode, near, spelled_out
 
 #: ``if (!node.getParam("x", x)) {`` …, and what ends the program in there. Of the text behind the call so much is looked at.
 _FAILS = re.compile(
@@ -235,9 +235,7 @@ def _is_needed(end: End, key: str) -> bool:
 
 
 def _listed(keys: list[str], word: str = "parameter") -> str:
-    shown = ", ".join(keys[:3])
-    more = f" and {len(keys) - 3} more" if len(keys) > 3 else ""
-    return f"the {word}{'s' if len(keys) > 1 else ''} {shown}{more}"
+    return f"the {word}{'s' if len(keys) > 1 else ''} {spelled_out(keys)}"
 
 
 CHECK = Check(

@@ -40,9 +40,8 @@ def _of_file(system: System, unserved: list[ParameterFileUse], uses: tuple[Param
                 yield Finding(
                     at=node_pattern.location,
                     message=(
-                        f"no node that loads this file has the name of its section {node_pattern.pattern}: {node} is called "
-                        f"otherwise, so it gets none of these parameters; write {_right(use)} or /** here, or name the node "
-                        f"{node_pattern.pattern}"
+                        f"no node that loads this file has the name of its section {node_pattern.pattern}: {node} "
+                        f"{_otherwise(use, node_pattern.pattern)}"
                     ),
                     about=(node_pattern.pattern, "/".join(use.program)),
                     flow=(
@@ -80,6 +79,14 @@ def _fits(pattern: str, name: str) -> bool:
 
 
 _WILD = {"/**": r"(?:/[^/]+)*", "/*": r"/[^/]+"}
+
+
+def _otherwise(use: ParameterFileUse, pattern: str) -> str:
+    """How the node is called, and what to write: a section without a name space is for the node at the top of the names alone."""
+    name = pattern.strip("/")
+    if use.node and name == use.node.rpartition("/")[2]:
+        return f"is in a name space, so it gets none of these parameters; write /**/{name} (or {use.node}) here"
+    return f"is called otherwise, so it gets none of these parameters; write {_right(use)} or /** here, or name the node {pattern}"
 
 
 def _right(use: ParameterFileUse) -> str:

@@ -49,7 +49,11 @@ def _instead(parameter: Given, end: End) -> str:
     if end.type == "int" and isinstance(value, float) and value.is_integer() and abs(value) < 1e15:
         return f"; write {int(value)}"
     if end.type == "str" and isinstance(value, (bool, int, float)):
-        return "; put the value in quotes"
+        return (
+            f"; declare it as {parameter.type} if a number is meant, else give it as text"
+            if parameter.type != "bool"
+            else "; put the value in quotes"
+        )
     if end.type == "bool" and value in (0, 1):
         return f"; write {'true' if value else 'false'}"
     return ""

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, is_slip
 from haros_ci.api.launch import ProgramUse
-from haros_ci.api.packages import EntryPoint
+from haros_ci.api.packages import EntryPoint, OwnModules
 
 _MARKERS = "share/ament_index/resource_index/packages"
 _NODE = re.compile(r"\brclpy\.(?:init|spin\w*|create_node)\(|\((?:\w+\.)*(?:Lifecycle)?Node\)\s*:")
@@ -32,6 +32,7 @@ def check(project: Project) -> Iterator[Finding]:
     for package in project.packages:
         yield from _entry_points(package)
         if package.raw.build_type == "ament_python" and package.has("setup.py"):
+            yield from _lost_imports(package)
             yield from _directories(package, launched)
             yield from _marker(package)
             yield from _packages(package)
@@ -48,6 +49,21 @@ def _entry_points(package: ProjectPackage) -> Iterator[Finding]:
                 yield missing
         elif _is_own(entry_point.module, package):
             yield _missing_module(entry_point, package)
+
+
+def _lost_imports(package: ProjectPackage) -> Iterator[Finding]:
+    """Modules of the package that its programs import, and that Python does not find."""
+    own = OwnModules(package, package.project.sources)
+    for entry_point in package.build.entry_points if package.ros == 2 else ():
+        for lost in own.lost(entry_point) if entry_point.path else ():
+            why = f"which is {lost.instead}; write that name" if lost.instead else "which does not exist"
+            yield Finding(
+                at=lost.location,
+                message=f"program {entry_point.name} of package {package.name} cannot start: it imports {lost.module}, {why}",
+                about=(package.name, lost.module),
+                related=((entry_point.location, f"the program {entry_point.name}"),),
+                apart=(lost.location.path, lost.module),
+            )
 
 
 def _is_there(path: str, package: ProjectPackage) -> bool:
@@ -228,11 +244,17 @@ def _no_directory(
         end = (len(text.splitlines()) + 1, 1)
         lines = "".join(f"[{section}]\n{_SECTIONS[section]}=$base/lib/{package.name}\n" for section in lacking)
         fixes = (Fix(f"put programs into lib/{package.name}", (Edit(path, end, end, lines),)),)
+    if package.has("setup.cfg"):
+        what = f"setup.cfg of package {package.name} does not set"
+        mend = f"write install_scripts=$base/lib/{package.name} under [install]"
+    else:
+        what = f"package {package.name} has no setup.cfg, which sets"
+        keys = [f"{key}=$base/lib/{package.name} under [{section}]" for section, key in _SECTIONS.items()]
+        mend = f"add setup.cfg with {' and '.join(keys)}"
     return Finding(
         at=Location(path, 1) if text else node.location,
         message=(
-            f"setup.cfg of package {package.name} does not set the directory for programs: they are installed to bin, "
-            f"where ros2 run does not find {node.name}; write install_scripts=$base/lib/{package.name} under [install]"
+            f"{what} the directory for programs: they are installed to bin, where ros2 run does not find {node.name}; {mend}"
         ),
         about=(package.name, "install_scripts"),
         fixes=fixes,

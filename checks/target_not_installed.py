@@ -7,7 +7,7 @@ import posixpath
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
-from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage
+from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, spelled_out
 from haros_ci.api.packages import (
     DevelSpaces,
     Programs,
@@ -23,8 +23,6 @@ from haros_ci.api.packages import (
     uninstalled,
 )
 
-#: So many programs of one finding are named, and have a related place.
-_SHOWN = 5
 _HEADERS = (".h", ".hh", ".hpp", ".hxx", ".h++", ".ipp", ".tpp", ".inl")
 #: How the reason ends where nothing is seen to need the library.
 _ALONE = "nothing can load it"
@@ -79,7 +77,7 @@ def _nothing(package: ProjectPackage, libraries: list[Finding], left: list[Unins
     are = "is" if len(names) == 1 else "are"
     finder = "ros2 run and launch do" if package.ros == 2 else "in an install space rosrun and roslaunch do"
     them = "it" if len(names) == 1 else "them"
-    message = f"{package.name} has no install() at all: {_listed(names)} {are} built, but not installed, and {finder} not find {them}"
+    message = f"{package.name} has no install() at all: {spelled_out(names)} {are} built, but not installed, and {finder} not find {them}"
     return Finding(
         at=places[0][0],
         message=message,
@@ -101,7 +99,7 @@ def _left_out(package: ProjectPackage, group: list[Uninstalled]) -> Finding:
     if len(group) == 1:
         message = f"the {kind} {first.shown} is not installed: {runner} not find it; add it to {command}"
     else:
-        message = f"the {kind}s {_listed(names)} are not installed: {runner} not find them; add them to {command}"
+        message = f"the {kind}s {spelled_out(names)} are not installed: {runner} not find them; add them to {command}"
     things = tuple(other_uninstalled.name for other_uninstalled in group)
     others = ((other_uninstalled.at, f"{other_uninstalled.shown} is not installed") for other_uninstalled in group[1:])
     return Finding(
@@ -113,13 +111,6 @@ def _left_out(package: ProjectPackage, group: list[Uninstalled]) -> Finding:
         level=first.level,
         fixes=_fixes(package, group),
     )
-
-
-def _listed(names: list[str]) -> str:
-    """*names* in words, of many the first ones and how many more there are."""
-    if len(names) > _SHOWN:
-        return f"{', '.join(names[:_SHOWN])} and {len(names) - _SHOWN} more"
-    return " and ".join(part for part in (", ".join(names[:-1]), names[-1]) if part)
 
 
 def _related(
@@ -144,7 +135,7 @@ def _fixes(package: ProjectPackage, group: list[Uninstalled]) -> tuple[Fix, ...]
             return ()
         place = "lib/${PROJECT_NAME}" if package.ros == 2 else "${CATKIN_PACKAGE_BIN_DESTINATION}"
         line = f"install(TARGETS {names} DESTINATION {place})"
-    fix = install_line(package, line, f"install {_listed([other_uninstalled.name for other_uninstalled in group])}")
+    fix = install_line(package, line, f"install {spelled_out([other_uninstalled.name for other_uninstalled in group])}")
     return (fix,) if fix is not None else ()
 
 
@@ -284,7 +275,7 @@ def _misplaced(
 ) -> Finding:
     """The executables that the install() *at* puts to *place*, each with where it is started."""
     names = [target.output for target, _ in group]
-    what = f"executable {names[0]} is" if len(names) == 1 else f"executables {_listed(names)} are"
+    what = f"executable {names[0]} is" if len(names) == 1 else f"executables {spelled_out(names)} are"
     runner = "ros2 run and launch look" if package.ros == 2 else "rosrun and roslaunch look"
     things = tuple(target.name for target, _ in group)
     starts = [use for _, use in group if use is not None]

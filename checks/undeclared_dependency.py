@@ -23,6 +23,7 @@ from haros_ci.api.packages import (
     others_of,
     repositories_named,
     said_misplaced,
+    undeclared_build_tools,
 )
 
 #: Boost without its libraries.
@@ -58,6 +59,7 @@ _VARIABLE = re.compile(
 
 
 def check(project: Project) -> Iterator[Finding]:
+    yield from undeclared_build_tools(project)
     provisions, sources = Provisions(project), project.sources
     proposed: dict[
         str, frozenset[str]

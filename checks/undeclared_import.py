@@ -7,10 +7,11 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, line_of, listed
+from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, line_of, listed, spelled_out
 from haros_ci.api.packages import (
     Need,
     Provisions,
+    Reason,
     add_dependency,
     closes_a_cycle,
     dependency_tags,
@@ -28,6 +29,7 @@ from haros_ci.api.packages import (
     only_for_tests,
     others_of,
     pinned,
+    proposed_before,
     said_misplaced,
     unreached,
 )
@@ -67,9 +69,7 @@ class _UndeclaredModule:
 
 def check(project: Project) -> Iterator[Finding]:
     provisions, sources = Provisions(project), project.sources
-    proposed: dict[
-        str, frozenset[str]
-    ] = {}  # by package what is advised so far: two advices must close no cycle either
+    proposed = dict(proposed_before(Reason.IMPORT, project))
     for package in project.packages:
         needs = list(imports_of(package, sources)) if package.manifest is not None else []
         provided = provisions.of(package, tests=False) if needs else None
@@ -158,7 +158,7 @@ def _finding(package: ProjectPackage, group: list[_UndeclaredModule]) -> Finding
     return Finding(
         at=last_dependency(package),
         message=f"{package.name} imports {listed(modules)}, but package.xml declares no package that provides {them}: "
-        f"{fails}; add {listed(lines)}{_by_choice(group)}{_aside(group)}{said_misplaced(package, (missing.name for missing in group))}",
+        f"{fails}; add {spelled_out(lines)}{_by_choice(group)}{_aside(group)}{said_misplaced(package, (missing.name for missing in group))}",
         about=(package.name, *modules),
         related=tuple(place for missing in group for place in _places(missing)),
         apart=modules,

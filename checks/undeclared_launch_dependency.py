@@ -6,12 +6,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, System, listed
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, System, listed, spelled_out
 from haros_ci.api.launch import PackageUse, included_by, is_optional, owner, said_by
 from haros_ci.api.packages import (
     Leftovers,
     Package,
     Provisions,
+    Reason,
     Sources,
     closes_a_cycle,
     dependency_place,
@@ -23,6 +24,7 @@ from haros_ci.api.packages import (
     is_to_be_had,
     lacking,
     needs_of,
+    proposed_before,
     provided,
     unreached,
 )
@@ -46,7 +48,9 @@ def check(project: Project) -> Iterator[Finding]:
     system, leftovers = project.systems[0], Leftovers(project)
     provisions, sources = Provisions(project), project.sources
     used = _used(project.systems)
-    names = {name: _declarable(name, packages, system) for name, (_, packages) in used.items()}
+    names = {**proposed_before(Reason.LAUNCH, project)}
+    for name, (_, packages) in used.items():
+        names[name] = names.get(name, frozenset()) | _declarable(name, packages, system)
     for package, packages in used.values():
         found, is_whole = provided(package, system)
         if not packages.keys() <= found:
@@ -103,7 +107,7 @@ def _finding(package: Package, group: list[_UndeclaredPackage], level: Level | N
     return Finding(
         at=dependency_place(package),
         message=f"{files} of {package.name} {'uses' if is_one else 'use'} {listed(names)}, but package.xml does not declare {them}: "
-        f"{fails} on a machine without {lacking}; add {listed([dependency_tag(tag, name, package) for name in names])}",
+        f"{fails} on a machine without {lacking}; add {spelled_out([dependency_tag(tag, name, package) for name in names])}",
         about=(package.name, *names),
         related=tuple((use.location, f"needs {missing.name}") for missing in group for use in missing.uses[:_SHOWN]),
         flow=included_by(group[0].uses[0]) if len(group) == 1 else (),

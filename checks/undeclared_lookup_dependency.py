@@ -5,15 +5,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, listed
+from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, listed, spelled_out
 from haros_ci.api.packages import (
     Lookup,
     Provisions,
+    Reason,
     closes_a_cycle,
     dependency_tags,
     last_dependency,
     lookups,
     meant_here,
+    proposed_before,
     said_misplaced,
 )
 
@@ -22,22 +24,29 @@ _SHOWN = 3
 
 
 def check(project: Project) -> Iterator[Finding]:
-    provisions = Provisions(project)
+    provisions, proposed = Provisions(project), dict(proposed_before(Reason.LOOKUP, project))
     for package in project.packages:
         found = list(lookups(package)) if package.manifest is not None and package.ros is not None else []
         if not found:
             continue
         provided = provisions.of(package, tests=False)
         missing: dict[str, list[Lookup]] = {}
+        circular: dict[str, list[Lookup]] = {}
         for use in found:
             if use.name == package.name or not _is_to_be_had(use.name, package):
                 continue
-            if provisions.lacks(provided, frozenset((use.name,))) and not closes_a_cycle(
-                package.name, use.name, project.manifests
-            ):
-                missing.setdefault(use.name, []).append(use)
+            if not provisions.lacks(provided, frozenset((use.name,))):
+                continue
+            if closes_a_cycle(package.name, use.name, project.manifests):
+                continue
+            closing = closes_a_cycle(package.name, use.name, project.manifests, proposed)
+            (circular if closing else missing).setdefault(use.name, []).append(use)
+            if not closing:
+                proposed[package.name] = proposed.get(package.name, frozenset()) | {use.name}
         if missing:
             yield _finding(package, missing)
+        if circular:
+            yield _circular(package, circular)
 
 
 def _is_to_be_had(name: str, package: ProjectPackage) -> bool:
@@ -58,10 +67,26 @@ def _finding(package: ProjectPackage, missing: dict[str, list[Lookup]]) -> Findi
     return Finding(
         at=last_dependency(package),
         message=f"programs of {package.name} look up the directory of {listed(names)}, but package.xml does not declare {them}: "
-        f"they fail on a machine without {without}; add {listed([dependency_tags(package, tag, name) for name in names])}{said_misplaced(package, names)}",
+        f"they fail on a machine without {without}; add {spelled_out([dependency_tags(package, tag, name) for name in names])}{said_misplaced(package, names)}",
         about=(package.name, *names),
         related=tuple((use.location, f"needs {name}") for name, uses in missing.items() for use in uses[:_SHOWN]),
         apart=names,
+    )
+
+
+def _circular(package: ProjectPackage, circular: dict[str, list[Lookup]]) -> Finding:
+    """What other findings of the run have these packages declare leads back to *package*: both cannot be declared."""
+    names = tuple(circular)
+    them = ("it needs", "it") if len(names) == 1 else ("they need", "them")
+    return Finding(
+        at=last_dependency(package),
+        message=f"programs of {package.name} look up the directory of {listed(names)}, but package.xml does not declare {them[1]}; "
+        f"{them[0]} {package.name} in turn, as another finding says, and with both declared the build tool finds no order; "
+        f"move what is looked up to a package that both depend on",
+        about=(package.name, *names),
+        related=tuple((use.location, f"needs {name}") for name, uses in circular.items() for use in uses[:_SHOWN]),
+        apart=names,
+        level=Level.NOTE,
     )
 
 

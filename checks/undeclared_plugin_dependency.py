@@ -8,11 +8,12 @@ from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 
-from haros_ci.api import Check, Finding, Level, Location, Project, System, listed
+from haros_ci.api import Check, Finding, Level, Location, Project, System, listed, spelled_out
 from haros_ci.api.launch import FileUse, PackageUse, ParameterFileUse, owner
 from haros_ci.api.packages import (
     Package,
     PluginUse,
+    Reason,
     asks_what_is_installed,
     brought_by,
     closes_a_cycle,
@@ -25,6 +26,7 @@ from haros_ci.api.packages import (
     may_load,
     plugins_in_parameters,
     plugins_in_yaml,
+    proposed_before,
     provided,
     used_by_launch_files,
 )
@@ -58,7 +60,7 @@ def check(project: Project) -> Iterator[Finding]:
         for plugin in package.build.plugins
         for name in (plugin.name, plugin.type)
     }
-    uses = _used(project)
+    uses, proposed = _used(project), dict(proposed_before(Reason.PLUGIN, project))
     got: dict[str, tuple[frozenset[str], bool]] = {}
     groups: dict[tuple[str, Level], tuple[Package, dict[str, list[PluginUse]]]] = {}
     for named in _named(project):
@@ -74,8 +76,9 @@ def check(project: Project) -> Iterator[Finding]:
         use = _use(needed, place)
         if any(needed in found for found, _ in _got(package, named, uses, system, got)):
             continue
-        if is_left_out(package, use, system) or closes_a_cycle(package.name, needed, system.packages, uses):
+        if is_left_out(package, use, system) or closes_a_cycle(package.name, needed, system.packages, proposed):
             continue
+        proposed[package.name] = proposed.get(package.name, frozenset()) | {needed}
         aside = _is_aside(use, system) or all(_is_aside(_use(needed, launch), system) for launch in named.launches)
         level = Level.WARNING if got[package.name][1] and not aside else Level.NOTE
         groups.setdefault((package.name, level), (package, {}))[1].setdefault(needed, []).append(named.plugin)
@@ -103,7 +106,7 @@ def _finding(package: Package, lacking: Mapping[str, list[PluginUse]], level: Le
         at=dependency_place(package),
         message=f"parameters of {package.name} name the plug-in{'' if one else 's'} {named}, but package.xml does not declare "
         f"{'this package' if one else 'these packages'}: on a machine without {'it' if one else 'them'} the node cannot load the "
-        f"plug-in; add {listed([dependency_tag(tag, name, package) for name in lacking])}",
+        f"plug-in; add {spelled_out([dependency_tag(tag, name, package) for name in lacking])}",
         about=(package.name, *lacking),
         related=tuple(
             (plugin.location, f"needs {name}") for name, plugins in lacking.items() for plugin in plugins[:_SHOWN]

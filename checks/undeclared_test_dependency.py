@@ -9,6 +9,7 @@ from haros_ci.api import Check, Finding, Level, Project, ProjectPackage
 from haros_ci.api.packages import (
     Need,
     Provisions,
+    Reason,
     add_dependency,
     closes_a_cycle,
     dependency_tags,
@@ -18,6 +19,7 @@ from haros_ci.api.packages import (
     last_dependency,
     needs_of,
     others_of,
+    proposed_before,
     said_misplaced,
 )
 
@@ -28,6 +30,7 @@ _FRAMEWORKS = ("#include <gtest/", "#include <gmock/")
 
 def check(project: Project) -> Iterator[Finding]:
     provisions, sources = Provisions(project), project.sources
+    proposed = dict(proposed_before(Reason.TEST, project))
     for package in project.packages:
         if package.manifest is None:
             continue
@@ -40,8 +43,10 @@ def check(project: Project) -> Iterator[Finding]:
             if provided is not None and provisions.lacks(provided, need.providers):
                 missing.setdefault(need.providers, []).append(need)
         for uses in missing.values():
-            if closes_a_cycle(package.name, first_provider(uses[0].providers, package), project.manifests):
+            name = first_provider(uses[0].providers, package)
+            if closes_a_cycle(package.name, name, project.manifests, proposed):
                 continue
+            proposed[package.name] = proposed.get(package.name, frozenset()) | {name}
             yield _finding(package, uses)
 
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from difflib import get_close_matches
+from functools import lru_cache
 
 from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, listed
 from haros_ci.api.packages import (
@@ -295,7 +296,7 @@ def _candidates(package: ProjectPackage, command: CMakeCommand, name: str) -> li
 def _near(package: ProjectPackage, command: CMakeCommand, name: str) -> str:
     """The one that *name* is meant for; "" where none is like it."""
     names = _candidates(package, command, name)
-    near = [item for item in names if _squeezed(item) == _squeezed(name)]
+    near = _by_squeezed(tuple(names)).get(_squeezed(name), [])
     if _is_library(command, name) and not near:
         near = _only_installed(package, names)
     near = near or get_close_matches(name[:100], names[:MAX_NAMES], 1, 0.75)
@@ -310,9 +311,18 @@ def _only_installed(package: ProjectPackage, libraries: list[str]) -> list[str]:
     return found if len(found) == 1 and not any("$" in word for word in words) else []
 
 
+@lru_cache(maxsize=4)
+def _by_squeezed(names: tuple[str, ...]) -> dict[str, list[str]]:
+    """Those that differ in nothing else together, in their order: what is unknown in a package is looked up in the same names."""
+    found: dict[str, list[str]] = {}
+    for name in names:
+        found.setdefault(_squeezed(name), []).append(name)
+    return found
+
+
 def _squeezed(name: str) -> str:
     """*name* without what names of CMake, ROS and file systems differ in: case, hyphens and underscores."""
-    return re.sub(r"[-_]", "", name).lower()
+    return name.replace("-", "").replace("_", "").lower()
 
 
 def _instead(targets: list[str]) -> str:

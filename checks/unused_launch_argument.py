@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 from difflib import get_close_matches
 
-from haros_ci.api import Check, Finding, Level, Location, System, listed
+from haros_ci.api import Check, Finding, Level, Location, System, listed, spelled_out
 from haros_ci.api.launch import ArgumentDeclaration, IncludeUse, PassedArgument, included_by, meant, owner
 
 #: A declaration is this many lines long at most.
@@ -103,9 +103,7 @@ def _passed_to_ros1(use: IncludeUse, unknown: list[PassedArgument], free: list[s
         return
     first, *others = sorted(unknown, key=lambda passed: passed.location.sort_key)
     names = [passed.name for passed in (first, *others)]
-    what = f"passes {', '.join(map(repr, names[:_NAMED]))}"
-    if len(names) > _NAMED:
-        what += f" and {len(names) - _NAMED} more"
+    what = f"passes {spelled_out([repr(name) for name in names])}"
     similar = tuple(get_close_matches(first.name, free, 1, 0.7)) if not others else ()
     yield Finding(
         at=first.location,

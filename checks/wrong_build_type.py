@@ -8,16 +8,13 @@ from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, is_slip
 from haros_ci.api.packages import (
-    BUILD,
-    EXPORTED,
+    AMENT,
+    CATKIN,
     CMakeCommand,
-    Provisions,
-    add_dependency,
     add_export,
+    always_called,
     build_types,
     exports,
-    needs,
-    needs_of,
     place,
     set_text,
     word,
@@ -25,8 +22,6 @@ from haros_ci.api.packages import (
 
 #: What colcon can build, as a rule (colcon-ros and its extensions).
 KNOWN = ("ament_cmake", "ament_python", "catkin", "cmake", "ament_cargo", "ament_gradle", "ament_swift")
-AMENT = ("ament_package", "ament_auto_package", "autoware_ament_auto_package")
-CATKIN = ("catkin_package", "catkin_metapackage")
 
 #: What tells one ROS from the other: a condition of a manifest (REP 149), a branch of CMake.
 _CONDITION = re.compile(r"\bcondition\s*=\s*[\"'][^\"'<>]{0,200}\$(?:ROS_VERSION|ROS_DISTRO)\b")
@@ -38,11 +33,9 @@ _COMMENT = re.compile(r"<!--.{0,10000}?-->", re.DOTALL)
 
 
 def check(project: Project) -> Iterator[Finding]:
-    bringing = _bringing(project)
     for package in project.packages:
         if package.manifest is not None:
             yield from _build_type(package)
-            yield from _build_tool(package, bringing)
 
 
 def _build_type(package: ProjectPackage) -> Iterator[Finding]:
@@ -61,10 +54,10 @@ def _build_type(package: ProjectPackage) -> Iterator[Finding]:
 
 def _none(package: ProjectPackage) -> Iterator[Finding]:
     """Without a build type colcon takes catkin (REP 149)."""
-    ament = _call(package, *AMENT)
+    ament = always_called(package, *AMENT)
     has_files = bool(package.project.workspace.names)
     condition = ""
-    if ament is not None and _call(package, *CATKIN) is None and package.ros != 1:
+    if ament is not None and always_called(package, *CATKIN) is None and package.ros != 1:
         condition = ' condition="$ROS_VERSION == 2"' if _builds_for_both(package) else ""
         why = f"calls {ament.name}()"
         kind, seen = "ament_cmake", ((ament.location, f"{package} is built with ament"),)
@@ -102,7 +95,7 @@ def _has_misspelt(package: ProjectPackage) -> bool:
 
 
 def _mismatches(package: ProjectPackage, kind: str, at: Location) -> Iterator[Finding]:
-    ament, catkin = _call(package, *AMENT), _call(package, *CATKIN)
+    ament, catkin = always_called(package, *AMENT), always_called(package, *CATKIN)
     has_files = bool(package.project.workspace.names)
     if kind not in KNOWN:
         near = next((name for name in KNOWN if is_slip(kind, name) or kind.replace("-", "_").lower() == name), None)
@@ -143,16 +136,22 @@ def _mismatches(package: ProjectPackage, kind: str, at: Location) -> Iterator[Fi
     elif kind == "ament_python" and (ament or catkin) is not None and package.has("setup.py"):
         call = ament or catkin
         made = next((t for t in package.build.targets if not t.is_test and t.kind != "imported"), None)
-        if call is not None and made is not None:
+        interfaces = always_called(package, "rosidl_generate_interfaces")
+        if call is not None and (made is not None or interfaces is not None):
+            lost, where = "", call.location
+            if made is not None:
+                lost, where = f"{made.name} is not built", made.location
+            elif interfaces is not None:
+                lost, where = "its interfaces are not generated", interfaces.location
             yield _finding(
                 package,
                 at,
                 (
-                    f"{package} has the build type ament_python: colcon runs setup.py but not CMakeLists.txt, so {made.name} "
-                    "is not built; use ament_cmake with ament_cmake_python, or a separate package"
+                    f"{package} has the build type ament_python: colcon runs setup.py but not CMakeLists.txt, so {lost}; "
+                    "use ament_cmake with ament_cmake_python, or a separate package"
                 ),
                 "CMake is not run",
-                ((made.location, f"{made.name} is defined here"),),
+                ((where, "what CMake would make"),),
                 level=Level.WARNING,
             )
 
@@ -173,100 +172,6 @@ def _other(package: ProjectPackage, at: Location, kind: str, call: CMakeCommand,
         "other",
         ((call.location, f"written for {meant}"),),
     )
-
-
-def _build_tool(package: ProjectPackage, bringing: frozenset[str]) -> Iterator[Finding]:
-    """The build tool is a package like any other: what calls it depends on it."""
-    catkin = _call(package, *CATKIN)
-    kinds = {need.kind for need in needs(package) if need.name == "catkin"}
-    if (
-        package.name != "catkin"
-        and package.ros != 2
-        and catkin is not None
-        and _call(package, *AMENT) is None
-        and "buildtool_depend" not in kinds
-    ):
-        is_built = bool(kinds & {"build_depend", "depend"})
-        stops = catkin.name == "catkin_package" and not is_built
-        effect = "and catkin_package() stops without" if stops else "of which catkin warns"
-        if is_built or stops or package.raw.is_metapackage:
-            yield _finding(
-                package,
-                place(package, next((n for n in needs(package) if n.name == "catkin"), None)),
-                f"{package} has no buildtool_depend on catkin, {effect}; add <buildtool_depend>catkin</buildtool_depend>",
-                "catkin",
-                ((catkin.location, f"{catkin.name}() is called"),),
-                _only(add_dependency(package, "buildtool_depend", "catkin")),
-                None if stops else Level.WARNING,
-            )
-    found = _finds(package, "ament_cmake_auto") or _finds(package, "ament_cmake_ros") or _finds(package, "ament_cmake")
-    if package.ros == 2 and found is not None and [word(e) for e in build_types(package)] == ["ament_cmake"]:
-        if not any(_is_cmake(need.name) or need.name in bringing for need in needs(package, *BUILD)):
-            name = found.arguments[0]
-            if _is_undeclared(package, name) or _is_brought(package, name):
-                return
-            yield _finding(
-                package,
-                place(package, None),
-                (
-                    f"{package} is built with {name}, but does not depend on it: on a machine with only the declared "
-                    f"dependencies {name} is missing; add <buildtool_depend>{name}</buildtool_depend>"
-                ),
-                name,
-                ((found.location, f"{name} is searched for here"),),
-                _only(add_dependency(package, "buildtool_depend", name)),
-                Level.WARNING,
-            )
-
-
-def _is_undeclared(package: ProjectPackage, name: str) -> bool:
-    """Whether undeclared-dependency tells that the manifest lacks the CMake package *name*."""
-    provisions = Provisions(package.project)
-    provided = provisions.of(package, tests=False)
-    uses = (use for use in needs_of(package, package.project.sources) if use.what == f"find_package({name})")
-    return any(provisions.lacks(provided, use.providers) for use in uses)
-
-
-def _is_brought(package: ProjectPackage, name: str) -> bool:
-    """Whether what the manifest declares brings the CMake package *name* along: rosidl_default_generators has ament_cmake."""
-    waiting, seen = [need.name for need in needs(package, *BUILD)], set[str]()
-    provisions = Provisions(package.project)
-    while waiting:
-        brought = (provisions.brought(waiting.pop(), 2) or frozenset()) - seen
-        if name in brought:
-            return True
-        seen |= brought
-        waiting += brought
-    return False
-
-
-def _bringing(project: Project) -> frozenset[str]:
-    """The packages that ament's CMake, or what may be it, comes along with wherever they are used."""
-    users: dict[str, list[str]] = {}
-    for package in project.packages:
-        for need in needs(package, *EXPORTED):
-            users.setdefault(need.name, []).append(package.name)
-    rest = [name for name in users if _is_cmake(name)]
-    found: set[str] = set()
-    while rest:
-        new = set(users.get(rest.pop(), ())) - found
-        found |= new
-        rest += new
-    return frozenset(found)
-
-
-def _is_cmake(name: str) -> bool:
-    return "cmake" in name
-
-
-def _call(package: ProjectPackage, *names: str) -> CMakeCommand | None:
-    """The first call of one of *names* that is made in every build."""
-    return next((c for c in package.commands(*names) if not c.is_conditional and not c.is_test), None)
-
-
-def _finds(package: ProjectPackage, name: str) -> CMakeCommand | None:
-    calls = package.commands("find_package")
-    return next((c for c in calls if c.arguments[:1] == (name,) and not c.is_conditional and not c.is_test), None)
 
 
 def _only(fix: Fix | None) -> tuple[Fix, ...]:

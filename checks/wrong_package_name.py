@@ -30,7 +30,8 @@ def check(project: Project) -> Iterator[Finding]:
         if package.manifest is None:
             continue
         yield from _allowed(package)
-        yield from _of_project(package)
+        if package.raw.build_type != "ament_python":  # nothing runs its CMake
+            yield from _of_project(package)
         yield from _of_setup(package)
 
 

@@ -14,8 +14,10 @@ import importlib
 import json
 import os
 import runpy
+import select
 import shutil
 import signal
+import socket
 import subprocess
 import sys
 import tempfile
@@ -45,16 +47,22 @@ class Server:
 
     def __init__(self) -> None:
         ask, self._asking = os.pipe()
+        self.place = Path(tempfile.mkdtemp(prefix="haros-ci-forked-"))
+        listener = socket.socket(socket.AF_UNIX)
+        listener.bind(os.fspath(self.place / "socket"))
+        listener.listen(64)
         self._answers, answer = os.pipe()
         kept = {
             name: value for name, value in os.environ.items() if not name.startswith(("GITHUB_", "HAROS_CI_", "PYTHON"))
         }
-        command = [sys.executable, "-I", __file__, str(ask), str(answer)]
+        passed = (ask, answer, listener.fileno())
+        command = [sys.executable, "-I", __file__, *map(str, passed)]
         self._process = subprocess.Popen(
-            command, pass_fds=(ask, answer), env=kept, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL
+            command, pass_fds=passed, env=kept, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL
         )
         os.close(ask)
         os.close(answer)
+        listener.close()
         self._reader = open(self._answers, "rb")
         atexit.register(self.close)
 
@@ -62,6 +70,7 @@ class Server:
         """End the process; it is waited for."""
         os.close(self._asking)
         self._process.wait()
+        shutil.rmtree(self.place)
 
     def run(
         self, arguments: list[str], *, cwd: Path, env: Mapping[str, str], timeout: float, driver: Path | None = None
@@ -87,6 +96,36 @@ class Server:
 def server() -> Server:
     """The process from which the runs of this process are forked."""
     return Server()
+
+
+#: In place of Python: what is no run of the command is left to Python itself.
+PYTHON = """#!/bin/sh
+[ "$1" != -I ] || shift
+if [ "$1 $2" = "-m haros_ci" ]; then shift 2; exec '{python}' -IS '{place}/ask.py' "$@"; fi
+exec '{python}' -I "$@"
+"""
+#: It hands its streams, its directory and its environment to the process that has all modules loaded, and ends as the run does.
+ASK = """
+import json, os, socket, sys
+server = socket.socket(socket.AF_UNIX)
+server.connect({place!r} + "/socket")
+socket.send_fds(server, [b"-"], [0, 1, 2])
+server.sendall(json.dumps(dict(arguments=sys.argv[1:], cwd=os.getcwd(), env=dict(os.environ))).encode())
+server.shutdown(socket.SHUT_WR)
+code = server.recv(9)
+os._exit(int(code) if code else 134)  # none of one that a signal has ended
+"""
+
+
+@lru_cache(maxsize=1)
+def python() -> str:
+    """A program that is called like Python with ``-I``: ``-m haros_ci ARGUMENTS`` is a forked run, which what forwards no signals may start."""
+    place = server().place
+    (place / "ask.py").write_text(ASK.format(place=os.fspath(place)))
+    program = place / "python"
+    program.write_text(PYTHON.format(python=sys.executable, place=place))
+    program.chmod(0o755)
+    return os.fspath(program)
 
 
 def load() -> None:
@@ -121,8 +160,12 @@ def load() -> None:
 def fill() -> None:
     """Tables that are made of the program alone, once in a process: neither the environment nor a workspace changes them."""
     from haros_ci import own_sources, registry
-    from haros_ci.extract.apis import tables
+    from haros_ci.analysis import api_rows
+    from haros_ci.coverage import names
+    from haros_ci.follow.ros import api_rows as calls
+    from haros_ci.index import api_names
     from haros_ci.linters import catalogue
+    from haros_ci.systems import keeping, node_types
 
     for name in BY_OTHERS:
         importlib.import_module(name)
@@ -132,9 +175,16 @@ def fill() -> None:
     registry.check_rules()
     for tool in catalogue.TOOLS:
         catalogue.rules_of(tool)
-    for language in ("cpp", "python"):
-        for ros in (1, 2):
-            tables.rows(language, ros)
+    for rows in api_rows.api_rows(None, "", []).values():
+        for make in (
+            keeping.of_rows,
+            node_types.by_call,
+            calls.all_names,
+            api_names.making_rows,
+            api_names.called_back,
+            names.names_of,
+        ):
+            make(rows)
 
 
 def answered(asked: dict[str, Any], ours: tuple[int, ...]) -> int | None:
@@ -159,10 +209,14 @@ def answered(asked: dict[str, Any], ours: tuple[int, ...]) -> int | None:
 def _inside(asked: dict[str, Any]) -> int:
     """In the process of the run: what ``python -m haros_ci`` does, and how Python ends."""
     signal.signal(signal.SIGALRM, signal.SIG_DFL)
-    for descriptor, name in ((1, "out"), (2, "err")):
-        opened = os.open(os.path.join(asked["to"], name), os.O_WRONLY | os.O_APPEND | os.O_CREAT)
-        os.dup2(opened, descriptor)
-        os.close(opened)
+    if "to" in asked:
+        for descriptor, name in ((1, "out"), (2, "err")):
+            opened = os.open(os.path.join(asked["to"], name), os.O_WRONLY | os.O_APPEND | os.O_CREAT)
+            os.dup2(opened, descriptor)
+            os.close(opened)
+    else:  # what was opened on other files would still take them for such as can be gone back in
+        sys.stdin, sys.stdout = open(0, closefd=False), open(1, "w", closefd=False)
+        sys.stderr = open(2, "w", 1, errors="backslashreplace", closefd=False)
     faulthandler.enable(2)
     os.environ.clear()
     os.environ.update(asked["env"])
@@ -185,13 +239,44 @@ def _inside(asked: dict[str, Any]) -> int:
     return code if isinstance(code, int) else 0 if code is None else 1
 
 
-def serve(asking: IO[bytes], answer: int) -> None:
+def taken(connection: socket.socket, ours: tuple[int, ...]) -> None:
+    """Begin the run that is asked for at *connection*, beside others; its streams are those of who asks."""
+    if os.fork():
+        connection.close()
+        return
+    code = 1
+    try:
+        for descriptor in ours:
+            os.close(descriptor)
+        _, streams, _, _ = socket.recv_fds(connection, 1, 3)
+        for number, descriptor in enumerate(streams):
+            os.dup2(descriptor, number)
+            os.close(descriptor)
+        with connection.makefile("rb") as stream:
+            asked = json.load(stream)
+        code = _inside(asked)
+    finally:
+        connection.sendall(str(code).encode())
+        os._exit(0)
+
+
+def serve(asking: IO[bytes], answer: int, listener: socket.socket) -> None:
     """Run after run, until nobody asks any more."""
-    for line in asking:
-        code = answered(json.loads(line), (asking.fileno(), answer))
-        os.write(answer, json.dumps(code).encode() + b"\n")
+    ours = (asking.fileno(), answer, listener.fileno())
+    while True:
+        ready, _, _ = select.select([asking, listener], [], [])
+        with contextlib.suppress(ChildProcessError):
+            while os.waitpid(-1, os.WNOHANG)[0]:
+                pass
+        if listener in ready:
+            taken(listener.accept()[0], ours)
+        if asking in ready:
+            line = asking.readline()
+            if not line:
+                return
+            os.write(answer, json.dumps(answered(json.loads(line), ours)).encode() + b"\n")
 
 
 if __name__ == "__main__":
     load()
-    serve(open(int(sys.argv[1]), "rb"), int(sys.argv[2]))
+    serve(open(int(sys.argv[1]), "rb"), int(sys.argv[2]), socket.socket(fileno=int(sys.argv[3])))

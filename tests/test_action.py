@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import forked
 import installing
 import pytest
 import yaml
@@ -193,7 +194,7 @@ def run_action(
     outputs: dict[str, dict[str, str]] = {}
     defaults = {name: given["default"] for name, given in ACTION["inputs"].items()}
     shared = {"cache-dir": f"{cache_home()}/action"}
-    values = {**defaults, "python": sys.executable, "install": "false", **shared, **inputs}
+    values = {**defaults, "python": forked.python(), "install": "false", **shared, **inputs}
     assert values.keys() == defaults.keys()
     code, log = 0, ""
     for number, step in enumerate(ACTION["runs"]["steps"]):
@@ -509,7 +510,7 @@ def recorded(directory: Path, text: str) -> str:
     """The baseline file of a workspace with that one module."""
     (directory / "arm").mkdir(parents=True)
     (directory / "arm/joints.py").write_text(text)
-    command = [sys.executable, "-I", "-m", "haros_ci", "baseline", "create", "--no-cache", "--file", "known.jsonl"]
+    command = [forked.python(), "-I", "-m", "haros_ci", "baseline", "create", "--no-cache", "--file", "known.jsonl"]
     subprocess.run(command, cwd=directory, env=clean_environment(), check=True, capture_output=True)
     return (directory / "known.jsonl").read_text(encoding="utf-8")
 
@@ -650,7 +651,7 @@ def test_modules_of_the_workspace_are_not_imported(tmp_path: Path) -> None:
     names = ("json.py", "venv.py", "pip.py", "secrets.py", "haros_ci.py", "sitecustomize.py", "click.py")
     request = pull_request(tmp_path, {"arm/joints.py": ADDED, **dict.fromkeys(names, planted)})
     checkout(request, tmp_path / "workspace")
-    job = run_action(tmp_path / "workspace", {}, base="main")
+    job = run_action(tmp_path / "workspace", {"python": sys.executable}, base="main")
     assert job.code == 1, job.log
     assert not list(tmp_path.rglob("pwned"))
 

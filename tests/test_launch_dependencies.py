@@ -158,3 +158,55 @@ def test_what_does_not(text: str) -> None:
 def is_optional(text: str) -> bool:
     line = next(number for number, each in enumerate(text.split("\n"), 1) if "HERE" in each)
     return depends_on_package(text, Location("launch/a.launch.py", line))
+
+
+DESCRIBED = """from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+from launch.substitutions import Command, FindExecutable, LaunchConfiguration, PathJoinSubstitution
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+    model = PathJoinSubstitution([FindPackageShare("demo"), "urdf", "arm.xacro"])
+    return LaunchDescription([
+        Node(package="demo", executable="n", parameters=[{{"robot_description": Command({})}}]),
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("command", "names"),
+    [
+        ('["xacro ", model]', ["xacro"]),
+        ('[FindExecutable(name="xacro"), " ", model]', ["xacro"]),
+        ('[PathJoinSubstitution([FindExecutable(name="xacro")]), " ", model, " use_sim:=true"]', ["xacro"]),
+        ('["ros2 run xacro xacro ", model]', ["xacro"]),
+        ('["/opt/ros/humble/bin/xacro ", model]', ["xacro"]),
+        ('["ros2 run joy describe ", model]', ["joy"]),
+        ('["cat ", model]', []),
+        ('["xacro2urdf ", model]', []),
+        ('["echo xacro ", model]', []),
+        ('["cat xacro"]', []),
+        ('[LaunchConfiguration("tool"), " ", model]', []),
+        ('["ros2 run ", LaunchConfiguration("package"), " tool ", model]', []),
+        ('["ros2 topic list ", model]', []),
+        ('["ros2 run demo tool"]', []),
+        ('["python3 xacro.py"]', []),
+    ],
+)
+def test_what_a_command_runs(command: str, names: list[str], tmp_path: Path) -> None:
+    found = results({"launch/a.launch.py": DESCRIBED.format(command), "urdf/arm.xacro": "<robot name='a'/>"}, tmp_path)
+    assert [result.subject[1:] for result in found] == [tuple(names)] * bool(names)
+
+
+def test_what_a_command_of_xml_runs(tmp_path: Path) -> None:
+    text = '<launch><node pkg="demo" exec="n"><param name="robot_description" value="$(command \'xacro a.xacro\')"/></node></launch>\n'
+    (result,) = results({"launch/a.launch.xml": text}, tmp_path)
+    assert result.subject == ("demo", "xacro")
+
+
+def test_what_a_command_runs_is_declared(tmp_path: Path) -> None:
+    package = PACKAGE.replace("<export>", "<exec_depend>xacro</exec_depend><export>")
+    files = {"package.xml": package, "launch/a.launch.py": DESCRIBED.format('["xacro ", model]')}
+    assert not results(files, tmp_path)

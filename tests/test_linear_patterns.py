@@ -20,6 +20,7 @@ from haros_ci.robot.sources import FIND
 #: Characters that each is given: a quadratic one takes minutes for them.
 SIZE = 300_000
 CASES = (
+    ("haros_ci.linters.catkin_doubts._COMMAND", "add_"),
     ("haros_ci.linters.python2._SHEBANG", "#!a"),
     ("haros_ci.linters.python2._STATEMENTS", "except" + " " * SIZE),
     ("haros_ci.linters.python2._REMARK", "<!--"),

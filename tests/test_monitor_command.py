@@ -4,10 +4,13 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
+from io import StringIO
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import pytest
 from commandline import TALKER_PACKAGE
@@ -170,6 +173,97 @@ def test_findings_stand_at_the_property_and_lead_over_the_publishers(workspace: 
     assert step["location"]["physicalLocation"]["artifactLocation"]["uri"] == "src/demo/talker.py"
     assert "t = +1.000 s: behaviour on /robot/level with data = 101" in step["location"]["message"]["text"]
     assert "hpl-violated" in (workspace / "run.xml").read_text()
+
+
+def test_the_code_flow_is_in_the_order_of_the_messages(workspace: Path) -> None:
+    run = record(workspace, (LEVEL, 5, 1), ("/level", 5.5, 2))
+    text = "globally: /robot/level forbids /level within 1 s"
+    arguments = ["--jsonl", run, "--no-cache", "--configuration", "demo", "--property", text]
+    assert main(["monitor", *arguments, "--output", "sarif=run.sarif"]) == 1
+    (log,) = json.loads((workspace / "run.sarif").read_text())["runs"]
+    (result,) = log["results"]
+    steps = [one["location"] for one in result["codeFlows"][0]["threadFlows"][0]["locations"]]
+    assert [one["message"]["text"].split(";")[0] for one in steps] == [
+        "t = +0.000 s: trigger on /robot/level",
+        "t = +0.500 s: behaviour on /level",
+    ]
+    assert [one["message"]["text"].split(";")[1] for one in steps] == [
+        " /robot/a publishes it here.",
+        " /b publishes it here.",
+    ]
+    assert {one["physicalLocation"]["region"]["startLine"] for one in steps} == {6}
+
+
+def test_the_code_flow_ends_where_what_did_not_come_is_published(workspace: Path) -> None:
+    run = record(workspace, (QUESTION, 5, 1), (QUESTION, 8, 1))
+    arguments = ["--jsonl", run, "--no-cache", "--configuration", "demo", "--property", "answers"]
+    assert main(["monitor", *arguments, "--output", "sarif=run.sarif"]) == 1
+    (log,) = json.loads((workspace / "run.sarif").read_text())["runs"]
+    (flow,) = log["results"][0]["codeFlows"][0]["threadFlows"]
+    (step,) = (one["location"] for one in flow["locations"])  # nobody in the model publishes the question
+    assert step["message"]["text"] == "t = +0.100 s: /robot/level did not come; /robot/a publishes it here."
+    assert step["physicalLocation"]["region"]["startLine"] == 6
+
+
+def test_junit_has_the_violation_as_a_failure(workspace: Path) -> None:
+    run = record(workspace, (QUESTION, 5, 1), (LEVEL, 6, 101))
+    assert main(["monitor", "--jsonl", run, "--no-cache", "--output", "junit=run.xml"]) == 1
+    suites = ElementTree.parse(workspace / "run.xml").getroot()
+    assert suites.attrib["failures"] == "1"
+    (failure,) = suites.iter("failure")
+    assert failure.attrib["type"] == "haros-ci:hpl-violated" and str(failure.text).count("[haros-ci:hpl-violated]") == 2
+
+
+def test_progress_is_shown_on_a_terminal_with_the_time_that_is_left(
+    workspace: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from haros_ci.commands import monitor as command
+    from haros_ci.recordings.jsonl import JsonLines
+
+    class Terminal(StringIO):
+        def isatty(self) -> bool:
+            return True
+
+    recording = JsonLines(Path(record(workspace, *((QUESTION, float(n), 1) for n in range(2_000)))))
+    monkeypatch.setattr(command, "_EVERY", 500)
+    monkeypatch.setattr(command, "_PAUSE", -1.0)
+    for stderr, is_shown in ((Terminal(), True), (StringIO(), False)):
+        monkeypatch.setattr(sys, "stderr", stderr)
+        assert len(list(command.shown(recording, recording.messages(frozenset((QUESTION,)))))) == 2_000
+        text = stderr.getvalue()
+        assert bool(re.search(r"\r[\d,]+ messages, \d+ s left", text)) == is_shown and (is_shown or not text)
+
+
+def test_the_clock_is_that_of_recording_or_of_headers(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    def line(topic: str, time: float, stamp: float) -> str:
+        header = {"stamp": {"sec": int(stamp), "nanosec": round(stamp % 1 * 1_000_000_000)}}
+        return json.dumps({"topic": topic, "time": time, "msg": {"header": header, "data": 1}}) + "\n"
+
+    path = workspace / "run.jsonl"
+    path.write_text(line(QUESTION, 5, 15) + line(LEVEL, 5.05, 15.25))
+    for clock, verdict, code, end in (("log", "held", 0, 5.05), ("header", "violated", 1, 15.25)):
+        done, found, said = verdicts(capsys, "--jsonl", str(path), "--property", "answers", "--clock", clock)
+        assert (done, found, said["clock"], said["recording"]["end"]) == (code, {"answers": verdict}, clock, end)
+    path.write_text('{"topic": "/question", "time": 5, "msg": {"data": 1}}\n')
+    _, found, said = verdicts(capsys, "--jsonl", str(path), "--property", "answers", "--clock", "header")
+    assert found == {"answers": "undecided"} and "has no header stamp" in said["properties"][0]["reason"]
+
+
+@pytest.mark.parametrize(("share", "code"), [(0.9, 1), (0.05, 2)])
+def test_a_bag_that_was_cut_off(workspace: Path, capsys: pytest.CaptureFixture[str], share: float, code: int) -> None:
+    from recordings.bags import ros2
+
+    (path,) = ros2(workspace / "run", [(LEVEL, 101, number) for number in range(500)]).glob("*.db3")
+    path.write_bytes(path.read_bytes()[: int(path.stat().st_size * share)])
+    text = "globally: no /robot/level {data > 100}"
+    arguments = ["--bag", str(path), "--no-cache", "--configuration", "demo", "--property", text]
+    assert main(["monitor", *arguments, "--output", "text", "--output", "sarif=run.sarif"]) == code
+    out, err = capsys.readouterr()
+    if code == 2:
+        assert "run.db3: no message of it can be read: " in err and not (workspace / "run.sarif").exists()
+    else:
+        assert "x violated" in out and "note: run.db3 can be read up to message " in out
+        assert "run.db3 can be read up to message " in (workspace / "run.sarif").read_text()
 
 
 def test_a_comment_accepts_a_violation(workspace: Path) -> None:

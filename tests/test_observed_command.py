@@ -94,6 +94,18 @@ def test_it_is_text_or_json(workspace: Path, capsys: pytest.CaptureFixture[str],
     assert main(["model", "--observed", record(workspace, 0.1), "--no-cache", *options]) == 2
 
 
+def test_a_bag_that_was_cut_off_is_named(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    from recordings.bags import ros2
+
+    (path,) = ros2(workspace / "run", [("/robot/level", 1, number) for number in range(500)]).glob("*.db3")
+    content = path.read_bytes()
+    path.write_bytes(content[: len(content) * 9 // 10])
+    assert "run.db3 can be read up to message " in str(lacks(capsys, str(path))[1]["notes"])
+    path.write_bytes(content[:9_000])
+    assert main(["model", "--observed", str(path), "--no-cache"]) == 2
+    assert "run.db3: no message of it can be read: " in capsys.readouterr().err
+
+
 def topic(name: str, types: set[str] = frozenset(), count: int = 1, span: float = 0.0) -> ObservedTopic:  # type: ignore[assignment]
     return ObservedTopic(name, frozenset(types), count, 0, round(span * 1e9))
 

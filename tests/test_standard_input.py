@@ -9,6 +9,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import forked
 import pytest
 from commandline import cache_home, write
 from test_command import BAD, DEFAULT_TOOLS, GOOD, MANIFEST
@@ -21,7 +22,7 @@ NODE = '#include "arm/limits.hpp"\nint half(int all)\n{\n  return all / PARTS;\n
 
 def check(text: str | bytes, *arguments: str, cwd: Path) -> subprocess.CompletedProcess[str]:
     kept = {name: value for name, value in os.environ.items() if not name.startswith(("GITHUB_", "HAROS_"))}
-    command = [sys.executable, "-m", "haros_ci", "check", *arguments]
+    command = [forked.python(), "-m", "haros_ci", "check", *arguments]
     data = text.encode() if isinstance(text, str) else text
     done = subprocess.run(
         command, cwd=cwd, input=data, capture_output=True, env={**kept, "XDG_CACHE_HOME": cache_home()}, check=False
@@ -88,7 +89,7 @@ def test_the_systems_with_the_buffer_in_its_place(tmp_path: Path) -> None:
 
 def test_a_baseline_file_holds(lift: Path) -> None:
     write(lift, {"lift/doors.py": BAD})
-    command = [sys.executable, "-m", "haros_ci", "baseline", "create", "--no-cache"]
+    command = [forked.python(), "-m", "haros_ci", "baseline", "create", "--no-cache"]
     subprocess.run(command, cwd=lift, capture_output=True, check=True)
     done = check("# Doors.\n" + BAD, "-", "--stdin-filename", "lift/doors.py", cwd=lift)
     assert done.returncode == 0, done.stdout

@@ -16,6 +16,7 @@ from tiers import TESTS, is_slow
         "hostile/test_hostile_git.py",
         "link/test_follow_python.py",
         "extract/cpp/test_cpp_broken.py",
+        "monitor_files/test_ros1.py",
     ],
 )
 def test_slow(path: str) -> None:

@@ -16,7 +16,7 @@ _TRYING = re.compile(
 )
 #: What a module names that starts processes, or reads and analyses whole workspaces.
 _HEAVY = re.compile(
-    r"\b(?:subprocess|commandline|installing|multitool|selenium|small_robot|git_histories|discover|varied|analyse|cli\.main|faults)\b"
+    r"\b(?:subprocess|commandline|installing|multitool|selenium|small_robot|git_histories|ros1_kit|discover|varied|analyse|cli\.main|faults)\b"
 )
 
 

@@ -32,4 +32,7 @@ def api_rows(
             own.append(load_row(item))
         except RowError as err:
             problems.append(Problem(where, f"row {number} of 'apis': {err}"))
-    return {(language, ros): (*own, *more, *rows(language, ros)) for language in ("cpp", "python") for ros in (1, 2)}
+    first = (*own, *more)
+    tables = {(language, ros): rows(language, ros) for language in ("cpp", "python") for ros in (1, 2)}
+    # The very tables where nothing is added, as what follows from them is worked out once.
+    return {version: (*first, *table) for version, table in tables.items()} if first else tables

@@ -22,6 +22,7 @@ from haros_ci.extract.parameter_library import read_parameter_library
 from haros_ci.forks import shared
 from haros_ci.index.index import Source
 from haros_ci.keeping.kept import Earlier
+from haros_ci.launch.facts.memory import LaunchMemory, Memo
 from haros_ci.launch.ros2.dialect import description_reader
 from haros_ci.launch.ros2.places import Places
 from haros_ci.model.architecture import Architecture, Configuration
@@ -53,7 +54,7 @@ class Common:
     nodes that earlier runs have followed, as they were read; *calls* what is found in the text of files.
     """
 
-    launched: dict[str, dict[tuple[object, ...], Any]] = field(default_factory=dict)
+    launched: dict[str, Memo] = field(default_factory=dict)
     records: dict[str, Earlier | None] = field(default_factory=dict)
     calls: Calls = field(default_factory=dict)
 
@@ -148,7 +149,7 @@ def _of_view(
         environment=environment,
         defaults=environment_of(workspace, built).over(named_environment(workspace, project, problems, where)),
         known=known,
-        ros2=ros2_launch(workspace, built, common.launched.setdefault(launch_state(workspace), {})),
+        ros2=ros2_launch(workspace, built, common.launched.setdefault(launch_state(workspace), LaunchMemory())),
         share=timed("follow")(partial(shared, processes=processes)),
         alternatives=alternatives,
     )
@@ -267,9 +268,7 @@ def module_name(path: str, roots: Iterable[tuple[str, str]]) -> str:
     return best.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
 
 
-def ros2_launch(
-    workspace: Workspace, built: Mapping[str, Build], launched: dict[tuple[object, ...], Any]
-) -> Ros2Launch:
+def ros2_launch(workspace: Workspace, built: Mapping[str, Build], launched: Memo) -> Ros2Launch:
     """Launch files of ROS 2 in all dialects; *launched* has what was launched before."""
     places = Places(workspace, built)
     modules = {

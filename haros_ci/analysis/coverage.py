@@ -99,7 +99,7 @@ def _names(rows: Rows) -> Mapping[tuple[str, int | None], Names]:
     """The names of the calls of ROS APIs by language and ROS version; None for files of neither version or both."""
     table: dict[tuple[str, int | None], Names] = {}
     for language in ("cpp", "python"):
-        one, two = (names_of(rows.get((language, ros), ())) for ros in (1, 2))
+        one, two = (names_of(tuple(rows.get((language, ros), ()))) for ros in (1, 2))
         table.update({(language, 1): one, (language, 2): two, (language, None): joined(one, two)})
     return table
 

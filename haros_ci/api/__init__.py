@@ -27,7 +27,7 @@ from haros_ci.checking.stated import of_properties
 from haros_ci.checking.system import Channel, End, System, SystemNode
 from haros_ci.checking.whole import Whole
 from haros_ci.checking.whole_graph import WholeGraph, is_opaque
-from haros_ci.checking.wording import line_of, listed
+from haros_ci.checking.wording import line_of, listed, spelled_out
 from haros_ci.checking.yaml_readers import is_read_besides
 from haros_ci.model.architecture import (
     Condition,
@@ -85,6 +85,7 @@ __all__ = [
     "is_slip",
     "line_of",
     "listed",
+    "spelled_out",
     "may_be",
     "misplaced",
     "named_at",

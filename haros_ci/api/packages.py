@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from haros_ci.checking.appearing import is_ignored, is_told_of, may_appear
 from haros_ci.checking.boost import boost_keys
+from haros_ci.checking.build_tool import AMENT, CATKIN, always_called, undeclared_build_tools
 from haros_ci.checking.built_against import is_built_against
 from haros_ci.checking.cmake import OF_TARGETS, CMake, Install, Link
 from haros_ci.checking.cmake_variables import may_set_variables
@@ -56,6 +57,7 @@ from haros_ci.checking.manifests import (
 )
 from haros_ci.checking.needs import Need, lacking, needs_of
 from haros_ci.checking.outside_targets import may_be_added, may_have_more
+from haros_ci.checking.own_modules import LostImport, OwnModules
 from haros_ci.checking.package_names import meant_here, meant_released
 from haros_ci.checking.pages import is_for_noetic
 from haros_ci.checking.plugin_readers import is_of_node, may_load
@@ -82,7 +84,9 @@ from haros_ci.checking.plugins import (
     registrations,
     variant,
 )
+from haros_ci.checking.proposals import Reason, proposed_before
 from haros_ci.checking.provision import (
+    OF_PYTHON,
     Provision,
     Provisions,
     Sources,
@@ -137,6 +141,13 @@ from haros_ci.model.element import Element
 from haros_ci.model.package import Dependency, Package, SourceFile
 
 __all__ = [
+    "AMENT",
+    "LostImport",
+    "OwnModules",
+    "OF_PYTHON",
+    "CATKIN",
+    "always_called",
+    "undeclared_build_tools",
     "BUILD",
     "EXEC",
     "EXPORTED",
@@ -166,6 +177,7 @@ __all__ = [
     "Programs",
     "Provision",
     "Provisions",
+    "Reason",
     "Registration",
     "SourceFile",
     "Sources",
@@ -260,6 +272,7 @@ __all__ = [
     "plugin_library",
     "plugins_in_parameters",
     "plugins_in_yaml",
+    "proposed_before",
     "provided",
     "reaches",
     "registers_otherwise",

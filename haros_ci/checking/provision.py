@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Callable, Hashable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -15,6 +16,10 @@ from haros_ci.model.package import Package
 
 T = TypeVar("T")
 
+#: Modules that come with Python itself, wherever it is: not those that systems have as packages of their own, nor those of some versions alone.
+OF_PYTHON = frozenset(sys.stdlib_module_names) - frozenset(
+    "asynchat asyncore cgi crypt distutils ensurepip idlelib imp lib2to3 pipes smtpd telnetlib test tkinter tomllib turtle turtledemo venv".split()
+)
 _PYTHON = re.compile(r"(?:python3?|python2)-(.+?)(?:-pip)?$")
 #: What is not there because another package needs it.
 _OWN_ONLY = ("test_depend", "doc_depend")
@@ -77,7 +82,7 @@ class Provisions:
             if brought is None and "-" in name:  # no package's name has one (REP 144), keys have
                 system = system or not name.startswith("python")
             elif brought is None:
-                is_open = True
+                is_open = is_open or name not in OF_PYTHON  # that brings nothing
             elif not self.project.knowledge.is_whole(name):
                 system = True
             new = (brought or frozenset()) - names

@@ -9,6 +9,8 @@ from haros_ci.model.location import Location
 
 #: So many names of one finding are named.
 NAMED = 5
+#: So many where a user has to write them.
+WRITTEN = 100
 
 
 def line_of(location: Location) -> str:
@@ -18,6 +20,15 @@ def line_of(location: Location) -> str:
 
 def listed(names: Sequence[str]) -> str:
     """*names* in words (``a, b and c``), of many the first ones and how many more there are."""
-    if len(names) > NAMED:
-        return f"{', '.join(names[:NAMED])} and {len(names) - NAMED} more"
+    return _in_words(names, NAMED)
+
+
+def spelled_out(names: Sequence[str]) -> str:
+    """All *names* in words, as a user has to write them: none may hide behind a number. Of more than WRITTEN names only these are named."""
+    return _in_words(names, WRITTEN)
+
+
+def _in_words(names: Sequence[str], most: int) -> str:
+    if len(names) > most:
+        return f"{', '.join(names[:most])} and {len(names) - most} more"
     return " and ".join(part for part in (", ".join(names[:-1]), *names[-1:]) if part)

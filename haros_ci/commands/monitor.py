@@ -24,6 +24,7 @@ from haros_ci.errors import UserError
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
 from haros_ci.monitoring.clock import Clock
+from haros_ci.monitoring.monitor import BEHAVIOUR
 from haros_ci.monitoring.verdict import Outcome, Verdict
 from haros_ci.monitoring.watch import Watch
 from haros_ci.pipeline import finished, found, own_run, selection_of
@@ -138,6 +139,7 @@ def judged(recording: Recording, picked: Chosen, *, by_header: bool) -> Held:
     """What *recording* says of the properties."""
     watch = Watch((item.monitor for item in picked.properties), by_header=by_header)
     feed(watch, recording)
+    recording.demand_messages()
     outcomes = watch.finish(recording.last, frozenset(recording.topics))
     notes = (*picked.notes, *recording.notes, *_of_times(watch.clock))
     last = watch.clock.last
@@ -173,7 +175,8 @@ def _begin(watch: Watch, recording: Recording) -> None:
 
 def _of_times(clock: Clock) -> Iterator[str]:
     if clock.jumps:
-        yield f"times jump back {clock.jumps} times, first at message {clock.first_jump}; no time counts as passed between"
+        how = "once, at" if clock.jumps == 1 else f"{clock.jumps} times, first at"
+        yield f"times jump back {how} message {clock.first_jump}; no time counts as passed between"
     if clock.noise:
         yield f"{clock.noise} messages are older than one before them, by less than 1 s; they count as of the same time"
 
@@ -213,7 +216,19 @@ def _judged(monitored: Monitored, outcome: Outcome, picked: Chosen) -> Judged:
         moments,
         (outcome.scopes, outcome.triggers, outcome.behaviours),
         note if outcome.faults else "",
+        tuple(_missing(monitored, outcome, picked)),
     )
+
+
+def _missing(
+    monitored: Monitored, outcome: Outcome, picked: Chosen
+) -> Iterator[tuple[str, tuple[tuple[str, Location], ...]]]:
+    """The topics of the behaviour that did not come, with the places that publish on them."""
+    if outcome.verdict is not Verdict.VIOLATED or any(one.role == BEHAVIOUR for one in outcome.witnesses):
+        return
+    monitor = monitored.monitor
+    for topic in dict.fromkeys(map(monitor.name, monitor.property.pattern.behaviour)):
+        yield topic, tuple((p.node, p.location) for p in picked.publishers.get(topic, ()))
 
 
 def results(held: Held) -> Iterator[Result]:
@@ -237,10 +252,14 @@ def results(held: Held) -> Iterator[Result]:
 
 
 def _flow(judged: Judged, held: Held) -> Iterator[Related]:
-    """The places in the source that publish the messages of a violation, in the order of the messages."""
+    """The places in the source that publish the messages of a violation, in the order of the messages, and what did not come."""
     for moment in judged.moments:
         values = ", ".join(f"{name} = {value}" for name, value in moment.values.items())
         message = f"t = {moment.time - (held.begin or 0):+.3f} s: {moment.role} on {moment.topic}{f' with {values}' if values else ''}"
         may = "may publish" if len(moment.sources) > 1 else "publishes"
         for node, place in moment.sources:
             yield Related(place, f"{message}; {node} {may} it here")
+    for topic, sources in judged.missing:
+        for node, place in sources:
+            after = (judged.time or 0) - (held.begin or 0)
+            yield Related(place, f"t = {after:+.3f} s: {topic} did not come; {node} publishes it here")

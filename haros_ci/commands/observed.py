@@ -24,6 +24,7 @@ def compared(found: Architecture, recording: Recording, format: str) -> str:
             one = topics[topic] = ObservedTopic(topic, first=time, last=time)
         one.count += 1
         one.first, one.last = min(one.first, time), max(one.last, time)
+    recording.demand_messages()
     for topic, types in recording.topics.items():
         topics.setdefault(topic, ObservedTopic(topic)).types = frozenset(types)
     for topic, found_offers in recording.offers.items():

@@ -183,6 +183,8 @@ class Selection:
 
 
 def _apply(policy: Policy, tool: str, rule: Rule, before: _RuleState) -> _RuleState:
+    if not (policy.select or policy.ignore or policy.levels):
+        return before
     selected = _best(policy.select, tool, rule)
     ignored = _best(policy.ignore, tool, rule)
     mapped, mapping = NO_MATCH, before.level

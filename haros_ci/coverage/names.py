@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import KINDS
+from haros_ci.model.once import once
 
 #: Methods that any class may have, and those whose calls are no calls of ROS most of the time.
 EVERYDAY = frozenset(
@@ -30,7 +30,8 @@ class Names:
     classes: dict[str, frozenset[str]]
 
 
-def names_of(rows: Iterable[Row]) -> Names:
+@once
+def names_of(rows: tuple[Row, ...]) -> Names:
     """What is looked for, by the *rows* of one language and ROS version."""
     methods: set[str] = set()
     qualified: set[str] = set()

@@ -18,7 +18,7 @@ from haros_ci.dependence.steps import Step, all_nodes, step_of
 from haros_ci.model.architecture import Configuration, Endpoint, Node
 from haros_ci.model.dependence import DIRECT, PERHAPS, STATE, Cause, Dependence, Input, NodeDependence, Output
 from haros_ci.model.location import Location
-from haros_ci.rates.publishers import ACTION_CALLS, CLIENT_CALLS, PUBLISHER_CALLS, Sending, publishing
+from haros_ci.rates.publishers import ACTION_CALLS, CLIENT_CALLS, PUBLISHER_CALLS, Sending, publishing, without_code
 from haros_ci.rates.turns import turns
 
 #: What a node gets, by the kind of its endpoint, and what its callback is called.
@@ -64,10 +64,12 @@ class _Node:
 
     def input(self, kind: str, name: str, location: Location | None, end: Endpoint | None) -> None:
         at = location or Location("")
-        reason = ""
-        if location is None or (end is not None and end.source not in ("source", "exact-tier")):
-            reason = "no code of the workspace receives it"
-        elif not any(callback.location == location for callback in _callbacks(self.code).get(location.path, ())):
+        reason = "" if end is None else without_code(end, "receives")
+        if location is None:
+            reason = reason or "no code of the workspace receives it"
+        elif not reason and not any(
+            callback.location == location for callback in _callbacks(self.code).get(location.path, ())
+        ):
             passed = passed_on(self.code, location) if kind == "subscription" else ()
             for callback in passed:
                 self.behind.setdefault(callback.location, []).append(Input(kind, name, location))
@@ -98,8 +100,9 @@ class _Node:
 
     def calls(self, end: Endpoint) -> tuple[tuple[tuple[Routine, Call], ...], str]:
         """The calls that send, and why there may be others."""
-        if end.source not in ("source", "exact-tier") or end.location is None:
-            return (), "no code of the workspace sends it"
+        reason = without_code(end, "sends")
+        if reason or end.location is None:
+            return (), reason
         same = [one for one in self.node.endpoints if one.kind == end.kind and one.location == end.location]
         found = publishing(self.code, end.location, OUTPUTS[end.kind])
         return found.calls, found.reason or ("one call makes several of them" if len(same) > 1 else "")

@@ -10,6 +10,7 @@ from haros_ci.index.index import Index
 from haros_ci.index.mentions import CONTAINERS, COUNTED
 from haros_ci.model.api import Entry, Row
 from haros_ci.model.architecture import KINDS
+from haros_ci.model.once import once
 
 #: Words for methods of all sorts of classes.
 EVERYDAY = frozenset("start add call create configure init del search".split())
@@ -19,15 +20,29 @@ MAKERS = frozenset(("make_shared", "make_unique"))
 
 def api_names(index: Index, rows: tuple[Row, ...]) -> frozenset[str]:
     """How the calls look by which something is made."""
-    found = frozenset(name for row in rows if _makes(row) for name in spellings(row))
+    found, calls = making_rows(rows)
     if any("<nodelet/loader.h>" in source.program.includes for source in index.sources.values()):
         found |= {".load"}
     if behavior_tree_files.users(index):
         found |= behavior_tree_files.CALLS
     opened = {space for source in index.sources.values() for _, space in source.program.scopes}
-    for space, _, name in (row.call.rpartition("::") for row in rows if _makes(row)):
-        found |= {name} if space in opened else set()
-    return found
+    return found | {name for space, name in calls if space in opened}
+
+
+@once
+def called_back(rows: tuple[Row, ...]) -> frozenset[str]:
+    """How the calls look that are given what is called back."""
+    return frozenset(name for row in rows if row.calls for name in spellings(row))
+
+
+@once
+def making_rows(rows: tuple[Row, ...]) -> tuple[frozenset[str], tuple[tuple[str, str], ...]]:
+    """How the calls of those rows look that make something, and the namespace and name of each."""
+    making = [row for row in rows if _makes(row)]
+    calls = [row.call.rpartition("::") for row in making]
+    return frozenset(name for row in making for name in spellings(row)), tuple(
+        (space, name) for space, _, name in calls
+    )
 
 
 def spellings(row: Row) -> Iterable[str]:

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from copy import copy
 
-from haros_ci.index.api_names import api_names, spellings
+from haros_ci.index.api_names import api_names, called_back
 from haros_ci.index.index import Index, Source
 from haros_ci.index.mentions import (
     CALL,
@@ -51,7 +51,7 @@ class Relevance:
     def __init__(self, index: Index, rows: Iterable[Row]) -> None:
         rows = tuple(rows)
         self._api = api_names(index, rows) | {CALLED}
-        self._registering = frozenset(name for row in rows if row.calls for name in spellings(row)) - self._api
+        self._registering = called_back(rows) - self._api
         self._index = index
         self._by_name: dict[str, list[tuple[Source, Function | Class]]] = {}
         for table in (index.functions, index.classes):

@@ -29,9 +29,10 @@ _KNOWN = re.compile(
 _SET = r"\bset\s*\(\s*{name}\s"
 #: What CMake tries where a source has no extension (policy CMP0115).
 _EXTENSIONS = "c C c++ cc cpp cxx cu mpp m M mm ixx cppm h hh h++ hm hpp hxx in txx f F for f77 f90".split()
-_SOURCE_OF = re.compile(
-    r"\w*(?:add_\w*(?:executable|library)|target_sources|catkin_add_gtest|add_rostest_gtest)\(\)", re.IGNORECASE
-)
+#: The command that a message begins with, and how the names of those end that have sources.
+_COMMAND = re.compile(r"(\w*)\(\)")
+_MAKES = ("executable", "library")
+_OF_SOURCES = ("target_sources", "catkin_add_gtest", "add_rostest_gtest")
 _SIMPLE = re.compile(r"^[ \t]*(?:cs_export\s*\(|find_package\s*\(\s*catkin_simple\b)", re.MULTILINE | re.IGNORECASE)
 #: Commands that install: ``install()``, ``catkin_install_python()``, ``cs_install()`` and such of one's own.
 _INSTALLS = re.compile(r"^[ \t]*\w*install\w*[ \t]*\(", re.MULTILINE | re.IGNORECASE)
@@ -108,7 +109,7 @@ def is_refuted(
     beside = normpath(join(at.path.rpartition("/")[0], named[1]))
     if rule in _OF_FILES and (is_below(here, lacking) or is_below(beside, lacking)):
         return True
-    if rule == "MISSING_FILE" and _SOURCE_OF.match(message) and _has_extension(workspace, here, beside):
+    if rule == "MISSING_FILE" and _is_of_sources(message) and _has_extension(workspace, here, beside):
         return True
     if rule in ("MISSING_FILE", "MISSING_DIRECTORY", "MISSING_SUBDIR"):
         return _is_unknown(named[1], at.path, at.line, workspace.text(at.path))
@@ -148,6 +149,13 @@ def _installs(directory: str, workspace: Workspace) -> bool:
     prefix = "" if directory == "." else f"{directory}/"
     own = (file.path for file in workspace.files if file.path.startswith(prefix))
     return any(_INSTALLS.search(workspace.text(path)) for path in own if path.endswith(("CMakeLists.txt", ".cmake")))
+
+
+def _is_of_sources(message: str) -> bool:
+    """Whether *message* begins with a command that names sources: ``add_executable()``, ``target_sources()`` and such of one's own."""
+    called = _COMMAND.match(message)
+    name = called[1].lower() if called is not None else ""
+    return name.endswith(_OF_SOURCES) or any(name.endswith(end) and "add_" in name.removesuffix(end) for end in _MAKES)
 
 
 def _has_extension(workspace: Workspace, *paths: str) -> bool:

@@ -9,7 +9,7 @@ import re
 from collections.abc import Iterable, Iterator
 from posixpath import dirname, join, relpath
 
-from haros_ci.linters import footing, includes, installed
+from haros_ci.linters import footing, growth, includes, installed
 from haros_ci.linters.compile_db import directories, flags_by_file
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.model.location import Location
@@ -62,6 +62,11 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
         salt = "\n".join(flag.replace(root, "") for flag in flags[path])
         own = tuple(_settings(workspace, path)) if options.trust_config else ()
         yield Unit(files[path], dependencies=needs(path), covers=headers, salt=salt, settings=own)
+
+
+def declined(workspace: Workspace, units: Iterable[Unit]) -> dict[str, str]:
+    """Files on which the tool would not end, with the reason: it is not asked about them."""
+    return growth.why_not_cpp(workspace, units)
 
 
 def command(program: Program, batch: Batch) -> Command:

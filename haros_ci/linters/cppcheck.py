@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 from functools import lru_cache, partial
 from posixpath import join, relpath
 
-from haros_ci.linters import compile_db, cppcheck_libraries, includes, installed, ros_macros
+from haros_ci.linters import compile_db, cppcheck_libraries, growth, includes, installed, ros_macros
 from haros_ci.linters.catalogue.cppcheck import UNSURE
 from haros_ci.linters.cppcheck_doubts import is_refuted, self_initialized_line
 from haros_ci.linters.doubting import Doubting
@@ -99,6 +99,11 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
         group = json.dumps(["c" if path.endswith(".c") else "c++", *setups[path], libraries, macros])
         covers = tuple(header for header in headers if not _is_source(header))
         yield Unit(files[path], group, dependencies=needs(path), covers=covers)
+
+
+def declined(workspace: Workspace, units: Iterable[Unit]) -> dict[str, str]:
+    """Files on which the tool would not end, with the reason: it is not asked about them."""
+    return growth.why_not_cpp(workspace, units)
 
 
 def command(program: Program, batch: Batch) -> Command:

@@ -142,7 +142,8 @@ class Linter(Protocol):
     """An adapter module. ``COST`` is seconds per megabyte of source on one core, for scheduling only.
 
     An adapter may also have ``BATCH_SECONDS``, the estimated length of one process,
-    ``plan(workspace, options, store) -> Iterable[Unit]``, which then takes the place of LANGUAGES and dependencies(), and
+    ``plan(workspace, options, store) -> Iterable[Unit]``, which then takes the place of LANGUAGES and dependencies(),
+    ``declined(workspace, units) -> dict[str, str]``, the files that the tool is not asked about with the reason, and
     ``remarks(workspace, groups) -> Iterable[Problem]``, which tells what of the settings files that units have as their group
     does not count, and why.
 

@@ -7,6 +7,7 @@ It does not outlive us, however we end.
 from __future__ import annotations
 
 import os
+import re
 import signal
 import subprocess
 import threading
@@ -80,7 +81,7 @@ class Processes:
         timer.start()
         ended, stalled = threading.Event(), threading.Event()
         if command.progress is not None and STALL < timeout:
-            watch = (streams[1], ended, stalled, lambda: kill_group(process))
+            watch = (streams[1], command.progress, ended, stalled, lambda: kill_group(process))
             threading.Thread(target=_watch, args=watch, daemon=True).start()
         try:
             code, seconds = _wait(process)
@@ -232,14 +233,23 @@ def _wait(process: subprocess.Popen[bytes]) -> tuple[int, float]:
     return process.returncode, usage.ru_utime + usage.ru_stime
 
 
-def _watch(stdout: Path, ended: threading.Event, stalled: threading.Event, kill: Callable[[], None]) -> None:
-    """Until the process has *ended*: end it, by *kill*, when *stdout* has not grown for STALL seconds."""
+def _watch(
+    stdout: Path,
+    progress: re.Pattern[bytes],
+    ended: threading.Event,
+    stalled: threading.Event,
+    kill: Callable[[], None],
+) -> None:
+    """Until the process has *ended*: end it, by *kill*, when *stdout* has not grown for STALL seconds.
+
+    A tool that has not named a file yet, as one of a version that names none, has the time of its batch.
+    """
     size, since = 0, time.monotonic()
     while not ended.wait(min(1.0, STALL / 4)):
         now = _size(stdout)
         if now != size:
             size, since = now, time.monotonic()
-        elif time.monotonic() - since > STALL and not ended.is_set():
+        elif time.monotonic() - since > STALL and not ended.is_set() and progress.search(_head(stdout)) is not None:
             stalled.set()
             kill()
             return

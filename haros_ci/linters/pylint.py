@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator
 from posixpath import dirname
 from typing import Any
 
-from haros_ci.linters import columns, imports, installed, python2
+from haros_ci.linters import columns, growth, imports, installed, python2
 from haros_ci.linters.catalogue.pylint import NOT_FATAL
 from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
@@ -57,7 +57,13 @@ def fingerprint(workspace: Workspace, options: LintOptions) -> str:
     return json.dumps(["14", sys.version_info[:2], astroid and astroid.version, options.trust_config, own])
 
 
-#: How the report begins. Before it stands what modules of Python say that pylint imports to look into them: ``this`` its poem.
+#: What it writes when it parses a file, and when it looks at one.
+PROGRESS = re.compile(
+    rb"^(?=AST for .|.+ \(\d+ of \d+\)$)(?:AST for )?(?:\./)?(.+?)(?: \(\d+ of \d+\))?$", re.MULTILINE
+)
+#: The whole line, for a file may have this name.
+_NOTHING = re.compile(rb"^No files to lint: exiting\.?\r?$", re.MULTILINE)
+#: How the report begins. Before it stands what pylint is at, and what modules of Python say that it imports to look into them: ``this`` its poem.
 _REPORT = b'{\n    "messages"'
 
 
@@ -81,6 +87,11 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
             yield Unit(file, group=config or "", dependencies=closures[file.path], settings=own)
 
 
+def declined(workspace: Workspace, units: Iterable[Unit]) -> dict[str, str]:
+    """Files on which the tool would not end, with the reason: it is not asked about them."""
+    return growth.why_not_python(workspace, units)
+
+
 def command(program: Program, batch: Batch) -> Command:
     rc = batch.scratch / "pylintrc"
     extra: tuple[str, ...] = ()
@@ -92,16 +103,25 @@ def command(program: Program, batch: Batch) -> Command:
         extra = ("--load-plugins=", "--init-hook=")
     if batch.options.trust_config:
         extra += batch.options.arguments.get(NAME, ())
-    argv = (*program.argv, f"--rcfile={rc}", *extra, "--output-format=json2", "--persistent=n", "--score=n", "--jobs=1")
+    argv = (
+        *program.argv,
+        f"--rcfile={rc}",
+        *extra,
+        "--output-format=json2",
+        "--persistent=n",
+        "--score=n",
+        "--jobs=1",
+        "--verbose",
+    )
     from glob import escape  # pylint expands wildcards in the names that it is given
 
     names = ("./" + escape(file.path) for file in batch.files)
-    return Command((*argv, "--", *names), environment={"PYLINTHOME": str(batch.scratch)})
+    return Command((*argv, "--", *names), environment={"PYLINTHOME": str(batch.scratch)}, progress=PROGRESS)
 
 
 def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     """The json2 report; columns there count code points from 0. Exit codes below 32 only say what was found."""
-    if b"No files to lint" in output.stderr + output.stdout[:100]:
+    if _NOTHING.search(output.stderr) or _NOTHING.search(output.stdout[:100]):
         return  # the configuration disables every check or ignores every file
     if output.code & 32:
         raise ValueError("wrong usage")

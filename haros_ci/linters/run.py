@@ -24,6 +24,7 @@ from haros_ci.timing import Spent, side_by_side, timed
 
 T = TypeVar("T")
 Progress = Callable[[str], None]
+Declined = Callable[[Workspace, Iterable[Unit]], dict[str, str]]
 
 
 @timed("linters")
@@ -100,6 +101,19 @@ def _recall(work: Work, store: Store | Recorded, keep: IsSelected, digests: Dige
             work.take(unit, answer)
 
 
+def _decline(work: Work, workspace: Workspace, store: Store) -> None:
+    """Takes out of what is missing the files that the adapter does not ask its tool about, each with the reason."""
+    declined: Declined | None = getattr(work.linter, "declined", None)
+    reasons = {} if declined is None else declined(workspace, work.missing)
+    for unit in work.missing:
+        path = unit.file.path
+        if path in reasons:
+            answer = Answer(gave_up=(GaveUp(path, reasons[path]),))
+            store.put(work.linter.NAME, path, work.keys[path], rows.encode(answer))
+            work.take(unit, answer)
+    work.missing = [unit for unit in work.missing if unit.file.path not in reasons]
+
+
 def _analyse(
     works: Sequence[Work],
     workspace: Workspace,
@@ -112,6 +126,7 @@ def _analyse(
     """Runs what is missing, the longest batches first, and puts the answers where they belong."""
     jobs: list[tuple[Work, tuple[Unit, ...]]] = []
     for work in works:
+        _decline(work, workspace, store)
         seconds = getattr(work.linter, "BATCH_SECONDS", schedule.BATCH_SECONDS)
         jobs += ((work, part) for part in schedule.batches(work.missing, work.linter.COST, seconds))
     jobs.sort(key=lambda job: -schedule.estimate(job[1], job[0].linter.COST))  # stable: equal ones stay in order

@@ -52,7 +52,7 @@ class FileUse(LaunchFact):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PackageUse(LaunchFact):
-    """A *package* that a launch file names; *kind*: ``node``, ``component``, ``find`` (its directory) or ``include``."""
+    """A *package* that a launch file names; *kind*: ``node``, ``component``, ``find`` (its directory), ``include`` or ``command``."""
 
     kind: str
     package: str

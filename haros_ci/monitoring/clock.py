@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from typing import Any
 
 SECOND = 1_000_000_000
-#: A step back that is smaller is noise between senders: the message counts as one of the time before. One that is greater is a clock that was
+#: A step back that is smaller is noise between senders: the message counts as one of the time before. Any other is one of a clock that was
 #: set back: the time between the two messages is not known and counts as none, and the times behind are moved.
 GREATEST_NOISE = SECOND
-#: How far, by their stamps, messages wait for others with earlier ones, and how many of them.
+#: Messages wait for others with earlier stamps as far as these are less than this apart, and so many of them.
 LONGEST_WAIT, MOST_WAITING = SECOND, 2_000
 
 
@@ -31,7 +31,7 @@ class Clock:
         time += self.moved
         last = self.last
         if last is not None and time < last:
-            if last - time > GREATEST_NOISE:
+            if last - time >= GREATEST_NOISE:
                 self.jumps += 1
                 self.first_jump = self.first_jump or number
                 self.moved += last - time
@@ -62,7 +62,7 @@ class Stamped:
         """Take a message; what no longer waits is given back, with its stamp as its time."""
         timed.time = stamp
         heapq.heappush(self.waiting, (stamp, timed.number, timed))
-        while len(self.waiting) > MOST_WAITING or stamp - self.waiting[0][0] > LONGEST_WAIT:
+        while len(self.waiting) > MOST_WAITING or stamp - self.waiting[0][0] >= LONGEST_WAIT:
             yield heapq.heappop(self.waiting)[2]
 
     def rest(self) -> Iterator[Timed]:

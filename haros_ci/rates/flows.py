@@ -14,7 +14,7 @@ from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.model.architecture import Endpoint, Node
 from haros_ci.model.location import Location
 from haros_ci.model.rates import NEVER, Pace, Rate, at_most, either, exactly, total, unknown
-from haros_ci.rates.publishers import Publishing, publishing
+from haros_ci.rates.publishers import Publishing, publishing, without_code
 from haros_ci.rates.runs import TRANSITION, Runs, runs
 from haros_ci.rates.threads import is_joined
 from haros_ci.rates.turns import Paced, turns
@@ -101,8 +101,9 @@ class NodeFlows:
         return tuple(calls), reason
 
     def _publishing(self, end: Endpoint) -> tuple[Publishing, str]:
-        if end.implicit or end.source not in ("source", "exact-tier") or end.location is None:
-            return Publishing(()), "no code of the workspace publishes it"
+        reason = without_code(end, "publishes")
+        if reason or end.location is None:
+            return Publishing(()), reason
         found = publishing(self.code, end.location)
         same = [other for other in self.node.endpoints if other.kind == end.kind and other.location == end.location]
         return replace(found, is_shared=len(same) > 1), found.reason

@@ -11,6 +11,7 @@ from haros_ci.code import classes, kinds
 from haros_ci.code.body import Call
 from haros_ci.code.calls import function_meant
 from haros_ci.code.codebase import Codebase, Routine
+from haros_ci.model.architecture import Endpoint
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
 from haros_ci.syntax.walk import Part, everything
@@ -79,6 +80,15 @@ class Holder:
     name: str
     owner: classes.Owner | None
     is_local: bool
+
+
+def without_code(end: Endpoint, does: str) -> str:
+    """Why no call that *does* (sends, publishes, receives) something with *end* is looked for; "" if one is."""
+    if end.source == "hint":
+        return f"a hint of the project file says what it is: the code that {does} it is not looked for"
+    if end.implicit or end.source not in ("source", "exact-tier") or end.location is None:
+        return f"no code of the workspace {does} it"
+    return ""
 
 
 def publishing(code: Codebase, place: Location, sending: Sending = PUBLISHER_CALLS) -> Publishing:

@@ -5,9 +5,11 @@ from __future__ import annotations
 
 import stat
 from collections.abc import Iterator
+from dataclasses import dataclass
 from importlib.util import find_spec
+from itertools import islice
 from pathlib import Path
-from typing import Any, BinaryIO, Protocol
+from typing import Any, Protocol
 
 from haros_ci.bounded_yaml import YamlFault, YamlLimits, data
 from haros_ci.errors import UserError
@@ -28,9 +30,10 @@ MAGIC_ROS1, MAGIC_MCAP, MAGIC_SQLITE, MAGIC_ZSTD = (
 
 
 class Container(Protocol):
-    """A file of a bag; *file* is what it is read from, where its place says how much has been read."""
+    """A file of a bag."""
 
-    file: BinaryIO | None
+    def share(self) -> float | None:
+        """How much of it has been read, None if that is not known."""
 
     def raw(self, channels: dict[str, set[str]]) -> Iterator[tuple[Channel, int, bytes]]:
         """Channel, time in nanoseconds and bytes of each message; *channels* takes the topics. Cut where reading ends early."""
@@ -42,14 +45,16 @@ class Bag(Recording):
     def __init__(self, path: Path) -> None:
         super().__init__(path.name)
         demand_extra()
-        self.files = bag_files(path)
+        #: What the metadata of a directory says.
+        self.named = named(path) if _is_directory(path) else None
+        self.files = (path,) if self.named is None else self.named.files
+        if self.named is not None and (left := unnamed(path, self.files)):
+            self.notes.append(f"metadata.yaml does not name {left}: not read")
         self.read = 0
         self.container: Container | None = None
 
     def share(self) -> float | None:
-        from haros_ci.recordings.jsonl import share_of
-
-        share = share_of(self.container.file) if self.container is not None else None
+        share = self.container.share() if self.container is not None else None
         return None if share is None else (self.read + share) / len(self.files)
 
     def messages(self, requested: frozenset[str]) -> Iterator[tuple[str, Any, int, int]]:
@@ -88,14 +93,22 @@ class Bag(Recording):
     def _raw(self) -> Iterator[tuple[Channel, int, bytes]]:
         """The messages of all files, each of them counted."""
         for path in self.files:
-            self.container = container(path)
             try:
+                self.container = container(path)
                 for channel, time, raw in self.container.raw(self.topics):
                     self.passed(time)
                     yield channel, time, raw
             except Cut as cut:
+                self.damage = self.damage or str(cut)
                 self.notes.append(f"{path.name} can be read up to message {self.count} only: {cut}")
+            except UserError as err:
+                if len(self.files) == 1:
+                    raise
+                self.damage = self.damage or err.message
+                self.notes.append(f"{path.name} is not read: {err.message}")
             self.read += 1
+        if self.named is not None and self.named.count not in (None, self.count):
+            self.notes.append(f"metadata.yaml counts {self.named.count:,} messages, and {self.count:,} were read")
 
 
 def demand_extra() -> None:
@@ -106,8 +119,16 @@ def demand_extra() -> None:
         )
 
 
-def bag_files(path: Path) -> tuple[Path, ...]:
-    """The files of the bag at *path*; UserError if there is none, or if one is named that lies elsewhere."""
+@dataclass(frozen=True, slots=True)
+class Named:
+    """What a metadata.yaml says: the files, in their order, and how many messages these have (None: nothing)."""
+
+    files: tuple[Path, ...]
+    count: int | None
+
+
+def _is_directory(path: Path) -> bool:
+    """Whether a bag is a directory; UserError if there is no bag at *path*."""
     try:
         is_directory = path.is_dir()
         if not is_directory and not path.is_file():
@@ -116,10 +137,11 @@ def bag_files(path: Path) -> tuple[Path, ...]:
             )
     except (OSError, ValueError) as err:
         raise UserError(f"{path}: cannot be read: {err}", help="name a bag") from err
-    return _named(path) if is_directory else (path,)
+    return is_directory
 
 
-def _named(directory: Path) -> tuple[Path, ...]:
+def named(directory: Path) -> Named:
+    """What the metadata of a bag says; UserError if there is none, or if it names no file, or one that lies elsewhere. A file counts once."""
     metadata = directory / "metadata.yaml"
     if not _is_own_file(metadata):
         raise UserError(
@@ -132,10 +154,28 @@ def _named(directory: Path) -> tuple[Path, ...]:
     except (YamlFault, ValueError) as err:
         raise UserError(f"{metadata}: is no metadata of a bag: {err}", help="name a file of the bag itself") from err
     information = read.get("rosbag2_bagfile_information") if isinstance(read, dict) else None
-    names = information.get("relative_file_paths") if isinstance(information, dict) else None
-    if not isinstance(names, list) or not all(isinstance(name, str) for name in names) or len(names) > MOST_FILES:
+    information = information if isinstance(information, dict) else {}
+    names, count = information.get("relative_file_paths"), information.get("message_count")
+    if (
+        not isinstance(names, list)
+        or not names
+        or not all(isinstance(name, str) for name in names)
+        or len(names) > MOST_FILES
+    ):
         raise UserError(f"{metadata}: names no files", help="name a file of the bag itself")
-    return tuple(_inside(directory, name) for name in names)
+    files = tuple(dict.fromkeys(_inside(directory, name) for name in names))
+    return Named(files, count if isinstance(count, int) and not isinstance(count, bool) else None)
+
+
+def unnamed(directory: Path, files: tuple[Path, ...]) -> str:
+    """Files of recordings that lie beside *files* and are none of them, in words; "" without any."""
+    known = {path.name for path in files}
+    left = sorted(
+        path.name
+        for path in islice(directory.iterdir(), MOST_FILES)
+        if path.name not in known and path.name.removesuffix(".zstd").endswith((".db3", ".mcap"))
+    )
+    return ", ".join(left[:3]) + (f" and {len(left) - 3} more" if len(left) > 3 else "")
 
 
 def _inside(directory: Path, name: str) -> Path:
@@ -167,6 +207,8 @@ def container(path: Path) -> Container:
 
     with opened(path) as file:
         head = file.read(16)
+    if not head:
+        raise UserError(f"{path}: is empty", help="name a recording with messages")
     if head.startswith(MAGIC_ROS1):
         from haros_ci.recordings.ros1 import Ros1File
 

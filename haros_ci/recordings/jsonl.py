@@ -72,7 +72,8 @@ class JsonLines(Recording):
                 except NoMessage as err:
                     faults += 1
                     if faults == 1:
-                        self.notes.append(f"line {row} is not a message: {err}")
+                        self.damage = f"line {row} is not a message: {err}"
+                        self.notes.append(self.damage)
                     if faults > MOST_FAULTS:
                         raise UserError(
                             f"{self.name}: more than {MOST_FAULTS} lines are no messages",

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import BinaryIO
 from zlib import crc32
 
-from haros_ci.recordings.jsonl import opened
-from haros_ci.recordings.packed import LARGEST, unpacked, unpacking
+from haros_ci.recordings.jsonl import opened, share_of
+from haros_ci.recordings.packed import LARGEST, Unpacking, unpacked
 from haros_ci.recordings.recording import LATEST, LONGEST_NAME, MOST_CHANNELS, Channel, Cut, Definitions, in_order
 
 _SCHEMA, _CHANNEL, _MESSAGE, _CHUNK, _END_OF_DATA = 3, 4, 5, 6, 15
@@ -33,16 +33,21 @@ class McapFile:
         self.schemas: dict[int, tuple[str, str, str | None]] = {}
         self.channels: dict[int, Channel] = {}
 
+    def share(self) -> float | None:
+        return share_of(self.file)
+
     def raw(self, channels: dict[str, set[str]]) -> Iterator[tuple[Channel, int, bytes]]:
         try:
-            with unpacking(self.path) if self.is_packed else opened(self.path) as file:
-                self.file = None if self.is_packed else file
+            with Unpacking(self.path) if self.is_packed else opened(self.path) as file:
+                self.file = file.packed if isinstance(file, Unpacking) else file
                 file.read(8)
                 yield from self.records(file, channels)
         except (OSError, EOFError) as err:
             raise Cut(str(err)) from None
 
-    def records(self, file: BinaryIO, channels: dict[str, set[str]]) -> Iterator[tuple[Channel, int, bytes]]:
+    def records(
+        self, file: BinaryIO | Unpacking, channels: dict[str, set[str]]
+    ) -> Iterator[tuple[Channel, int, bytes]]:
         """The messages of the data section."""
         while True:
             head = file.read(_HEAD.size)
@@ -147,7 +152,7 @@ def _text(content: bytes, at: int) -> tuple[str, int]:
     return content[at + 4 : end].decode("utf-8", "replace"), end
 
 
-def _pass_over(file: BinaryIO, size: int) -> None:
+def _pass_over(file: BinaryIO | Unpacking, size: int) -> None:
     while size > 0:
         read = len(file.read(min(size, _PIECE)))
         if not read:

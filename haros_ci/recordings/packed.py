@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 from typing import Any, BinaryIO
 
+from haros_ci.recordings.jsonl import opened
 from haros_ci.recordings.recording import Cut
 
 #: Bytes of one chunk or message, unpacked.
@@ -60,21 +61,44 @@ def _zstd_error() -> type[Exception]:
     return found
 
 
-def unpack_file(path: Path, to: BinaryIO, limit: int) -> None:
-    """Write what the zstd file *path* holds; Cut at *limit* bytes, or where it is damaged."""
-    written = 0
-    try:
-        with _zstd().open(path, "rb") as packed:
-            while piece := packed.read(_PIECE):
-                written += len(piece)
-                if written > limit:
-                    raise Cut(f"it is more than {limit >> 20} MB when unpacked")
-                to.write(piece)
-    except (OSError, EOFError, _zstd_error()) as err:
-        raise Cut(f"zstd data is damaged: {err}") from None
+def unpack_file(path: Path, to: BinaryIO, limit: int) -> Cut | None:
+    """Write what the zstd file *path* holds, up to where it ends early or is damaged, which is returned; Cut at *limit* bytes."""
+    with Unpacking(path) as packed:
+        written = 0
+        while piece := packed.read(_PIECE):
+            written += len(piece)
+            if written > limit:
+                raise Cut(f"it is more than {limit >> 20} MB when unpacked")
+            to.write(piece)
+    return packed.damage
 
 
-def unpacking(path: Path) -> BinaryIO:
-    """A zstd file, unpacked as it is read."""
-    found: BinaryIO = _zstd().open(path, "rb")
-    return found
+class Unpacking:
+    """A zstd file, *packed*, that is unpacked as it is read. It ends where it is damaged, and *damage* says so."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self.damage: Cut | None = None
+
+    def __enter__(self) -> Unpacking:
+        self.packed = opened(self.path)
+        self.file = _zstd().open(self.packed, "rb")
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.file.close()
+        self.packed.close()
+
+    def read(self, size: int) -> bytes:
+        """The next *size* bytes, less at the end."""
+        found = bytearray()
+        while len(found) < size and self.damage is None:
+            try:
+                piece = self.file.read1(size - len(found))
+            except (OSError, EOFError, _zstd_error()) as err:
+                self.damage = Cut(f"zstd data is damaged: {err}")
+                break
+            if not piece:
+                break
+            found += piece
+        return bytes(found)

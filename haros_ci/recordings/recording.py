@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
+from haros_ci.errors import UserError
 from haros_ci.recordings.offered import Offer
 
 #: Topics and types of one recording, characters of their names, of one definition and of all.
@@ -96,6 +97,8 @@ class Recording:
         self.last: int | None = None
         self.count = 0
         self.notes: list[str] = []
+        #: What was first found to be damaged, "" if nothing was.
+        self.damage = ""
         self.topics: dict[str, set[str]] = {}
         self.offers: dict[str, set[Offer]] = {}
 
@@ -110,6 +113,13 @@ class Recording:
     def share(self) -> float | None:
         """How much of it has been read, None if that is not known."""
         return None
+
+    def demand_messages(self) -> None:
+        """Once it has been read: UserError if nothing of it could be; a note if it has no messages."""
+        if not self.count and self.damage:
+            raise UserError(f"{self.name}: no message of it can be read: {self.damage}", help="name a whole recording")
+        if not self.count:
+            self.notes.append(f"{self.name} has no messages")
 
     def passed(self, time: int) -> int:
         """Count a message; its number."""

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 from haros_ci.errors import UserError
-from haros_ci.recordings.jsonl import opened
+from haros_ci.recordings.jsonl import opened, share_of
 from haros_ci.recordings.offered import Offer
 from haros_ci.recordings.packed import LARGEST, unpacked
 from haros_ci.recordings.recording import LONGEST_NAME, MOST_CHANNELS, Channel, Cut, Definitions, full_name, in_order
@@ -33,6 +33,9 @@ class Ros1File:
         self.channels: dict[int, Channel] = {}
         #: Where the index stands, behind all messages; 0 in a bag that was not closed, None if nothing says so.
         self.index: int | None = None
+
+    def share(self) -> float | None:
+        return share_of(self.file)
 
     def raw(self, channels: dict[str, set[str]]) -> Iterator[tuple[Channel, int, bytes]]:
         with opened(self.path) as file:

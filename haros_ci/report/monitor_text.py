@@ -37,7 +37,7 @@ class Moment:
 
 @dataclass(frozen=True, slots=True)
 class Judged:
-    """A property and what the recording says of it."""
+    """A property and what the recording says of it; *missing* are the topics of which a message should have come, with the places that publish there."""
 
     title: str
     text: str
@@ -51,6 +51,7 @@ class Judged:
     moments: tuple[Moment, ...]
     counts: tuple[int, int, int]
     note: str = ""
+    missing: tuple[tuple[str, tuple[tuple[str, Location], ...]], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

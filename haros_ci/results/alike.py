@@ -41,12 +41,13 @@ def joined(results: Sequence[Result]) -> tuple[Result, ...]:
 
     Those of one rule, level, state and line are alike whatever they say; warnings and notes also if they say the same, but for
     names, of one file. Errors at two lines stay two, as each is mended by itself, unless they say the same of the same subject: that has
-    one cause, as with a program that two branches of a launch file start; or the same, but for names that are not there, of neighbouring lines. Those that stand for others already stay, too.
+    one cause, as with a program that two branches of a launch file start; or the same, but for names that are not there, of neighbouring lines. Those that stand
+    for copies already are joined at one line alone.
     """
     groups: dict[tuple[object, ...], list[int]] = defaultdict(list)
     for i, result in enumerate(results):
-        if result.state in UNITED and not result.suppressions and not result.copies and result.value is None:
-            key = (result.tool, result.rule, result.level, result.state, result.location.path)
+        if result.state in UNITED and not result.suppressions and result.value is None:
+            key = (result.tool, result.rule, result.level, result.state, result.location.path, bool(result.copies))
             groups[key].append(i)
     heads: dict[int, list[Result]] = {}
     dropped: set[int] = set()
@@ -71,6 +72,8 @@ def _alike(indexes: Sequence[int], results: Sequence[Result]) -> Iterator[list[i
             yield found
             continue
         result = results[found[0]]
+        if result.copies:
+            continue
         if result.level is not Level.ERROR:
             by_shape[(_WORD.sub("_", result.message),)].append(found[0])
         elif result.subject:  # what follows the first semicolon is advice, and the configuration that shows it
@@ -90,7 +93,7 @@ def _neighbours(by_line: Mapping[int, Sequence[int]], results: Sequence[Result])
     shape, last = "", 0
     for line, here in sorted(by_line.items()):
         result = results[here[0]]
-        if len(here) > 1 or result.level is not Level.ERROR or result.full_id not in OF_NAMES:
+        if len(here) > 1 or result.copies or result.level is not Level.ERROR or result.full_id not in OF_NAMES:
             continue
         now = _WORD.sub("_", result.message.partition("; ")[0].rstrip("."))
         if now == shape and line - last <= NEAR:
@@ -119,7 +122,7 @@ def _with(first: Result, others: Sequence[Result]) -> Result:
         first,
         message=f"{first.message.rstrip('.')}; and {rest}",
         related=(*first.related, *[place for place in related if place not in first.related][:MOST]),
-        copies=tuple(others),
+        copies=(*first.copies, *(copy for other in others for copy in (other, *other.copies))),
     )
 
 

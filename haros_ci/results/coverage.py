@@ -23,7 +23,9 @@ def coverage(
     """
     unseen = []
     if not workspace.packages:
-        unseen.append("No package.xml was found: files are analysed one by one, nothing is known of packages.")
+        unseen.append(
+            "No package.xml was found: files are analysed one by one, nothing is known of packages. Run haros-ci in a workspace of ROS, or a package."
+        )
     if (count := len(workspace.problems) + len(workspace.hiding.unread)) == 1:
         unseen.append("1 input could not be read as it stands.")
     elif count:

@@ -12,6 +12,7 @@ from haros_ci.index.relevance import Relevance
 from haros_ci.keeping import consulted, kept
 from haros_ci.keeping.kept import Earlier, Followed
 from haros_ci.model.api import Row
+from haros_ci.model.once import once
 from haros_ci.syntax import Program
 from haros_ci.systems.following import Types
 
@@ -33,12 +34,18 @@ class Keeper:
     program: Callable[[str, str], Program | None]
 
 
+@once
+def of_rows(rows: tuple[Row, ...]) -> str:
+    """The key of one language's and version's API rows."""
+    return kept.digest_of(rows)
+
+
 def key_of(types: Types, rows: Mapping[tuple[str, int], Iterable[Row]]) -> str:
     """The key of all that every node depends on: API rows, interfaces, plug-ins, what is relevant by itself."""
     cpp, python = types.programs.cpp, types.programs.python
     plugins = [(name, plugin.source.path, *plugin.key) for name, plugin in sorted(types.plugins.items())]
     return kept.digest_of(
-        [(version, tuple(items)) for version, items in sorted(rows.items())],
+        [(version, of_rows(tuple(items))) for version, items in sorted(rows.items())],
         [sorted(index.interfaces) for index in (cpp, python)],
         [sorted(index.packages) for index in (cpp, python)],
         sorted(cpp.defined.items(), key=repr),

@@ -13,6 +13,7 @@ from haros_ci.follow.context import Exact
 from haros_ci.graph.names import clean
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.index.index import Source
+from haros_ci.launch.facts.memory import LaunchMemory, Memo
 from haros_ci.launch.ros1.entry import entry_files
 from haros_ci.launch.ros1.roslaunch import evaluate
 from haros_ci.launch.ros2.dialect import is_ros2_file
@@ -75,7 +76,7 @@ class Ros2Launch:
 
     loader: Callable[[Mapping[str, str]], Callable[[str], Description | None]]
     places: Places
-    memo: dict[tuple[object, ...], Any] = field(default_factory=dict)
+    memo: Memo = field(default_factory=LaunchMemory)
 
     def entries(self, workspace: Workspace, environment: Mapping[str, str]) -> tuple[str, ...]:
         """The launch files that a workspace is started by."""

@@ -18,6 +18,7 @@ from haros_ci.index.xml_files import XmlFileReader
 from haros_ci.model.api import Row
 from haros_ci.model.build import Build
 from haros_ci.model.launch import LaunchFile
+from haros_ci.model.once import once
 from haros_ci.model.workspace import Workspace
 from haros_ci.substitutions.files import files_of
 from haros_ci.systems import client_libraries, definitions, gazebo_plugins, ros2_controllers, ros2_entries
@@ -49,24 +50,18 @@ def types_of(
     cpp.compiled = definitions.compiled_files(builds)
     python.packages = frozenset(package.name for package in workspace.packages)
     programs = Programs(cpp, python, by_path, builds)
-    tables: dict[tuple[str, int], dict[str, tuple[Row, ...]]] = {}
-    for version, items in rows.items():
-        table: dict[str, list[Row]] = {}
-        for row in items:
-            table.setdefault(row.call, []).append(row)
-        tables[version] = {name: tuple(found) for name, found in table.items()}
-    libraries = (row for version, items in rows.items() if version[0] == "cpp" for row in items)
-    cpp.library = frozenset(name for row in libraries for name in api_rows.names_of(row))
+    held = {version: tuple(items) for version, items in rows.items()}
+    tables = {version: by_call(items) for version, items in held.items()}
+    cpp.library = frozenset().union(
+        *(api_rows.all_names(items) for version, items in held.items() if version[0] == "cpp")
+    )
     configs = {
         f"{config.package}::{config.name}Config": config
         for _, build in sorted(builds.items())
         for config in build.configs
     }
     relevance = {
-        version: Relevance(
-            python if version[0] == "python" else cpp, [row for found in table.values() for row in found]
-        )
-        for version, table in tables.items()
+        version: Relevance(python if version[0] == "python" else cpp, items) for version, items in held.items()
     }
     files = files_of(workspace)
     reader, xml = yaml_reader(files), XmlFileReader(load, files)
@@ -100,6 +95,15 @@ def types_of(
         xml=xml,
         versions=versions,
     )
+
+
+@once
+def by_call(rows: tuple[Row, ...]) -> Mapping[str, tuple[Row, ...]]:
+    """The rows by the names of what is called, in their order."""
+    table: dict[str, list[Row]] = {}
+    for row in rows:
+        table.setdefault(row.call, []).append(row)
+    return {name: tuple(found) for name, found in table.items()}
 
 
 def of_version(

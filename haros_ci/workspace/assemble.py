@@ -150,12 +150,12 @@ def assemble(
         targets=None
         if targets is None
         else targets & {*(file.path for file in files), *(problem.path for problem in unread)},
-        problems=_sorted(found),
-        faults=_sorted(fault for _, fault in packages.values() if fault is not None),
+        problems=in_order(found),
+        faults=in_order(fault for _, fault in packages.values() if fault is not None),
         links=tuple(sorted(links.items())),
         names=names,
         executables=None if executables is None else frozenset(executables),
-        hiding=Hiding(unread=_sorted(unread)),
+        hiding=Hiding(unread=in_order(unread)),
     )
 
 
@@ -251,7 +251,8 @@ def _of_no_package(files: Iterable[SourceFile], reader: TextReader) -> Iterable[
         )
 
 
-def _sorted(problems: Iterable[Problem]) -> tuple[Problem, ...]:
+def in_order(problems: Iterable[Problem]) -> tuple[Problem, ...]:
+    """*problems* once, by their places."""
     return tuple(sorted(set(problems), key=lambda p: (p.path, p.line or 0, p.message)))
 
 

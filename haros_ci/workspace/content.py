@@ -13,6 +13,9 @@ from haros_ci.workspace.files import decode
 LONGEST_LINE = 20_000
 LONGEST_CODE_LINE = 5_000
 
+#: What macOS writes beside each file on a disk of another kind, and into archives (``__MACOSX/._a.py``): attributes, no source. No language
+#: has a text that begins so (RFC 1740, appendix A: AppleDouble).
+_APPLE_DOUBLE = b"\x00\x05\x16\x07"
 _UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 #: How a file begins that git-lfs has not replaced by the contents (its specification, "The Pointer").
 _LFS = b"version https://git-lfs.github.com/spec/"
@@ -28,6 +31,8 @@ def examine(path: str, language: str, data: bytes) -> tuple[bool, Problem | None
 
 
 def _examined(path: str, language: str, data: bytes) -> tuple[bool, Problem | None]:
+    if data.startswith(_APPLE_DOUBLE) and path.rpartition("/")[2].startswith("._"):
+        return False, None
     if data.startswith(_UTF_16):
         return False, Problem(path, "skipped: encoded as UTF-16; save it as UTF-8")
     if b"\0" in data:

@@ -14,7 +14,7 @@ from pathlib import Path
 from haros_ci.errors import UserError
 from haros_ci.model.workspace import Buffer, Problem, Workspace
 from haros_ci.timing import timed
-from haros_ci.workspace.assemble import Content, Skipped, SymbolicLink, assemble
+from haros_ci.workspace.assemble import Content, Skipped, SymbolicLink, assemble, in_order
 from haros_ci.workspace.excludes import Excludes
 from haros_ci.workspace.files import FileTree, TooLarge, read_head, read_regular
 from haros_ci.workspace.hiding import TrackedChange
@@ -23,6 +23,7 @@ from haros_ci.workspace.listing import list_files
 from haros_ci.workspace.past import Past
 from haros_ci.workspace.selection import Also, AnalysedPaths, CandidatePath, select
 from haros_ci.workspace.settings_around import SettingsAround
+from haros_ci.workspace.unfetched import unfetched
 
 MAX_FILE_SIZE = 2_000_000
 
@@ -76,6 +77,9 @@ def discover(
         requested=scope.directories,
         buffer=buffer,
     )
+    if scope.named or not scope.files:
+        lacking = tuple(unfetched(workspace, listing.empty, excludes))
+        workspace = replace(workspace, problems=in_order((*workspace.problems, *lacking)))
     if change is not None:
         workspace = change.applied_to(workspace, candidates, scope, excludes)
     if "." in scope.directories:

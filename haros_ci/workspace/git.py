@@ -18,6 +18,8 @@ from typing import Any
 from haros_ci.workspace.files import TooLarge, read_regular
 
 TIMEOUT = 120.0  # seconds
+#: Seconds in which git has to find what is untracked and not ignored: patterns of a .gitignore can take it any time (``**/`` ten times in one line).
+LISTING = 30.0
 LARGEST_CONTROL_FILE = 4_000_000
 
 #: How tree entries of regular files begin; the last mode is from git's first years.
@@ -45,6 +47,10 @@ class GitError(Exception):
     def __init__(self, message: str, code: int | None = None) -> None:
         super().__init__(message)
         self.code = code
+
+
+class GitTooSlow(GitError):
+    """git did not end in its time."""
 
 
 class BaselineUnavailable(Exception):
@@ -92,8 +98,12 @@ def run_git(
     stdin: bytes = b"",
     environment: dict[str, str] | None = None,
     limit: int | None = None,
+    timeout: float = TIMEOUT,
 ) -> bytes:
-    """Run one git command on *repository* and return what it prints; GitError if it fails, or prints more than *limit* bytes."""
+    """Run one git command on *repository* and return what it prints; GitError if it fails, or prints more than *limit* bytes.
+
+    GitTooSlow, unless there is a *limit*, if it takes longer than *timeout* seconds.
+    """
     program = _program(repository.top)
     if program is None:
         raise GitError("git is not installed")
@@ -111,9 +121,9 @@ def run_git(
     try:
         if limit is not None:
             return _first_bytes([*argv, *arguments], options, arguments[0], limit)
-        done = subprocess.run([*argv, *arguments], input=stdin, timeout=TIMEOUT, check=False, **options)
+        done = subprocess.run([*argv, *arguments], input=stdin, timeout=timeout, check=False, **options)
     except subprocess.TimeoutExpired as err:
-        raise GitError(f"git {arguments[0]} took longer than {TIMEOUT:.0f} s") from err
+        raise GitTooSlow(f"git {arguments[0]} took longer than {timeout:g} s") from err
     except OSError as err:
         raise GitError(f"git cannot be started: {err.strerror}") from err
     if done.returncode != 0:
@@ -145,12 +155,16 @@ def _first_bytes(argv: list[str], options: dict[str, Any], command: str, limit: 
 
 @dataclass(frozen=True, slots=True)
 class GitFiles:
-    """What git lists: *files*, the repositories *nested* in them, *executables* and, by *tracked* path, the name of what the index holds."""
+    """What git lists: *files*, the repositories *nested* in them, *executables* and, by *tracked* path, the name of what the index holds.
+
+    *is_whole* is false where git did not find in its time what is not tracked: none of that is among them then.
+    """
 
     files: list[str]
     nested: list[str]
     executables: list[str]
     tracked: dict[str, str]
+    is_whole: bool = True
 
 
 def listed_files(repository: Repository, cwd: Path, directories: tuple[str, ...]) -> GitFiles:
@@ -159,12 +173,20 @@ def listed_files(repository: Repository, cwd: Path, directories: tuple[str, ...]
     *directories* and all paths that come back are relative to *cwd*, a directory of the work tree. Files that are
     tracked but deleted are among them. Of executable ones only those are known that git tracks. GitError if git does not work.
     """
-    arguments = ("ls-files", "-z", "-t", "-s", "-c", "-o", "--exclude-standard", "--", *directories)
+    tracked_only = ("ls-files", "-z", "-t", "-s", "-c")
+    is_whole = True
+    try:
+        listed = run_git(
+            repository, *tracked_only, "-o", "--exclude-standard", "--", *directories, cwd=cwd, timeout=LISTING
+        )
+    except GitTooSlow:
+        is_whole = False
+        listed = run_git(repository, *tracked_only, "--", *directories, cwd=cwd)
     files: set[str] = set()
     nested: set[str] = set()
     executables: set[str] = set()
     tracked: dict[str, str] = {}
-    for record in run_git(repository, *arguments, cwd=cwd).split(b"\0"):
+    for record in listed.split(b"\0"):
         if record.startswith(b"? "):  # untracked; a repository of its own ends with a slash
             path = os.fsdecode(record[2:])
             (nested if path.endswith("/") else files).add(path.rstrip("/"))
@@ -175,7 +197,7 @@ def listed_files(repository: Repository, cwd: Path, directories: tuple[str, ...]
             if entry[2:].startswith(b"100755"):
                 executables.add(path)
             tracked[path] = entry[9:-2].decode("ascii")
-    return GitFiles(sorted(files), sorted(nested), sorted(executables), tracked)
+    return GitFiles(sorted(files), sorted(nested), sorted(executables), tracked, is_whole)
 
 
 def resolve_commit(repository: Repository, rev: str) -> str:

@@ -8,8 +8,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from haros_ci.model.workspace import Problem
-from haros_ci.workspace.git import GitError, Repository, listed_files, repository_of
+from haros_ci.workspace.git import LISTING, GitError, Repository, listed_files, repository_of
 from haros_ci.workspace.selection import MARKERS, is_never_source, is_output
+
+#: Said of a repository whose .gitignore takes git too long.
+SLOW = f"git did not find in {LISTING:g} s which untracked files it ignores: tracked files alone are analysed; look at the patterns of its .gitignore files"
 
 
 @dataclass(slots=True)
@@ -26,6 +29,7 @@ class PathListing:
     problems: list[Problem] = field(default_factory=list)
     tracked: dict[str, str] = field(default_factory=dict)
     submodules: set[str] = field(default_factory=set)
+    empty: list[str] = field(default_factory=list)
 
 
 def list_files(root: Path, directories: tuple[str, ...], change: Path | None = None) -> PathListing:
@@ -70,6 +74,9 @@ def _list_repository(
         for directory in directories:
             _walk(listing, root, directory, repositories=False)
         return
+    if not found.is_whole:
+        place = mount.rstrip("/") or "."
+        listing.problems.append(Problem(place, SLOW))
     paths = [mount + path for path in found.files]
     listing.paths += paths
     listing.executables.update(mount + path for path in found.executables)
@@ -83,8 +90,11 @@ def _list_repository(
             part = (is_changed and path in found.tracked) or below_it == change
             _list_repository(listing, root, below_it, [mount + path], is_changed=part, change=change)
         else:
+            before = len(listing.paths)
             _walk(listing, root, mount + path)
-    for directory in directories:
+            if len(listing.paths) == before and path in found.tracked:
+                listing.empty.append(mount + path)
+    for directory in directories if found.is_whole else ():
         for ignored in _ignored_as_a_whole(root, directory, paths + [mount + path for path in found.nested]):
             _walk(listing, root, ignored, change=change)
 

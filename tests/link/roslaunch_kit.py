@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from haros_ci.extract.launch.xml import read_launch
+from haros_ci.launch.facts.memory import Memo
 from haros_ci.launch.ros1.roslaunch import evaluate
 from haros_ci.model.launch import Launched, LaunchFile
 from haros_ci.model.package import Package, SourceFile
@@ -62,8 +63,9 @@ def run(
     *,
     args: Mapping[str, str] | None = None,
     env: Mapping[str, str] | None = None,
+    memo: Memo | None = None,
 ) -> Launched:
-    return evaluate(paths, workspace(files), loader(files), args or {}, env or {})
+    return evaluate(paths, workspace(files), loader(files), args or {}, env or {}, memo=memo)
 
 
 def values(launched: Launched) -> dict[str, Any]:

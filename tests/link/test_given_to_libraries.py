@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Python: functions and objects that are given to a library which is not in the workspace, in a function that makes nothing else."""
+"""Functions and objects that are given to a library which is not in the workspace, in a function that makes nothing else."""
 
 from __future__ import annotations
 
 import pytest
-from follow_kit import case, ends, names, python, table
+from follow_kit import case, cpp, ends, names, python, table
 
 MAIN = 'import lib\nimport signal\ndef f(*a):\n    PUB("f")\ndef main():\n    %s\nmain()\n'
 CLASS = 'import lib\nclass K:\n    def __init__(self):\n        self.go()\n    def go(self):\n        %s\n    def f(self, *a):\n        PUB("f")\nK()\n'
@@ -48,6 +48,8 @@ TREE = (
         (STATE + "def main():\n    sm = smach.StateMachine(outcomes=['x'])\n    with sm:\n        smach.StateMachine.add('S', S())\nmain()\n", "/s"),
         (APP + "def main():\n    App().run()\nmain()\n", "/b"),
         (APP + "def main():\n    app = App()\n    lib.serve(app)\nmain()\n", "/b"),
+        (APP.replace("(lib.App)", "(lib.App, abc.ABC)") + "def main():\n    App().run()\nmain()\n", "/b"),
+        (APP.replace("(lib.App)", "(Generic[T], lib.App)") + "def main():\n    lib.serve(App())\nmain()\n", "/b"),
         (TREE + "def main():\n    root = py_trees.composites.Sequence()\n    root.add_child(C('c'))\nmain()\n", "/c"),
     ],
 )  # fmt: skip
@@ -102,3 +104,31 @@ def test_a_process_of_its_own_is_named_as_not_followed(base: str) -> None:
 
 def test_a_process_that_makes_nothing_is_not_named() -> None:
     assert not python(WORKER % ("Process", "print(1)")).unknowns
+
+
+SERVICE = (
+    "struct Own { virtual ~Own() {} };\nstruct S : %s {\n  ros::NodeHandle h;\n  ros::Publisher p;\n"
+    '  virtual void onStart() { p = h.advertise<std_msgs::String>("s", 1); }\n'
+    '  void other() { p = h.advertise<std_msgs::String>("o", 1); }\n'
+    "};\nlib::Context context;\n"
+)
+
+
+@pytest.mark.parametrize(
+    "bases",
+    [
+        "lib::Service",
+        "Own, lib::Service",
+        "boost::enable_shared_from_this<S>, public lib::Service",
+        "private boost::noncopyable, public lib::Service, public std::enable_shared_from_this<S>",
+    ],
+)
+def test_objects_of_cpp_that_a_library_may_call(bases: str) -> None:
+    found = cpp("auto s = boost::make_shared<S>(); context.add(s);", before=SERVICE % bases)
+    (end,) = ends(found)
+    assert end.name == "/s" and "may call it by its base class lib::Service" in end.unknowns[0].reason
+
+
+@pytest.mark.parametrize("bases", ["Own", "boost::noncopyable", "std::enable_shared_from_this<S>, Own"])
+def test_objects_of_cpp_that_no_library_calls(bases: str) -> None:
+    assert not names(cpp("auto s = boost::make_shared<S>(); context.add(s);", before=SERVICE % bases))

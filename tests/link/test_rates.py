@@ -9,6 +9,9 @@ import pytest
 from follow_kit import cpp_files, main, python_files, script
 from rates_kit import architecture, by_topic, cpp, python, rates, ros2
 
+from haros_ci.model.architecture import Endpoint
+from haros_ci.model.location import Location
+from haros_ci.rates.publishers import without_code
 from haros_ci.report import model_json, model_text
 
 LOOP = 'ros::Publisher p = ADV("a", 1);\n%s\n'
@@ -350,3 +353,22 @@ def test_programs_that_no_file_imports_both_of_are_not_one() -> None:
     files = python_files(script("p = PUB('a')\ndef go():\n    p.publish('')\ngo()\n"))
     other = {"p/src/tool.py": "def check(x):\n    while True:\n        x.go()\n        go()\n"}
     assert by_topic({**files, **other})["/a"] == "0 Hz"
+
+
+@pytest.mark.parametrize(
+    ("source", "location", "reason"),
+    [
+        ("hint", True, "a hint of the project file says what it is: the code that publishes it is not looked for"),
+        ("hint", False, "a hint of the project file says what it is: the code that publishes it is not looked for"),
+        ("known-node", False, "no code of the workspace publishes it"),
+        ("launch", True, "no code of the workspace publishes it"),
+        ("source", False, "no code of the workspace publishes it"),
+        ("source", True, ""),
+        ("exact-tier", True, ""),
+    ],
+)
+def test_why_no_code_is_looked_for(source: str, location: bool, reason: str) -> None:
+    """What a hint names can be published by code of the workspace: that there is none would be wrong."""
+    place = Location("a.cpp", 3, 1) if location else None
+    end = Endpoint(kind="publisher", name="/a", original_name="/a", type=None, location=place, source=source)
+    assert without_code(end, "publishes") == reason

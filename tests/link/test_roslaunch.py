@@ -6,6 +6,7 @@ from __future__ import annotations
 import pytest
 from roslaunch_kit import MAIN, launch, messages, names, node, run, told, values
 
+from haros_ci.launch.facts.memory import LEAST, LaunchMemory
 from haros_ci.model.architecture import Condition, RemapRule, Unknown
 from haros_ci.model.launch import Started
 from haros_ci.model.location import Location
@@ -546,7 +547,7 @@ def test_an_explosion_of_includes_is_bounded() -> None:
     include = '<include file="$(dirname)/{}.launch"/>'.format
     files = {f"bot/launch/{n}.launch": f"<launch>{include(n + 1) * 10}</launch>" for n in range(20)}
     files["bot/launch/20.launch"] = f"<launch>{node()}</launch>"
-    launched = run(["bot/launch/0.launch"], files)
+    launched = run(["bot/launch/0.launch"], files, memo=LaunchMemory(left=50_000))
     assert messages(launched)[-1] == (
         "bot/launch/0.launch:None: the launch files include and set more than can be evaluated; what is left is unknown"
     )
@@ -615,3 +616,16 @@ def test_a_machine_may_be_declared_where_nobody_can_look(before: str, count: int
     assert [message for message in told(launched) if "machine 'm'" in message] == [
         "machine 'm' is not declared; add a <machine> for it"
     ] * count
+
+
+def test_launch_files_of_a_workspace_share_their_steps() -> None:
+    """What one takes is not left for the next; what was launched before takes nothing."""
+    include = '<include file="$(dirname)/{}.launch"/>'.format
+    files = {f"bot/launch/{n}.launch": f"<launch>{include(n + 1) * 10}</launch>" for n in range(20)}
+    files["bot/launch/20.launch"] = f"<launch>{node()}</launch>"
+    memory = LaunchMemory(left=20_000)
+    for _ in range(2):
+        launched = run(["bot/launch/0.launch"], files, memo=memory)
+        assert messages(launched)[-1].endswith("more than can be evaluated; what is left is unknown")
+        assert -LEAST < memory.left <= 0
+    assert messages(run(["bot/launch/20.launch"], files, memo=memory)) == []

@@ -10,6 +10,7 @@ import pytest
 from linter_samples import workspace
 
 from haros_ci.knowledge.knowledge import knowledge
+from haros_ci.linters import catkin_doubts
 from haros_ci.linters.catkin_doubts import BRINGS, is_refuted
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
@@ -249,3 +250,28 @@ def test_what_brings_messages_is_what_the_manifests_of_the_distributions_say(mes
         found |= new
         waiting += new
     assert messages in found
+
+
+@pytest.mark.parametrize(
+    ("message", "expected"),
+    [
+        ("add_executable() is called", True),
+        ("catkin_add_nosetests() is called", False),
+        ("my_add_shared_LIBRARY() is called", True),
+        ("cuda_add_executable() is called", True),
+        ("target_sources() is called", True),
+        ("my_target_sources() is called", True),
+        ("catkin_add_gtest() is called", True),
+        ("add_rostest_gtest() is called", True),
+        ("install() is called", False),
+        ("executable() is called", False),
+        ("add_executable is called", False),
+        ("in add_executable()", False),
+        ("add_executable_of() is called", False),
+        ("", False),
+        ("add_" * 75_000, False),
+        ("add_a" * 60_000 + "()", False),
+    ],
+)
+def test_commands_that_name_sources(message: str, expected: bool) -> None:
+    assert catkin_doubts._is_of_sources(message) is expected

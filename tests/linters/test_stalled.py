@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+import subprocess
 import sys
 from collections.abc import Iterable
 from dataclasses import replace
@@ -12,7 +13,7 @@ from pathlib import Path
 import pytest
 from linter_samples import FakeLinter, MemoryStore, everything, workspace
 
-from haros_ci.linters import process
+from haros_ci.linters import process, pylint
 from haros_ci.linters.linter import Batch, Command, Finding, LintOptions, Output, Program
 from haros_ci.linters.run import lint
 from haros_ci.model.location import Location
@@ -89,3 +90,58 @@ def test_the_search_ends(tmp_path: Path) -> None:
     assert done.results == () and len(linter.asked) == 4
     lost = sorted(note.message.partition(": ")[2] for note in done.notifications)
     assert lost == ["f0.py", "f1.py", "f2.py", "f3.py, f4.py, f5.py and 2 more"]
+
+
+@pytest.mark.parametrize(
+    ("line", "name"),
+    [
+        ("AST for src/a.py", "src/a.py"),
+        ("AST for ./a b.py", "a b.py"),
+        ("src/a.py (1 of 2)", "src/a.py"),
+        ("./src/a (12 of 240)", "src/a"),
+        ("AST for a (1 of 2)", "a"),
+        ("Get ASTs.", None),
+        ("Linting 2 modules.", None),
+        ("The Zen of Python, by Tim Peters", None),
+        ("a.py (1 of 2).", None),
+        ("{", None),
+        ("", None),
+    ],
+)
+def test_what_pylint_is_at(line: str, name: str | None) -> None:
+    found = pylint.PROGRESS.findall(f"\n{line}\n".encode())
+    assert found == ([] if name is None else [name.encode()])
+
+
+def test_pylint_says_what_it_is_at(tmp_path: Path) -> None:
+    """The installed one: the file at which it stops is the last that it names."""
+    space = workspace(tmp_path, {"a.py": "x = y\n", "No files to lint: exiting.py": "z = y\n"})
+    program = pylint.locate(LintOptions())
+    assert program is not None
+    (tmp_path / "scratch").mkdir()
+    batch = Batch(space, space.files, LintOptions(), tmp_path / "scratch")
+    command = pylint.command(program, batch)
+    done = subprocess.run(command.argv, cwd=tmp_path, capture_output=True, check=False)
+    assert command.progress is not None and set(command.progress.findall(done.stdout)) == {
+        b"a.py",
+        b"No files to lint: exiting.py",
+    }
+    found = [
+        item
+        for item in pylint.parse(Output(done.stdout, done.stderr, done.returncode), batch)
+        if isinstance(item, Finding)
+    ]
+    assert {item.unit for item in found if item.result.rule == "undefined-variable"} == {
+        file.path for file in space.files
+    }
+
+
+def test_a_tool_that_names_no_file_has_the_time_of_its_batch(tmp_path: Path) -> None:
+    linter = Silent()
+    (done,) = lint(workspace(tmp_path, {"a.py": "slow"}), [linter], LintOptions(), MemoryStore(), everything)
+    assert [result.location.path for result in done.results] == ["a.py"]
+
+
+class Silent(Telling):
+    def command(self, program: Program, batch: Batch) -> Command:
+        return replace(super().command(program, batch), progress=re.compile(rb"^at (.+)$", re.MULTILINE))

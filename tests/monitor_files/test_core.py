@@ -12,6 +12,8 @@ from monitor_files.core_kit import core, disagreements, generated, offline, run
 from haros_ci.behaviour.parser import parse_property
 from haros_ci.monitor_files.classes import Described
 from haros_ci.monitor_files.core import CORE, PROGRAM, core_text, definitions
+from haros_ci.monitor_files.parts.suite import Clock as GeneratedClock
+from haros_ci.monitoring.clock import SECOND, Clock
 from haros_ci.monitoring.patterns import monitor_of
 
 
@@ -22,6 +24,14 @@ def text_of(*texts: str) -> str:
 @pytest.mark.parametrize("seed", range(4))
 def test_core_and_offline_monitor_agree(seed: int) -> None:
     assert not list(disagreements(100, seed))
+
+
+def test_both_clocks_take_a_step_back_of_a_second_for_one_that_was_set_back() -> None:
+    for step in (1, SECOND - 1, SECOND, SECOND + 1):
+        here, beside = Clock(), GeneratedClock()
+        times = [5 * SECOND, 5 * SECOND - step, 5 * SECOND - step + 7, 7 * SECOND]
+        assert [here.at(time, 1) for time in times] == [beside.at(time) for time in times]
+        assert (here.noise, here.jumps) == (beside.noise, beside.jumps)
 
 
 #: What is wrong, and the patterns of which that is asked.

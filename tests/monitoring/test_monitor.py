@@ -54,6 +54,23 @@ def test_every_verdict_is_among_the_random_recordings(pattern: str) -> None:
     assert seen == {"held", "violated", "never exercised"} | open_ended
 
 
+@pytest.mark.parametrize(
+    ("required", "verdict"),
+    [
+        ("/c", "held"),
+        ("(/a or /c)", "held"),
+        ("(/a {data = @B.data} or /c)", "held"),
+        ("(/c or /a {data = @B.data})", "held"),
+        ("(/a {data = @B.data} or /c {data > 0})", "held"),
+        ("(/a {data = @B.data} or /c {data > 1})", "violated"),
+        ("/a {data = @B.data}", "violated"),
+    ],
+)
+def test_each_of_several_events_is_enough(required: str, verdict: str) -> None:
+    """The smallest recording of the second difference to HAROS's monitors that docs/hpl.md states."""
+    assert outcome(f"globally: /b as B requires {required} within 5 s", [("/c", 1, 0), ("/b", 2, 1)]).verdict.value == verdict  # fmt: skip
+
+
 def _closed(self: Monitor, since: int, time: int) -> bool:
     return self.window is None or time - since <= self.window
 

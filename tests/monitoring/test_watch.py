@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from haros_ci.behaviour.parser import parse_property
-from haros_ci.monitoring.clock import Clock, stamp_of
+from haros_ci.monitoring.clock import Clock, Stamped, Timed, stamp_of
 from haros_ci.monitoring.patterns import monitor_of
 from haros_ci.monitoring.verdict import Verdict
 from haros_ci.monitoring.watch import Watch
@@ -30,7 +30,9 @@ def stamped(time: int, **fields: Any) -> dict[str, Any]:
         ((5, 7, 7, 9), [5, 7, 7, 9]),
         ((5, 4, 6), [5, 5, 6]),
         ((10 * SECOND, SECOND, 2 * SECOND), [10 * SECOND, 10 * SECOND, 11 * SECOND]),
-        ((10 * SECOND, SECOND, 0, 2 * SECOND), [10 * SECOND, 10 * SECOND, 10 * SECOND, 11 * SECOND]),
+        ((10 * SECOND, SECOND, 1, 2 * SECOND), [10 * SECOND, 10 * SECOND, 10 * SECOND, 11 * SECOND]),
+        ((10 * SECOND, 9 * SECOND, 9 * SECOND + 5), [10 * SECOND, 10 * SECOND, 10 * SECOND + 5]),
+        ((10 * SECOND, 9 * SECOND + 1, 9 * SECOND + 5, 11 * SECOND), [10 * SECOND] * 3 + [11 * SECOND]),
     ],
 )
 def test_times_only_go_on(times: tuple[int, ...], expected: list[int]) -> None:
@@ -43,6 +45,28 @@ def test_steps_back_are_counted() -> None:
     for number, time in enumerate((0, 5 * SECOND, 5 * SECOND - 1, 0, 1), 1):
         clock.at(time, number)
     assert (clock.noise, clock.jumps, clock.first_jump) == (1, 1, 4)
+
+
+@pytest.mark.parametrize(
+    ("step", "noise", "jumps"), [(1, 1, 0), (SECOND - 1, 1, 0), (SECOND, 0, 1), (SECOND + 1, 0, 1)]
+)
+def test_only_a_step_of_less_than_a_second_is_noise(step: int, noise: int, jumps: int) -> None:
+    """As docs/monitor.md and the note say: a step of exactly 1 s is a clock that was set back."""
+    clock = Clock()
+    clock.at(5 * SECOND, 1)
+    assert clock.at(5 * SECOND - step, 2) == 5 * SECOND
+    assert (clock.noise, clock.jumps) == (noise, jumps)
+
+
+def test_stamps_wait_for_those_less_than_a_second_before_them() -> None:
+    def order(*stamps: int) -> list[int]:
+        waiting, found = Stamped(), list[int]()
+        for number, stamp in enumerate(stamps, 1):
+            found += [timed.time for timed in waiting.put(Timed(number, "/a", 0, None), stamp)]
+        return found
+
+    assert order(SECOND, 2 * SECOND - 1) == []
+    assert order(SECOND, 2 * SECOND) == [SECOND]
 
 
 @pytest.mark.parametrize(

@@ -118,14 +118,6 @@ def test_a_chunk_whose_checksum_does_not_fit(tmp_path: Path) -> None:
     assert found == [] and recording.notes == [f"{path.name} can be read up to message 0 only: a chunk is damaged"]
 
 
-def test_a_database_that_was_cut_off(tmp_path: Path) -> None:
-    ros2(tmp_path / "run", [("/a", number % 200, number) for number in range(2_000)])
-    (path,) = (tmp_path / "run").glob("*.db3")
-    path.write_bytes(path.read_bytes()[:20_000])
-    _, recording = read(path)
-    assert "the database is damaged" in recording.notes[0]
-
-
 def test_a_type_that_is_not_known(tmp_path: Path) -> None:
     import sqlite3
 

@@ -64,6 +64,43 @@ def test_many_are_counted() -> None:
     assert len(one.copies) == 8
 
 
+def in_copies(name: str, line: int, *paths: str) -> Result:
+    one = lacking(name, line)
+    copies = tuple(replace(one, location=Location(path, line)) for path in paths)
+    return replace(
+        one,
+        message=f"{one.message.rstrip('.')}; and the same in {len(paths)} copies ({', '.join(paths)})",
+        copies=copies,
+    )
+
+
+def test_those_that_stand_for_copies_at_one_line() -> None:
+    (one,) = joined(
+        [
+            in_copies("roscpp", 46, "b.xml", "c.xml"),
+            in_copies("rospy", 46, "b.xml", "c.xml"),
+            in_copies("tf", 46, "b.xml"),
+        ]
+    )
+    assert one.message.endswith("; and 2 more like it")
+    assert [str(copy.location.path) for copy in one.copies] == [
+        "b.xml",
+        "c.xml",
+        "package.xml",
+        "b.xml",
+        "c.xml",
+        "package.xml",
+        "b.xml",
+    ]
+    (one,) = joined([in_copies("roscpp", 46, "b.xml"), in_copies("rospy", 46, "b.xml")])
+    assert one.message.endswith("(b.xml); and the same of rospy")
+
+
+def test_those_that_stand_for_copies_at_several_lines() -> None:
+    results = [in_copies("roscpp", 46, "b.xml"), in_copies("roscpp", 47, "b.xml"), lacking("tf", 46)]
+    assert joined(results) == tuple(results)
+
+
 def missing(line: int, rest: str = "", subject: tuple[str, ...] = ("demo/talker",)) -> Result:
     message = f"package demo builds or installs no program 'talker': this node cannot start{rest}."
     return Result("haros-ci", "unknown-executable", Level.ERROR, message, Location("a.launch", line), subject=subject)

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import hashlib
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 
@@ -294,7 +295,48 @@ def test_submodules(git: Git, new_git: Callable[[str], Git]) -> None:
     assert found(git.top) == ["a.cpp", "lib.cpp/o.cpp"]
     git("submodule", "deinit", "-f", "--all")
     workspace = discover(git.top, (".",))
-    assert [file.path for file in workspace.files] == ["a.cpp"] and workspace.problems == ()
+    assert [file.path for file in workspace.files] == ["a.cpp"]
+    ((path, message),) = messages(workspace)
+    assert path == "lib.cpp" and message.startswith(
+        "a submodule that is not checked out: nothing in it is analysed; run git submodule update"
+    )
+    assert discover(git.top, (".",), exclude=("lib.cpp",)).problems == ()
+    assert discover(git.top, ("a.cpp",)).problems == ()
+
+
+def test_submodules_in_one_problem_and_those_that_nobody_can_have(git: Git, new_git: Callable[[str], Git]) -> None:
+    new_git("other").commit({"o.cpp": b""})
+    git.commit({"a.cpp": b""})
+    for name in ("one", "two"):
+        git("submodule", "add", "-q", "../other", name)
+    Git(git.top / "lost").commit({"l.cpp": b""})
+    git("add", "lost")
+    git.commit()
+    assert discover(git.top, (".",)).problems == ()
+    git("submodule", "deinit", "-f", "--all")
+    shutil.rmtree(git.top / "lost")
+    (git.top / "lost").mkdir()  # as a clone has it
+    (lost, there) = messages(discover(git.top, (".",)))
+    assert lost[0] == "lost" and "that .gitmodules does not name: no clone gets the files" in lost[1]
+    assert there[0] == "one" and there[1].startswith(
+        "with two submodules that are not checked out: nothing in them is analysed"
+    )
+    plant(git.top, {"one/a.cpp": b"", "two/README": b"", "lost/l.cpp": b""})
+    assert discover(git.top, (".",)).problems == ()
+
+
+def test_files_of_macos_are_no_sources(tmp_path: Path) -> None:
+    fork = b"\x00\x05\x16\x07\x00\x02\x00\x00Mac OS X        "
+    plant(
+        tmp_path,
+        {"__MACOSX/launch/._a.launch.py": fork, "src/._b.cpp": fork, "src/b.cpp": b"int b;\n", "._package.xml": fork},
+    )
+    workspace = discover(tmp_path, (".",))
+    assert [file.path for file in workspace.files] == ["src/b.cpp"] and workspace.problems == ()
+    plant(tmp_path, {"src/c.cpp": fork, "src/._d.cpp": b"int d;\n", "src/._e.cpp": b"int\0e;\n"})
+    workspace = discover(tmp_path, (".",))
+    assert [file.path for file in workspace.files] == ["src/._d.cpp", "src/b.cpp"]
+    assert [path for path, _ in messages(workspace)] == ["src/._e.cpp", "src/c.cpp"]
 
 
 def test_a_linked_work_tree(git: Git, tmp_path: Path) -> None:

@@ -29,6 +29,8 @@ KNOWN_PYTHON = frozenset(
     "string contextlib configparser ctypes tkinter Tkinter PyQt4 PyQt5 PyQt6 PySide PySide2 PySide6 python_qt_binding ABC Enum "
     "IntEnum NamedTuple Thread TestCase dict list str int float tuple set BaseException RuntimeError ValueError KeyError".split()
 )
+#: Modules, namespaces and classes of bases that are put beside others and call nothing: ``enable_shared_from_this``, ``ABC``.
+_BESIDE = frozenset("std boost object abc ABC typing typing_extensions dataclasses".split())
 #: Classes whose objects are processes when they are started, with nodes of their own (docs.python.org/3/library/multiprocessing.html).
 PROCESSES = frozenset(
     ("multiprocessing.Process", "multiprocessing.context.Process", "multiprocessing.process.BaseProcess")
@@ -72,7 +74,7 @@ def _called(walk: Walk, name: str, this: Object) -> None:
     for last in walk.found[key]:
         found = methods.method_of(walk, this, last)
         if found is not None and walk.relevance.makes(found.function, found.source):
-            base = methods.library_bases(walk, source, definition)[0]
+            base = _calling_bases(walk, source, definition)[0]
             doubt = f"{name} is not known, which is given the object and may call it by its base class {base}"
             if source.separator == "::":
                 callbacks.register(walk, found, doubt=doubt)
@@ -100,9 +102,15 @@ def is_known(base: str) -> bool:
     return first in KNOWN or first.startswith(_BEGINNINGS) or is_of_qt
 
 
+def _calling_bases(walk: Walk, source: Source, definition: syntax.Class) -> list[str]:
+    """The base classes that the workspace does not have, without those of which it is known that they call nothing."""
+    bases = methods.library_bases(walk, source, definition)
+    return [base for base in bases if base.replace("::", ".").partition(".")[0] not in _BESIDE]
+
+
 def _callable(walk: Walk, source: Source, definition: syntax.Class) -> list[str]:
     """The last parts of the names of the methods that a library may call of a class's objects, in their order."""
-    bases = methods.library_bases(walk, source, definition)
+    bases = _calling_bases(walk, source, definition)
     if not bases or any(base in walk.rows or is_known(base) for base in bases):
         return []
     names: dict[str, None] = {}
@@ -120,7 +128,7 @@ def _callable(walk: Walk, source: Source, definition: syntax.Class) -> list[str]
 
 def _callable_python(walk: Walk, source: Source, definition: syntax.Class) -> list[str]:
     """The same for Python, where nothing says what is overridden: the methods that no method of the class calls."""
-    bases = methods.library_bases(walk, source, definition)
+    bases = _calling_bases(walk, source, definition)
     firsts = {base.partition(".")[0] for base in bases}
     if not bases or firsts & KNOWN_PYTHON or any(base in walk.rows or is_known(base) for base in bases):
         return []

@@ -28,6 +28,7 @@ from haros_ci.index.ros_types import parameter_type
 from haros_ci.index.types import SEQUENCES, STRINGS, pointee
 from haros_ci.model.api import Entry, Row
 from haros_ci.model.location import Location
+from haros_ci.model.once import once
 from haros_ci.syntax import Type
 from haros_ci.values.abstract import (
     FALSE,
@@ -164,6 +165,12 @@ def names_of(row: Row) -> tuple[str, ...]:
     if row.returns is not None and all(isinstance(part, str) for part in row.returns.parts):
         names.append("".join(str(part) for part in row.returns.parts))
     return tuple(name for name in names if "::" in name)
+
+
+@once
+def all_names(rows: tuple[Row, ...]) -> frozenset[str]:
+    """The names of all rows."""
+    return frozenset(name for row in rows for name in names_of(row))
 
 
 def select(walk: Walk, name: str, args: tuple[PassedArgument, ...]) -> Row | None:

@@ -9,7 +9,14 @@ from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.graph.words import split
-from haros_ci.launch.facts.texts import absolute_paths, is_file_name, named_files, named_packages, without_comments
+from haros_ci.launch.facts.texts import (
+    absolute_paths,
+    is_file_name,
+    named_files,
+    named_packages,
+    package_run,
+    without_comments,
+)
 from haros_ci.launch.ros1.dialect import foreign_constructs
 from haros_ci.model.launch_facts import (
     ArgumentDeclaration,
@@ -92,6 +99,8 @@ def attribute(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, nam
 def command(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, text: Text) -> None:
     """A command whose output becomes a parameter."""
     note(state, scope, CommandUse, place(scope, tag), text=text.shown)
+    if package := package_run(text.shown):
+        note(state, scope, PackageUse, place(scope, tag), kind="command", package=package, is_here=False)
 
 
 def undeclared(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, raw: str) -> None:

@@ -9,7 +9,14 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci.launch.facts.conditions import comparisons, is_constant, written
 from haros_ci.launch.facts.record import MAX_FACTS
-from haros_ci.launch.facts.texts import absolute_paths, is_file_name, named_files, named_packages, without_comments
+from haros_ci.launch.facts.texts import (
+    absolute_paths,
+    is_file_name,
+    named_files,
+    named_packages,
+    package_run,
+    without_comments,
+)
 from haros_ci.model.launch_facts import (
     ArgumentDeclaration,
     ArgumentRead,
@@ -160,6 +167,12 @@ def command(context: Context, text: Text, place: Location) -> None:
     """What a command names that is run, or whose output is taken."""
     named(context, text, place, "value", "command")
     note(context, CommandUse, place, text=text.shown)
+
+
+def program(context: Context, text: Text, place: Location) -> None:
+    """The package whose program a command runs, or the name of a program that is searched for."""
+    if package := package_run(text.shown):
+        note(context, PackageUse, place, kind="command", package=package, is_here=False)
 
 
 def parameter_file(

@@ -13,6 +13,9 @@ _MARKED = re.compile(
 _PACKAGE = re.compile(r"\$\((?:find-pkg-share|find-pkg-prefix|find) ([^\s()?\ue000]+)\)")
 _END = re.compile(r"[\s'\",;:)\]}]|\Z")
 _SUFFIX = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,11}")
+#: A command whose program is xacro, by its name or its place; and one that runs a program of a package.
+_XACRO = re.compile(r"\s*(?:/[\w./-]*/)?xacro(?=\s|$)")
+_RUN = re.compile(r"\s*(?:ros2\s+run|rosrun)\s+(\w+)(?=\s)", re.ASCII)
 _WORD = re.compile(r"(?<![^\s'\"=:,\[(])(?:file://)?(~|/)([^\s'\"$?\ue000,;:\])]*)(?=[\s'\",;:\])]|\Z)")
 _HOME = re.compile(r"~(/|\Z)|/(home|Users)/[^/]+/|/root/")
 #: Where programs and devices of every machine lie.
@@ -51,6 +54,14 @@ def named_packages(text: str) -> Iterator[str]:
     """The packages in *text* whose directories are asked for."""
     if "$(" in text:
         yield from (match[1] for match in _PACKAGE.finditer(text))
+
+
+def package_run(command: str) -> str:
+    """The package whose program the *command* runs, where its name alone tells: xacro, and ``ros2 run`` and ``rosrun`` of a package; else ""."""
+    if _XACRO.match(command) is not None:
+        return "xacro"
+    found = _RUN.match(command)
+    return found[1] if found is not None else ""
 
 
 def absolute_paths(text: str, is_path: bool = False) -> Iterator[tuple[str, str]]:

@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, MutableMapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
 
 from haros_ci.launch.facts import ros1
+from haros_ci.launch.facts.memory import Memo, steps_for, take
 from haros_ci.launch.facts.record import Recorder
 from haros_ci.launch.ros1 import outside
 from haros_ci.launch.ros1.arg import arg, passed_arg
@@ -41,7 +41,7 @@ def evaluate(
     arguments: Mapping[str, str],
     environment: Mapping[str, str],
     alternatives: bool = False,
-    memo: MutableMapping[tuple[object, ...], Any] | None = None,
+    memo: Memo | None = None,
 ) -> Launched:
     """What the launch files at *launch_paths*, root-relative, start and set together, in order.
 
@@ -62,6 +62,8 @@ def evaluate(
         before: Launched = memo[key]
         return before
     state = RoslaunchState(files=files_of(workspace), load=load, environment=environment)
+    budget, spare = steps_for(memo, state.budget), steps_for(memo, state.spare)
+    state.budget, state.spare = budget, spare
     state.arguments = LaunchArguments() if alternatives else None
     provided = {name: literal(value) for name, value in sorted(arguments.items())}
     declared: set[str] = set()
@@ -88,6 +90,7 @@ def evaluate(
         alternative_parameters=tuple(state.alternative_parameters),
         facts=tuple(state.facts.found),
     )
+    take(memo, budget - max(state.budget, 0) + spare - max(state.spare, 0))
     if memo is not None:
         memo[key] = launched
     return launched

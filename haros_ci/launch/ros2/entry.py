@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from haros_ci.launch.ros2.evaluate import Memo, launch_system
+from haros_ci.launch.facts.memory import LaunchMemory, Memo
+from haros_ci.launch.ros2.evaluate import launch_system
 from haros_ci.launch.ros2.places import Places
 from haros_ci.model.launch_actions import Description
 from haros_ci.model.workspace import Workspace
@@ -43,7 +44,7 @@ def entry_files(
             description = load(file.path)
             if description is not None and any(action.kind != "?" for action in description.actions):
                 found.append(file.path)
-    kept = memo if memo is not None else {}
+    kept = memo if memo is not None else LaunchMemory()
     included: set[str] = set()
     entries: list[str] = []
     for path in found:

@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, MutableMapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from haros_ci.launch.facts import includes
 from haros_ci.launch.facts.includes import statics_of
+from haros_ci.launch.facts.memory import Memo, steps_for, take
 from haros_ci.launch.ros2.assuming import assumed_problems
 from haros_ci.launch.ros2.context import Context, LaunchBudgetExhausted
 from haros_ci.launch.ros2.places import Places
@@ -18,9 +19,6 @@ from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
 from haros_ci.substitutions.names import literal, quoted, unknown
 from haros_ci.substitutions.presence import LaunchArguments
-
-#: What was launched before, by files, arguments and environment.
-Memo = MutableMapping[tuple[object, ...], LaunchedSystem]
 
 
 def launch_system(
@@ -43,9 +41,12 @@ def launch_system(
     """
     key = (tuple(paths), tuple(sorted(arguments.items())), key_of(environment), alternatives)
     if memo is not None and key in memo:
-        return memo[key]
+        before: LaunchedSystem = memo[key]
+        return before
     seen = {name: literal(value) for name, value in sorted(environment.items())}
     context = Context(shares, seen | {name: unknown(reason) for name, reason in sorted(lost_of(environment).items())})
+    steps, spare = steps_for(memo, context.steps), steps_for(memo, context.spare)
+    context.steps, context.spare = steps, spare
     provided = {name: literal(value) for name, value in sorted(arguments.items())}
     run = LaunchEvaluation(context, load, frozenset(provided))
     if alternatives:
@@ -70,6 +71,7 @@ def launch_system(
         alternatives=tuple(run.alternatives),
         facts=includes.finished(context, statics_of(load, shares)),
     )
+    take(memo, steps - max(context.steps, 0) + spare - max(context.spare, 0))
     if memo is not None:
         memo[key] = system
     return system

@@ -283,7 +283,9 @@ class LaunchEvaluation:
         self.nodes += [
             other_node for other_node in (started, asking) if other_node is not None
         ]  # a command, which has nodes
-        ros2.command(self.context, self.context.text(action.get("cmd") or ()), action.location)
+        line = self.context.text(action.get("cmd") or ())
+        ros2.command(self.context, line, action.location)
+        ros2.program(self.context, line, action.location)
 
     def event(self, action: Action, conditions: _Conditions) -> None:
         """Put the children off; by then every scope is left, as launch does it."""

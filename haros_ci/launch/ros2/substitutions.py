@@ -59,7 +59,10 @@ def _substitution(context: Context, part: Substitution, depth: int) -> Text:
     if part.kind == "var":
         ros2.read(context, part)
     elif part.kind == "command" and part.arguments and part.location is not None:
-        ros2.command(context, perform(context, part.arguments[0], depth), part.location)
+        ros2.command(context, line := perform(context, part.arguments[0], depth), part.location)
+        ros2.program(context, line, part.location)
+    elif part.kind == "find-exec" and part.arguments and part.location is not None:
+        ros2.program(context, perform(context, part.arguments[0], depth), part.location)
     elif part.kind == "xacro":
         return _xacro(context, part, depth)
     return maker(context, tuple(perform(context, argument, depth) for argument in part.arguments))

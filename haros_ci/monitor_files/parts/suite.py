@@ -10,7 +10,7 @@ from typing import Any
 
 from haros_ci.monitor_files.parts.monitors import SECOND, VIOLATED, Property
 
-#: A step back of the clock that is smaller is noise between senders, one that is greater a clock that was set back: no time counts as passed.
+#: A step back of the clock that is smaller is noise between senders, any other a clock that was set back: no time counts as passed.
 GREATEST_NOISE = SECOND
 
 
@@ -26,7 +26,7 @@ class Clock:
         time += self.moved
         last = self.last
         if last is not None and time < last:
-            if last - time > GREATEST_NOISE:
+            if last - time >= GREATEST_NOISE:
                 self.jumps += 1
                 self.moved += last - time
             else:

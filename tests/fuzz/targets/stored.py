@@ -24,7 +24,7 @@ from haros_ci.linters.linter import Batch, Finding, LintOptions, Output
 from haros_ci.linters.tool_text import clean
 from haros_ci.measuring import facts
 from haros_ci.model.declared_tool import OUTPUTS, DeclaredTool
-from haros_ci.recordings import jsonl, mcap, ros1
+from haros_ci.recordings import jsonl, mcap, ros1, sqlite_pages
 from haros_ci.recordings.recording import Cut
 from haros_ci.registry import built_in
 from haros_ci.results.compact import BaselineFormatError, read_compact, write_compact
@@ -260,7 +260,7 @@ def verdicts_of_recordings(data: bytes) -> object:
 
 
 def recordings(data: bytes) -> object:
-    """Lines of JSON, and the chunks of bags of ROS 1 and of MCAP files."""
+    """Lines of JSON, the chunks of bags of ROS 1 and of MCAP files, and the pages of SQLite files."""
     found: list[object] = []
     for line in data.splitlines()[:100]:
         try:
@@ -279,6 +279,11 @@ def recordings(data: bytes) -> object:
         found += [(channel.topic, time) for channel, time, _ in file.records(BytesIO(data), {})]
     except Cut as cut:
         found.append(str(cut))
+    try:
+        pages = sqlite_pages.Pages(BytesIO(data))
+        found += [*pages.others(), *pages.tables()]
+    except Cut as cut:
+        found.append(str(cut))
     return found
 
 
@@ -291,14 +296,15 @@ TARGETS = {
     ),
     "recordings": Entry(
         recordings,
-        "recordings in lines of JSON, of ROS 1 and of MCAP",
-        ("recordings.jsonl", "recordings.ros1", "recordings.mcap"),
+        "recordings in lines of JSON, of ROS 1, of MCAP and of SQLite",
+        ("recordings.jsonl", "recordings.ros1", "recordings.mcap", "recordings.sqlite_pages"),
         (
             b'{"topic": "/a", "time": 1}\n',
             b"op=\x02",
             b"conn=\x00\x00\x00\x00",
             b"time=\x00\x00\x00\x00\x00\x00\x00\x00",
             b"topic=/a",
+            b"SQLite format 3\0\2\0".ljust(59, b"\0") + b"\1".ljust(41, b"\0") + b"\r\0\0\0\1\1\0\0\0\x80",
         ),
     ),
     "verdicts": Entry(

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from launching_kit import loader, node, workspace
 
+from haros_ci.launch.facts.memory import LEAST, LaunchMemory, Memo
 from haros_ci.launch.ros2.entry import entry_files
-from haros_ci.launch.ros2.evaluate import Memo
 from haros_ci.launch.ros2.places import Places
 
 FULL = f"<launch>{node()}</launch>"
@@ -61,3 +61,30 @@ def test_what_is_for_tests_or_ros_1_is_left_out() -> None:
         "bot/launch/old.launch.xml": '<launch><node pkg="p" type="t" name="n"/></launch>',
     }
     assert entries(files) == ()
+
+
+def chain(times: int, length: int) -> dict[str, str]:
+    """Launch files that include the next one so many *times*."""
+    body = '<include file="$(dirname)/c{}.launch.xml"/>'.format
+    files = {f"bot/launch/c{n}.launch.xml": f"<launch>{body(n + 1) * times}</launch>" for n in range(length)}
+    return {**files, f"bot/launch/c{length}.launch.xml": FULL}
+
+
+def test_files_that_take_all_steps_share_them() -> None:
+    memory = LaunchMemory(left=30_000)
+    assert entries(chain(3, 12), memory) == ("bot/launch/c0.launch.xml",)
+    cut = [
+        key[0]
+        for key, system in memory.items()
+        if any("more than can be evaluated" in p.message for p in system.problems)
+    ]
+    assert ("bot/launch/c0.launch.xml",) in cut and ("bot/launch/c12.launch.xml",) not in cut
+    assert -13 * LEAST < memory.left < LEAST
+
+
+def test_files_that_take_few_steps_leave_the_others() -> None:
+    memory = LaunchMemory()
+    before = memory.left
+    assert entries(chain(1, 12), memory) == ("bot/launch/c0.launch.xml",)
+    assert 0 < before - memory.left < 13 * 2_000
+    assert not any(system.problems for system in memory.values())

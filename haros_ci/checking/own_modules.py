@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Modules of its own package that a program of Python imports when it starts, and that Python does not find there."""
+
+from __future__ import annotations
+
+import ast
+import re
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from haros_ci.checking.appearing import may_appear
+from haros_ci.checking.branches import parsed
+from haros_ci.checking.project import ProjectPackage
+from haros_ci.checking.provision import Sources
+from haros_ci.model.build import EntryPoint
+from haros_ci.model.location import Location
+
+#: What lets Python find modules elsewhere, or makes them while it runs.
+_SEARCHING = re.compile(
+    r"\bsys\.(?:path|modules|meta_path)\b|\b__path__\b|\bimportlib\b|\baddsitedir\b|\bextend_path\b|\bos\.chdir\b"
+)
+#: What the build makes in a package of Python: interfaces, reconfigurations and extensions.
+_MADE = frozenset(("msg", "srv", "action", "cfg", "parameters"))
+#: Longer files are not looked at, nor more files of one program.
+MAX_TEXT = 300_000
+MAX_FILES = 500
+
+
+@dataclass(frozen=True, slots=True)
+class LostImport:
+    """The import of a *module* at *location*; *instead* is what to write, "" where nothing of that name is there."""
+
+    module: str
+    location: Location
+    instead: str
+
+
+@dataclass(slots=True)
+class OwnModules:
+    """The modules of *package* that programs of it load, each file looked at once."""
+
+    package: ProjectPackage
+    sources: Sources
+    seen: set[str] = field(default_factory=set)
+
+    def lost(self, entry_point: EntryPoint) -> Iterator[LostImport]:
+        """What stops the program: imports that stand at the outermost level of its module, and of modules of the package that this imports so.
+
+        Nothing where a file changes where Python searches, or where what is missing may be made or installed in another way.
+        """
+        folder = _top(entry_point)
+        if folder is None or len(self.sources.modules.get(_name(folder), ())) > 1:
+            return
+        todo = [entry_point.path]
+        while todo and len(self.seen) < MAX_FILES:
+            path = todo.pop(0)
+            text = self.package.project.text(path)
+            tree = parsed(text) if path not in self.seen and len(text) <= MAX_TEXT else None
+            self.seen.add(path)
+            if _SEARCHING.search(text) is not None:
+                return
+            for module, line in _imports(tree, path, folder) if tree is not None else ():
+                location = Location(path, line)
+                if module.partition(".")[0] == _name(folder):
+                    found, is_lost = self._found(module, folder)
+                    todo += found
+                    if is_lost:
+                        yield LostImport(module, location, "")
+                elif (beside := self._beside(module, path)) is not None:
+                    yield LostImport(module, location, f"{_dotted(beside, folder)}")
+
+    def _found(self, module: str, folder: str) -> tuple[list[str], bool]:
+        """The files that ``import`` of *module* loads, and whether the last one is not there."""
+        project, found, place = self.package.project, [], folder
+        if f"{folder}/__init__.py" in project.workspace.names:
+            found.append(f"{folder}/__init__.py")
+        for part in module.split(".")[1:]:
+            names = re.compile(rf"\b{part}\b")
+            beside = f"{place}/__init__.py"
+            place = f"{place}/{part}"
+            files = [name for name in (f"{place}/__init__.py", f"{place}.py") if name in project.workspace.names]
+            found += files
+            if not files and not self._is_folder(place):
+                return found, part not in _MADE and not names.search(project.text(beside)) and not self._may_come(place)
+        return found, False
+
+    def _is_folder(self, place: str) -> bool:
+        """Whether a directory, or a module in another form than text, is at *place*."""
+        starts = (f"{place}/", f"{place}.")
+        return any(name.startswith(starts) for name in self.package.project.workspace.names)
+
+    def _may_come(self, place: str) -> bool:
+        name = place.rpartition("/")[2]
+        build = "".join(
+            self.package.project.text(self.package.inside(file)) for file in ("CMakeLists.txt", "setup.py", "setup.cfg")
+        )
+        return (
+            may_appear(self.package, f"{place}.py", ())
+            or self.package.project.is_absent(place)
+            or re.search(rf"(?<![\w.]){name}\b(?!:)", build) is not None
+            or any(library.name == name for library in self.package.build.parameter_libraries)
+        )
+
+    def _beside(self, module: str, path: str) -> str | None:
+        """The file beside the one at *path* that ``import module`` is meant to load: Python does not search there for a program of setuptools."""
+        project, folder = self.package.project, path.rpartition("/")[0]
+        file = f"{folder}/{module}.py"
+        if "." in module or file not in project.workspace.names or module in sys.stdlib_module_names:
+            return None
+        if project.package(module) is not None or project.knowledge.provider_of_module(module):
+            return None
+        if (
+            module in self.sources.modules
+            or module in self.sources.built_modules
+            or self._may_come(f"{folder}/{module}")
+        ):
+            return None
+        installed = {thing.path for thing in self.package.build.installed if not thing.destination.startswith("share")}
+        return None if file in installed or folder in installed else file
+
+
+def _top(entry_point: EntryPoint) -> str | None:
+    """The directory of the outermost package that the module is in; None if it is in none."""
+    parts = entry_point.module.split(".")
+    tail = "/".join(parts[1:])
+    for end in (f"/{tail}.py", f"/{tail}/__init__.py"):
+        if len(parts) > 1 and entry_point.path.endswith(f"/{parts[0]}{end}"):
+            return entry_point.path.removesuffix(end)
+        if len(parts) > 1 and entry_point.path == f"{parts[0]}{end}":
+            return parts[0]
+    return None
+
+
+def _name(folder: str) -> str:
+    return folder.rpartition("/")[2]
+
+
+def _dotted(file: str, folder: str) -> str:
+    inner = file.removeprefix(folder).removesuffix(".py").replace("/", ".")
+    return f"{_name(folder)}{inner}"
+
+
+def _imports(tree: ast.Module, path: str, folder: str) -> Iterator[tuple[str, int]]:
+    """The modules that the outermost statements import, by their whole names, with their lines; relative ones resolved in *folder*."""
+    inner = path.removeprefix(folder).split("/")[1:-1]
+    for statement in tree.body:
+        if isinstance(statement, ast.Import):
+            yield from ((alias.name, statement.lineno) for alias in statement.names)
+        elif isinstance(statement, ast.ImportFrom) and statement.level == 0 and statement.module:
+            yield statement.module, statement.lineno
+        elif isinstance(statement, ast.ImportFrom) and 0 < statement.level <= len(inner) + 1 and statement.module:
+            above = inner[: len(inner) + 1 - statement.level]
+            yield ".".join((_name(folder), *above, statement.module)), statement.lineno

@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Little text that becomes much for a tool: the file is named, the tool is not asked about it, and the others are analysed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+
+import pytest
+from linter_samples import FakeLinter, MemoryStore, everything, workspace
+
+from haros_ci.linters import cppcheck, growth, pylint
+from haros_ci.linters.linter import LintOptions, Unit
+from haros_ci.linters.run import lint
+from haros_ci.model.workspace import Workspace
+
+
+def doubled(count: int) -> str:
+    return "#define A0 1\n" + "".join(f"#define A{n} A{n - 1} A{n - 1}\n" for n in range(1, count))
+
+
+def with_arguments(count: int) -> str:
+    return "#define A0(i) i\n" + "".join(f"#define A{n}(i) A{n - 1}(i) A{n - 1}(i)\n" for n in range(1, count))
+
+
+def nested(name: str, depth: int) -> str:
+    return f"int a = {f'{name}(' * depth}1{')' * depth};\n"
+
+
+TWICE = "#define D(x) x x\n"
+EXPANDING = {
+    "doubled": doubled(40),
+    "doubled, last first": "\n".join(reversed(doubled(40).splitlines())),
+    "with arguments": with_arguments(40),
+    "spliced": doubled(40).replace(" A", " \\\n A"),
+    "other spelling": doubled(40).replace("#define", "%:define"),
+    "comments between": doubled(40).replace("#define", "# /* a */ define"),
+    "under conditions": f"#if 0\n{doubled(40)}#endif\n",
+    "each of all others": "".join(f"#define A{n} {' '.join(f'A{m}' for m in range(12))}\n" for n in range(12)),
+    "arguments in arguments": TWICE + nested("D", 30),
+    "by another name": f"{TWICE}#define E D\n{nested('E', 30)}",
+    "any arguments": f"#define D(...) __VA_ARGS__ __VA_ARGS__\n{nested('D', 30)}",
+    "named ones": f"#define D(rest...) rest rest\n{nested('D', 30)}",
+    "in a definition": f"{TWICE}#define Q(x) {'D(' * 30}x{')' * 30}\n",
+    "many large ones": doubled(18) + "#define P(x) A17 x\n" + "int a = P(1);\n" * 40,
+}
+
+
+@pytest.mark.parametrize("name", EXPANDING)
+def test_macros_that_expand_to_too_much(tmp_path: Path, name: str) -> None:
+    assert declined_by_cppcheck(tmp_path, {"a.cpp": EXPANDING[name]}) == {"a.cpp": growth.LARGE_EXPANSION}
+
+
+QUIET = {
+    "nothing": "",
+    "numbers": "".join(f"#define A{n} {n}\n" for n in range(3_000)),
+    "a chain": "#define A0 1\n" + "".join(f"#define A{n} (A{n - 1} + 1)\n" for n in range(1, 200)),
+    "a chain, last first": "".join(f"#define A{n} (A{n - 1} + 1)\n" for n in range(200, 0, -1)),
+    "itself": "#define A A A\n" * 40,
+    "two of each other": "#define A B\n#define B A\n",
+    "few doublings": doubled(12),
+    "the larger of two": "#define MAX(a, b) ((a) > (b) ? (a) : (b))\nint x = MAX(1, MAX(2, MAX(3, MAX(4, 5))));\n",
+    "many uses": "#define CHECK(a) if (!(a)) { fail(#a, __FILE__, __LINE__); }\n" + "CHECK(x);\n" * 5_000,
+    "words in a text": '#define A "A A A A A A"\n' * 40,
+    "a list": "#define LIST(X) " + " ".join(f"X({n})" for n in range(500)) + "\nLIST(F)\n",
+    "names alone": "#define D(x) x x\nint D; int a = D;\n" * 50,
+    "no end": "#define D(x) x x\n" + "D(" * 5,
+    "in a comment": "// " + " ".join(doubled(40).splitlines()),
+    "defined elsewhere": "".join(f"A{n} A{n - 1}\n" for n in range(1, 40)),
+}
+
+
+@pytest.mark.parametrize("name", QUIET)
+def test_macros_as_they_are_written(tmp_path: Path, name: str) -> None:
+    assert declined_by_cppcheck(tmp_path, {"a.cpp": QUIET[name]}) == {}
+
+
+def test_macros_of_a_header_hold_where_it_is_included(tmp_path: Path) -> None:
+    files = {"include/a.hpp": doubled(40), "src/a.cpp": '#include "a.hpp"\n', "src/b.cpp": "int b;\n"}
+    assert declined_by_cppcheck(tmp_path, files) == {"src/a.cpp": growth.LARGE_EXPANSION}
+
+
+def test_macros_in_two_files_together(tmp_path: Path) -> None:
+    lines = doubled(40).splitlines(keepends=True)
+    files = {"include/a.hpp": "".join(lines[::2]), "src/a.cpp": '#include "a.hpp"\n' + "".join(lines[1::2])}
+    assert declined_by_cppcheck(tmp_path, files) == {"src/a.cpp": growth.LARGE_EXPANSION}
+
+
+CLASSES = {
+    "doubled": "struct C0 {}; struct D0 {};\n"
+    + "".join(f"struct C{n} : C{n - 1}, D{n - 1} {{}}; struct D{n} : C{n - 1} {{}};\n" for n in range(1, 40)),
+    "unknown at the top": "".join(
+        f"class C{n} final : public a::C{n - 1}, private virtual D{n - 1} {{}};\nclass D{n} : C{n - 1} {{}};\n"
+        for n in range(1, 40)
+    ),
+    "of templates": "".join(
+        f"template <class T> struct C{n} : C{n - 1}<T>, D{n - 1}<std::map<T, T>> {{}};\ntemplate <class T> struct D{n} : C{n - 1}<T> {{}};\n"
+        for n in range(1, 40)
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CLASSES)
+def test_classes_with_many_ways_up(tmp_path: Path, name: str) -> None:
+    assert declined_by_cppcheck(tmp_path, {"a.cpp": CLASSES[name]}) == {"a.cpp": growth.MANY_WAYS}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "struct C0 {};\n" + "".join(f"struct C{n} : C{n - 1} {{}};\n" for n in range(1, 500)),
+        "".join(f"struct C{n} : A, B, D {{}};\n" for n in range(500)),
+        "".join(f"class Node{n} : public rclcpp::Node, public Named {{}};\n" for n in range(500)),
+        "class Node : public a::Node, public b::Node {};\n" * 100,
+        "struct A { A() : a(1), b(2) {} };\n" * 100,
+        "enum class E : int { A, B };\n" * 100,
+    ],
+)
+def test_classes_as_they_are_written(tmp_path: Path, text: str) -> None:
+    assert declined_by_cppcheck(tmp_path, {"a.cpp": text}) == {}
+
+
+def python_classes(first: int, last: int) -> str:
+    return "".join(
+        f"class C{n}(C{n - 1}, D{n - 1}): pass\nclass D{n}(C{n - 1}, D{n - 1}): pass\n" for n in range(first, last)
+    )
+
+
+PYTHON = {
+    "doubled": python_classes(1, 40),
+    "made by calls": "".join(
+        f'C{n} = type("C", (C{n - 1}, D{n - 1}), {{}})\nD{n} = type("D", (C{n - 1}, D{n - 1}), {{}})\n'
+        for n in range(1, 40)
+    ),
+    "by other names": "".join(
+        f"class C{n}(E{n - 1}, D{n - 1}): pass\nclass D{n}(C{n - 1}, E{n - 1}): pass\nE{n} = C{n}\n"
+        for n in range(1, 40)
+    ),
+    "several bases": "".join(f"class C{n}({', '.join(f'C{m}' for m in range(n))}): pass\n" for n in range(1, 20)),
+    "of types": python_classes(1, 40).replace(", D", "[int], m.D"),
+}
+
+
+@pytest.mark.parametrize("name", PYTHON)
+def test_python_classes_with_many_ways_up(tmp_path: Path, name: str) -> None:
+    assert declined_by_pylint(tmp_path, {"a.py": PYTHON[name]}) == {"a.py": growth.MANY_WAYS}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "class A(\n",
+        "".join(f"class C{n}(C{n - 1}): pass\n" for n in range(500)),
+        "".join(f"class C{n}(Node, Mixin): pass\n" for n in range(500)),
+        "".join(f"class Node{n}(rclpy.node.Node, Named, metaclass=M): pass\n" for n in range(500)),
+        "class Node(a.Node, b.Node): pass\n" * 100,
+        python_classes(1, 8),
+        "".join(f"a{n} = a{n - 1} + b{n - 1}\nb{n} = type(a{n - 1})\n" for n in range(1, 100)),
+    ],
+)
+def test_python_classes_as_they_are_written(tmp_path: Path, text: str) -> None:
+    assert declined_by_pylint(tmp_path, {"a.py": text}) == {}
+
+
+def test_classes_of_modules_that_are_imported(tmp_path: Path) -> None:
+    files = {"m.py": python_classes(1, 8), "a.py": f"from m import *\n{python_classes(8, 20)}", "b.py": "import m\n"}
+    assert declined_by_pylint(tmp_path, files) == {"a.py": growth.MANY_WAYS}
+
+
+def declined_by_cppcheck(root: Path, files: dict[str, str]) -> dict[str, str]:
+    space = workspace(root, files)
+    return cppcheck.declined(space, list(cppcheck.plan(space, LintOptions(), MemoryStore())))
+
+
+def declined_by_pylint(root: Path, files: dict[str, str]) -> dict[str, str]:
+    space = workspace(root, files)
+    return pylint.declined(space, list(pylint.plan(space, LintOptions(), MemoryStore())))
+
+
+class Declining(FakeLinter):
+    def declined(self, workspace: Workspace, units: Iterable[Unit]) -> dict[str, str]:
+        return {unit.file.path: "too much" for unit in units if "much" in workspace.text(unit.file.path)}
+
+
+def test_a_tool_is_not_asked_about_a_file_that_its_adapter_declines(tmp_path: Path) -> None:
+    space, store = workspace(tmp_path, {"a.py": "# say W\n", "b.py": "# much\n# hang\n"}), MemoryStore()
+    for _ in range(2):  # the second time from the store
+        linter = Declining()
+        (done,) = lint(space, [linter], LintOptions(), store, everything)
+        assert [result.location.path for result in done.results] == ["a.py"]
+        (note,) = done.notifications
+        assert (note.path, note.message) == ("b.py", "fake could not analyse this file: too much")
+    assert linter.asked == []
+
+
+def test_a_tool_is_not_started_for_declined_files_alone(tmp_path: Path) -> None:
+    linter = Declining()
+    (done,) = lint(workspace(tmp_path, {"b.py": "# much\n"}), [linter], LintOptions(), MemoryStore(), everything)
+    assert linter.asked == [] and len(done.notifications) == 1
