@@ -92,11 +92,11 @@ def topics(found: Architecture) -> set[str]:
 @pytest.mark.parametrize(
     ("path", "within", "named", "expected"),
     [
-        ("one/one/go.py", "_read", "the file could not be read into the model", {"/two"}),
+        ("one/one/go.py", "read_facts", "the file could not be read into the model", {"/two"}),
         ("one/setup.py", "build_of", "the build files of the package could not be read", {"/two"}),
         ("one/launch/one.launch.py", "read_python", "the launch file could not be read", {"/one", "/two"}),
         ("one/p.yaml", "launch_system", "what this does could not be followed", {"/one", "/two"}),
-        ("none.py", "_read", "", {"/one", "/two"}),
+        ("none.py", "read_facts", "", {"/one", "/two"}),
     ],
 )
 def test_one_fault_does_not_end_the_run(tmp_path: Path, path: str, within: str, named: str, expected: set[str]) -> None:

@@ -50,13 +50,13 @@ def test_copies_of_a_file_are_read_once_and_are_each_there(tmp_path: Path, monke
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text)
     read: list[str] = []
-    real = architecture._read
+    real = architecture.read_facts
 
     def counted(workspace: Workspace, path: str, language: str) -> str:
         read.append(path)
         return real(workspace, path, language)
 
-    monkeypatch.setattr(architecture, "_read", counted)
+    monkeypatch.setattr(architecture, "read_facts", counted)
     workspace = discover(tmp_path / "ws", ())
     cache = DiskCache(tmp_path / "cache")
     problems: list[Problem] = []
