@@ -40,7 +40,7 @@ def fingerprint(workspace: Workspace, options: LintOptions) -> str:
     import sys
 
     own = options.arguments.get(NAME, ()) if options.trust_config else ()
-    return json.dumps(["1", sys.version_info[:2], installed.providers("bandit.plugins"), own])
+    return json.dumps([sys.version_info[:2], installed.providers("bandit.plugins"), own])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:

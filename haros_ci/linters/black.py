@@ -47,7 +47,7 @@ def fingerprint(workspace: Workspace, options: LintOptions) -> str:
     import sys
 
     own = options.arguments.get(NAME, ()) if options.trust_config else ()
-    return json.dumps(["2", sys.version_info[:2], own])  # why a file is unreadable is said in terms of this Python
+    return json.dumps([sys.version_info[:2], own])  # why a file is unreadable is said in terms of this Python
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:

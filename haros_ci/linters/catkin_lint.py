@@ -51,7 +51,7 @@ def locate(options: LintOptions) -> Program | None:
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
     """Which packages there are, for it looks dependencies up among them, which of them are of ROS 1, and what is not checked out."""
     packages = sorted((package.name, package.ros or 0) for package in workspace.packages)
-    return json.dumps(["8", packages, sorted(absent(workspace))])
+    return json.dumps([packages, sorted(absent(workspace))])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:

@@ -37,7 +37,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return f"1 {MOST}"
+    return f"{MOST}"
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:

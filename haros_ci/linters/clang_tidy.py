@@ -39,7 +39,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return json.dumps(["2", CHECKS, options.trust_config])
+    return json.dumps([CHECKS, options.trust_config])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:

@@ -30,7 +30,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return json.dumps(["1", options.trust_config])
+    return json.dumps([options.trust_config])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:

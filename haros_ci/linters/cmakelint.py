@@ -25,7 +25,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return f"1 {LINE_LENGTH}"
+    return f"{LINE_LENGTH}"
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:

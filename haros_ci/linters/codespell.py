@@ -42,7 +42,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return json.dumps(["1", options.arguments.get(NAME, ()) if options.trust_config else ()])
+    return json.dumps([options.arguments.get(NAME, ()) if options.trust_config else ()])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:

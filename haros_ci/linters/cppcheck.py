@@ -55,7 +55,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return f"14 {ros_macros.header((), ros_macros.FRAMEWORKS)}"
+    return f"{ros_macros.header((), ros_macros.FRAMEWORKS)}"
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -102,8 +102,14 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
 
 
 def declined(workspace: Workspace, units: Iterable[Unit]) -> dict[str, str]:
-    """Files on which the tool would not end, with the reason: it is not asked about them."""
-    return growth.why_not_cpp(workspace, units)
+    """Files on which the tool would not end, or of which it reads another path, with the reason: it is not asked about them."""
+    units = list(units)
+    found = growth.why_not_cpp(workspace, units)
+    for unit in units:
+        paths = (unit.file.path, *unit.dependencies)
+        if odd := next((path for path in paths if "\\" in path), None):
+            found[unit.file.path] = f"cppcheck takes the backslash in the path {odd} for a slash; rename it"
+    return found
 
 
 def command(program: Program, batch: Batch) -> Command:

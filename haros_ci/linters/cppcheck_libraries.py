@@ -13,9 +13,7 @@ from collections.abc import Iterable, Mapping
 
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
-
-#: Counts changes in what is stored.
-SCHEMA = "libraries-2"
+from haros_ci.own_sources import OF_LINTERS, digest
 
 #: Stands beside the libraries of a text that switches Qt's plain words off (doc.qt.io, "Signals & Slots", "Using Qt
 #: with 3rd Party Signals
@@ -57,7 +55,7 @@ def by_file(
     What the text tells comes from the store, by its digest.
     """
     files = tuple(files)
-    stored = store.get("libraries", "", SCHEMA)
+    stored = store.get("libraries", "", digest(OF_LINTERS))
     known = stored if isinstance(stored, dict) else {}
     found: dict[str, list[str]] = {}
     libraries: dict[str, frozenset[str]] = {}
@@ -70,7 +68,7 @@ def by_file(
         included = {name for name, pattern in _HEADERS.items() if any(pattern.match(header) for header in headers)}
         libraries[file.path] = frozenset(included.union(marks) & {*_HEADERS, NO_KEYWORDS})
     if found.keys() - known.keys():
-        store.put("libraries", "", SCHEMA, found)
+        store.put("libraries", "", digest(OF_LINTERS), found)
     return libraries
 
 

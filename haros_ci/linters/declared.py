@@ -61,7 +61,7 @@ class DeclaredLinter:
         tool = self.tool
         script = _digest(_place(tool, options))
         reading = [tool.output, tool.pattern, tool.fields, tool.levels, tool.stream, tool.exits, tool.reads]
-        return json.dumps(["1", tool.argv, reading, script])
+        return json.dumps([tool.argv, reading, script])
 
     def dependencies(self, workspace: Workspace, file: SourceFile) -> Iterable[str]:
         return ()  # plan() knows them all

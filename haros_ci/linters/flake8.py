@@ -58,7 +58,7 @@ def fingerprint(workspace: Workspace, options: LintOptions) -> str:
     libraries = [distribution.version if distribution else None for distribution in found]
     own = options.arguments.get(NAME, ()) if options.trust_config else ()
     plugins = installed.providers("flake8.extension")
-    return json.dumps(["1", sys.version_info[:2], libraries, plugins, options.trust_config, own])
+    return json.dumps([sys.version_info[:2], libraries, plugins, options.trust_config, own])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:

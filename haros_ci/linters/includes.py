@@ -9,9 +9,7 @@ from posixpath import dirname, normpath
 
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
-
-#: Counts changes in what is stored.
-SCHEMA = "includes-2"
+from haros_ci.own_sources import OF_LINTERS, digest
 
 #: Stands in a list of names for one that only the preprocessor can tell (``#include MACRO``).
 COMPUTED = "*"
@@ -32,7 +30,7 @@ def written(workspace: Workspace, files: Iterable[SourceFile], store: Store) -> 
     One entry of the store, from content digests to lists, holds them for all files and so says what it is valid for.
     """
     files = tuple(files)
-    stored = store.get("includes", "", SCHEMA)
+    stored = store.get("includes", "", digest(OF_LINTERS))
     known = stored if isinstance(stored, dict) else {}
     found: dict[str, tuple[str, ...]] = {}
     fresh: dict[str, list[str]] = {}
@@ -42,7 +40,7 @@ def written(workspace: Workspace, files: Iterable[SourceFile], store: Store) -> 
             names = fresh[file.digest] = list(dict.fromkeys(_names(workspace.text(file.path))))
         found[file.path] = tuple(names)
     if fresh:
-        store.put("includes", "", SCHEMA, {file.digest: list(found[file.path]) for file in files})
+        store.put("includes", "", digest(OF_LINTERS), {file.digest: list(found[file.path]) for file in files})
     return found
 
 

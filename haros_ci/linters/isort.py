@@ -68,7 +68,7 @@ def fingerprint(workspace: Workspace, options: LintOptions) -> str:
     import sys
 
     own = options.arguments.get(NAME, ()) if options.trust_config else ()
-    return json.dumps(["2", sys.version_info[:2], own])
+    return json.dumps([sys.version_info[:2], own])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:

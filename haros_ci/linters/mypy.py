@@ -58,7 +58,7 @@ def locate(options: LintOptions) -> Program | None:
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
     own = options.arguments.get(NAME, ()) if options.trust_config else ()
-    return json.dumps(["1", sys.version_info[:2], options.trust_config, own])
+    return json.dumps([sys.version_info[:2], options.trust_config, own])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:

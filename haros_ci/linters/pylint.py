@@ -54,7 +54,7 @@ def fingerprint(workspace: Workspace, options: LintOptions) -> str:
 
     own = options.arguments.get(NAME, ()) if options.trust_config else ()
     astroid = installed.distribution("astroid")
-    return json.dumps(["14", sys.version_info[:2], astroid and astroid.version, options.trust_config, own])
+    return json.dumps([sys.version_info[:2], astroid and astroid.version, options.trust_config, own])
 
 
 #: What it writes when it parses a file, and when it looks at one.

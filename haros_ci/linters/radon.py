@@ -24,7 +24,7 @@ def fingerprint(workspace: Workspace, options: LintOptions) -> str:
     """The results depend on the bytes of each file and on this Python's grammar; the number counts changes of how we measure."""
     import sys
 
-    return f"metrics-2 {sys.version_info[:2]}"
+    return f"{sys.version_info[:2]}"
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:

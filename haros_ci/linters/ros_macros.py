@@ -14,9 +14,7 @@ from collections.abc import Iterable
 from haros_ci.linters import macro_scan
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
-
-#: Counts changes in what is stored.
-SCHEMA = "macros-2"
+from haros_ci.own_sources import OF_LINTERS, digest
 
 #: Function-like macros that stand where a declaration or a statement does.
 DECLARATIONS = """
@@ -212,7 +210,7 @@ _MARK = re.compile(r"!?[dr]:[A-Z][A-Z0-9_]*")
 def macro_marks(workspace: Workspace, files: Iterable[SourceFile], store: Store) -> tuple[str, ...]:
     """The marks of :mod:`macro_scan` of all *files*, sorted; those of each file come from the store, by its digest."""
     files = tuple(files)
-    stored = store.get("macros", "", SCHEMA)
+    stored = store.get("macros", "", digest(OF_LINTERS))
     known = stored if isinstance(stored, dict) else {}
     found: dict[str, list[str]] = {}
     for file in files:
@@ -221,7 +219,7 @@ def macro_marks(workspace: Workspace, files: Iterable[SourceFile], store: Store)
             marks = macro_scan.marks(workspace.text(file.path))
         found[file.digest] = marks
     if found.keys() - known.keys():
-        store.put("macros", "", SCHEMA, found)
+        store.put("macros", "", digest(OF_LINTERS), found)
     return tuple(sorted({mark for marks in found.values() for mark in marks}))
 
 

@@ -37,7 +37,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return json.dumps(["7", sorted(ruff_config.LEFT_OUT)])
+    return json.dumps([sorted(ruff_config.LEFT_OUT)])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:

@@ -52,7 +52,7 @@ class ValuesLinter:
         return self.of.locate(options)
 
     def fingerprint(self, workspace: Workspace, options: LintOptions) -> str:
-        return f"{self.of.fingerprint(workspace, options)} values-1"
+        return f"{self.of.fingerprint(workspace, options)} values"
 
     def dependencies(self, workspace: Workspace, file: SourceFile) -> Iterable[str]:
         return ()

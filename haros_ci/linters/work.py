@@ -12,11 +12,9 @@ from haros_ci.linters import installed
 from haros_ci.linters.linter import Linter, LintOptions, Program, Unit, When
 from haros_ci.linters.rows import Answer
 from haros_ci.model.workspace import Problem, Store, Workspace
+from haros_ci.own_sources import OF_LINTERS, digest
 from haros_ci.results.result import Notification, Result, Run, Tool
 from haros_ci.results.rule import Level
-
-#: Counts changes in what is stored; older entries are then never found.
-SCHEMA = "1"
 
 
 class Tools(Protocol):
@@ -86,7 +84,16 @@ class Digests:
         self._settings: dict[str, str] = {}
 
     def key(self, tool: str, version: str, fingerprint: str, unit: Unit) -> str:
-        parts = [SCHEMA, tool, version, fingerprint, unit.group, unit.salt, unit.file.path, unit.file.digest]
+        parts = [
+            digest(OF_LINTERS),
+            tool,
+            version,
+            fingerprint,
+            unit.group,
+            unit.salt,
+            unit.file.path,
+            unit.file.digest,
+        ]
         for path in unit.dependencies:
             parts += (path, self._of(path))
         for path in unit.settings:
@@ -94,10 +101,10 @@ class Digests:
         return hashlib.sha256("\0".join(parts).encode("utf-8", "surrogatepass")).hexdigest()
 
     def _of(self, path: str) -> str:
-        digest = self.known.get(path) or self._others.get(path)
-        if digest is None:
-            digest = self._others[path] = _digest(self._workspace.text(path))
-        return digest
+        found = self.known.get(path) or self._others.get(path)
+        if found is None:
+            found = self._others[path] = _digest(self._workspace.text(path))
+        return found
 
     def _of_setting(self, path: str) -> str:
         digest = self._settings.get(path)

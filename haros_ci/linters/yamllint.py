@@ -35,7 +35,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return json.dumps(["1", DEFAULT_SETTINGS])
+    return json.dumps([DEFAULT_SETTINGS])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:

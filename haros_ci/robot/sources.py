@@ -34,6 +34,19 @@ class Located:
 Look = Callable[[str, str], Located]
 
 
+def why_unread(text: str) -> tuple[str, int | None]:
+    """Why *text* is no XML that is read here, and in which line."""
+    try:
+        nodes_of(parse_xml(text.encode("utf-8")), "")
+    except XmlError as err:
+        return err.message, err.line
+    except RecursionError:
+        return "its tags are nested too deeply", None
+    except UnicodeEncodeError:
+        pass
+    return "it is no text in UTF-8", None
+
+
 @dataclass(slots=True)
 class DescriptionSources:
     """Reads for expansions. *packages* are the directories of the workspace's packages by name."""
@@ -56,7 +69,11 @@ class DescriptionSources:
     def read(self, path: str) -> XmlNode | None:
         """The root element of an XML file; None if it cannot be read, or is not for us."""
         if path not in self._nodes:
-            self._nodes[path] = self.parsed(self.workspace.text(path), path)
+            text = self.workspace.text(path)
+            self._nodes[path] = self.parsed(text, path)
+            if self._nodes[path] is None and "<robot" in text:
+                message, line = why_unread(text)
+                self.problems[path] = Problem(path, f"not read as a description of a robot: {message}", line)
         return self._nodes[path]
 
     def parsed(self, text: str, path: str) -> XmlNode | None:

@@ -198,3 +198,21 @@ def test_a_tool_is_not_started_for_declined_files_alone(tmp_path: Path) -> None:
     linter = Declining()
     (done,) = lint(workspace(tmp_path, {"b.py": "# much\n"}), [linter], LintOptions(), MemoryStore(), everything)
     assert linter.asked == [] and len(done.notifications) == 1
+
+
+BACKSLASH = {
+    "a source": ({"a\\b.cpp": "int a;\n", "c.cpp": "int c;\n"}, {"a\\b.cpp"}),
+    "a directory": ({"a\\b/d.cpp": "int a;\n", "c.cpp": "int c;\n"}, {"a\\b/d.cpp"}),
+    "a header": ({"a\\b.hpp": "int a;\n", "c.cpp": '#include "a\\b.hpp"\n'}, {"c.cpp"}),
+    "none": ({"b.hpp": "// a\\b\nint a;\n", "c.cpp": '#include "b.hpp"\nconst char *d = "e\\\\f";\n'}, set()),
+}
+
+
+@pytest.mark.parametrize("name", BACKSLASH)
+def test_a_backslash_in_a_path_that_cppcheck_takes_for_a_slash(name: str, tmp_path: Path) -> None:
+    files, expected = BACKSLASH[name]
+    root = workspace(tmp_path, files)
+    options = LintOptions()
+    units = list(cppcheck.plan(root, options, MemoryStore()))
+    found = cppcheck.declined(root, units)
+    assert found.keys() == expected and all("backslash in the path" in reason for reason in found.values())

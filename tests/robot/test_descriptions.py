@@ -99,3 +99,35 @@ def test_of_a_file_that_nobody_names_no_argument_is_known(tmp_path: Path) -> Non
         a__xacro=f"{HEAD}<xacro:arg name='p' default='x'/><link name='$(arg p)'/><link name='$(arg q)'/></robot>",
     )
     assert found == {"a.xacro": (None, None)}
+
+
+UNREAD = {
+    "cut": HEAD + '<link name="a"/>',
+    "entities": f'<!DOCTYPE r [<!ENTITY a "b">]>{HEAD}<link name="&a;"/></robot>',
+    "deep": HEAD + "<a>" * 2_000 + "</a>" * 2_000 + "</robot>",
+    "no tag": "<robot",
+}
+READ = {
+    "plain": HEAD + '<link name="a"/></robot>',
+    "no robot": "<a>",
+    "empty": "",
+    "another root": "<a><robot/></a>",
+    "expression": HEAD + '<link name="${9**9**9**9}"/></robot>',
+    "comment": "<!-- <robot --><a/>",
+}
+
+
+@pytest.mark.parametrize(
+    ("text", "is_unread"), [*((text, True) for text in UNREAD.values()), *((text, False) for text in READ.values())]
+)
+def test_files_that_cannot_be_read_are_named(tmp_path: Path, text: str, is_unread: bool) -> None:
+    (tmp_path / "package.xml").write_text(MANIFEST)
+    (tmp_path / "CMakeLists.txt").write_text("project(demo)\n")
+    (tmp_path / "a.urdf").write_text(text)
+    workspace = discover(tmp_path, (".",))
+    descriptions = Descriptions(workspace, builds(workspace))
+    list(descriptions.of_files())
+    found = [
+        (problem.path, "not read as a description of a robot" in problem.message) for problem in descriptions.problems
+    ]
+    assert found == ([("a.urdf", True)] if is_unread else [])

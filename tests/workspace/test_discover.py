@@ -319,7 +319,7 @@ def test_submodules_in_one_problem_and_those_that_nobody_can_have(git: Git, new_
     (lost, there) = messages(discover(git.top, (".",)))
     assert lost[0] == "lost" and "that .gitmodules does not name: no clone gets the files" in lost[1]
     assert there[0] == "one" and there[1].startswith(
-        "with two submodules that are not checked out: nothing in them is analysed"
+        "a submodule that is not checked out, and so is two: nothing in them is analysed"
     )
     plant(git.top, {"one/a.cpp": b"", "two/README": b"", "lost/l.cpp": b""})
     assert discover(git.top, (".",)).problems == ()
