@@ -34,6 +34,7 @@ GROUPS = {
     ),
     "sources": (
         *(
+            "code-texts",
             "comments",
             "cpp",
             "defined-again",

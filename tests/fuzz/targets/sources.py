@@ -32,6 +32,7 @@ from haros_ci.results.scope import scopes
 from haros_ci.syntax import Program
 from haros_ci.syntax.codec import decoded, encoded
 from haros_ci.workspace.cache import MemoryCache
+from haros_ci.workspace.code_text import has_lines_of_python, is_cpp, is_python
 
 
 def _program(program: Program) -> object:
@@ -176,6 +177,12 @@ def defined_again(data: bytes) -> object:
     return [(is_overwritten(text, line), is_used_before(text, line)) for line in lines]
 
 
+def code_under_other_names(data: bytes) -> object:
+    """Whether the text of a file of data is code."""
+    text = data.decode("utf-8", "replace")
+    return [is_python(text), is_python(text, with_calls=False), has_lines_of_python(text), is_cpp(text)]
+
+
 def confined_text(data: bytes) -> object:
     """What is blanked keeps its place, and a second look finds nothing left to blank."""
     text = data.decode("latin-1")
@@ -202,6 +209,12 @@ TARGETS = {
         "comments that suppress findings; scopes; hashes of lines",
         ("results.comments", "results.directives", "results.scope", "results.line_hash"),
         (b"// haros: ignore[x]", b"# haros: ignore", b"haros:", b"ignore-next-line[a,b]"),
+    ),
+    "code-texts": Entry(
+        code_under_other_names,
+        "texts of data that may be code",
+        ("workspace.code_text",),
+        (b"import a\n", b"def f():\n    pass\n", b"f(1)\n", b"void f() {\n}\n", b"key: value\n"),
     ),
     "line-maps": Entry(line_maps, "two revisions of a file", ("results.line_map",), (b"\n@@ \n",)),
     "includes": Entry(included, "#include lines, diffs of formatters", ("linters.includes", "linters.diffs")),
