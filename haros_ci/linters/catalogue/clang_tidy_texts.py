@@ -72,6 +72,6 @@ TEXTS: Mapping[str, tuple[str, str]] = {
     "concurrency-thread-canceltype-asynchronous": ("Thread that can be cancelled at any point.", "It may end while it holds a lock, which is then never released. Let it look at a flag and join it."),
     "google-explicit-constructor": ("Constructor with one argument that is not explicit.", "Where the class is expected, the argument's type is taken silently: f(3) makes a Lamp of 3. Write explicit before it; rclcpp_components calls node constructors explicitly in any case."),
     "performance-move-const-arg": ("std::move that moves nothing.", "Of a const object or a plain value a copy is made all the same, and the reader believes that the original is gone. Remove std::move, or the const."),
-    "performance-move-constructor-init": ("Move constructor that copies a member.", "The member of an rvalue has a name and is copied unless it is moved. Write member_(std::move(other.member_))."),
+    "performance-move-constructor-init": ("Move constructor that copies a member or a base class.", "The member of an rvalue has a name and is copied unless it is moved. Write member_(std::move(other.member_))."),
     "performance-noexcept-move-constructor": ("Move constructor without noexcept.", "std::vector copies all elements when it grows, as a throw halfway could not be undone. Mark it noexcept, or = default it."),
 }  # fmt: skip
