@@ -74,6 +74,8 @@ LEFT_OUT = {
     "cpplint:build/header_guard": "the name of the guard is made of the package and the path",
     "cpplint:runtime/references": "cpplint asks about it only where a CPPLINT.cfg turns it on",
 }
+#: What a tool turns on by itself differs between its versions.
+SETTINGS = {"ruff": {"ruff.toml": 'lint.select = ["BLE", "B", "E", "F", "PLW"]\n'}}
 SUFFIX = {"cppcheck": "cpp", "cpplint": "hpp", "flake8": "py", "pylint": "py", "ruff": "py", "shellcheck": "sh"}
 RULES = [f"{tool}:{rule}" for tool in SUFFIX for rule in sorted(BY_RULE) if rule in rules_of(tool)]
 
@@ -113,6 +115,7 @@ def _found(tool: str) -> frozenset[tuple[str, str]] | None:
     if linter.locate(options) is None:
         return None
     files = {path: text for name in RULES if name.startswith(f"{tool}:") for path, text in _files(name).items()}
+    files |= SETTINGS.get(tool, {})
     with TemporaryDirectory() as directory:
         (run,) = lint(workspace(Path(directory), files), [linter], options, MemoryStore(), everything)
     return frozenset((result.location.path, result.rule) for result in run.results)

@@ -75,7 +75,7 @@ PAIRS: dict[tuple[str, ...], Pair] = {
     ("badBitmaskCheck",): Pair("if (status | 0x04) {  // always", "if (status & 0x04) {", _CPP),
     ("multiCondition",): Pair("if (flags & 0x07) {\n  warn();\n} else if (flags & 0x03) {  // never\n  stop();\n}", "if (flags & 0x03) {\n  stop();\n} else if (flags & 0x07) {\n  warn();\n}", _CPP),
     ("exceptRethrowCopy",): Pair("catch (const std::exception & err) {\n  close();\n  throw err;\n}", "catch (const std::exception &) {\n  close();\n  throw;\n}", _CPP),
-    ("memleakOnRealloc",): Pair("data = (char *)realloc(data, size);", "char * larger = (char *)realloc(data, size);\nif (larger) {\n  data = larger;\n}", _CPP),
+    ("memleakOnRealloc",): Pair("data = (char *)realloc(data, size);", "char * larger = static_cast<char *>(realloc(data, size));\nif (larger) {\n  data = larger;\n}", _CPP),
     ("constStatement",): Pair("controller.stop;", "controller.stop();", _CPP),
     ("assertWithSideEffect",): Pair("assert(port.open());  // not opened with NDEBUG", "[[maybe_unused]] const bool is_open = port.open();\nassert(is_open);", _CPP),
     ("mismatchAllocDealloc",): Pair("auto * scan = new float[360];\ndelete scan;", "std::vector<float> scan(360);", _CPP),

@@ -103,7 +103,7 @@ TEXTS: Mapping[tuple[str, ...], str] = {
     ("memleakOnRealloc",): "If realloc() fails it returns NULL and leaves the old memory allocated, whose only pointer is overwritten. Keep the result in another variable first, or use std::vector.",
     ("constStatement",): "The statement is a constant, a variable, a member, a cast or the name of a function, and nothing is done with it. Usually the parentheses of a call or an assignment are missing.",
     ("assertWithSideEffect",): "With NDEBUG, as in Release builds, assert() is not compiled, and its argument is not executed. Make the call before, and assert its result.",
-    ("mismatchAllocDealloc",): "Memory has to be freed by the function that belongs to the one that allocated it: delete[] to new[], free() to malloc(), pclose() to popen(). Another one is undefined behaviour, and may damage the heap. Let a smart pointer or a container own it.",
+    ("mismatchAllocDealloc",): "Memory has to be freed by the function that belongs to the one that allocated it: delete[] to new[], free() to malloc(), fclose() to fopen(). Another one is undefined behaviour, and may damage the heap. Let a smart pointer or a container own it.",
     ("catchExceptionByValue",): "The exception is copied, and a derived one loses all but its base part, such as its own what(). Catch by const reference.",
     ("unsignedLessThanZero",): "An unsigned number is never negative: x < 0 is always false, x <= 0 is true for 0 alone, and an underflow gives a very large value. Use a signed type, or test before the subtraction.",
     ("eraseDereference",): "erase() makes the iterator invalid; to follow, compare or advance it afterwards is undefined behaviour. Continue with the iterator that erase() returns.",
