@@ -56,7 +56,7 @@ PAIRS: dict[tuple[str, ...], Pair] = {
     ("legacyUninitvar",): Pair("int count;\ncount += 1;\nshow(count);", "int count = 0;\ncount += 1;\nshow(count);", _CPP),
     ("clang-analyzer-core.uninitialized.Assign",): Pair("int flags;\nflags |= 0x04;", "int flags = 0;\nflags |= 0x04;", _CPP),
     ("uninitMemberVar",): Pair("class Lamp {\n public:\n  Lamp() {}\n  bool on_;\n};", "class Lamp {\n public:\n  Lamp() {}\n  bool on_ = false;\n};", _CPP),
-    ("nullPointer",): Pair("Goal * goal = nullptr;\nif (is_set) {\n  goal = &next;\n}\nlog(goal->text);", "Goal * goal = nullptr;\nif (is_set) {\n  goal = &next;\n}\nif (goal) {\n  log(goal->text);\n}", _CPP),
+    ("nullPointer",): Pair("Goal * goal = is_set ? &next : nullptr;\nlog(goal->text);", "Goal * goal = is_set ? &next : nullptr;\nif (goal) {\n  log(goal->text);\n}", _CPP),
     ("nullPointerRedundantCheck", "clang-analyzer-core.NullDereference"): Pair("Goal * goal = find(id);\nif (!goal) {\n  log(goal->text);\n}", "Goal * goal = find(id);\nif (!goal) {\n  log(\"no goal\");\n  return;\n}", _CPP),
     ("arrayIndexOutOfBounds",): Pair("double joints[6];\njoints[6] = 0.0;", "std::array<double, 6> joints{};\njoints.at(5) = 0.0;", _CPP),
     ("variableScope",): Pair("double share;\nif (cells > 0) {\n  share = 1.0 / cells;\n  use(share);\n}", "if (cells > 0) {\n  const double share = 1.0 / cells;\n  use(share);\n}", _CPP),
