@@ -79,6 +79,8 @@ class Loop:
     turn: int = 0
     #: Whether only what is inside ends it, as far as its test tells.
     is_endless: bool = False
+    #: Whether it goes on for as long as the program does, and is no callback's: other callbacks come between its turns.
+    runs_on: bool = False
     #: The bound that its turns have reached, as a reason; "" if none.
     bound: str = ""
     #: By place the names of parameters that its turns have read, and whether something sets them.

@@ -41,11 +41,9 @@ def inherited_call(
     return outside_nodes.method(walk, frame, this, name, args, targs, location)
 
 
-#: Functions in which callbacks are called, and functions of rospy before which they may have been: it calls them in threads of its own, so that
-#: a loop which asks whether it goes on finds what they have left behind (wiki.ros.org/rospy/Overview/Publishers%20and%20Subscribers).
+#: Functions in which callbacks are called; loops are another matter (``Loop.runs_on``).
 SPINNING = frozenset(
     "ros::spin ros::spinOnce ros::waitForShutdown rospy.spin rospy.sleep rospy.wait_for_message rospy.wait_for_service "
-    "rospy.is_shutdown rospy.core.is_shutdown rospy.Rate.sleep rospy.rostime.wallsleep time.sleep "
     "rclcpp::spin rclcpp::spin_some rclcpp::spin_until_future_complete rclpy.spin rclpy.spin_once "
     "rclpy.spin_until_future_complete".split()
 )

@@ -131,7 +131,8 @@ def own_cell(walk: Walk, value: Value, name: str, frame: Frame) -> Cell | None:
         source, definition = this.definition
         of_its_class = static_cell(walk, source, definition, name)
         if of_its_class is not None:
-            this.fields[name] = Cell(of_its_class.value, of_its_class.type)
+            own = this.fields[name] = Cell(of_its_class.value, of_its_class.type)
+            own.born = this.born  # a loop that changes it does not make it anew in each turn
     return member(walk, value, name, frame)
 
 

@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from haros_ci.syntax import Expression
     from haros_ci.values.state import Writes
 
+#: The last words of functions that a loop asks whether the program goes on (``early.RUNNING``, and methods such as ``nh.ok()``).
+RUNNING = frozenset(("ok", "is_shutdown", "isShuttingDown"))
 #: What Python raises where a list has no such element, a dictionary no such key, a text is no number.
 INDEX, KEY, NUMBER = ("IndexError", "LookupError"), ("KeyError", "LookupError"), ("ValueError",)
 #: What Python raises where an object has no such attribute.
@@ -154,6 +156,16 @@ def is_endless(test: Expression | None) -> bool:
     if isinstance(test, (syntax.Boolean, syntax.Number)):
         return bool(test.value)
     return test is None or isinstance(test, (syntax.Name, syntax.Member))
+
+
+def asks_whether_it_goes_on(test: Expression | None) -> bool:
+    """Whether a loop goes on as long as the program does: other threads call callbacks meanwhile, or functions in it do.
+
+    rospy calls each in a thread of its own; so do ``ros::AsyncSpinner``, and executors that are spun in a thread.
+    """
+    calls = (node.callee for node in everything(test) if isinstance(node, syntax.Call)) if test is not None else ()
+    names = (callee.name for callee in calls if isinstance(callee, (syntax.Name, syntax.Member)))
+    return any(name.rpartition("::")[2].rpartition(".")[2] in RUNNING for name in names)
 
 
 @contextmanager

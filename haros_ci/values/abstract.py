@@ -113,6 +113,8 @@ class Object:
     namespace: Value | None = None
     #: The ROS 2 node that the object is (``ros2_process.RosNode``).
     node: Named | None = None
+    #: Less than that of each cell that is made later.
+    born: int = field(default_factory=tick)
 
 
 @dataclass(slots=True, eq=False)
