@@ -24,12 +24,12 @@ OVER = {
 @pytest.mark.parametrize("places", [("on = False", "self.goes = True"), ("goes = True", "self.on = False")])
 def test_a_flag_that_a_callback_of_rospy_sets(name: str, places: tuple[str, str]) -> None:
     (end,) = ends(python(FLAG % (*places, OVER[name])))
-    assert (end.name, end.ruled_out) == ("/x", False)
+    assert (end.name, end.is_ruled_out) == ("/x", False)
 
 
 def test_a_global_that_a_callback_of_rospy_sets() -> None:
     (end,) = ends(python(GLOBAL % "while not rospy.is_shutdown():\n    if on:\n        PUB('x')\n    rate.sleep()\n"))
-    assert not end.ruled_out
+    assert not end.is_ruled_out
 
 
 CPP = "bool on = false;\nvoid cb(const std_msgs::String&) { on = true; }\n"
@@ -49,7 +49,7 @@ CPP_BODY = (
 )
 def test_a_flag_that_a_callback_of_roscpp_sets(loop: str) -> None:
     (end,) = ends(cpp(CPP_BODY % loop, before=CPP))
-    assert (end.name, end.ruled_out) == ("/x", False)
+    assert (end.name, end.is_ruled_out) == ("/x", False)
 
 
 @pytest.mark.parametrize(
@@ -62,12 +62,12 @@ def test_a_flag_that_a_callback_of_roscpp_sets(loop: str) -> None:
 )  # fmt: skip
 def test_what_no_callback_has_set_by_then(code: str) -> None:
     (end,) = ends(python(code))
-    assert end.ruled_out
+    assert end.is_ruled_out
 
 
 def test_before_the_loop_in_cpp() -> None:
     (end,) = ends(cpp('ros::Subscriber s = nh.subscribe("b", 1, cb); if (on) { ADV("x", 1); }', before=CPP))
-    assert end.ruled_out
+    assert end.is_ruled_out
 
 
 COUNTED = (
@@ -88,4 +88,4 @@ COUNTED = (
 )
 def test_an_attribute_of_the_class_that_a_loop_counts(step: str, ruled_out: bool) -> None:
     (end,) = ends(python("class D:\n    n = 0\n" + COUNTED % step))
-    assert end.ruled_out is ruled_out
+    assert end.is_ruled_out is ruled_out
