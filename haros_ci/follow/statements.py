@@ -291,7 +291,11 @@ def _import(walk: Walk, frame: Frame, statement: syntax.Import) -> str:
     value = lookup.imported(walk, frame, statement.target)
     if walk.trials and isinstance(value, Library):
         thrown.may_throw(walk)
-    frame.declare(statement.name, Cell(value))
+    cell = frame.scopes[0].get(statement.name)  # blocks have no scopes of their own in Python
+    if cell is None:
+        frame.scopes[0][statement.name] = Cell(value)
+    else:
+        walk.state.write(cell, value)
     return NEXT
 
 

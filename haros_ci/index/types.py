@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from haros_ci import syntax
 from haros_ci.index.common_messages import COMMON
@@ -172,7 +172,7 @@ def resolve_type(
             return hidden
         else:
             spaces = {*index.opened(source)}
-            name = _inside_interfaces(index, name, source, spaces)
+            name = _inside_interfaces(index, name, source, spaces.union(_around(scope)))
             whole = _by_include(index, head, source, scope) if head != head.lower() else head
             if whole == head and head not in spaces and name.startswith(f"{head}::"):
                 name = _of_library(index, name, spaces, scope)
@@ -235,8 +235,15 @@ def _of_interfaces(index: Index, name: str, source: Source, spaces: set[str]) ->
     return f"{homes.pop()}::{name}" if len(homes) == 1 else None
 
 
+def _around(scope: str) -> Iterator[str]:
+    """The scopes around what stands in *scope*, and itself: a package's code may lie in the namespace of its interfaces."""
+    while scope:
+        yield scope
+        scope = scope.rpartition("::")[0]
+
+
 def _inside_interfaces(index: Index, name: str, source: Source, spaces: set[str]) -> str:
-    """``msg::Type`` with the open namespace of its package, as far as that is known."""
+    """``msg::Type`` with the namespace of its package, open or around it, as far as that is known."""
     head, _, tail = name.partition("::")
     if head not in INTERFACES:
         return name

@@ -26,7 +26,7 @@ from haros_ci.follow.libraries import yaml as library_yaml
 from haros_ci.follow.ros import loaders, ros2_selectors
 from haros_ci.follow.walk import Walk
 from haros_ci.index.mentions import LOADERS
-from haros_ci.index.types import STRINGS, pointee
+from haros_ci.index.types import INTEGERS, REALS, STRINGS, pointee
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
 from haros_ci.values.abstract import (
@@ -57,6 +57,7 @@ STREAMS = frozenset(
 )
 FILES = frozenset(("std::ifstream", "std::fstream", "ifstream", "fstream"))
 MANIPULATORS = frozenset(("setw", "setfill", "setprecision", "setbase", "setiosflags", "resetiosflags", "put_time"))
+NUMBERS = INTEGERS | REALS | {"bool"}
 LIMITS = "std::numeric_limits::"
 BINDERS = frozenset(("boost::bind", "std::bind", "bind"))
 MAKERS = frozenset(
@@ -122,6 +123,8 @@ def function(
         return Library(name)
     if name == "ros::names::getRemappings" and not args:
         return loaders.remappings(walk)
+    if name in NUMBERS and len(args) <= 1:  # std::size_t{1}, int(x)
+        return conversions.converted(args[0].value if args else Known(0), Type(name))
     if name in BINDERS and args:
         return uncalled.keep(walk, library_bind.bind(args))
     if name.startswith(LIMITS) and len(targs) == 1 and isinstance(targs[0], syntax.Type) and not args:
