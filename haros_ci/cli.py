@@ -69,6 +69,8 @@ def _outcome(argv: list[str] | None) -> int:
     except BrokenPipeError:  # the reader closed the pipe: nothing to report
         return EXIT_TOOL_TROUBLE
     except Exception as err:
+        if isinstance(err.__cause__, (Interrupted, KeyboardInterrupt)):
+            raise err.__cause__ from None  # Python before 3.12 makes a RuntimeError of what comes while a class is made
         if os.environ.get("HAROS_CI_DEBUG"):
             raise
         from haros_ci.internal_errors import described

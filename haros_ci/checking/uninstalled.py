@@ -197,11 +197,12 @@ def _scripts(package: ProjectPackage, programs: Programs) -> Iterator[Uninstalle
     listed = {
         installed.path: installed for installed in package.build.installed if installed.kind in ("file", "program")
     }
+    names = {posixpath.basename(path) for path in listed}  # what is started by one is that file, not another copy
     for path in package.build.scripts:
         shown, name = path.removeprefix(f"{package.path}/"), posixpath.basename(path)
         use, how = programs.started.get((package.name, name)), "is started here"
         text = package.project.text(path)
-        if landings(package, path) or _is_module(package, path) or name in package.cmake.mentioned:
+        if landings(package, path) or _is_module(package, path) or name in package.cmake.mentioned or name in names:
             continue
         if any(word == name or word.endswith(f"/{name}") for word in package.cmake.mentioned):
             continue

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import os
+import stat
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
@@ -57,12 +58,18 @@ def directories(flags: Iterable[str]) -> tuple[str, ...]:
 
 
 def _read(root: Path, path_given: str | None) -> str:
+    """The text of the database; "" if there is none, and where a link in the checkout leads out of it: a change can bring such a link."""
     path = root / (path_given if path_given is not None else "build")
     if path.is_dir():
         path /= "compile_commands.json"
+    written, real = os.path.abspath(path), os.path.realpath(path)
+    if _is_allowed(written, str(root), of_system=False) and not _is_allowed(real, str(root), of_system=False):
+        return ""
     try:
-        if path.is_file() and path.stat().st_size <= SIZE_LIMIT:
-            return path.read_text(encoding="utf-8", errors="replace")
+        with open(os.open(real, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC), "rb") as file:
+            status = os.fstat(file.fileno())
+            if stat.S_ISREG(status.st_mode) and status.st_size <= SIZE_LIMIT:
+                return file.read(SIZE_LIMIT).decode("utf-8", "replace")
     except OSError:
         pass
     return ""
@@ -109,5 +116,6 @@ def _harmless(arguments: Sequence[str], directory: str, checkout: str, root: str
             yield flag + value
 
 
-def _is_allowed(path: str, *roots: str) -> bool:
-    return any(path == prefix or path.startswith(prefix + "/") for prefix in (*roots, *SYSTEM_PREFIXES))
+def _is_allowed(path: str, *roots: str, of_system: bool = True) -> bool:
+    prefixes = (*roots, *SYSTEM_PREFIXES) if of_system else roots
+    return any(path == prefix or path.startswith(prefix + "/") for prefix in prefixes)

@@ -40,7 +40,9 @@ def _spliced(word: str) -> str:
     return rf"(?:{_SPLICE})*".join(map(re.escape, word))
 
 
-_HAS = re.compile("|".join(map(_spliced, ("__has_include_next", "__has_include", "__has_embed"))))
+_HAS = re.compile(
+    r"(?<!\w)(?:" + "|".join(map(_spliced, ("__has_include_next", "__has_include", "__has_embed"))) + r")(?!\w)"
+)
 #: What may stand before the name of such a function where it is only asked whether there is one.
 _ASKED = re.compile(r"(?:defined(?:[ \t]*\()?|#[ \t]*ifn?def)[ \t]*$")
 #: What ends a tool's work, or sets the line and the file that it names (C++ standard, [cpp.error], [cpp.line]; "Preprocessor Output" of GCC's manual for ``# 1 "a.cpp"``).

@@ -25,7 +25,7 @@ from haros_ci.linters.sandbox import Confinement
 OUTPUT_LIMIT = 64_000_000
 #: Bytes of memory that a process can write to; far above what any tool needs, below what would take the machine down. Address
 #: space would not do: programs in Haskell, Java or JavaScript reserve terabytes of it and use little.
-MEMORY_LIMIT = 8_000_000_000
+MEMORY_LIMIT = 4_000_000_000
 
 #: Seconds that a tool which writes what it is at may stay with one file, or one configuration of it.
 STALL = 60.0

@@ -175,6 +175,7 @@ def _count(value: object, base: int = 0) -> int | None:
 
 def _rc(batch: Batch) -> str:
     options = {"max-line-length": "100"}
+    options |= {"ignore": "", "ignore-patterns": ""}  # by default it passes over files called CVS or .#a.py
     if batch.group:
         try:
             options |= inert_options(batch.group.rpartition("/")[2], batch.workspace.setting(batch.group))

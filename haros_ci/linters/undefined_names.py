@@ -7,6 +7,7 @@ import ast
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace
+from functools import lru_cache
 
 from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.pylint_idioms import nodes
@@ -124,21 +125,29 @@ def _is_in_annotation(result: Result, text: str) -> bool:
 def _is_in_local_annotation(result: Result, text: str) -> bool:
     """Whether the place of *result* is in the annotation of a variable of a function, which is never evaluated (PEP 526)."""
     line = result.location.line
-    tree = next(iter(nodes(text)), None) if line else None
+    return line is not None and any(
+        place.lineno <= line <= (place.end_lineno or 0) and _is_within(place, result)
+        for place in _local_annotations(text)
+    )
+
+
+@lru_cache(maxsize=8)
+def _local_annotations(text: str) -> tuple[ast.expr, ...]:
+    """The annotations of variables in functions of a file."""
+    tree = next(iter(nodes(text)), None)
     waiting: list[tuple[ast.AST, bool]] = [(tree, False)] if tree is not None else []
+    found: list[ast.expr] = []
     while waiting:
         node, is_local = waiting.pop()
-        if isinstance(node, ast.AnnAssign) and is_local and line:
-            place = node.annotation
-            if place.lineno <= line <= (place.end_lineno or 0) and _is_within(place, result):
-                return True
+        if isinstance(node, ast.AnnAssign) and is_local:
+            found.append(node.annotation)
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
             waiting += [(inner, True) for inner in node.body]
         elif isinstance(node, ast.ClassDef):
             waiting += [(inner, False) for inner in node.body]
         else:
             waiting += [(inner, is_local) for inner in ast.iter_child_nodes(node)]
-    return False
+    return tuple(found)
 
 
 def _is_within(node: ast.expr, result: Result) -> bool:

@@ -33,7 +33,8 @@ _STATEMENTS = (
 )
 #: A body of a function, which is what findings are in; a template without one has values alone.
 _NO_CPP = re.compile(r"\A#!|^syntax = \"proto[23]\";$", re.M)
-BODY = re.compile(r"\)[^;{}()]{0,80}\{|\]\s*\{")
+_BODY = re.compile(r"\)[^;{}()]{0,80}(?:\{|<%)|\]\s*\{")
+_COMMENTS = re.compile(r"//[^\n]*|/\*[^*]*(?:\*(?!/)[^*]*)*\*/")
 
 
 def is_python(text: str, *, with_calls: bool = True) -> bool:
@@ -41,8 +42,10 @@ def is_python(text: str, *, with_calls: bool = True) -> bool:
 
     Settings that happen to parse (``rate = 10``, ``key: value``, JSON) are none.
     """
-    if len(text) > _LARGEST_PARSED or not _MAYBE.search(text):
+    if not _MAYBE.search(text):
         return False
+    if len(text) > _LARGEST_PARSED:
+        return has_lines_of_python(text)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
@@ -59,9 +62,14 @@ def has_lines_of_python(text: str) -> bool:
 
 def is_cpp(text: str) -> bool:
     """Whether *text* has functions of C++, as far as it tells: Protocol Buffers and shell scripts have what looks like some."""
-    return BODY.search(text) is not None and ";" in text and not _NO_CPP.search(text)
+    return has_body(text) and ";" in text and not _NO_CPP.search(text)
+
+
+def has_body(text: str) -> bool:
+    """Whether *text* has the body of a function of C++."""
+    return _BODY.search(text) is not None or _BODY.search(_COMMENTS.sub(" ", text)) is not None
 
 
 def _calls(node: ast.stmt) -> bool:
-    value = node.value if isinstance(node, ast.Expr | ast.Assign | ast.AugAssign) else None
+    value = node.value if isinstance(node, ast.Expr | ast.Assign | ast.AugAssign | ast.AnnAssign) else None
     return value is not None and any(isinstance(part, ast.Call) for part in ast.walk(value))

@@ -30,7 +30,7 @@ from haros_ci.workspace.used_code import CODE, UsedCode
 from haros_ci.workspace.views import doubles
 
 #: Files that a message names; the rest is counted.
-MAX_NAMED = 3
+MAX_NAMED = 10
 #: Kinds of files that tools' own directories hold (``.github``): there they are named only if the directory is new.
 _DATA = frozenset(("yaml", "xml", "dockerfile", "shell", "setup"))
 _UNTOLD = frozenset(("markdown", OTHER))

@@ -13,15 +13,15 @@ from fnmatch import fnmatchcase
 
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
-from haros_ci.workspace.code_text import BODY, has_lines_of_python, is_cpp, is_python
+from haros_ci.workspace.code_text import has_body, has_lines_of_python, is_cpp, is_python
 from haros_ci.workspace.language import language_of, suffix_of
 
 #: What is put behind the name of a file of which a build makes one: CMake's, empy's, Jinja's.
 TEMPLATES = frozenset(("in", "em", "template", "tmpl", "tpl", "j2", "jinja", "jinja2"))
 #: The beginning of a launch file in XML, and in YAML, whatever its name is.
-_LAUNCH = re.compile(r"(?:\s|<\?[^>]{0,1000}>|<!--(?:[^-]|-(?!->))*-->)*<launch[\s/>]")
+_LAUNCH = re.compile(r"(?:\s|<\?[^>]{0,1000}>|<!DOCTYPE[^<>\[]{0,1000}>|<!--(?:[^-]|-(?!->))*-->)*<launch[\s/>]")
 _LAUNCH_YAML = re.compile(
-    r"(?:\s|#[^\n]{0,1000}\n|(?:---|%)[^\n]{0,1000}\n)*[\"']?launch[\"']?[ \t]*:\s*(?:#[^\n]{0,1000}\n\s*){0,20}(?:-|\[\s*\{)"
+    r"(?:\s|#[^\n]{0,1000}\n|(?:---|%)[^\n]{0,1000}\n)*(?:(?:!!?\w{0,80}|&\w{1,80}|\?)\s+|\{\s*){0,8}[\"']?launch[\"']?\s*:\s*(?:#[^\n]{0,1000}\n\s*){0,20}(?:-|\[\s*\{)"
 )
 #: Code that no reader here knows, and no other name is needed for: Cython, and Python that is compiled.
 _UNKNOWN = {"pyx": "Cython", "pxi": "Cython", "pyc": "Python that is compiled"} | dict.fromkeys(
@@ -31,18 +31,20 @@ _REFERRING = frozenset(("cpp", "python", "cmake", "launch", "setup", "package"))
 CODE = frozenset(("cpp", "python"))
 
 #: What may stand between the words of a directive, once lines are spliced.
-_GAP = r"(?:[ \t]|/\*(?:[^*\n]|\*(?!/)){0,1000}\*/)*"
+_GAP = r"(?:[ \t\f\v]|/\*(?:[^*\n]|\*(?!/)){0,1000}\*/)*"
 _HASH = rf"^{_GAP}(?:#|%:|\?\?=){_GAP}"
-_INCLUDE = re.compile(rf"{_HASH}(?:include|import|embed)[^\"<\n]{{0,1200}}[\"<]([^\">\n]{{1,1000}})", re.M)
+_INCLUDE = re.compile(rf"{_HASH}(?:include|import|embed)[^\"<\n]{{0,1200}}[\"<]([^\">\n]{{1,5000}})", re.M)
 _DEFINE = re.compile(rf"{_HASH}define[^\"<\n]{{0,200}}[\"<]([^\">\n]{{1,1000}})[\">]", re.M)
 #: An #include that a macro makes: then any name in the file may be what it makes.
 _COMPUTED = re.compile(rf"{_HASH}include(?:_next)?{_GAP}[A-Za-z_]\w*", re.M)
 _SPLICE = re.compile(r"(?:\\|\?\?/)[ \t]*\r?\n")
+_COMMENT = re.compile(r"/\*[^*]*(?:\*(?!/)[^*]*)*\*/")
 _PIECE = re.compile(r"[\w.+-]{1,255}")
 
 #: What makes CMake compile, or include, a file whatever its name is.
 _AS_CODE = re.compile(
-    r"(?<![\w])LANGUAGE\s+\"?(?:C|CXX|CUDA|OBJC|OBJCXX)\b|(?<![\w-])(?:-x\s*;?\s*\"?c\b|-xc|-include|-imacros|/FI)"
+    r"(?<![\w])LANGUAGE(?:\s|#[^\n]{0,200}(?:\n|\]\]))+[\"\[=]{0,9}(?:C|CXX|CUDA|OBJC|OBJCXX)\b"
+    r"|(?<![\w-])(?:-x\s*;?\s*\"?c\b|-xc|--?include\b|--?imacros\b|--language|/FI|@[\w./${}-]{1,200})"
 )
 _FILLED = re.compile(
     r"\b(?:configure_file|em_expand|em_expand_template|expand_template)\s*\(([^()]{1,2000})\)|GENERATE\s+OUTPUT\s+([^()]{1,2000})",
@@ -53,6 +55,7 @@ _COMMAND = re.compile(r"\b([A-Za-z_]\w{0,100})[ \t]*\(([^()]{1,20000})\)")
 _IDLE = frozenset(
     "install message project ament_export_include_directories include_directories set_directory_properties".split()
 )
+_WILD = re.compile(r"[*?\[]")
 _WORD = re.compile(r"[^\s\"';()]{1,1000}")
 
 #: What runs the text of a file as Python.
@@ -118,7 +121,8 @@ class UsedCode:
         """Why CMake makes code of it, or a program."""
         if self._is_among(name, "cmake", _compiled) and _is_cpp(text, language):
             return "CMake has it compiled, and no C++ file is called so"
-        if name in self._of("cmake", _filled) and (made := _template_of(name, text)) and _is_cpp(text, language):
+        made = _template_of(name, text) if name in self._of("cmake", _filled) else ""
+        if made == "Python" or (made and _is_cpp(text, language)):
             return f"a build makes {made} of it"
         if self._is_among(name, "cmake", _taken) and is_cpp(text) and _is_cpp(text, language):
             return "CMake takes it, it holds functions of C++, and no C++ file is called so"
@@ -209,13 +213,16 @@ class UsedCode:
 
     def _is_among(self, name: str, language: str, find: Callable[[str], Iterable[str]]) -> bool:
         names = self._of(language, find)
-        return name in names or any("*" in pattern and fnmatchcase(name, pattern) for pattern in names)
+        return name in names or any(_WILD.search(pattern) and fnmatchcase(name, pattern) for pattern in names)
 
 
 def _included(text: str) -> Iterator[str]:
     if "\\" in text or "??/" in text:
         text = _SPLICE.sub("", text)
     yield from _INCLUDE.findall(text)
+    if "/*" in text:  # where comments of several lines stand between the words of a directive
+        text = _COMMENT.sub(" ", text)
+        yield from _INCLUDE.findall(text)
     if _COMPUTED.search(text):
         yield from _DEFINE.findall(text)
 
@@ -240,11 +247,11 @@ def _template_of(name: str, text: str) -> str:
     language = language_of(stem) if suffix.lower() in TEMPLATES else "cpp"
     if language == "python":
         return "Python"
-    return "C++" if language == "cpp" and BODY.search(text) else ""
+    return "C++" if language == "cpp" and has_body(text) else ""
 
 
 def _compiled(text: str) -> Iterable[str]:
-    return (word for word in _WORD.findall(text) if "." in word) if _AS_CODE.search(text) else ()
+    return (word for word in _WORD.findall(text) if "." in word or "/" in word) if _AS_CODE.search(text) else ()
 
 
 def _filled(text: str) -> Iterator[str]:
@@ -267,6 +274,9 @@ def _taken(text: str) -> Iterator[str]:
 def _programs(text: str) -> Iterator[str]:
     for one, other in _PROGRAMS.findall(text):
         yield from _WORD.findall(one or other)
+    for name, words in _COMMAND.findall(text):
+        if name.lower() == "install" and "_EXECUTE" in words:
+            yield from (word for word in _WORD.findall(words) if "." in word or "/" in word)
 
 
 def _interpreted(text: str) -> Iterator[str]:

@@ -15,6 +15,9 @@ from pathlib import Path
 import pytest
 from commandline import GIT, commit, haros, write
 
+from haros_ci import cli
+from haros_ci.interruption import Interrupted
+
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="/proc")
 
 ENDING = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT]
@@ -370,3 +373,23 @@ except Interrupted as err:
     print(err.name)
 """
     assert piece(code, tmp_path).stdout == "still here\nSIGTERM\n"
+
+
+class _Ends:
+    """What ends a run by a signal while a class is made: Python before 3.12 makes a RuntimeError of it."""
+
+    def __init__(self, error: BaseException) -> None:
+        self.error = error
+
+    def __call__(self, argv: list[str]) -> int:
+        raise RuntimeError("Error calling __set_name__") from self.error
+
+
+@pytest.mark.parametrize(
+    ("error", "code"), [(KeyboardInterrupt(), 130), (Interrupted(signal.SIGTERM), 143), (ValueError(), 3)]
+)
+def test_a_signal_while_a_class_is_made_is_no_fault(
+    error: BaseException, code: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(cli, "_invoked", _Ends(error))
+    assert cli.main([]) == code
