@@ -119,7 +119,7 @@ class TrackedChange:
             warnings=(*self._warnings(candidates, scope), *self._enclosing(candidates, workspace)),
             notes=(
                 *self._notes(sorted(aside.keys() - {*reached}), scope),
-                *self._unused_code([path for path in others if path not in code and used.is_python(path)]),
+                *self._unused_code({path: used.language_by_text(path) for path in others if path not in code}),
             ),
             unread=(*workspace.hiding.unread, *unread),
             later=tuple(sorted(package.path for package in workspace.packages if self._is_new(package))),
@@ -237,12 +237,13 @@ class TrackedChange:
                 aside[path] = hidden
         return aside
 
-    def _unused_code(self, paths: list[str]) -> Iterator[Problem]:
-        """One for all changed files at *paths*, which hold Python under other names, and which nothing is seen to run."""
-        if changed := [path for path in paths if self.has_changed(path)]:
-            verb = "holds" if len(changed) == 1 else "hold"
-            text = f"{_plural(len(changed), 'changed file')} {verb} Python under a name that is not analysed as Python"
-            yield Problem(changed[0], f"{text}: {_named(changed)}")
+    def _unused_code(self, languages: Mapping[str, str]) -> Iterator[Problem]:
+        """One for all changed files that hold code of one of these *languages*, by path, under other names, and which nothing is seen to use."""
+        for language in ("C++", "Python"):
+            if changed := [path for path, found in languages.items() if found == language and self.has_changed(path)]:
+                verb = "holds" if len(changed) == 1 else "hold"
+                text = f"{_plural(len(changed), 'changed file')} {verb} {language} under a name that is not analysed as {language}"
+                yield Problem(changed[0], f"{text}: {_named(changed)}")
 
     def _stray_launch_files(self, used: UsedCode, analysed: Collection[str]) -> Iterator[Problem]:
         for path in sorted(analysed):

@@ -90,6 +90,11 @@ _IDENTIFIER = re.compile(r"\b[A-Za-z_]\w{0,100}\b")
 _BOUND = re.compile(r"\b([A-Za-z_]\w{0,100})[ \t]*(?::[^=\n]{0,100})?=(?!=)|\bas[ \t]+([A-Za-z_]\w{0,100})")
 _STRING = re.compile(r"[\"']([^\"'\n]{1,1000})[\"']")
 _HEAD = 512
+#: Suffixes of other languages with bodies in braces.
+_LIKE_CPP = frozenset(
+    "java js mjs cjs ts tsx jsx cs rs go kt kts swift php scala dart glsl vert frag geom comp hlsl metal cl proto css scss less qml json "
+    "pl pm r lua m mm sql y l ino pde asm s awk tcl groovy gradle vala d zig sol wgsl idl thrift fbs capnp svg html htm dox ld lds shader cginc json5 policy conf mk".split()
+)
 #: How many names in turn may lead from what runs a text to the name of its file.
 _STEPS = 4
 
@@ -178,12 +183,20 @@ class UsedCode:
                     return True
         return is_named and any(file.search(self._workspace.text(f.path)) for f in self._files(_REFERRING))
 
-    def is_python(self, path: str) -> bool:
-        """Whether the file at *path* is a program of Python by its text; stubs (PEP 484) and settings of dynamic_reconfigure are none."""
-        if suffix_of(path.rpartition("/")[2]) == "pyi" or b"\0" in self._workspace.reader.head(path, _HEAD):
-            return False
+    def language_by_text(self, path: str) -> str:
+        """``Python`` or ``C++`` if the file at *path* is a program or has functions by its text; "" else.
+
+        Stubs (PEP 484), settings of dynamic_reconfigure and languages whose functions look like those of C++ are none.
+        """
+        name = path.rpartition("/")[2]
+        suffix = suffix_of(name)
+        if suffix == "pyi" or b"\0" in self._workspace.reader.head(path, _HEAD):
+            return ""
         text = self._workspace.text(path)
-        return _RECONFIGURE not in text and is_python(text, with_calls=False)
+        if _RECONFIGURE not in text and is_python(text, with_calls=False):
+            return "Python"
+        may_be_cpp = language_of(name) is None and suffix not in _LIKE_CPP and suffix not in TEMPLATES
+        return "C++" if may_be_cpp and _BEGINS_CPP.match(text) and is_cpp(text) else ""
 
     def kind_of_stray_launch(self, path: str) -> str:
         """``xml`` or ``yaml`` if the file at *path* is a launch file by its text, not by its name, and none that is analysed names it; else ""."""

@@ -494,3 +494,27 @@ def test_launch_files_by_their_text_alone(name: str, text: str, other: str, is_s
     assert UsedCode(discover(tmp_path, (".",))).kind_of_stray_launch(name) == (
         is_stray and Path(name).suffix[1:].replace("yml", "yaml") or ""
     )
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "language"),
+    [
+        ("part.inc", BODY, "C++"),
+        ("part", "// a\n" + BODY, "C++"),
+        ("part.dat", PYTHON, "Python"),
+        ("part.md", PYTHON, "Python"),
+        ("part.pyi", PYTHON, ""),
+        ("part.java", "class A { int f(int x) { return x; } }\n", ""),
+        ("part.md", BODY, ""),
+        ("part.txt", "Call f(x) {\n", ""),
+        ("part.json", '{"a": [{"b": 1}]}\n', ""),
+        ("part.cfg", "gen = ParameterGenerator()\nimport os\n", ""),
+        ("part.dat", "1 2 3\n", ""),
+        ("part.inc", "X(a)\nX(b)\n", ""),
+        ("part.h.in", BODY, ""),
+        ("part.bin", "\0" + BODY, ""),
+    ],
+)
+def test_languages_by_the_text_alone(name: str, text: str, language: str, tmp_path: Path) -> None:
+    (tmp_path / name).write_text(text)
+    assert UsedCode(discover(tmp_path, (".",))).language_by_text(name) == language
