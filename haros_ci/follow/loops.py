@@ -78,7 +78,10 @@ def _turned(
     test, before = statement.test, (walk.steps - walk.aside, walk.quiet_steps)
     worthwhile = _worthwhile(walk, frame, statement.body, test)
     loop.is_endless = thrown.is_endless(test)
-    loop.runs_on = not walk.is_called_back and (loop.is_endless or thrown.asks_whether_it_goes_on(test))
+    if (
+        walk.context.process is None and not walk.is_called_back
+    ):  # in ROS 2 callbacks are called where an executor spins
+        loop.runs_on = loop.is_endless or thrown.asks_whether_it_goes_on(test)
     is_kept = loop.is_endless and worthwhile and not walk.quiet
     start, first = (keep(walk), walk.state.mark()) if is_kept else None, 0
     for turn in range(TURNS):

@@ -161,7 +161,7 @@ def is_endless(test: Expression | None) -> bool:
 def asks_whether_it_goes_on(test: Expression | None) -> bool:
     """Whether a loop goes on as long as the program does: other threads call callbacks meanwhile, or functions in it do.
 
-    rospy calls each in a thread of its own; so do ``ros::AsyncSpinner``, and executors that are spun in a thread.
+    rospy calls each in a thread of its own, and so does ``ros::AsyncSpinner``.
     """
     calls = (node.callee for node in everything(test) if isinstance(node, syntax.Call)) if test is not None else ()
     names = (callee.name for callee in calls if isinstance(callee, (syntax.Name, syntax.Member)))
