@@ -30,7 +30,7 @@ _SET = r"\bset\s*\(\s*{name}\s"
 #: What CMake tries where a source has no extension (policy CMP0115).
 _EXTENSIONS = "c C c++ cc cpp cxx cu mpp m M mm ixx cppm h hh h++ hm hpp hxx in txx f F for f77 f90".split()
 #: The command that a message begins with, and how the names of those end that have sources.
-_COMMAND = re.compile(r"(\w*)\(\)")
+_COMMAND = re.compile(r"(?<!\w)(\w*)\(\)")
 _MAKES = ("executable", "library")
 _OF_SOURCES = ("target_sources", "catkin_add_gtest", "add_rostest_gtest")
 _SIMPLE = re.compile(r"^[ \t]*(?:cs_export\s*\(|find_package\s*\(\s*catkin_simple\b)", re.MULTILINE | re.IGNORECASE)
