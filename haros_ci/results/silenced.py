@@ -125,7 +125,7 @@ def _code_mapper(old: str, new: str, kind: str) -> Callable[[int], int | None]:
     for text, found in zip((old, new), numbers, strict=True):
         lines = lines_of(text)
         texts.append("\n".join(bare(lines[number - 1], kind) for number in found))
-    inner = line_mapper(*texts)
+    inner = line_mapper(texts[0], texts[1])
     before, after = numbers
 
     def mapped(line: int) -> int | None:
