@@ -117,19 +117,19 @@ class UsedCode:
         if suffix := _UNKNOWN.get(suffix_of(name)):
             return f"it is {suffix}, which is not analysed"
         if name in self._of("cpp", _included) or (
-            name in self._of("cpp", _perhaps_included) and _is_cpp(text, language)
+            _may_be_cpp(text, language) and name in self._of("cpp", _perhaps_included)
         ):
             return "C++ includes it, and no C++ file is called so"
         return self._why_built(path, name, text, language) or self._why_run(name, text, language)
 
     def _why_built(self, path: str, name: str, text: str, language: str | None) -> str:
         """Why CMake makes code of it, or a program."""
-        if self._is_among(name, "cmake", _compiled) and _is_cpp(text, language):
+        if _may_be_cpp(text, language) and self._is_among(name, "cmake", _compiled):
             return "CMake has it compiled, and no C++ file is called so"
         made = _template_of(name, text) if name in self._of("cmake", _filled) else ""
-        if made == "Python" or (made and _is_cpp(text, language)):
+        if made == "Python" or (made and _may_be_cpp(text, language)):
             return f"a build makes {made} of it"
-        if self._is_among(name, "cmake", _taken) and is_cpp(text) and _is_cpp(text, language):
+        if is_cpp(text) and _may_be_cpp(text, language) and self._is_among(name, "cmake", _taken):
             return "CMake takes it, it holds functions of C++, and no C++ file is called so"
         is_program = language is None and text and _OTHERS.match(text) is None
         if is_program and self._is_among(name, "cmake", _programs):
@@ -195,8 +195,8 @@ class UsedCode:
         text = self._workspace.text(path)
         if _RECONFIGURE not in text and is_python(text, with_calls=False):
             return "Python"
-        may_be_cpp = language_of(name) is None and suffix not in _LIKE_CPP and suffix not in TEMPLATES
-        return "C++" if may_be_cpp and _BEGINS_CPP.match(text) and is_cpp(text) else ""
+        is_known = language_of(name) is not None or suffix in _LIKE_CPP or suffix in TEMPLATES
+        return "C++" if not is_known and _begins_as_cpp(text) else ""
 
     def kind_of_stray_launch(self, path: str) -> str:
         """``xml`` or ``yaml`` if the file at *path* is a launch file by its text, not by its name, and none that is analysed names it; else ""."""
@@ -247,10 +247,14 @@ def _perhaps_included(text: str) -> Iterable[str]:
     return _PIECE.findall(text) if _COMPUTED.search(text) else ()
 
 
-def _is_cpp(text: str, language: str | None) -> bool:
+def _may_be_cpp(text: str, language: str | None) -> bool:
     """Whether a file may be C++: under a name of no language if it has a statement or block, under one of another language if it begins and goes on so."""
     if language is None:
         return ";" in text or "{" in text
+    return _begins_as_cpp(text)
+
+
+def _begins_as_cpp(text: str) -> bool:
     return _BEGINS_CPP.match(text) is not None and is_cpp(text)
 
 
