@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""dynamic_reconfigure files that generate a class of another name than their own (dynamic_reconfigure-macros.cmake, NAME_WE), or in the name space of
+"""dynamic_reconfigure files that generate a class of another name than their own (dynamic_reconfigure-macros.cmake, NAME_WE), or in the namespace of
 another package (parameter_generator_catkin.py, generate)."""
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ def check(project: Project) -> Iterator[Finding]:
 
 
 def _name_spaces(package: ProjectPackage, path: str, name: str) -> Iterator[Finding]:
-    """The C++ class is in the name space that generate() is given first, its header in the directory of CMake's project."""
+    """The C++ class is in the namespace that generate() is given first, its header in the directory of CMake's project."""
     project = package.project
     listed = (c.place(word) for c in package.commands("generate_dynamic_reconfigure_options") for word in c.arguments)
     text = project.text(path)

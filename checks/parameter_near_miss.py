@@ -10,7 +10,7 @@ from haros_ci.api import Check, End, Finding, Level, Location, Parameter, System
 
 #: Names that a message lists.
 _SHOWN = 5
-#: What gets the name space of a node or handle in C++, and a variable that takes it.
+#: What gets the namespace of a node or handle in C++, and a variable that takes it.
 _NAMESPACE = re.compile(
     r"(?:\b(\w+)\s*(?:=|\{|\()[^;={}\n]{0,200})?\bgetNamespace\s*\(\s*\)(\s*\.\s*(?:substr|erase)\b)?"
 )
@@ -48,7 +48,7 @@ def check(system: System) -> Iterator[Finding]:
                 moved.setdefault((end.node, at.path), []).append((end, parameter, at))
             elif at is not None:
                 yield _finding(end, parameter, at)
-    for group in moved.values():  # the same slip with the name space for all parameters of a <node>
+    for group in moved.values():  # the same slip with the namespace for all parameters of a <node>
         yield _finding(*group[0], tuple(group[1:]))
 
 

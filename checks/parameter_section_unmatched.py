@@ -82,10 +82,10 @@ _WILD = {"/**": r"(?:/[^/]+)*", "/*": r"/[^/]+"}
 
 
 def _otherwise(use: ParameterFileUse, pattern: str) -> str:
-    """How the node is called, and what to write: a section without a name space is for the node at the top of the names alone."""
+    """How the node is called, and what to write: a section without a namespace is for the node in the namespace / alone."""
     name = pattern.strip("/")
     if use.node and name == use.node.rpartition("/")[2]:
-        return f"is in a name space, so it gets none of these parameters; write /**/{name} (or {use.node}) here"
+        return f"is in a namespace, so it gets none of these parameters; write /**/{name} (or {use.node}) here"
     return f"is called otherwise, so it gets none of these parameters; write {_right(use)} or /** here, or name the node {pattern}"
 
 

@@ -127,7 +127,7 @@ def _plain_properties(project: Project, description: Description, faults: list[F
 
 
 def _is_for_xacro(path: str, project: Project) -> bool:
-    """Whether xacro is to read the file, by its name or its name space: others fill in ``${name}`` by scripts of their own.
+    """Whether xacro is to read the file, by its name or its namespace: others fill in ``${name}`` by scripts of their own.
 
     What xacro has written, as a comment before the robot says, is none: readers of URDF ignore the calls that are left in it.
     """

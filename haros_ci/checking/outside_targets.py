@@ -14,7 +14,7 @@ _FETCHING = (
     *("fetchcontent_makeavailable", "fetchcontent_populate", "cpmaddpackage", "cpmfindpackage", "cpmgetpackage"),
     *("corrosion_import_crate", "externalproject_add_subdirectory"),
 )
-#: Packages that CMake finds by itself (cmake-modules(7)): their targets have a name space.
+#: Packages that CMake finds by itself (cmake-modules(7)): their targets have a namespace.
 _OF_CMAKE = frozenset(
     """
     alsa armadillo backtrace blas boost bullet bzip2 cuda cudatoolkit curl curses doxygen expat flex freetype git gif glew glut gsl gtest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Advice that fits the case: sections of nodes in name spaces, numbers for parameters of text, parts of robots."""
+"""Advice that fits the case: sections of nodes in namespaces, numbers for parameters of text, parts of robots."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def messages(check_id: str, files: dict[str, str], folder: Path) -> list[tuple[s
         (
             ' namespace="left"',
             "walk",
-            "/left/walk is in a name space, so it gets none of these parameters; write /**/walk (or /left/walk) here",
+            "/left/walk is in a namespace, so it gets none of these parameters; write /**/walk (or /left/walk) here",
         ),
         ("", "wallk", "/walk is called otherwise, so it gets none of these parameters; write walk or /** here"),
         (' namespace="left"', "/**/walk", ""),
