@@ -205,13 +205,36 @@ def test_the_code_flow_ends_where_what_did_not_come_is_published(workspace: Path
     assert step["physicalLocation"]["region"]["startLine"] == 6
 
 
-def test_junit_has_the_violation_as_a_failure(workspace: Path) -> None:
+def test_junit_has_a_case_for_each_property(workspace: Path) -> None:
     run = record(workspace, (QUESTION, 5, 1), (LEVEL, 6, 101))
-    assert main(["monitor", "--jsonl", run, "--no-cache", "--output", "junit=run.xml"]) == 1
+    assert (
+        main(["monitor", "--jsonl", run, "--no-cache", "--output", "junit=run.xml", "--output", "json=run.json"]) == 1
+    )
     suites = ElementTree.parse(workspace / "run.xml").getroot()
-    assert suites.attrib["failures"] == "1"
-    (failure,) = suites.iter("failure")
-    assert failure.attrib["type"] == "haros-ci:hpl-violated" and str(failure.text).count("[haros-ci:hpl-violated]") == 2
+    said = json.loads((workspace / "run.json").read_text())["properties"]
+    kinds = {"violated": "failure", "held": None, "never exercised": "skipped", "undecided": "skipped"}
+    cases = {case.attrib["name"]: next((child.tag for child in case), None) for case in suites.iter("testcase")}
+    assert cases == {name: kinds[verdict] for name, verdict in verdicts.items()} and {"failure", "skipped"} <= {
+        *cases.values()
+    }
+    counts = {name: int(suites.attrib[name]) for name in ("tests", "failures", "errors", "skipped")}
+    assert counts == {
+        "tests": len(cases),
+        "failures": found.count("failure"),
+        "errors": 0,
+        "skipped": found.count("skipped"),
+    }
+    failures = list(suites.iter("failure"))
+    assert len(failures) == 2 and all(one.attrib["type"] == "haros-ci:hpl-violated" for one in failures)
+    assert "causes /robot/level within 100 ms" in str(failures[0].text)
+
+
+def test_junit_of_what_holds_has_cases_that_passed(workspace: Path) -> None:
+    run = record(workspace, (QUESTION, 5, 1), (LEVEL, 6, 1))
+    arguments = ["--jsonl", run, "--no-cache", "--property", "globally: no /robot/level {data > 100}"]
+    assert main(["monitor", *arguments, "--output", "junit=run.xml"]) == 0
+    (case,) = ElementTree.parse(workspace / "run.xml").getroot().iter("testcase")
+    assert case.attrib["name"] == "globally: no /robot/level {data > 100}" and not list(case)
 
 
 def test_progress_is_shown_on_a_terminal_with_the_time_that_is_left(

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -30,6 +30,7 @@ from haros_ci.monitoring.watch import Watch
 from haros_ci.pipeline import finished, found, own_run, selection_of
 from haros_ci.recordings.recording import Recording, Unreadable
 from haros_ci.registry import Registry, registry
+from haros_ci.report import monitor_junit
 from haros_ci.report.escape import terminal
 from haros_ci.report.monitor_text import Held, Judged, Moment, as_json, text
 from haros_ci.results import own
@@ -43,6 +44,8 @@ RULES = {"violated": own.VIOLATED, "never exercised": own.NEVER_EXERCISED, "unde
 #: Messages between two looks at the clock, and seconds between two lines of progress.
 _EVERY, _PAUSE = 20_000, 0.5
 SECOND = 1_000_000_000
+#: Formats in which the verdict of each property stands; in the others those but "held" are findings.
+RENDERED: Mapping[str, Callable[[Held], str]] = {"text": text, "json": as_json, "junit": monitor_junit.render}
 
 
 def monitor(flags: Mapping[str, Any]) -> int:
@@ -75,8 +78,8 @@ def monitor(flags: Mapping[str, Any]) -> int:
     report = Report(runs=runs, coverage=coverage(workspace), fail_on=settings.fail_on)
     others = []
     for format, path in outputs:
-        if format in ("text", "json"):
-            write(text(held) if format == "text" else as_json(held), path)
+        if format in RENDERED:
+            write(RENDERED[format](held), path)
         else:
             others.append((format, path))
     return reported(report, workspace, tuple(others), {}, settings, {**flags, "statistics": False, "why": False})

@@ -84,7 +84,7 @@ def _lines(held: Held) -> Iterator[str]:
         if one.reason:
             yield terminal(f"    {one.reason}")
         if one.verdict == "violated":
-            yield from _violation(one, held)
+            yield from violation(one, held)
         scopes, triggers, behaviours = one.counts
         yield f"    counted: {scopes} openings of the scope, {triggers} triggers, {behaviours} behaviours"
         if one.note:
@@ -95,7 +95,8 @@ def _lines(held: Held) -> Iterator[str]:
         yield terminal(f"note: {note}")
 
 
-def _violation(judged: Judged, held: Held) -> Iterator[str]:
+def violation(judged: Judged, held: Held) -> Iterator[str]:
+    """The messages of a violation with their times since the recording began, and the timeline."""
     begin = held.begin or 0.0
     for moment in judged.moments:
         values = ", ".join(f"{name} = {_value(value)}" for name, value in moment.values.items())
