@@ -107,19 +107,23 @@ def _last_words(nodes: Iterable[ast.expr]) -> Iterator[str]:
 
 def has_many_ways(classes: Iterable[Bases]) -> bool:
     """Whether more than MOST_WAYS ways lead up from the *classes* of one name through their bases."""
+    return next(_with_many_ways(classes), None) is not None
+
+
+def _with_many_ways(classes: Iterable[Bases]) -> Iterator[str]:
+    """The names of *classes* from which more than MOST_WAYS ways lead up, some more than once."""
     several = [(name, [base for base in bases if base != name]) for name, bases in classes]
     ways: dict[str, int] = {}
     for _ in range(min(len(several), _ROUNDS)):
         grown = False
         for name, bases in several:
-            found = 1 + sum(ways.get(base, 1) for base in bases)
+            found = min(1 + sum(ways.get(base, 1) for base in bases), 2 * MOST_WAYS)
             if found > ways.get(name, 1):
                 ways[name], grown = found, True
                 if found > MOST_WAYS:
-                    return True
+                    yield name
         if not grown:
             break
-    return False
 
 
 @dataclass(frozen=True, slots=True)
@@ -298,13 +302,16 @@ def why_not_cpp(workspace: Workspace, units: Iterable[Unit]) -> dict[str, str]:
             read[path] = (list(macros(text)), list(cpp_bases(text)), text)
         return read[path]
 
+    units = list(units)
+    every = dict.fromkeys(path for unit in units for path in (unit.file.path, *unit.dependencies))
+    beyond = frozenset(_beyond(units, {path: reading(path)[1] for path in every}))
     tables: dict[tuple[str, ...], Expansions] = {}
     exceeded: dict[tuple[tuple[str, ...], str], bool] = {}
     found: dict[str, str] = {}
     for unit in units:
         paths = (unit.file.path, *unit.dependencies)
         parts = [reading(path) for path in paths]
-        if has_many_ways(entry for _, classes, _ in parts for entry in classes):
+        if unit.file.path in beyond:
             found[unit.file.path] = MANY_WAYS
             continue
         defining = tuple(path for path, part in zip(paths, parts, strict=True) if part[0])
@@ -321,19 +328,22 @@ def why_not_cpp(workspace: Workspace, units: Iterable[Unit]) -> dict[str, str]:
 
 def why_not_python(workspace: Workspace, units: Iterable[Unit]) -> dict[str, str]:
     """For those of *units* that a tool which follows the bases of classes is not asked about the reason, by path."""
-    several: dict[str, int] = {}
-    classes: dict[str, list[Bases]] = {}
-    found: dict[str, str] = {}
-    for unit in units:
+    units = list(units)
+    every = dict.fromkeys(path for unit in units for path in (unit.file.path, *unit.dependencies))
+    if sum(len(_SEVERAL.findall(workspace.text(path))) for path in every) <= _FEW:
+        return {}
+    classes = {path: list(python_bases(workspace.text(path))) for path in every}
+    return dict.fromkeys(_beyond(units, classes), MANY_WAYS)
+
+
+def _beyond(units: Collection[Unit], classes: Mapping[str, Collection[Bases]]) -> Iterator[str]:
+    """The paths of *units* whose own *classes* and those of their dependencies have too many ways.
+
+    All are looked at together first: a name that has few ways then has few in each unit, and most often there is no other.
+    """
+    many = frozenset(_with_many_ways(entry for found in classes.values() for entry in found))
+    places = {path for path, found in classes.items() if any(name in many for name, _ in found)}
+    for unit in units if places else ():
         paths = (unit.file.path, *unit.dependencies)
-        for path in paths:
-            if path not in several:
-                several[path] = len(_SEVERAL.findall(workspace.text(path)))
-        if sum(several[path] for path in paths) <= _FEW:
-            continue
-        for path in paths:
-            if path not in classes:
-                classes[path] = list(python_bases(workspace.text(path)))
-        if has_many_ways(entry for path in paths for entry in classes[path]):
-            found[unit.file.path] = MANY_WAYS
-    return found
+        if not places.isdisjoint(paths) and has_many_ways(entry for path in paths for entry in classes[path]):
+            yield unit.file.path
