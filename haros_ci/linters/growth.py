@@ -294,36 +294,29 @@ def _add(total: Form, more: Form, times: int = 1) -> None:
 
 def why_not_cpp(workspace: Workspace, units: Iterable[Unit]) -> dict[str, str]:
     """For those of *units* that a tool for C++ is not asked about the reason, by path."""
-    read: dict[str, tuple[list[Macro], list[Bases], str]] = {}
-
-    def reading(path: str) -> tuple[list[Macro], list[Bases], str]:
-        if path not in read:
-            text = workspace.text(path)
-            read[path] = (list(macros(text)), list(cpp_bases(text)), text)
-        return read[path]
-
     units = list(units)
-    every = dict.fromkeys(path for unit in units for path in (unit.file.path, *unit.dependencies))
-    beyond = frozenset(_beyond(units, {path: reading(path)[1] for path in every}))
+    texts = {path: workspace.text(path) for unit in units for path in (unit.file.path, *unit.dependencies)}
+    found = dict.fromkeys(_expanding(units, texts), LARGE_EXPANSION)
+    beyond = _beyond(units, {path: list(cpp_bases(text)) for path, text in texts.items()})
+    return found | dict.fromkeys(beyond, MANY_WAYS)
+
+
+def _expanding(units: Iterable[Unit], texts: Mapping[str, str]) -> Iterator[str]:
+    """The paths of *units* in which macros, their own or those of their dependencies, expand too far."""
+    defined = {path: list(macros(text)) for path, text in texts.items()}
     tables: dict[tuple[str, ...], Expansions] = {}
     exceeded: dict[tuple[tuple[str, ...], str], bool] = {}
-    found: dict[str, str] = {}
     for unit in units:
         paths = (unit.file.path, *unit.dependencies)
-        parts = [reading(path) for path in paths]
-        if unit.file.path in beyond:
-            found[unit.file.path] = MANY_WAYS
-            continue
-        defining = tuple(path for path, part in zip(paths, parts, strict=True) if part[0])
+        defining = tuple(path for path in paths if defined[path])
         if defining not in tables:
-            tables[defining] = Expansions([macro for path in defining for macro in read[path][0]])
-        for path, (_, _, text) in zip(paths, parts, strict=True):
+            tables[defining] = Expansions([macro for path in defining for macro in defined[path]])
+        for path in paths:
             if (defining, path) not in exceeded:
-                exceeded[defining, path] = tables[defining].is_large or tables[defining].is_exceeded_in(text)
+                exceeded[defining, path] = tables[defining].is_large or tables[defining].is_exceeded_in(texts[path])
             if exceeded[defining, path]:
-                found[unit.file.path] = LARGE_EXPANSION
+                yield unit.file.path
                 break
-    return found
 
 
 def why_not_python(workspace: Workspace, units: Iterable[Unit]) -> dict[str, str]:
