@@ -9,6 +9,7 @@ from haros_ci import syntax
 from haros_ci.follow import (
     activation,
     alternatives,
+    beside,
     call_arguments,
     callbacks,
     commands,
@@ -119,6 +120,8 @@ def method_call(
             outside_nodes.spun(walk, args, location)
         if name.startswith("spin"):
             follow.interlude(walk, frame)
+    elif beside.come_while_waiting(walk, name):
+        follow.interlude(walk, frame)
     modelled = library.method(walk, frame, receiver, cell, name, args, location, targs)
     if modelled is not None:
         return modelled
