@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from follow_kit import cpp_files, follow, main, names, python_files, script
+from follow_kit import cpp, cpp_files, follow, main, names, python_files, script
 
 from haros_ci.values import abstract as values
 
@@ -187,3 +187,13 @@ def test_what_is_nested_too_deeply_is_named() -> None:
     (node,) = found.configurations[0].nodes
     assert names(node) == ["/a"]
     assert [each.reason for each in node.unknowns] == ["the code is nested too deeply to be followed"]
+
+
+def test_aliases_that_multiply() -> None:
+    """Each is a pair of the next: 2 ** 18 types in one, of which those beyond a bound are not resolved."""
+    aliases = "".join(f"using T{number} = std::pair<T{number + 1}, T{number + 1}>;\n" for number in range(18))
+    found = cpp(
+        'C c; c.go(nh); ADV("a", 1);',
+        f'{aliases}struct B {{}};\nclass C : public B {{ public: T0 t; void go(ros::NodeHandle& nh) {{ T0 t; nh.advertise<std_msgs::String>("b", 1); }} }};\n',
+    )
+    assert names(found) == ["/a", "/b"]
