@@ -190,8 +190,8 @@ def test_what_is_nested_too_deeply_is_named() -> None:
 
 
 def test_aliases_that_multiply() -> None:
-    """Each is a pair of the next: 2 ** 18 types in one, of which those beyond a bound are not resolved."""
-    aliases = "".join(f"using T{number} = std::pair<T{number + 1}, T{number + 1}>;\n" for number in range(18))
+    """Each is eight of the next: 8 ** 10 types in one, of which those beyond a bound are not resolved."""
+    aliases = "".join(f"using T{number} = std::tuple<{', '.join([f'T{number + 1}'] * 8)}>;\n" for number in range(18))
     found = cpp(
         'C c; c.go(nh); ADV("a", 1);',
         f'{aliases}struct B {{}};\nclass C : public B {{ public: T0 t; void go(ros::NodeHandle& nh) {{ T0 t; nh.advertise<std_msgs::String>("b", 1); }} }};\n',
