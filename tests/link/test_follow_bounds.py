@@ -191,7 +191,8 @@ def test_what_is_nested_too_deeply_is_named() -> None:
 
 def test_aliases_that_multiply() -> None:
     """Each is eight of the next: 8 ** 10 types in one, of which those beyond a bound are not resolved."""
-    aliases = "".join(f"using T{number} = std::tuple<{', '.join([f'T{number + 1}'] * 8)}>;\n" for number in range(18))
+    eight = {number: ", ".join([f"T{number + 1}"] * 8) for number in range(18)}
+    aliases = "".join(f"using T{number} = std::tuple<{of}>;\n" for number, of in eight.items())
     found = cpp(
         'C c; c.go(nh); ADV("a", 1);',
         f'{aliases}struct B {{}};\nclass C : public B {{ public: T0 t; void go(ros::NodeHandle& nh) {{ T0 t; nh.advertise<std_msgs::String>("b", 1); }} }};\n',
