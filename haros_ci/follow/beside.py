@@ -22,8 +22,8 @@ WAITING = ("sleep", "wait")
 
 def note(walk: Walk, *values: Value) -> None:
     """*values* are given to a function that may begin a thread with one of them."""
-    if walk.context.process is not None and not walk.is_spun_beside:
-        walk.is_spun_beside = any(_spins(walk, value) for value in values)
+    if walk.context.process is not None and walk.beside is None and any(_spins(walk, value) for value in values):
+        walk.beside = []
 
 
 def _spins(walk: Walk, value: Value) -> bool:
@@ -48,12 +48,12 @@ def _spins(walk: Walk, value: Value) -> bool:
 
 def come_between_turns(walk: Walk) -> bool:
     """Whether callbacks are called while a loop goes on as long as the program does."""
-    return not walk.is_called_back and (walk.context.process is None or walk.is_spun_beside)
+    return not walk.is_called_back and (walk.context.process is None or walk.beside is not None)
 
 
 def come_while_waiting(walk: Walk, name: str) -> bool:
     """Whether callbacks are called while the function or method *name* waits."""
-    return walk.is_spun_beside and not walk.is_called_back and _last(name).startswith(WAITING)
+    return walk.beside is not None and not walk.is_called_back and _last(name).startswith(WAITING)
 
 
 def _name(callee: Expression) -> str:

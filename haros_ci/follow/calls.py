@@ -124,7 +124,7 @@ def method_call(
         if name.startswith("spin"):
             follow.interlude(walk, frame)
     elif beside.come_while_waiting(walk, name):
-        follow.interlude(walk, frame)
+        follow.meanwhile(walk, frame)
     if name in managers.METHODS and frame.source.separator == ".":
         return managers.called(walk, frame, receiver, name)
     modelled = library.method(walk, frame, receiver, cell, name, args, location, targs)

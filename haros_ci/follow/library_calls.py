@@ -64,7 +64,7 @@ def library_call(
         outside_nodes.spun(walk, args, location)
         follow.interlude(walk, frame)
     elif beside.come_while_waiting(walk, name):
-        follow.interlude(walk, frame)
+        follow.meanwhile(walk, frame)
     if name in outside_nodes.STARTING and not walk.quiet:
         walk.started = walk.started or location
     base, dot, last = name.rpartition(".")

@@ -89,7 +89,7 @@ def _turned(
         if not worthwhile or _is_long(walk, loop, *before):
             break
         if loop.runs_on:
-            follow.interlude(walk, frame)
+            follow.meanwhile(walk, frame)
         there, begun, mark = walk.extent(), tick(), walk.state.mark()
         ended = _counted(walk, frame, loop, turn, one, after)
         if ended != NEXT:
@@ -228,7 +228,7 @@ def _widened(
     """
     is_real = matters and not walk.quiet
     if loop.runs_on:
-        follow.interlude(walk, frame)
+        follow.meanwhile(walk, frame)
     begun = tick()
     for left in reversed(range(1 if walk.quiet else REHEARSALS + is_real)):
         inner = Loop(walk.state.mark())
