@@ -159,8 +159,8 @@ def _begin(library: Library, walk: Walk, frame: Frame) -> None:
     this = Object(definition.name, (), (source, definition), location=location, templates=templates)
     if source.separator == ".":
         construct.python_construct(walk, frame, this, arguments, location)
-        for each in library.called:
-            bound = Callable(source, each, this)
+        for method in library.called:
+            bound = Callable(source, method, this)
             callbacks.register(walk, bound, doubt=CALLED)
     else:
         construct.initialise(walk, frame, this, (source, definition), templates, arguments, location, chosen=found)
