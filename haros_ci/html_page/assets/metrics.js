@@ -19,7 +19,7 @@ function metricsView(parameters) {
       h("h1", null, "Metrics"),
       h("div", { class: "columns" },
         h("section", { class: "card" }, h("h2", null, `${chosen.metric} of ${chosen.level === "class" ? "classes" : `${chosen.level}s`}`), METRIC_WORDS[chosen.metric] ? h("p", null, METRIC_WORDS[chosen.metric]) : null, histogram(chosen), chosen.limits.length ? h("ul", { class: "plain-list" }, chosen.limits.map(([rule, limit, lowest, crossed]) => h("li", null, `${text(rule)}: ${lowest ? "at least" : "at most"} ${limit}; ${crossed.toLocaleString("en")} of ${chosen.count.toLocaleString("en")} are ${lowest ? "below" : "above"}`))) : null,
-          h("h3", null, `The ${chosen.worst.length} worst values`), smallTable(["value", chosen.level, "place", "package"], chosen.worst.map(([value, at, name, pkg]) => [value, text(name), whereIs(place(at)), text(pkg)]), "worst values")),
+          h("h3", null, `The ${chosen.worst.length} worst values`), smallTable(["value", chosen.level, "place", "package"], chosen.worst.map(([value, at, name, pkg]) => [value, breakable(text(name)), whereIs(place(at)), breakable(text(pkg))]), "worst values")),
         h("section", { class: "card" }, h("h2", null, "All metrics"), smallTable(["metric", "of", "values", "limits", "over a limit", "worst"], rows, "all metrics"))),
     ],
   };

@@ -184,8 +184,11 @@ function systemView(parameters) {
     // What is too large to be read at once begins folded.
     const isFolded = !isPart && !state.isArranged && !state.folded.length && id === null && picture.isTiny && picture.foldMost();
     if (isFolded) status.textContent += ": folded, as it is large; click a box to unfold it";
+    const rest = h("span", null);
+    status.append(rest);
+    picture.told = (isWhole) => { rest.textContent = isWhole ? "" : "; drag the picture for more of it"; };
     foldButtons.hidden = isPart || picture.boxes === 0;
-    picture.fit();
+    picture.begin();
     const edges = id !== null && id.startsWith("c ") && state.node ? picture.edges.filter((one) => one.channel === id && one.list[0].node.name === state.node) : [];
     if (edges.length) picture.mark(null, edges);
     else choosePicture(id, !isPart && made.nodes.length > 12);
@@ -267,7 +270,7 @@ function systemView(parameters) {
       h("dl", null, row("launch files", made.launch.length ? made.launch.join(", ") : "none: a program by itself"), row("arguments", made.arguments.length ? h("details", { open: made.arguments.length < 7 }, h("summary", null, count(made.arguments.length, "argument")), h("ul", { class: "plain-list" }, made.arguments.map(([name, value]) => h("li", null, h("code", null, `${name}:=${value}`))))) : ""),
         made.variant ? row("with", h("code", null, made.variant), h("p", { class: "quiet" }, "Nodes come and go; parameters and names are those of the default arguments.")) : null,
         row("nodes", String(made.nodes.length)), ...["topics", "services", "actions"].map((what) => row(what, String(every.filter((one) => one.what === what).length))),
-        row("parameters", made.parameters.length ? link("parameters", { configuration: made.name }, String(made.parameters.length)) : "0"),
+        row("parameters set", made.parameters.length ? link("parameters", { configuration: made.name }, String(made.parameters.length)) : "0"),
         row("remappings", String(made.nodes.reduce((sum, one) => sum + one.remaps.length, 0))),
         row("same name twice", made.twins.length ? made.twins.join(", ") : ""),
         row("conditional", String(made.nodes.filter((one) => one.conditions.length || one.presence).length), " nodes")),

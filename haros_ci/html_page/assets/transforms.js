@@ -85,7 +85,7 @@ function transformsView(parameters) {
   requestAnimationFrame(() => {
     if (known.picture) {
       picture.show({ size: known.picture[0], boxes: [], elements, edges: known.picture[2].map(([from, to, points]) => edgeOf(known.frames[from], known.frames[to], points)) });
-      picture.fit();
+      picture.begin();
     }
     const start = known.frames.find((one) => one.name === parameters.frame);
     if (start && known.picture) choose(start);
