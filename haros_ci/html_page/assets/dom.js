@@ -91,6 +91,9 @@ function chooser(label, values, chosen, change) {
   return h("label", { class: "choice" }, h("span", null, label), select);
 }
 
+// Enlarge, shrink and fit a picture.
+const zoomButtons = (picture) => h("span", { class: "buttons" }, h("button", { onclick: () => picture.zoom(1.3), "aria-label": "enlarge" }, "+"), h("button", { onclick: () => picture.zoom(0.77), "aria-label": "shrink" }, "−"), h("button", { onclick: () => picture.fit() }, "Fit"));
+
 function toggle(label, checked, change) {
   const box = h("input", { type: "checkbox", checked, onchange: () => change(box.checked) });
   return h("label", { class: "toggle" }, box, label);

@@ -36,7 +36,7 @@ function launchView(parameters) {
     content: [
       h("div", { class: "bar-of-filters" }, configurationChooser(made.name, (name) => { location.hash = address("launch", { configuration: name }); }, true), link("system", { configuration: made.name }, "its system")),
       h("h1", null, breakable(made.name)),
-      made.arguments.length ? h("p", null, "with ", made.arguments.map(([name, value]) => [h("code", null, `${name}:=${value}`), " "])) : null,
+      made.arguments.length ? h("details", { open: made.arguments.length < 8 }, h("summary", null, `with ${count(made.arguments.length, "argument")}`), h("ul", { class: "plain-list" }, made.arguments.map(([name, value]) => h("li", null, h("code", null, `${name}:=${value}`))))) : null,
       roots.map((one) => h("section", { class: "card" }, roots.length > 1 || one.name !== made.name ? h("h2", null, breakable(one.name)) : null, file(one.path, -1, 0))),
       made.others.length ? h("section", { class: "card" }, h("h2", null, "Under other arguments"), h("ul", { class: "plain-list" }, made.others.slice(0, 300).map((one) => h("li", { class: "conditional" }, one.node.name, ` ${one.node.package}/${one.node.type} `, h("code", null, one.presence), " ", whereIs(one.node.place))))) : null,
     ],

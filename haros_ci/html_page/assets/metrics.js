@@ -13,7 +13,7 @@ function metricsView(parameters) {
   const nameOf = (one) => `${one.level} ${one.metric}`;
   const chosen = list.find((one) => nameOf(one) === parameters.metric) || list.find((one) => nameOf(one) === "function cyclomatic-complexity") || list[0];
   const beyond = (one) => one.limits.reduce((most, [, , , crossed]) => Math.max(most, crossed), 0);
-  const rows = list.map((one) => [link("metrics", { metric: nameOf(one) }, one.metric), one.level, one.count, one.limits.map(([, limit, lowest]) => `${lowest ? "≥" : "≤"} ${limit}`).join(", "), beyond(one), one.worst.length ? one.worst[0][0] : ""]);
+  const rows = list.map((one) => [link("metrics", { metric: nameOf(one) }, one.metric), h("span", { class: "whole" }, one.level), one.count, one.limits.map(([, limit, lowest]) => `${lowest ? "≥" : "≤"} ${limit}`).join(", "), beyond(one), one.worst.length ? one.worst[0][0] : ""]);
   return {
     content: [
       h("h1", null, "Metrics"),

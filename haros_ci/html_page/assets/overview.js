@@ -75,7 +75,7 @@ function byPackage(list) {
   if (!list.length) return h("p", null, "None.");
   const groups = grouped(list, (one) => one.package || "(no package)");
   const most = groups[0][1].length;
-  const rows = groups.slice(0, 12).map(([name, found]) => [name === "(no package)" ? name : link("findings", { package: name }, name), name === "(no package)" ? found.length : link("findings", { package: name }, found.length.toLocaleString("en")), bar(found.length / most)]);
+  const rows = groups.slice(0, 12).map(([name, found]) => [name === "(no package)" ? name : link("findings", { package: name }, breakable(name)), name === "(no package)" ? found.length : link("findings", { package: name }, found.length.toLocaleString("en")), bar(found.length / most)]);
   return [smallTable(["package", "findings", ""], rows, "findings by package"), groups.length > 12 ? h("p", { class: "quiet" }, link("packages", { sort: "findings" }, `all ${groups.length}`)) : null];
 }
 
@@ -83,13 +83,13 @@ function byRule(list) {
   if (!list.length) return h("p", null, "None.");
   const groups = grouped(list, (one) => one.full);
   const most = groups[0][1].length;
-  return smallTable(["rule", "findings", ""], groups.slice(0, 12).map(([rule, found]) => [link("findings", { rule }, rule), link("findings", { rule }, found.length.toLocaleString("en")), bar(found.length / most)]), "findings by rule");
+  return smallTable(["rule", "findings", ""], groups.slice(0, 12).map(([rule, found]) => [link("findings", { rule }, breakable(rule)), link("findings", { rule }, found.length.toLocaleString("en")), bar(found.length / most)]), "findings by rule");
 }
 
 function configurationTable(list) {
   const rows = list.map((one) => {
     const [unknown, all] = one.row.unknown;
-    return [link("system", { configuration: one.name }, one.name), link("system", { configuration: one.name }, one.row.nodes.length.toLocaleString("en")), link("parameters", { configuration: one.name }, one.row.parameters.length.toLocaleString("en")), all, percent(unknown, all), bar(all ? unknown / all : 0, "fill unknown")];
+    return [link("system", { configuration: one.name }, breakable(one.name)), link("system", { configuration: one.name }, one.row.nodes.length.toLocaleString("en")), link("parameters", { configuration: one.name }, one.row.parameters.length.toLocaleString("en")), all, percent(unknown, all), bar(all ? unknown / all : 0, "fill unknown")];
   });
   return smallTable(["configuration", "nodes", "parameters set", "endpoints", "names not known", ""], rows, "configurations");
 }

@@ -83,6 +83,7 @@ function makePicture({ label, select, folded, pick }) {
   // Whether all of it is in sight: then it stays so when its room changes.
   let isFitted = false;
   let isBegun = false;
+  let isAlways = false;
   const layer = s("g", {});
   const arrow = (id, kind) => s("marker", { id, class: kind, viewBox: "0 0 8 8", refX: 7, refY: 4, markerWidth: 9, markerHeight: 9, markerUnits: "userSpaceOnUse", orient: "auto" }, s("path", { d: "M0 0.5L7.5 4L0 7.5Z" }));
   const svg = s("svg", { class: "picture", role: "application", tabindex: "0", "aria-label": label }, s("defs", {}, arrow("arrow", "tip"), arrow("arrow-strong", "tip strong")), layer);
@@ -279,12 +280,13 @@ function makePicture({ label, select, folded, pick }) {
     place(true);
   }
 
-  // As a whole where that can be read. In a narrow window from the left, as large as names need; the rest is dragged to.
-  function begin() {
+  // As a whole where that can be read. In a narrow window, or where *always*, from the left, as large as names need; the rest is dragged to.
+  function begin(always) {
     fit();
     isBegun = true;
+    isAlways = always === true;
     const [w, tall] = [svg.clientWidth, svg.clientHeight];
-    const isWhole = !w || window.innerWidth > 800 || view.scale >= READABLE;
+    const isWhole = !w || (!isAlways && window.innerWidth > 800) || view.scale >= READABLE;
     if (!isWhole) {
       view.scale = READABLE;
       view.x = 0;
@@ -397,7 +399,7 @@ function makePicture({ label, select, folded, pick }) {
     layer.removeAttribute("transform");
   }, () => { svg.removeAttribute("viewBox"); place(isFitted); });
 
-  new ResizeObserver(() => { if (isFitted && svg.clientWidth) (isBegun ? begin : fit)(); }).observe(svg);
+  new ResizeObserver(() => { if (isFitted && svg.clientWidth) { if (isBegun) begin(isAlways); else fit(); } }).observe(svg);
 
   let given = [];
   function show(next, closedLabels) {
