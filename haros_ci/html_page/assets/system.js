@@ -33,7 +33,7 @@ function systemView(parameters) {
   const state = { element: parameters.element || "", hops: parameters.hops || "", way: parameters.way || "", to: parameters.to || "", node: parameters.node || "", by: parameters.by === "code" ? "code" : "", folded: (parameters.folded || "").split(" ").filter(Boolean) };
   const detail = h("aside", { class: "detail", "aria-label": "details", "aria-live": "polite" });
   const status = h("span", { class: "quiet", role: "status" });
-  const picture = makePicture({ label: `nodes and topics of ${made.name}`, select: (id) => chooseId(id), pick: (edges) => chooseEdges(edges), folded: (labels) => { Object.assign(state, { folded: labels, isArranged: true }); status.textContent = howMany(); remember({ folded: labels.join(" ") }); } });
+  const picture = makePicture({ label: `nodes and topics of ${made.name}`, select: (id) => chooseId(id), pick: (edges) => chooseEdges(edges), folded: (labels) => { Object.assign(state, { folded: labels, isArranged: true }); if (!labels.length) status.textContent = howMany(); remember({ folded: labels.join(" ") }); } });
   const shown = (channel) => !channel.switch || shownSwitches.has(channel.switch);
   const idOf = (name) => { const one = made.nodes.find((each) => each.name === name); if (one) return nodeId(one); const channel = [...made.channels.values()].find((each) => each.name === name); return channel ? channelId(channel) : parameterTable(made).has(name) ? `p ${name}` : null; };
   const byId = (id) => (id === null ? null : id.startsWith("n") ? made.numbered.get(Number(id.slice(1))) : id.startsWith("p ") ? parameterTable(made).get(id.slice(2)) || null : made.channels.get(id.slice(2)) || null);
