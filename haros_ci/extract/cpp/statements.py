@@ -8,7 +8,16 @@ from collections.abc import Callable
 from tree_sitter import Node
 
 from haros_ci import syntax
-from haros_ci.extract.cpp import declarations, expansion, expressions, preprocessor, scopes, switches, types
+from haros_ci.extract.cpp import (
+    declarations,
+    expansion,
+    expressions,
+    method_pointers,
+    preprocessor,
+    scopes,
+    switches,
+    types,
+)
 from haros_ci.extract.cpp.grammar import ERROR, field, kinds, table
 from haros_ci.extract.cpp.unit import DEEPEST, TOO_DEEP, CppScope, Unit
 
@@ -59,7 +68,10 @@ def _expression(unit: Unit, node: Node, depth: int, out: Statements) -> None:
     child = node.children[0] if node.child_count else node
     if child.kind_id in _CALL and unit.found.callable_macros and expansion.expand(unit, child, depth, out):
         return
-    if child.is_named and child.kind_id != ERROR:
+    pointer = method_pointers.variable(unit, child, depth)
+    if pointer is not None:
+        out.append(pointer)
+    elif child.is_named and child.kind_id != ERROR:
         out.append(syntax.Do(expressions.expression(unit, child, depth)))
 
 
