@@ -166,20 +166,16 @@ def framework_entries(walk: Walk, this: Object) -> None:
 
 
 def _destructor(walk: Walk, this: Object) -> None:
-    """A destructor that may make something is called in the end, as what takes a node down."""
-    if this.definition is None or this.definition[0].separator != "::":
+    """A destructor, or ``__del__``, that may make something is called in the end, as what takes a node down."""
+    if this.definition is None:
         return
     source, definition = this.definition
-    last = f"~{definition.name.rpartition('::')[2]}"
+    last = f"~{definition.name.rpartition('::')[2]}" if source.separator == "::" else "__del__"
     key = ("destructor", definition.name, source.path)
     if key not in walk.found:
         method = methods.method_of(walk, this, last)
-        is_made = (
-            method is not None
-            and method.function.body is not None
-            and walk.relevance.makes(method.function, method.source)
-        )
-        walk.found[key] = is_made
+        has_body = method is not None and method.function.body is not None
+        walk.found[key] = method is not None and has_body and walk.relevance.makes(method.function, method.source)
     if walk.found[key]:
         register(walk, methods.method_of(walk, this, last) or NONE, (), is_update=True)
 

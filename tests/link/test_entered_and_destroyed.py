@@ -133,3 +133,19 @@ def test_types_that_are_one_of_two_or_none(before: str, kind: str | None) -> Non
     (node,) = program("n = Node('n')\nn.create_publisher(Foo, '/x', 1)", before).nodes
     (end,) = explicit(node)
     assert end.type == kind
+
+
+DEL = "class M:\n    def __init__(self, n):\n        self.n = n\n    def %s(self):\n        self.n.create_publisher(String, '/x', 1)\n"
+
+
+@pytest.mark.parametrize(
+    ("method", "body", "expected"),
+    [
+        ("__del__", "m = M(n)\ndel m", ["/x"]),
+        ("__del__", "m = M(n)\nrclpy.spin(n)", ["/x"]),
+        ("__del__", "pass", []),
+        ("delete", "m = M(n)", []),
+    ],
+)
+def test_what_python_calls_in_the_end(method: str, body: str, expected: list[str]) -> None:
+    assert made("n = Node('n')\n" + body, DEL % method) == expected
