@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from haros_ci import syntax
-from haros_ci.follow import call_arguments, methods, partials, setters
+from haros_ci.follow import beside, call_arguments, methods, partials, setters
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.made import SEVERAL, Root, counts_alone, either
@@ -161,6 +161,8 @@ def framework_entries(walk: Walk, this: Object) -> None:
                 if method is not None and row.is_class:
                     is_entry = method.source.separator == "::" or name in SETUP | TEARDOWN
                     register(walk, method, (), name in TEARDOWN, name in SETUP, is_entry=is_entry)
+                    if owner.startswith(beside.BEGINNING):
+                        beside.note(walk, method)
     _entries_of_unknown_base(walk, this)
     _destructor(walk, this)
 
