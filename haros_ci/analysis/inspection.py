@@ -81,6 +81,10 @@ class Architectures:
         self._projects[_key(project.workspace)] = project
         return project
 
+    def has_made(self, workspace: Workspace) -> bool:
+        """Whether the systems of *workspace* are there already."""
+        return _key(workspace) in self._made
+
     def of(self, workspace: Workspace) -> Linked:
         with stage("loading"):
             from haros_ci.analysis.architecture import Common, varied
