@@ -125,9 +125,7 @@ def made(
 
     def work(store: Store, progress: Progress) -> tuple[str, tuple[str, ...]]:
         progress("report")
-        architectures = known or Architectures(settings, store)
-        if settings.cache_dir is not None:  # without a cache, what the run has kept in memory counts on
-            architectures = architectures.under(store)
+        architectures = (known or Architectures(settings, store)).under(store)
         return gathered(joined, workspace, architectures, LIMITS, shown)
 
     text, failed = under_cache(work, settings, flags)
