@@ -63,3 +63,43 @@ def test_scripts_that_are_kept_beside(name: str, count: int, tmp_path: Path) -> 
 )  # fmt: skip
 def test_one_reason_of_many_files(reason: str, words: str) -> None:
     assert _of_many(reason) == words
+
+
+MESH = '<link name="{0}"><visual><geometry><mesh filename="package://demo/meshes/{0}"/></geometry></visual></link>'
+
+
+@pytest.mark.parametrize(
+    ("there", "named", "count"),
+    [
+        (("a.dae",), ("a.obj", "b.obj", "c.obj"), 1),
+        (("a.dae", "d.obj"), ("a.obj", "b.obj", "c.obj"), 3),
+        (("a.dae",), ("a.dae", "b.obj"), 1),
+        (("a.dae",), ("a.dae",), 0),
+        (("a.obj", "b.obj", "c.obj"), ("a.obj", "b.obj", "c.obj"), 0),
+    ],
+)
+def test_meshes_of_a_format_that_the_directory_has_not(there: tuple[str, ...], named: tuple[str, ...], count: int, tmp_path: Path) -> None:  # fmt: skip
+    model = f'<robot name="r">{"".join(map(MESH.format, named))}</robot>\n'
+    install = CMAKE.format("install(DIRECTORY urdf meshes DESTINATION share/demo)")
+    files = {"package.xml": MANIFEST.format("demo", ROS2), "CMakeLists.txt": install, "urdf/r.urdf": model}
+    found = messages("mesh-not-loaded", {**files, **{f"meshes/{name}": "solid" for name in there}}, tmp_path)
+    assert len(found) == count
+    assert any(message.endswith("; 2 more meshes are looked for in the same directory, which has no file *.obj") for message in found) is (there == ("a.dae",) and len(named) == 3)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("files", "expected"),
+    [
+        ({"msg/A.msg": "int8 a\n", "srv/A.srv": "---\n"}, "so no code can use it"),
+        ({"msg/A.msg": "int8 a\n", "srv/B.srv": "---\n"}, "which uses it, does not build or start"),
+    ],
+)
+def test_a_message_and_a_service_of_one_name(files: dict[str, str], expected: str, tmp_path: Path) -> None:
+    service = next(name for name in files if name.startswith("srv/"))[4:]
+    cmake = f"find_package(catkin REQUIRED)\nadd_service_files(FILES {service})\ngenerate_messages()"
+    name = "A" if service == "A.srv" else "A, B"
+    kind = "srv" if service == "A.srv" else "msg"
+    code = f"#!/usr/bin/env python\nfrom demo.{kind} import {name.split(',')[0]}\nimport rospy\nif __name__ == '__main__':\n    rospy.init_node('n')\n"
+    texts = {"package.xml": MANIFEST.format("demo", ROS1), "CMakeLists.txt": CATKIN.format("demo", cmake), "scripts/n.py": code}  # fmt: skip
+    (message,) = messages("interface-not-generated", {**texts, **files}, tmp_path)
+    assert expected in message and "msg/A.msg" in message
