@@ -103,3 +103,16 @@ def test_a_message_and_a_service_of_one_name(files: dict[str, str], expected: st
     texts = {"package.xml": MANIFEST.format("demo", ROS1), "CMakeLists.txt": CATKIN.format("demo", cmake), "scripts/n.py": code}  # fmt: skip
     (message,) = messages("interface-not-generated", {**texts, **files}, tmp_path)
     assert expected in message and "msg/A.msg" in message
+
+
+SUPPORT = 'rosidl_get_typesupport_target(support demo rosidl_typesupport_cpp)\nlink_libraries("${support}")\n'
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "count"),
+    [(SUPPORT, "", 0), ("link_libraries(m)\n", "", 1), ("", SUPPORT, 1), ("", "", 1), ("", SUPPORT.replace("link_libraries(", "target_link_libraries(n "), 0)],
+)  # fmt: skip
+def test_libraries_of_all_targets(before: str, after: str, count: int, tmp_path: Path) -> None:
+    cmake = f'find_package(rosidl_default_generators REQUIRED)\nrosidl_generate_interfaces(demo "msg/A.msg")\n{before}add_executable(n n.cpp)\n{after}'
+    files = {"package.xml": MANIFEST.format("demo", ROS2), "CMakeLists.txt": CMAKE.format(cmake), "msg/A.msg": "int8 a\n", "n.cpp": '#include "demo/msg/a.hpp"\nint main() {}\n'}  # fmt: skip
+    assert len(messages("generation-not-awaited", files, tmp_path)) == count
