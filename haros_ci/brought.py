@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from haros_ci.config.settings import Settings
+from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
 from haros_ci.results import own
@@ -16,6 +17,7 @@ from haros_ci.results.result import Notification, Result, Run, Silenced
 from haros_ci.results.rule import Level
 from haros_ci.results.silence_words import sentences
 from haros_ci.workspace.base import Base
+from haros_ci.workspace.git import BaselineUnavailable
 
 if TYPE_CHECKING:
     from haros_ci.workspace.past import Past
@@ -43,8 +45,55 @@ def before(settings: Settings) -> Past | None:
     return past_of(settings.root.resolve(), settings.baseline_rev, is_missing=bool(settings.base_missing))
 
 
-def silenced(workspace: Workspace, base: Base, runs: Iterable[Run]) -> Silenced:
-    """What comments silence that the files have now and did not have in *base*."""
+def silenced(
+    workspace: Workspace,
+    settings: Settings,
+    base: Base | BaselineUnavailable | None,
+    runs: tuple[Run, ...],
+    examine: Callable[[Workspace], tuple[Run, ...]],
+) -> Silenced:
+    """What comments silence that the files have now and did not have in *base*, and what those silence that were there.
+
+    The latter only where the findings at *base* are known anyway: *examine* gives them.
+    """
+    if not isinstance(base, Base):
+        return Silenced()
+    found = _by_comments(workspace, base, runs)
+    if settings.baseline is not None:
+        return found
+    return replace(found, more=tuple(sorted({*found.more, *_more(workspace, base, runs, examine)}, key=_place)))
+
+
+def _place(pair: tuple[Location, str]) -> tuple[object, ...]:
+    return pair[0].sort_key, pair[1]
+
+
+def _more(
+    workspace: Workspace, base: Base, runs: tuple[Run, ...], examine: Callable[[Workspace], tuple[Run, ...]]
+) -> Iterator[tuple[Location, str]]:
+    """The findings that tools leave out for comments now, and neither had nor left out in *base*."""
+    from haros_ci.results.fingerprint import fingerprint
+    from haros_ci.results.known import known_from, sides
+    from haros_ci.results.pairing import pair
+
+    now = tuple(replace(run, results=run.silenced) for run in runs if run.silenced)
+    if not now:
+        return
+    of_tools = {run.tool.name for run in now}
+    languages = {file.path: file.language for it in (base.workspace, workspace) for file in it.files}
+    old = tuple(replace(run, results=run.silenced) for run in examine(base.workspace) if run.tool.name in of_tools)
+    old = fingerprint(old, base.workspace.text, lambda path: languages.get(path, ""))
+    now = fingerprint(now, workspace.text, lambda path: languages.get(path, ""))
+    found = sides(workspace, now, (".",), base.workspace, base.renames)
+    known = [known_from(result) for run in old for result in run.results]
+    results = [result for run in now for result in run.results]
+    paired = {one.new for one in pair(results, known, found)}
+    for i, result in enumerate(results):
+        if i not in paired:
+            yield Location(result.location.path, result.location.line), result.rule
+
+
+def _by_comments(workspace: Workspace, base: Base, runs: Iterable[Run]) -> Silenced:
     from haros_ci.results.silenced import SilencedPair
     from haros_ci.results.silenced import silenced as found
 
