@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from haros_ci.config.settings import Settings
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
-from haros_ci.model.workspace import Workspace
+from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.results import own
 from haros_ci.results.result import Notification, Result, Run, Silenced
 from haros_ci.results.rule import Level
@@ -119,6 +119,26 @@ def _by_comments(workspace: Workspace, base: Base, runs: Iterable[Run]) -> Silen
 def unreadable(
     workspace: Workspace, base: Base | None, runs: tuple[Run, ...], past: Callable[[Base], Iterable[Run]] | None
 ) -> Unreadable:
+    """The *runs* without what linters cannot analyse since *base*, and a result for each file of that, and for each that is used as code since then."""
+    if base is None:
+        return runs, ()
+    left, lost = _unreadable(workspace, base, runs, past)
+    return left, (*own.unread_results(_used_first(workspace, base)), *lost)
+
+
+def _used_first(workspace: Workspace, base: Base) -> Iterator[Problem]:
+    """The files that nothing in *base* used as code, and that are what they were: whatever is wrong in them, the change brings it in."""
+    if not workspace.hiding.used:
+        return
+    from haros_ci.workspace.used_code import UsedCode
+
+    before = UsedCode(base.workspace, workspace.text)
+    yield from (problem for problem in workspace.hiding.used if not before.why(problem.path))
+
+
+def _unreadable(
+    workspace: Workspace, base: Base, runs: tuple[Run, ...], past: Callable[[Base], Iterable[Run]] | None
+) -> Unreadable:
     """The *runs* without what they say of code that linters cannot analyse since *base*, and a result for each file of that.
 
     Such code is C++ or Python that the change alters or adds: what is wrong in it would not be found. *past* gives the runs on *base*, where what
@@ -126,8 +146,8 @@ def unreadable(
     the base revision had it so that they could read it, and where a new file is for a newer one than anything in the base revision: nobody says
     that the robot has that, and its linters could have been silenced by one line.
     """
-    notes = _gave_up(runs) if base is not None else []
-    if base is None or not notes:
+    notes = _gave_up(runs)
+    if not notes:
         return runs, ()
     wrong = {result.location.path for run in runs for result in run.results if result.rule in _OF_SYNTAX}
     notes = [one for one in _of_change(notes, workspace, base, is_known=past is not None) if one.place not in wrong]
