@@ -48,7 +48,7 @@ class _Need:
     wrong: str = ""
 
 
-def check(project: Project) -> Iterator[Finding]:
+def check(project: Project) -> Iterator[Finding]:  # noqa: C901 - two passes over what one package installs, and one over launch files
     needs: dict[tuple[str, str], _Need] = {}
     for place, name, inner in _named(project):
         package = project.package(name)

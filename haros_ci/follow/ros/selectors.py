@@ -155,7 +155,7 @@ def literal(text: str) -> Known:
             return Known(text)
 
 
-def select_value(applied: Applied, selector: str) -> Found:
+def select_value(applied: Applied, selector: str) -> Found:  # noqa: C901 - one branch for each form of a selector
     """What one alternative of a selector finds: a Value, a TypeValue, or None."""
     walk = applied.walk
     if selector[0].isdigit():
