@@ -7,13 +7,14 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from posixpath import dirname, normpath
 
+from haros_ci.linters.dead_text import dead, is_in
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.own_sources import OF_LINTERS, digest
 
 #: Stands in a list of names for one that only the preprocessor can tell (``#include MACRO``).
 COMPUTED = "*"
-#: Stands before a name that is only asked for (``__has_include``).
+#: Stands before a name that is only asked for (``__has_include``), or included where no compiler reads it (``#if 0``).
 PROBED = "?"
 
 _INCLUDE = re.compile(r'^[ \t]*#[ \t]*(?:include(?:_next)?|import)[ \t]*["<]([^">\n]+)', re.MULTILINE)
@@ -102,9 +103,13 @@ def needs(
 def _names(text: str) -> Iterator[str]:
     """What *text* includes, lines that a backslash continues joined."""
     text = text.replace("\\\r\n", "").replace("\\\n", "") if "\\" in text else text
-    plain = _INCLUDE.findall(text)
-    yield from plain
+    hidden = dead(text)
+    found = [(match[1], is_in(match.start(), hidden)) for match in _INCLUDE.finditer(text)]
+    plain = [name for name, _ in found]
+    used = {name for name, is_dead in found if not is_dead}
+    yield from (name for name in plain if name in used)
     probed = _PROBE.findall(text) if "__has_" in text else []
+    probed += [name for name in plain if name not in used]
     if "" in probed or len(_ANY_INCLUDE.findall(text)) > len(plain):
         yield COMPUTED
     yield from (PROBED + name for name in probed if name)

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where the text of C++ is none to a compiler: comments, raw texts, and what stands under ``#if 0``.
+
+A header that is included there alone is not seen through the file that does so.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from collections.abc import Iterator
+
+#: Nothing else makes text dead that is looked at here.
+_MAY_HIDE = re.compile(r"R\"|/\*|^[ \t]*#[ \t]*if\b", re.M)
+#: Comments, the beginning of a raw text, and texts and characters of one line ([lex.string]).
+_LEXEME = re.compile(
+    r"//[^\n]*|/\*|\bu?8?[uUL]?R\"([^()\\\s\"]{0,16})\(|\"(?:[^\"\\\n]|\\.)*\"|(?<![0-9a-fA-F])'(?:[^'\\\n]|\\.){1,12}'"
+)
+_CONDITIONAL = re.compile(r"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|elifdef|elifndef|else|endif)\b([^\n]*)", re.M)
+_FALSE = re.compile(r"[\s(]*(?:0+[uUlL]*|false|![\s(]*(?:1|true))[\s)]*(?:&&.*)?")
+_TRUE = re.compile(r"[\s(]*(?:1[uUlL]*|true|![\s(]*(?:0|false))[\s)]*(?:\|\|.*)?")
+#: Raw texts without an end that are looked for; the text behind more of them is taken as it stands.
+_MOST_OPEN = 16
+
+
+def dead(text: str) -> tuple[tuple[int, int], ...]:
+    """From and to of what no compiler reads in *text*, in order, without overlaps; linear in its length. Spliced lines are joined before."""
+    if _MAY_HIDE.search(text) is None:
+        return ()
+    hidden = tuple(_hidden(text))
+    return tuple(_joined(sorted((*hidden, *_under_false(text, hidden)))))
+
+
+def is_in(at: int, ranges: tuple[tuple[int, int], ...]) -> bool:
+    """Whether the position lies in one of the *ranges* that :func:`dead` has found."""
+    i = bisect_right(ranges, (at, len(ranges) and ranges[-1][1] + 1)) - 1
+    return i >= 0 and ranges[i][0] <= at < ranges[i][1]
+
+
+def _hidden(text: str) -> Iterator[tuple[int, int]]:
+    at = opened = 0
+    while match := _LEXEME.search(text, at):
+        at = match.end()
+        if match[0].startswith("/"):
+            if match[0] == "/*":
+                end = text.find("*/", at)
+                at = len(text) if end < 0 else end + 2
+            yield match.start(), at
+        elif match[1] is not None and opened < _MOST_OPEN:
+            end = text.find(f'){match[1]}"', at)
+            if end < 0:
+                opened += 1
+            else:
+                at = end + len(match[1]) + 2
+                yield match.start(), at
+
+
+def _under_false(text: str, hidden: tuple[tuple[int, int], ...]) -> Iterator[tuple[int, int]]:
+    """What stands in branches whose condition is written false, or that follow one that is written true."""
+    stack: list[
+        tuple[int, bool]
+    ] = []  # from where the branch is dead, -1 if it is not, and whether one before it was written true
+    for match in _CONDITIONAL.finditer(text):
+        if is_in(match.start(), hidden):
+            continue
+        word, condition = match[1], match[2].partition("//")[0].partition("/*")[0]
+        is_decided = word in ("if", "elif")
+        is_false = is_decided and _FALSE.fullmatch(condition) is not None
+        is_true = is_decided and _TRUE.fullmatch(condition) is not None
+        was_true = False
+        if not word.startswith("if"):
+            if not stack:
+                continue
+            start, was_true = stack.pop()
+            if start >= 0:
+                yield start, match.start()
+        if word != "endif":
+            stack.append((match.end() if was_true or is_false else -1, was_true or is_true))
+    yield from ((start, len(text)) for start, _ in stack if start >= 0)
+
+
+def _joined(ranges: list[tuple[int, int]]) -> Iterator[tuple[int, int]]:
+    start, end = -1, -1
+    for one, other in ranges:
+        if one > end:
+            if end > start:
+                yield start, end
+            start = one
+        end = max(end, other)
+    if end > start:
+        yield start, end
