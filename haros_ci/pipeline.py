@@ -25,6 +25,7 @@ from haros_ci.linters.one_cause import one_cause
 from haros_ci.linters.recorded import Testimony
 from haros_ci.linters.run import lint
 from haros_ci.linters.said_by_ours import said_once
+from haros_ci.linters.seen_otherwise import notifications as seen_otherwise
 from haros_ci.linters.settings_changes import notifications as changed_settings
 from haros_ci.linting import (
     METRICS,
@@ -93,6 +94,7 @@ def analyse(
     with at_base(workspace, settings) as base:
         past = base if isinstance(base, Base) else None
         changed = changed_settings(workspace, past.workspace if past and past.settings else None)
+        changed += seen_otherwise(workspace, past.workspace if past else None)
         workspace = settled(workspace, settings, base)
         head, old = (None, None) if recorded is None else recorded(workspace, past)
         left = left_out(workspace, settings, base)

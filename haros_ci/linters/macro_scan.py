@@ -38,6 +38,11 @@ def marks(text: str) -> list[str]:
     return sorted({*_decorations(text), *_registrations(text)})
 
 
+def is_decoration(name: str) -> bool:
+    """Whether *name* alone is that of a decoration."""
+    return _DECORATION.fullmatch(name) is not None
+
+
 def decorations(macros: Iterable[str]) -> set[str]:
     """The names of decorations by the marks of all texts together."""
     return _names(macros, DECORATION, NO_DECORATION)

@@ -256,6 +256,11 @@ def header(more: Iterable[str], frameworks: Iterable[str] = (), undefined: Itera
     return "".join((*lines, *(f"#undef {name}\n" for name in undefined)))
 
 
+def empty() -> tuple[str, ...]:
+    """What the tables define as nothing, test frameworks' aside: ``NAME`` and ``NAME(...)``, sorted."""
+    return tuple(sorted({define for define, value in _defines() if not value}))
+
+
 def _defines() -> Iterable[tuple[str, str]]:
     yield from ((f"{name}(...)", "") for name in (*DECLARATIONS, *ATTRIBUTES))
     yield from ((name, "") for name in DECORATIONS)

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Code that a change brings and cppcheck is given in another way than the compiler is named; what every package has is not."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from linter_samples import workspace
+
+from haros_ci.linters.seen_otherwise import notifications, seen_otherwise
+
+CODE = "int & pick() {\n  int local = 1;\n  return local;\n}"
+
+SEEN = {
+    '#define PART "part.hpp"\n#include PART\n': "'#include PART'",
+    "# /* why */ include PART(x)\n": "'#include PART(x)'",
+    "#inc\\\nlude PART\n": "'#include PART'",
+    f"#ifndef TP_ARGS\n#define TP_ARGS(...) __VA_ARGS__\n#endif\nTP_ARGS({CODE})\n": "TP_ARGS",
+    f"TP_ARGS({CODE})\n": "code in the arguments of TP_ARGS",
+    f"class A\n{{\n  Q_PROPERTY(\n    int x)\n  Q_PROPERTY({CODE})\n}};\n": "code in the arguments of Q_PROPERTY",
+    "#ifndef ARM_PART_EXPORT\n#define ARM_PART_EXPORT int & pick() { int a = 1; return a; }\n#endif\n": "ARM_PART_EXPORT",
+    "#if !defined(ARM_PUBLIC)\n#define ARM_PUBLIC int a = *nothing,\n#endif\n": "ARM_PUBLIC",
+    f"#ifndef PCL_EXPORTS\n{CODE}\n#endif\n": "PCL_EXPORTS",
+    f"#if X && !defined(PCL_EXPORTS)\n\n{CODE}\n#endif\n": "PCL_EXPORTS",
+}
+QUIET = [
+    CODE,
+    '#include "part.hpp"\n#include <vector>\n',
+    "// #include PART\n",
+    "/*\n#include PART\n*/\n",
+    "#if 0\n#include PART\n#endif\n",
+    'const char * text = R"(\n#include PART\n)";\n',
+    '#define PART "part.hpp"\n',
+    "RCLCPP_DISABLE_COPY(Node)\nRCLCPP_COMPONENTS_REGISTER_NODE(arm::Node)\n",
+    f"TRACEPOINT_EVENT(arm, a, TP_ARGS(const void *, node), TP_FIELDS(ctf_integer_hex(const void *, node, node)))\n{CODE}\n",
+    'ROS_DEPRECATED_MSG("use { or ;")\nvoid f();\n',
+    "Q_PROPERTY(int x READ x WRITE setX)\n",
+    f"ARM_CODE({CODE})\n",
+    "#ifndef ARM_EXPORT\n#define ARM_EXPORT\n#endif\n",
+    '#ifndef ARM_EXPORT\n#define ARM_EXPORT __attribute__((visibility("default")))\n#endif\n',
+    "#ifdef ARM_BUILDING\n#define ARM_PUBLIC __declspec(dllexport)\n#else\n#define ARM_PUBLIC __declspec(dllimport)\n#endif\n",
+    "#ifndef ARM_PUBLIC\n#define ARM_PUBLIC [[gnu::visibility]] inline\n#endif\n",
+    '#ifndef ARM_EXPORT\n#define ARM_EXPORT extern "C" ARM_API\n#endif\n',
+    "#define ARM_EXPORT int a = *nothing,\n",
+    "#ifndef LIMIT\n#define LIMIT (1 + 2)\n#endif\n",
+    "#ifndef ARM__NODE_HPP_\n#define ARM__NODE_HPP_\nint a;\n#endif\n",
+    "#ifdef __linux__\nint a;\n#endif\n",
+    "#ifndef Q_MOC_RUN\n#include <a.hpp>\n#endif\n",
+    "#ifndef PCL_EXPORTS\n#define PCL_EXPORTS\n#endif\n",
+    "EIGEN_MAKE_ALIGNED_OPERATOR_NEW\nint a;\n",
+    "TP_ARGS(",
+]
+
+
+@pytest.mark.parametrize("text", SEEN)
+def test_it_is_named(text: str) -> None:
+    assert any(SEEN[text] in words for words in seen_otherwise(text))
+
+
+@pytest.mark.parametrize("text", QUIET)
+def test_it_is_not_named(text: str) -> None:
+    assert list(seen_otherwise(text)) == []
+
+
+def noted(old: dict[str, str], new: dict[str, str], tmp_path: Path) -> list[str | None]:
+    before, after = (workspace(tmp_path / name, files) for name, files in (("old", old), ("new", new)))
+    return [note.path for note in notifications(after, before)]
+
+
+def test_only_what_a_change_brings_is_noted(tmp_path: Path) -> None:
+    use, other = "#include PART\n", "#include OTHER\n"
+    (tmp_path / "old").mkdir()
+    (tmp_path / "new").mkdir()
+    old = {"same.cpp": use, "edited.cpp": use, "more.cpp": use, "moved.cpp": use, "plain.cpp": CODE}
+    new = {"same.cpp": use, "edited.cpp": f"{use}int a;\n", "more.cpp": use + other, "there.cpp": f"{use}int b;\n"}
+    new |= {"plain.cpp": other, "new.cpp": f"{other}int c;\n", "part.py": use}
+    assert noted(old, new, tmp_path) == ["more.cpp", "new.cpp", "plain.cpp"]
+
+
+def test_without_a_base_nothing_is_noted(tmp_path: Path) -> None:
+    assert notifications(workspace(tmp_path, {"a.cpp": "#include PART\n"}), None) == ()
+
+
+def test_macros_without_end_take_no_time_in_the_square_of_their_number() -> None:
+    assert list(seen_otherwise("TP_ARGS(" * 50_000)) == []
