@@ -3,9 +3,7 @@
 
 from __future__ import annotations
 
-import hashlib
 import os
-import stat
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
@@ -13,10 +11,12 @@ from pathlib import Path
 
 from haros_ci.model.package import OTHER, Package
 from haros_ci.model.workspace import Hiding, Problem, Workspace
+from haros_ci.workspace.compiler_flags import has_flags, may_have_flags
 from haros_ci.workspace.excludes import Excludes
-from haros_ci.workspace.files import FileTree
+from haros_ci.workspace.files import FileTree, TooLarge, decode
 from haros_ci.workspace.language import language_of, suffix_of
 from haros_ci.workspace.listing import PathListing
+from haros_ci.workspace.object_name import object_name
 from haros_ci.workspace.past import Past
 from haros_ci.workspace.selection import (
     IGNORED_WITHOUT,
@@ -34,7 +34,8 @@ MAX_NAMED = 10
 #: Kinds of files that tools' own directories hold (``.github``): there they are named only if the directory is new.
 _DATA = frozenset(("yaml", "xml", "dockerfile", "shell", "setup"))
 _UNTOLD = frozenset(("markdown", OTHER))
-_PIECE = 1 << 20
+#: Bytes of a file of settings that are read; one with more may hold anything.
+_LARGEST = 1 << 20
 _MANIFEST = "package.xml"
 
 
@@ -92,7 +93,7 @@ class TrackedChange:
 
     def _object_name(self, path: str) -> str | None:
         try:
-            return _object_name(self._tree.place(path), len(self.tracked[path]))
+            return object_name(self._tree.place(path), len(self.tracked[path]))
         except (OSError, ValueError):
             return ""  # it is there, and nobody can say that it is as it was
 
@@ -118,6 +119,7 @@ class TrackedChange:
             notes=(
                 *self._notes(sorted(aside.keys() - {*reached}), scope),
                 *self._unused_code({path: used.language_by_text(path) for path in others if path not in code}),
+                *self._flags(others),
             ),
             unread=(*workspace.hiding.unread, *unread),
             used=tuple(self._first_used(used, analysed, scope, excludes)),
@@ -254,6 +256,23 @@ class TrackedChange:
                 text = f"{_plural(len(changed), 'changed file')} {verb} {language} under a name that is not analysed as {language}"
                 yield Problem(changed[0], f"{text}: {_named(changed)}")
 
+    def _flags(self, others: Iterable[str]) -> Iterator[Problem]:
+        """One for all changed files among *others* that set flags of compilers, and that nothing here reads."""
+        named = [path for path in others if may_have_flags(path.rpartition("/")[2]) and self.has_changed(path)]
+        if found := [path for path in named if self._has_flags(path)]:
+            verb = "sets" if len(found) == 1 else "set"
+            text = f"{_plural(len(found), 'changed file')} {verb} flags of compilers, which no tool is given"
+            yield Problem(found[0], f"{text}: {_named(found)}")
+
+    def _has_flags(self, path: str) -> bool:
+        try:
+            data = self._tree.read(path, _LARGEST)
+        except TooLarge:
+            return True
+        except OSError:
+            return False
+        return data is not None and has_flags(decode(data))
+
     def _stray_launch_files(self, used: UsedCode, analysed: Collection[str]) -> Iterator[Problem]:
         for path in sorted(analysed):
             if path in self.tracked and path not in self.base and (kind := used.kind_of_stray_launch(path)):
@@ -299,26 +318,6 @@ class TrackedChange:
                 continue
             if not _excluded(target, excludes) and os.path.isfile(f"{self.root}/{target}"):
                 yield Problem(path, f"skipped: a symbolic link to {target}, which is not analysed as {language}")
-
-
-def _object_name(path: str, length: int) -> str | None:
-    """What git calls the contents of the file or link at *path*, with names of *length* digits; None if there is none."""
-    made = hashlib.sha256() if length == 64 else hashlib.sha1(usedforsecurity=False)
-    try:
-        status = os.lstat(path)
-        if stat.S_ISLNK(status.st_mode):
-            target = os.fsencode(os.readlink(path))
-            made.update(b"blob %d\0" % len(target) + target)
-            return made.hexdigest()
-        if not stat.S_ISREG(status.st_mode):
-            return None
-        made.update(b"blob %d\0" % status.st_size)
-        with open(os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC), "rb") as file:
-            while piece := file.read(_PIECE):
-                made.update(piece)
-    except FileNotFoundError:
-        return None
-    return made.hexdigest()
 
 
 def _excluded(path: str, excludes: Excludes) -> bool:
