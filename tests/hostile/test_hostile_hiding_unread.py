@@ -404,3 +404,17 @@ def test_a_file_of_the_base_that_was_used_or_still_is_not(
     head: dict[str, str], more: dict[str, str], trap: Trap
 ) -> None:
     assert used(head, more, trap) == []
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "says"),
+    [
+        (A, "#include PART\n" + TEXT, "'#include PART'"),
+        (A, "TP_ARGS(int g(int x) { return x; })\n" + TEXT, "code in the arguments of TP_ARGS"),
+        ("colcon.pkg", '{"cmake-args": ["-DCMAKE_CXX_FLAGS=-DX"]}\n', "1 changed file sets flags of compilers"),
+    ],
+)
+def test_what_compilers_are_given_otherwise_is_named(path: str, text: str, says: str, trap: Trap) -> None:
+    pull_request(trap, lambda t: None, lambda t: t.write(path, text))
+    outcome = trap.run("--baseline-rev=main", *QUICK)
+    assert [place for place, message in outcome.notes() if says in message] == [path], outcome.notes()
