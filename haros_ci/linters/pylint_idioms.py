@@ -10,6 +10,7 @@ import textwrap
 import warnings
 from functools import lru_cache
 
+from haros_ci.linters.python_bindings import is_of_tests
 from haros_ci.results.scope import scopes
 
 #: Lines of one statement, and characters of a line, that are looked at.
@@ -17,7 +18,6 @@ _MOST = 12
 _LONGEST = 400
 _THREAD = re.compile(r"[ \t]*((?:\w+\.)?\w+)[ \t]*(?::[^=\n]{0,80})?=[ \t]*(?:[\w.]+\.)?\w*Thread\([ \t]*\)")
 _ATTRIBUTE = re.compile(r"(?:self|cls)\.(\w+)[ \t]*\(")
-_RAISES = re.compile(r"(?:\w+\.)*(?:raises|assert_?[Rr]aises\w*)")
 _ABSTRACT = re.compile(r"\bABC(?:Meta)?\b|\babstract|\bNotImplementedError\b", re.IGNORECASE)
 
 
@@ -81,19 +81,21 @@ def is_to_fail(text: str, line: int) -> bool:
     for node in nodes(text):
         if isinstance(node, ast.With | ast.AsyncWith):
             calls = [item.context_expr for item in node.items]
-            if any(map(_awaits_type_error, calls)) and node.body[0].lineno <= line <= (node.end_lineno or 0):
+            is_inside = node.body[0].lineno <= line <= (node.end_lineno or 0)
+            if is_inside and any(_awaits_type_error(call, text) for call in calls):
                 return True
-        elif isinstance(node, ast.Call) and node.lineno <= line <= (node.end_lineno or 0) and _awaits_type_error(node):
-            return any(
-                isinstance(argument, ast.Lambda) and argument.lineno <= line <= (argument.end_lineno or 0)
-                for argument in node.args
-            )
+        elif isinstance(node, ast.Call) and node.lineno <= line <= (node.end_lineno or 0):
+            if _awaits_type_error(node, text):
+                return any(
+                    isinstance(argument, ast.Lambda) and argument.lineno <= line <= (argument.end_lineno or 0)
+                    for argument in node.args
+                )
     return False
 
 
-def _awaits_type_error(node: ast.expr) -> bool:
-    """Whether *node* is a call of ``raises`` or ``assertRaises``; another exception that Python has built in is not what a wrong call raises."""
-    if not isinstance(node, ast.Call) or _RAISES.fullmatch(ast.unparse(node.func)) is None:
+def _awaits_type_error(node: ast.expr, text: str) -> bool:
+    """Whether *node* is a call of ``raises`` or ``assertRaises`` of a test framework in *text*; another exception that Python has built in is not what a wrong call raises."""
+    if not isinstance(node, ast.Call) or not is_of_tests(node.func, nodes(text)):
         return False
     arguments = [*node.args[:1], *(keyword.value for keyword in node.keywords if keyword.arg == "expected_exception")]
     kinds = [elt for one in arguments for elt in (one.elts if isinstance(one, ast.Tuple) else [one])]

@@ -11,6 +11,7 @@ from functools import lru_cache
 
 from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.pylint_idioms import nodes
+from haros_ci.linters.python_bindings import asks_for_version, is_bound
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
 
@@ -32,10 +33,7 @@ _MAKES_NAMES = re.compile(
 
 #: What ends the program, and what makes another thing of the name.
 _EXIT = re.compile(r"^[ \t]*(?:exit|quit|sys\.exit|os\._exit)[ \t]*\(", re.MULTILINE)
-_OWN_EXIT = re.compile(
-    r"\bdef[ \t]+(?:exit|quit)\b|\bimport[ \t][\w, \t]{0,300}\b(?:exit|quit)\b|\bas[ \t]+(?:exit|quit|sys)\b|^[ \t]*(?:exit|quit)[ \t]*=",
-    re.MULTILINE,
-)
+_ENDS = frozenset({"exit", "quit", "_exit", "sys", "os"})
 
 _LATE = re.compile(r"^from __future__ import [^\n]*\bannotations\b", re.MULTILINE)
 _ANNOTATED = re.compile(r"(?:->|[\w)\]][ \t]*:)[ \t]*[\w\[\]., |]*$")
@@ -77,7 +75,7 @@ def weighed_names(
                 continue
             if _is_behind_exit(result, whole):
                 continue
-            if name[1] in _BROUGHT or (name[1] in OF_PYTHON_2 and _ASKS_FOR_VERSION.search(whole)):
+            if name[1] in _BROUGHT or (name[1] in OF_PYTHON_2 and _is_ready(result, whole)):
                 continue
             old = name[1] in OF_PYTHON_2 and is_ros1(result.location.path)
             if old and not _PYTHON_3.match(whole) and not is_given(result):
@@ -90,10 +88,16 @@ def weighed_names(
     return tuple(weighed)
 
 
+def _is_ready(result: Result, text: str) -> bool:
+    """Whether the code around the place of *result* is for Python 2 and 3, and tells them apart."""
+    line = result.location.line
+    return line is not None and _ASKS_FOR_VERSION.search(text) is not None and asks_for_version(nodes(text), line)
+
+
 def _is_behind_exit(result: Result, text: str) -> bool:
     """Whether a statement before the place of *result*, of the module itself or of the same branch of it, ends the program."""
     line = result.location.line
-    if not line or not _EXIT.search(text) or _OWN_EXIT.search(text):
+    if not line or not _EXIT.search(text) or is_bound(nodes(text), _ENDS):
         return False
     tree = next(iter(nodes(text)), None)
     blocks = [tree.body] if isinstance(tree, ast.Module) else []

@@ -6,10 +6,15 @@ from __future__ import annotations
 import ast
 import warnings
 from bisect import bisect_right
+from collections.abc import Container
 from functools import lru_cache
 
 #: What only makes names, and calls nothing that stands in it.
 _DEFINITIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+#: What reaches all names of a module, or of a frame, without naming them.
+_REACHES_ALL = frozenset(
+    "globals locals vars eval exec modules __globals__ f_globals f_locals f_back __dict__ getmembers".split()
+)
 #: Pairs of a name and a statement that are looked at in one file.
 _PAIRS = 500_000
 
@@ -17,7 +22,7 @@ _PAIRS = 500_000
 def is_overwritten(text: str, line: int) -> bool:
     """Whether *line* of *text*, counted from 1, is in a function without a decorator that a later definition of the same block replaces.
 
-    Nothing between the two mentions the name but other functions, and no statement between them calls anything. A definition in one branch of an ``if`` or a
+    Nothing between the two mentions the name but other functions, no text of the file is the name, nothing in it reaches all names (``globals()``), and no statement between them calls anything. A definition in one branch of an ``if`` or a
     ``try`` replaces nothing. A file that Python cannot parse has none.
     """
     return any(first <= line <= last for first, last in _replaced(text))
@@ -85,10 +90,20 @@ def _replaced(text: str) -> tuple[tuple[int, int], ...]:
     """The first and last lines of the functions."""
     found: list[tuple[int, int]] = []
     look = _Look()
-    for node in ast.walk(_parsed(text)):
+    every = list(ast.walk(_parsed(text)))
+    if any(_REACHES_ALL.intersection(_words(node)) for node in every):
+        return ()
+    quoted = {node.value for node in every if isinstance(node, ast.Constant) and isinstance(node.value, str)}
+    for node in every:
         if isinstance(node, (ast.Module, *_DEFINITIONS)):
-            found.extend(_in_block(node.body, look))
+            found.extend(_in_block(node.body, look, quoted))
     return tuple(found)
+
+
+def _words(node: ast.AST) -> tuple[str, ...]:
+    if isinstance(node, ast.ImportFrom):
+        return tuple(alias.name for alias in node.names)
+    return (node.id,) if isinstance(node, ast.Name) else (node.attr,) if isinstance(node, ast.Attribute) else ()
 
 
 def _parsed(text: str) -> ast.Module:
@@ -101,7 +116,7 @@ def _parsed(text: str) -> ast.Module:
         return ast.Module([], [])
 
 
-def _in_block(block: list[ast.stmt], look: _Look) -> list[tuple[int, int]]:
+def _in_block(block: list[ast.stmt], look: _Look, quoted: Container[str]) -> list[tuple[int, int]]:
     last: dict[str, int] = {}
     for index, statement in enumerate(block):
         if isinstance(statement, _DEFINITIONS):
@@ -111,7 +126,11 @@ def _in_block(block: list[ast.stmt], look: _Look) -> list[tuple[int, int]]:
         if not isinstance(statement, (ast.FunctionDef, ast.AsyncFunctionDef)) or statement.decorator_list:
             continue
         again = last[statement.name]
-        if again > index and not look.may_use(statement.name, block[index + 1 : again + 1]):
+        if (
+            again > index
+            and statement.name not in quoted
+            and not look.may_use(statement.name, block[index + 1 : again + 1])
+        ):
             found.append((statement.lineno, statement.end_lineno or statement.lineno))
     return found
 

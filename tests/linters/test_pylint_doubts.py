@@ -326,9 +326,40 @@ AWAITED = [
 @pytest.mark.parametrize(("head", "expected"), AWAITED)
 def test_a_call_that_a_test_expects_to_fail(rule: str, head: str, expected: bool) -> None:
     text = f"def test_it(self):\n    {head}\n        Moved(\n            name='a',\n        )\n    Moved()\n"
+    text += "import pytest\nfrom pytest import raises\n"
     assert is_refuted(rule, 3, 8, text) is expected
     assert not is_refuted(rule, 6, 4, text)
     assert not is_refuted("no-member", 3, 8, text)
+
+
+#: The block's first line, what else the file has, and whether ``raises`` is that of a test framework.
+OWNERS = [
+    ("with pt.raises(TypeError):", "import pytest as pt\n", True),
+    ("with fails(TypeError):", "from pytest import raises as fails\n", False),
+    ("with raises(TypeError):", "from nose.tools import raises\n", True),
+    ("with assert_raises(TypeError):", "from numpy.testing import assert_raises\n", True),
+    ("with np.testing.assert_raises(TypeError):", "import numpy as np\n", True),
+    ("with testing.assert_raises(TypeError):", "from numpy import testing\n", True),
+    ("with self.assertRaises(TypeError):", "", True),
+    ("with cls.assertRaises(TypeError):", "", True),
+    ("with raises(TypeError):", "", False),
+    ("with raises(TypeError):", "# from pytest import raises\n", False),
+    ("with raises(TypeError):", "from contextlib import nullcontext as raises\n", False),
+    ("with raises(TypeError):", "from .pytest import raises\n", False),
+    ("with raises(TypeError):", "from pytest import raises\nraises = quiet\n", False),
+    ("with raises(TypeError):", "from pytest import raises\ndef raises(kind):\n    return quiet\n", False),
+    ("with pytest.raises(TypeError):", "import tools as pytest\n", False),
+    ("with pytest.raises(TypeError):", "class pytest:\n    raises = quiet\n", False),
+    ("with self.raises(TypeError):", "", False),
+    ("with self.assertRaises(TypeError):", "def assertRaises(self, kind):\n    return quiet\n", False),
+    ("with arm.assertRaises(TypeError):", "", False),
+]
+
+
+@pytest.mark.parametrize(("head", "rest", "expected"), OWNERS)
+def test_raises_is_that_of_a_test_framework(head: str, rest: str, expected: bool) -> None:
+    text = f"def test_it(self):\n    {head}\n        Moved()\n{rest}"
+    assert is_refuted("no-value-for-parameter", 3, 8, text) is expected
 
 
 def test_a_lambda_that_a_test_expects_to_fail() -> None:

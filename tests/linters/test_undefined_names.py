@@ -203,6 +203,14 @@ def test_behind_the_end_of_the_program(text: str) -> None:
         "import tools as sys\nsys.exit()\nprint(corners)\n",
         "def exit():\n    pass\nexit()\nprint(corners)\n",
         "exit = run\nexit()\nprint(corners)\n",
+        "class exit:\n    pass\nexit()\nprint(corners)\n",
+        "for exit in a:\n    pass\nexit()\nprint(corners)\n",
+        "a, exit = b\nexit()\nprint(corners)\n",
+        "import sys\nsys.exit = run\nsys.exit()\nprint(corners)\n",
+        "import sys\nsetattr(sys, 'exit', run)\nsys.exit()\nprint(corners)\n",
+        "from tools import *\nexit()\nprint(corners)\n",
+        "from tools import sys\nsys.exit()\nprint(corners)\n",
+        "if (exit := run):\n    pass\nexit()\nprint(corners)\n",
         "parser.exit()\nprint(corners)\n",
         "exit\nprint(corners)\n",
         "exit()\nprint(corners\n",
@@ -241,3 +249,25 @@ def test_annotations_of_a_functions_variables_are_not_evaluated(text: str) -> No
 )
 def test_other_annotations_are_evaluated(text: str) -> None:
     assert level("Node", text) is Level.ERROR
+
+
+#: Whether the code around a name of Python 2 tells the versions apart; a mention elsewhere, or in a comment, is no test.
+READY = [
+    ("import sys\nif sys.version_info[0] < 3:\n    a = unicode(b)\n", True),
+    ("from six import PY2\na = unicode(b) if PY2 else str(b)\n", True),
+    ("try:\n    a = unicode(b)\nexcept NameError:\n    a = str(b)\n", True),
+    ("def f(b):\n    if PY3:\n        return str(b)\n    return unicode(b)\n", True),
+    ("def f(b):\n    try:\n        return unicode(b)\n    except (NameError, TypeError):\n        return b\n", True),
+    ("class A:\n    if six.PY2:\n        a = unicode(b)\n", True),
+    ("# sys.version_info\na = unicode(b)\n", False),
+    ('"""For PY2."""\na = unicode(b)\n', False),
+    ("import sys\nprint(sys.version_info)\na = unicode(b)\n", False),
+    ("if PY2:\n    pass\na = unicode(b)\n", False),
+    ("def g():\n    if PY2:\n        pass\ndef f(b):\n    return unicode(b)\n", False),
+    ("def f(b):\n    # except NameError\n    return unicode(b)\n", False),
+]
+
+
+@pytest.mark.parametrize(("text", "is_ready"), READY)
+def test_a_name_of_python_2_where_the_versions_are_told_apart(text: str, is_ready: bool) -> None:
+    assert (level("unicode", text, ros1=False) is None) is is_ready

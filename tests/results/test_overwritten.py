@@ -29,6 +29,21 @@ def test_the_first_of_two(between: str) -> None:
     assert not is_overwritten(text, text.count("\n"))
 
 
+@pytest.mark.parametrize(
+    "between",
+    [
+        "class Keep:\n    value = globals()['make']()\n\n\n",
+        "class Keep:\n    value = getattr(HERE, 'make')()\n\n\n",
+        "def keep(f):\n    vars()['ma' + 'ke']()\n    return f\n\n\n@keep\ndef other():\n    pass\n\n\n",
+        "class Keep:\n    value = sys.modules[__name__].make()\n\n\n",
+        "class Keep:\n    value = eval('ma' 'ke()')\n\n\n",
+        "from builtins import globals as all_of_them\n\n\n",
+    ],
+)
+def test_a_function_that_may_be_reached_by_its_name_as_a_text(between: str) -> None:
+    assert not is_overwritten(FIRST + between + SECOND, 2)
+
+
 def test_methods_and_inner_functions() -> None:
     methods = "class Node:\n    def on(self):\n        pass\n\n    def on(self):\n        return 1\n"
     assert is_overwritten(methods, 3)
