@@ -11,6 +11,7 @@ from haros_ci.follow import call_arguments, lookup, methods, partials, thrown
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
+from haros_ci.index.mentions import last
 from haros_ci.syntax import Function, Type
 from haros_ci.syntax.walk import Part, everything
 from haros_ci.values.abstract import (
@@ -183,7 +184,7 @@ def _only_numbers(this: Object, changed: frozenset[str], depth: int = 0) -> bool
                 if not _only_numbers(cell.value, changed, depth + 1):
                     return False
             continue
-        if isinstance(cell.value, Known) and isinstance(cell.value.value, (int, float)):
+        if isinstance(cell.value, Known) and issubclass(cell.value.kind, (int, float)):
             continue
         if isinstance(cell.value, Opaque) and (
             cell.type is None or call_arguments.is_scalar(cell.type) or cell.value.type is None
@@ -224,7 +225,7 @@ def skipped(
             for pointer in pointers:
                 lookup.global_cell(walk, *pointer)
     for (_, name), cell in walk.globals.items():
-        if name.rpartition("::")[2].rpartition(".")[2] in changed and not _is_constant(cell):
+        if last(name) in changed and not _is_constant(cell):
             _forget(walk, cell, replace(unknown, type=cell.type))
     for module in walk.modules.values():
         for name in changed & module.scopes[0].keys():

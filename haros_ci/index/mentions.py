@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Container, Iterable
+from functools import cache
 
 from haros_ci import syntax
 from haros_ci.index.index import Index, Source
@@ -290,5 +291,7 @@ def type_names(kind: syntax.Argument) -> Iterable[str]:
             yield from type_names(inner)
 
 
+@cache
 def last(name: str) -> str:
+    """The last part of a qualified name; asked for the same names again and again."""
     return name.rpartition("::")[2].rpartition(".")[2]
