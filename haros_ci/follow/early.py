@@ -11,8 +11,10 @@ way puts what stands behind it under the opposite of all that leads there. No co
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from haros_ci import syntax
 from haros_ci.follow import conversions, expressions
@@ -55,8 +57,7 @@ SHUTDOWNS = frozenset(
 STARTS = frozenset("on_init on_configure on_activate init initRequest initialize configure".split())
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Exit:
+class Exit(Struct, frozen=True, eq=False):
     """A way out: the *conditions* around it, from the entry on; *ends* is the loop of which it ends a turn, or the ``try``
     whose block it leaves, None where it is the function."""
 
@@ -66,8 +67,11 @@ class Exit:
 
 def returns(walk: Walk, frame: Frame, value: Value, is_bare: bool) -> None:
     """A ``return`` of *value* is followed; *is_bare* if nothing is written behind it."""
-    is_failed = is_failure(value) and (frame.is_start or (not is_bare and _is_start(walk, frame)))
-    if not (is_failed or is_over(walk, frame)):
+    if is_over(walk, frame):
+        return
+    # The value is asked last: a parameter that does not matter here may be another one for the next node (decision 0023).
+    is_failed = (frame.is_start or (not is_bare and _is_start(walk, frame))) and is_failure(value)
+    if not is_failed:
         frame.early.append(Exit(tuple(walk.conditions)))
 
 

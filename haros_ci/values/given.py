@@ -152,10 +152,12 @@ def letter(value: Known, place: int) -> Known:
 
 
 def beginning(value: Known, count: int) -> Known | None:
-    """The first *count* characters of a given text where the rest of it is not given; None for others."""
+    """The first *count* characters of a given text where the rest of it is not given, or which are none; None for others."""
     held = value.held if isinstance(value, Given) else None
-    if not isinstance(value, Given) or not isinstance(held, str) or value.mark is None or not 0 < count <= len(held):
+    if not isinstance(value, Given) or not isinstance(held, str) or value.mark is None or not 0 <= count <= len(held):
         return None
+    if count == 0:
+        return Known("")
     rest = held[count:]
     if not value.mark.endswith(rest):
         return None
