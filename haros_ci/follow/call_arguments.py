@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from haros_ci import syntax
 from haros_ci.follow import conversions, expressions, static_types
@@ -14,8 +14,7 @@ from haros_ci.syntax import Expression, Type
 from haros_ci.values.abstract import Cell, Mapped, Value
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class PassedArgument:
+class PassedArgument(Struct, frozen=True, eq=False):
     """An argument: its value, its cell where it is an lvalue, its static type, its keyword in Python."""
 
     value: Value

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING
 
+from msgspec import Struct
+
 from haros_ci import syntax
 from haros_ci.follow import conversions, handles, members, methods
 from haros_ci.follow.frames import Frame
@@ -45,8 +47,7 @@ class TypeValue:
 Found = Value | TypeValue | None
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Applied:
+class Applied(Struct, frozen=True, eq=False):
     """A row at one call: what its templates may select from."""
 
     walk: Walk
