@@ -56,7 +56,7 @@ def may_make(
     if walk.relevance.makes(function.function, function.source):
         return True
     for kind in (templates or {}).values():
-        if isinstance(kind, syntax.Type) and kind.name in walk.index.classes and walk.relevance.named(kind.name):
+        if type(kind) is syntax.Type and kind.name in walk.index.classes and walk.relevance.named(kind.name):
             return True
     return (
         any(a.value.__class__ in CALLABLE and _makes(walk, a.value) for a in args)
@@ -169,7 +169,7 @@ def _is_short(definition: Function) -> bool:
     body = definition.body or ()
     return (
         0 < len(body) <= SHORT
-        and isinstance(body[-1], syntax.Return)
+        and type(body[-1]) is syntax.Return
         and body[-1].value is not None
         and all(isinstance(statement, STRAIGHT) for statement in body)
     )
@@ -197,7 +197,7 @@ def _only_numbers(this: Object, changed: frozenset[str], depth: int = 0) -> bool
 
 
 def _returns_value(block: Part) -> bool:
-    return any(isinstance(node, syntax.Return) and node.value is not None for node in everything(block))
+    return any(type(node) is syntax.Return and node.value is not None for node in everything(block))
 
 
 def skipped(

@@ -41,7 +41,7 @@ def loop(walk: Walk, frame: Frame, statement: syntax.Loop) -> str:
     current = Loop(walk.state.mark())
     known = len(walk.made)
 
-    step = body[-1] if body and isinstance(body[-1], syntax.Step) else None
+    step = body[-1] if body and type(body[-1]) is syntax.Step else None
 
     def one() -> str:
         return statements.execute(walk, frame, body[:-1] if step else body)
@@ -207,7 +207,7 @@ def _worthwhile(walk: Walk, frame: Frame, body: Block, test: Expression | None) 
     if (
         walk.turns < NESTED
         and test is not None
-        and isinstance(test, syntax.Operation)
+        and type(test) is syntax.Operation
         and walk.relevance.edits(body, frame.source)
     ):
         return True

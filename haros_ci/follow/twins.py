@@ -80,4 +80,4 @@ def _has_scopes(function: Function) -> bool:
 
 
 def _has_block(body: Block) -> bool:
-    return any(isinstance(statement, syntax.Nested) for statement in body)
+    return any(type(statement) is syntax.Nested for statement in body)

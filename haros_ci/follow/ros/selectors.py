@@ -266,7 +266,7 @@ def _members(applied: Applied, value: Value, names: list[str]) -> Value | None:
 
 def _template_argument(types: tuple[syntax.Argument, ...], index: int) -> TypeValue | None:
     found = types[index] if index < len(types) else None
-    return TypeValue(found) if isinstance(found, syntax.Type) else None
+    return TypeValue(found) if type(found) is syntax.Type else None
 
 
 def _callback_type(walk: Walk, argument: PassedArgument, index: int) -> TypeValue | None:
