@@ -83,14 +83,14 @@ def escaped(data: Any) -> str:
 
 
 def code() -> str:
-    """The script, its parts in one function so that nothing of it is a global; lines that are comments are for who reads its source, and left out."""
-    parts = ["\n".join(_without_comments(asset(name))) for name in SCRIPTS]
+    """The script, its parts in one function so that nothing of it is a global; lines that are comments, and indents, are for who reads its source, and left out."""
+    parts = ["\n".join(_bare(asset(name))) for name in SCRIPTS]
     return '\n"use strict";\n(() => {\n' + "\n".join(parts) + "\n})();\n"
 
 
-def _without_comments(script: str) -> Iterator[str]:
-    """The lines of a part that are not comments as a whole; no text of ours goes over lines (tests/html_page/test_html_document.py)."""
-    return (line for line in script.splitlines() if not line.lstrip().startswith("//"))
+def _bare(script: str) -> Iterator[str]:
+    """The lines of a part that are not comments as a whole, without indents; no text of ours goes over lines (tests/html_page/test_html_document.py)."""
+    return (line for line in map(str.lstrip, script.splitlines()) if not line.startswith("//"))
 
 
 def asset(name: str) -> str:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -168,12 +169,16 @@ def plain_picture(sizes: Sequence[tuple[int, int]], edges: Sequence[tuple[int, i
     import graphlay
 
     graph = graphlay.Graph()
+    # What stands alone is in about as many columns as rows: in six of them a hundred would make the rest small.
+    alone = len(sizes) - len({end for edge in edges for end in edge})
+    columns = max(OPTIONS["spacing"]["isolated_max_columns"], round(1.2 * math.sqrt(alone)))
+    options = {**OPTIONS, "spacing": {**OPTIONS["spacing"], "isolated_max_columns": columns}}
     for number, (width, height) in enumerate(sizes):
         graph.node(number, width=width, height=height, label="")
     for one, other in edges:
         graph.edge(one, other)
     try:
-        found = graphlay.layout(graph, preset="layered", options=OPTIONS)
+        found = graphlay.layout(graph, preset="layered", options=options)
     except graphlay.GraphlayError:
         return None
     left, top = (float(found.bounds["min"][axis]) - GAP for axis in "xy")

@@ -484,11 +484,15 @@ def test_transforms_of_a_configuration_without_any(page: Page) -> None:
     assert "No transform of this configuration is known" in page.text()
 
 
-def test_a_page_without_transforms_has_no_such_view(driver: Any, tmp_path: Path) -> None:
+def test_a_page_without_transforms_has_no_such_view_and_says_why(driver: Any, tmp_path: Path) -> None:
     path = tmp_path / "page.html"
     path.write_text(written(given(configurations=())), encoding="utf-8")
     page = Page(driver, path)
     assert "Transforms" not in page.text("nav") and page.complaints() == []
+    page.go("transforms")
+    assert "This page has no Transforms: no transform is known." in page.text()
+    page.go("findings")
+    assert "This page has no" not in page.text()
 
 
 def test_properties_with_what_is_wrong_with_them(page: Page) -> None:
@@ -646,3 +650,22 @@ def test_each_view_prints_on_few_pages(page: Page) -> None:
         document = base64.b64decode(page.driver.print_page())
         pages = document.count(b"/Type /Page\n") + document.count(b"/Type /Page ")
         assert document.startswith(b"%PDF") and pages < 12, view
+
+
+def test_a_narrow_window_begins_a_picture_readable_and_goes_to_the_details(driver: Any, plain: Path) -> None:
+    page = Page(driver, plain)
+    driver.execute_cdp_cmd(
+        "Emulation.setDeviceMetricsOverride", {"width": 420, "height": 900, "deviceScaleFactor": 1, "mobile": False}
+    )
+    try:
+        page.go("system")
+        assert page.run("return document.querySelector('.picture > g').getCTM().a") >= 0.6
+        assert "drag the picture" in page.text("[role=status]")
+        page.click("button", "Fit")
+        assert page.run("return document.querySelector('.picture > g').getCTM().a") < 0.6
+        page.go("findings")
+        assert page.run("return document.querySelector('.detail').getBoundingClientRect().height") == 0
+        page.click(".rows .row [role=cell]")
+        assert 0 <= page.run("return document.querySelector('.detail').getBoundingClientRect().top") < 400
+    finally:
+        driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})

@@ -2,7 +2,7 @@
 const sourceWords = { source: "the source", launch: "a launch file", hint: "the project file", "known-node": "data on nodes outside the workspace", "exact-tier": "libclang" };
 
 const CHANNEL_WORDS = { topics: "topic", services: "service", actions: "action" };
-const whereIs = (at) => (at ? h("code", null, at.text) : "");
+const whereIs = (at) => (at ? h("code", null, breakable(at.text)) : "");
 const conditionList = (list) => (list.length ? h("ul", { class: "conditions" }, list.map((one) => h("li", null, h("code", null, condition(one)), " at ", whereIs(one.place)))) : null);
 const unknownItems = (list) => h("ul", { class: "unknowns" }, list.map((one) => h("li", null, h("strong", null, `${one.field} not known: `), one.reason, one.place ? [" at ", whereIs(one.place)] : "")));
 // Many reasons are one line until they are asked for.

@@ -59,8 +59,8 @@ function current() {
 const printing = [];
 const whenPrinted = (before, after) => printing.push([before, after]);
 
-// A long name may be broken behind its slashes and underscores; what is copied of it stays the same.
-const breakable = (name) => (name.match(/[^/_]+[/_]*|[/_]+/g) || []).flatMap((part, at) => (at ? [h("wbr"), part] : [part]));
+// A long name may be broken behind its slashes, colons and underscores; what is copied of it stays the same.
+const breakable = (name) => (name.match(/[^/_:]+[/_:]*|[/_:]+/g) || []).flatMap((part, at) => (at ? [h("wbr"), part] : [part]));
 
 const link = (view, parameters, ...children) => h("a", { href: address(view, parameters) }, ...children);
 
@@ -68,6 +68,12 @@ const link = (view, parameters, ...children) => h("a", { href: address(view, par
 function remember(parameters) {
   const { view, parameters: before } = current();
   history.replaceState(null, "", `#${address(view, { ...before, ...parameters })}`);
+}
+
+// In a narrow window the details stand below what was clicked, out of sight.
+function intoSight(element) {
+  const detail = element.closest(".split")?.querySelector(".detail.open");
+  if (detail && detail.getBoundingClientRect().top >= element.getBoundingClientRect().bottom - 1) detail.scrollIntoView({ block: "start" });
 }
 
 function later(work, milliseconds) {
@@ -84,6 +90,9 @@ function chooser(label, values, chosen, change) {
   select.value = chosen;
   return h("label", { class: "choice" }, h("span", null, label), select);
 }
+
+// Enlarge, shrink and fit a picture.
+const zoomButtons = (picture) => h("span", { class: "buttons" }, h("button", { onclick: () => picture.zoom(1.3), "aria-label": "enlarge" }, "+"), h("button", { onclick: () => picture.zoom(0.77), "aria-label": "shrink" }, "−"), h("button", { onclick: () => picture.fit() }, "Fit"));
 
 function toggle(label, checked, change) {
   const box = h("input", { type: "checkbox", checked, onchange: () => change(box.checked) });

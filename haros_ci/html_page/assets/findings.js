@@ -108,7 +108,7 @@ function frame(at, endLine, endColumn, around) {
 function steps(list, title, ordered) {
   if (!list.length) return null;
   return h("details", { open: list.length < 8 }, h("summary", null, `${title} (${list.length})`), h(ordered ? "ol" : "ul", { class: "steps" }, list.map((one) =>
-    h("li", null, one.text ? `${one.text} – ` : "", h("code", null, one.place ? one.place.text : ""), frame(one.place, 0, 0, 1)))));
+    h("li", null, one.text ? `${one.text} – ` : "", whereIs(one.place), frame(one.place, 0, 0, 1)))));
 }
 
 function asMarkdown(one, detail) {
@@ -157,13 +157,13 @@ function findingDetail(one, close) {
   return [
     h("div", { class: "detail-head" }, h("span", { class: `level ${one.level}` }, one.level), " ", h("strong", null, one.full), h("button", { class: "close", "aria-label": "close", onclick: close }, "✕")),
     h("p", { class: "message" }, one.message),
-    h("p", null, h("code", null, one.place.text), detail.scope ? [" in ", h("code", null, detail.scope)] : null),
+    h("p", null, whereIs(one.place), detail.scope ? [" in ", h("code", null, detail.scope)] : null),
     frame(one.place, one.endLine, one.endColumn, 3),
     h("div", { class: "buttons" }, markdownButton, placeButton, link("findings", { id: one.id, state: "any" }, "Link to this finding")),
     h("dl", null,
       h("dt", null, "state"), h("dd", null, one.state, detail.reason ? `: ${detail.reason}` : STATE_WORDS[one.state] ? ` (${STATE_WORDS[one.state]})` : "", detail.suppressions.length ? ` (${detail.suppressions.join("; ")})` : ""),
       detail.value !== null ? [h("dt", null, "value"), h("dd", null, `${detail.value}${detail.limit !== null ? `, limit ${detail.limit}` : ""}`)] : null,
-      detail.subject.length ? [h("dt", null, "about"), h("dd", null, detail.subject.map((name, index) => [index ? ", " : "", known.has(name) ? link("system", { configuration, element: name }, name) : name]), configuration ? [" in ", link("system", { configuration }, configuration)] : null)] : null,
+      detail.subject.length ? [h("dt", null, "about"), h("dd", null, detail.subject.map((name, index) => [index ? ", " : "", known.has(name) ? link("system", { configuration, element: name }, name) : name]), configuration ? [" in ", link("system", { configuration }, breakable(configuration))] : null)] : null,
       detail.also.length ? [h("dt", null, "also reported as"), h("dd", null, detail.also.join(", "))] : null,
       detail.fixes.length ? [h("dt", null, "check --fix can"), h("dd", null, detail.fixes.join("; "))] : null),
     steps(detail.flow, "How it comes to this", true), steps(detail.related, "Related places", false), steps(detail.copies, "The same in copies of the file", false),

@@ -21,9 +21,14 @@ function launchView(parameters) {
     return [
       own.length ? h("details", null, h("summary", null, count(own.length, "argument")), smallTable(["argument", "default", "choices", "declared at"], own.map((one) => [one.name, depth === 0 && given.has(one.name) ? `${given.get(one.name)} (given)` : one.value === null ? "must be given" : one.value, one.choices.join(", "), whereIs(one.place)]), "arguments")) : null,
       starts.length ? h("details", { open: depth < 2 }, h("summary", null, `starts ${count(starts.length, "node")}`, times.get(path) > 1 ? ` (in all, as it is included ${times.get(path)} times)` : ""), h("ul", { class: "plain-list" }, starts.map((one) => h("li", { class: one.conditions.length || one.presence ? "conditional" : null }, element(made, one.name), ` ${one.package}/${one.type} `, whereIs(one.place), one.presence ? [" if ", h("code", null, one.presence)] : null, conditionList(one.conditions))))) : null,
-      inner.length ? h("ul", { class: "tree" }, inner.map((one) => h("li", { class: one.presence ? "conditional" : null }, h("details", { open: depth < 2 }, h("summary", null, h("strong", null, one.path || one.words), one.path ? null : h("span", { class: "quiet" }, " (not in the workspace, or not known)"), one.presence ? [" if ", h("code", null, one.presence)] : null, " ", h("span", { class: "quiet" }, one.place ? one.place.text : "")),
-        one.passed.length ? h("p", { class: "quiet" }, `passes ${one.passed.join(", ")}`) : null, depth < 20 ? file(one.path, one.index, depth + 1) : null)))) : null,
-    ];
+      inner.length ? h("ul", { class: "tree" }, inner.map((one) => included(one, depth))) : null,
+    ].filter(Boolean);
+  }
+
+  function included(one, depth) {
+    const head = [h("strong", null, breakable(one.path || one.words)), one.path ? null : h("span", { class: "quiet" }, " (not in the workspace, or not known)"), one.presence ? [" if ", h("code", null, one.presence)] : null, " ", h("span", { class: "quiet" }, one.place ? breakable(one.place.text) : "")];
+    const content = [one.passed.length ? h("p", { class: "quiet" }, `passes ${one.passed.join(", ")}`) : null, ...(depth < 20 ? file(one.path, one.index, depth + 1) : [])].filter(Boolean);
+    return h("li", { class: one.presence ? "conditional" : null }, content.length ? h("details", { open: depth < 2 }, h("summary", null, head), content) : h("div", { class: "leaf" }, head));
   }
 
   const roots = made.launch.map((one) => ({ name: one, path: rootPath(one, [...nodesIn.keys(), ...argumentsIn.keys(), ...rows.filter((each) => each.parent < 0).map((each) => (each.place ? each.place.path : ""))]) }));
@@ -31,8 +36,8 @@ function launchView(parameters) {
     content: [
       h("div", { class: "bar-of-filters" }, configurationChooser(made.name, (name) => { location.hash = address("launch", { configuration: name }); }, true), link("system", { configuration: made.name }, "its system")),
       h("h1", null, breakable(made.name)),
-      made.arguments.length ? h("p", null, "with ", made.arguments.map(([name, value]) => [h("code", null, `${name}:=${value}`), " "])) : null,
-      roots.map((one) => h("section", { class: "card" }, h("h2", null, breakable(one.name)), file(one.path, -1, 0))),
+      made.arguments.length ? h("details", { open: made.arguments.length < 8 }, h("summary", null, `with ${count(made.arguments.length, "argument")}`), h("ul", { class: "plain-list" }, made.arguments.map(([name, value]) => h("li", null, h("code", null, `${name}:=${value}`))))) : null,
+      roots.map((one) => h("section", { class: "card" }, roots.length > 1 || one.name !== made.name ? h("h2", null, breakable(one.name)) : null, file(one.path, -1, 0))),
       made.others.length ? h("section", { class: "card" }, h("h2", null, "Under other arguments"), h("ul", { class: "plain-list" }, made.others.slice(0, 300).map((one) => h("li", { class: "conditional" }, one.node.name, ` ${one.node.package}/${one.node.type} `, h("code", null, one.presence), " ", whereIs(one.node.place))))) : null,
     ],
   };

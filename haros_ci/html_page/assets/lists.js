@@ -5,7 +5,7 @@ function parametersView(parameters) {
   const made = system(which.index);
   const list = [...parameterTable(made).values()];
   const columns = [
-    { key: "name", title: "name", width: "minmax(12rem, 2fr)", class: "path", compare: (a, b) => compare(a.name, b.name), cell: (one) => h("span", { title: one.name }, h("bdi", null, one.name)) },
+    { key: "name", title: "name", width: "minmax(12rem, 3fr)", class: "path", compare: (a, b) => compare(a.name, b.name), cell: (one) => h("span", { title: one.name }, h("bdi", null, one.name)) },
     { key: "value", title: "value", width: "minmax(8rem, 1.5fr)", compare: (a, b) => compare(String(a.value ?? ""), String(b.value ?? "")), cell: (one) => (one.value !== null ? h("code", { title: one.value }, one.value) : one.fallback !== null ? h("span", { class: "quiet" }, `${one.fallback} (default)`) : "") },
     { key: "default", title: "default", width: "minmax(6rem, 1fr)", cell: (one) => one.fallback ?? "" },
     { key: "set", title: "set at", width: "minmax(10rem, 2fr)", class: "path", compare: (a, b) => compare(a.setAt, b.setAt), cell: (one) => h("span", { title: one.setAt }, h("bdi", null, one.setAt)) },
@@ -33,10 +33,10 @@ function packagesView(parameters) {
   const most = Math.max(1, ...list.map((one) => one.ratio));
   const number = (title, key, get, width) => ({ key, title, width: width || "5.5rem", class: "number", down: true, compare: (a, b) => get(a) - get(b), cell: (one) => (get(one) ? get(one).toLocaleString("en") : "") });
   const columns = [
-    { key: "name", title: "package", width: "minmax(11rem, 2fr)", compare: (a, b) => compare(a.name, b.name), cell: (one) => h("span", { title: one.path }, one.name, one.circle >= 0 ? h("span", { class: "remark" }, ` cycle ${one.circle + 1}`) : "") },
-    number("files", "files", (one) => one.files, "4rem"), ...D.languages.slice(0, 4).map((name, index) => number(LANGUAGE_NAMES[name].replace(" files (XML)", ""), name, (one) => one.lines[index], "5rem")),
-    number("findings", "findings", (one) => one.findings), number("per 1,000 lines", "ratio", (one) => Math.round(one.ratio * 10) / 10, "7.5rem"),
-    { key: "bar", title: "", width: "5rem", cell: (one) => bar(one.ratio / most, "fill heat") }, number("depends on", "needs", (one) => one.inner.length, "6rem"), number("needed by", "users", (one) => one.users.length, "6rem"),
+    { key: "name", title: "package", width: "minmax(14rem, 2fr)", class: "path", compare: (a, b) => compare(a.name, b.name), cell: (one) => h("span", { title: `${one.name}: ${one.path}` }, h("bdi", null, one.name, one.circle >= 0 ? h("span", { class: "remark" }, ` cycle ${one.circle + 1}`) : "")) },
+    number("files", "files", (one) => one.files, "4rem"), ...D.languages.map((name, index) => number(LANGUAGE_NAMES[name].replace(" files (XML)", ""), name, (one) => one.lines[index], name === "interface" ? "5rem" : "4.3rem")).filter((_, index) => list.some((one) => one.lines[index])),
+    number("findings", "findings", (one) => one.findings, "4.6rem"), number("per 1,000 lines", "ratio", (one) => Number(one.ratio.toFixed(one.ratio < 0.1 ? 2 : 1)), "7.2rem"),
+    { key: "bar", title: "", width: "4.2rem", cell: (one) => bar(one.ratio / most, "fill heat") }, number("depends on", "needs", (one) => one.inner.length, "5.6rem"), number("needed by", "users", (one) => one.users.length, "5.4rem"),
   ];
   const [key, direction] = (parameters.sort || "").split("-");
   const detail = h("aside", { class: "detail", "aria-label": "package", "aria-live": "polite" });
@@ -58,7 +58,7 @@ function packagesView(parameters) {
   const start = list.find((one) => one.name === parameters.package);
   if (start) requestAnimationFrame(() => { if (drawn) drawn.show(start); else { table.chooseRow(start, false); describe(start); } });
   const other = D.package_picture ? h("button", { onclick: () => { remember({ as: asPicture ? "" : "picture" }); show(); } }, asPicture ? "Table" : "Picture") : null;
-  return { wide: true, escape: close, content: [h("div", { class: "bar-of-filters" }, searchField("Search packages", "", apply), other, h("span", { class: "quiet" }, count(list.length, "package"), drawn ? ": from what is built first to what is built last; dependencies that follow from others are left out. The taller, the more lines; the darker, the more findings per line" : "")), h("div", { class: "split" }, drawn ? h("div", { class: "stage" }, drawn.element) : table.element, detail)] };
+  return { wide: true, escape: close, content: [h("div", { class: "bar-of-filters" }, searchField("Search packages", "", apply), other, drawn ? zoomButtons(drawn.picture) : null, h("span", { class: "quiet" }, count(list.length, "package"), drawn ? ": from what is built first to what is built last; dependencies that follow from others are left out. The taller, the more lines; the darker, the more findings per line" : "")), h("div", { class: "split" }, drawn ? h("div", { class: "stage" }, drawn.element) : table.element, detail)] };
 }
 
 // What packages need of each other, the warmer the more findings a package has for its lines.
@@ -68,8 +68,8 @@ function packagePicture(list, most, select) {
   const elements = list.map((one, index) => ({ id: `p${index}`, isNode: true, isCentred: true, what: "node", box: -1, rectangle: places[index], title: one.name, lines: [], sub: one.findings ? `${count(one.findings, "finding")}, ${count(one.all, "line")}` : count(one.all, "line"), classes: [`heat-${heat(one)}`, one.circle >= 0 ? "red" : ""].filter(Boolean), tip: [one.name, count(one.findings, "finding"), one.circle >= 0 ? `in cycle ${one.circle + 1}` : ""].filter(Boolean).join("\n") }));
   const made = makePicture({ label: "what packages need of each other", select: (id) => select(id ? list[Number(id.slice(1))] : null) });
   made.show({ size, boxes: [], elements, edges: edges.map(([from, to, points]) => ({ from: `p${from}`, to: `p${to}`, channel: `p${to}`, points, classes: [], tip: `${list[to].name} needs ${list[from].name}` })) });
-  requestAnimationFrame(made.fit);
-  return { element: made.element, show: (one) => { const id = `p${list.indexOf(one)}`; made.choose(id); made.centre(id); } };
+  requestAnimationFrame(() => made.begin());
+  return { element: made.element, picture: made, show: (one) => { const id = `p${list.indexOf(one)}`; made.choose(id); made.centre(id); } };
 }
 
 function interfacesView(parameters) {
@@ -101,7 +101,7 @@ function interfacesView(parameters) {
   const close = () => { clear(detail); detail.classList.remove("open"); };
   const table = virtualTable({ label: "interfaces", columns, rows: list, sort: { column: key, down: direction === "down" }, sorted: (column, down) => { remember({ sort: `${column}-${down ? "down" : "up"}` }); show(); },
     select: (one) => { detail.classList.add("open"); clear(detail, h("div", { class: "detail-head" }, h("strong", null, one.name), h("button", { class: "close", "aria-label": "close", onclick: close }, "✕")), one.known ? typeDetail(one.name) : h("p", { class: "quiet" }, "Its definition is not in the workspace."),
-      h("h3", null, `used (${one.uses.length})`), one.uses.length ? h("ul", { class: "plain-list" }, one.uses.slice(0, 300).map((each) => h("li", null, link("system", { configuration: each.configuration, element: each.node }, each.node), ` ${WORDS[each.kind]} `, link("system", { configuration: each.configuration, element: each.name }, each.name)))) : h("p", { class: "quiet" }, "by no node that is known here")); } });
+      h("h3", null, `offered or used (${one.uses.length})`), one.uses.length ? h("ul", { class: "plain-list" }, one.uses.slice(0, 300).map((each) => h("li", null, link("system", { configuration: each.configuration, element: each.node }, each.node), ` ${WORDS[each.kind]} `, link("system", { configuration: each.configuration, element: each.name }, each.name)))) : h("p", { class: "quiet" }, "by no node that is known here")); } });
   const apply = (words) => table.set(list.filter((one) => !words || one.name.toLowerCase().includes(words.toLowerCase())));
   return { wide: true, escape: close, content: [h("div", { class: "bar-of-filters" }, searchField("Search interfaces", "", apply), h("span", { class: "quiet" }, `${D.interfaces.length} defined here, ${list.length} in all`)), h("div", { class: "split" }, table.element, detail)] };
 }

@@ -19,6 +19,10 @@ const main = h("main", { id: "main", tabindex: "-1" });
 const navigation = h("nav", { "aria-label": "views" }, offered.map((name) => h("a", { href: name, "data-view": name }, VIEWS[name][0])));
 let escape = null;
 
+// Why a page has no such view.
+const ABSENT = { changes: "it was made without a base revision (--base)", programs: "no node was found", metrics: "nothing was measured", launch: "no launch file starts a node that is known here", properties: "the project states no property in HPL, and no recording was given (--verdicts)", transforms: "no transform is known" };
+const absent = (view) => (VIEWS[view] && !offered.includes(view) ? h("p", { class: "warning" }, `This page has no ${VIEWS[view][0]}: ${D.only ? "it shows a change alone" : ABSENT[view]}.`) : null);
+
 function show() {
   const { view, parameters } = current();
   const name = offered.includes(view) ? view : offered[0];
@@ -30,7 +34,7 @@ function show() {
   const made = VIEWS[name][1](parameters);
   escape = made.escape || null;
   main.className = made.wide ? "wide" : "";
-  clear(main, made.content);
+  clear(main, absent(view), made.content);
   main.scrollTop = 0;
 }
 

@@ -37,9 +37,9 @@ function overview() {
       figure(levels[0], levels[0] === 1 ? "error" : "errors", "findings", { level: "error" }), figure(levels[1], levels[1] === 1 ? "warning" : "warnings", "findings", { level: "warning" }),
       figure(levels[2], levels[2] === 1 ? "note" : "notes", "findings", { level: "note" }), known ? figure(known, "known", "findings", { state: "known" }) : null,
       gone ? figure(gone, "gone", "findings", { state: "gone" }) : null, set ? figure(set, "suppressed", "findings", { state: "suppressed" }) : null,
-      figure(D.packages.length, "packages", "packages"), figure(programs, programs === 1 ? "program that is a node" : "programs that are nodes", programs ? "programs" : null), figure(CONFIGURATIONS.length, "configurations", "system"),
-      figure(D.launch_files, "launch files", "launch"), figure(D.interfaces.length, "interfaces", "interfaces"),
-      D.changes ? figure(D.changes.rows.length, "changes to the system", "changes") : null),
+      figure(D.packages.length, D.packages.length === 1 ? "package" : "packages", "packages"), figure(programs, programs === 1 ? "program that is a node" : "programs that are nodes", programs ? "programs" : null), figure(CONFIGURATIONS.length, CONFIGURATIONS.length === 1 ? "configuration" : "configurations", "system"),
+      figure(D.launch_files, D.launch_files === 1 ? "launch file" : "launch files", "launch"), figure(D.interfaces.length, D.interfaces.length === 1 ? "interface defined here" : "interfaces defined here", "interfaces"),
+      D.changes ? figure(D.changes.rows.length, D.changes.rows.length === 1 ? "change to the system" : "changes to the system", "changes") : null),
     h("div", { class: "cards" },
       h("section", { class: "card" }, h("h2", null, "Findings by tool"), byTool(shown)),
       h("section", { class: "card" }, h("h2", null, "Findings by package"), byPackage(shown)),
@@ -75,7 +75,7 @@ function byPackage(list) {
   if (!list.length) return h("p", null, "None.");
   const groups = grouped(list, (one) => one.package || "(no package)");
   const most = groups[0][1].length;
-  const rows = groups.slice(0, 12).map(([name, found]) => [name === "(no package)" ? name : link("findings", { package: name }, name), name === "(no package)" ? found.length : link("findings", { package: name }, found.length.toLocaleString("en")), bar(found.length / most)]);
+  const rows = groups.slice(0, 12).map(([name, found]) => [name === "(no package)" ? name : link("findings", { package: name }, breakable(name)), name === "(no package)" ? found.length : link("findings", { package: name }, found.length.toLocaleString("en")), bar(found.length / most)]);
   return [smallTable(["package", "findings", ""], rows, "findings by package"), groups.length > 12 ? h("p", { class: "quiet" }, link("packages", { sort: "findings" }, `all ${groups.length}`)) : null];
 }
 
@@ -83,13 +83,13 @@ function byRule(list) {
   if (!list.length) return h("p", null, "None.");
   const groups = grouped(list, (one) => one.full);
   const most = groups[0][1].length;
-  return smallTable(["rule", "findings", ""], groups.slice(0, 12).map(([rule, found]) => [link("findings", { rule }, rule), link("findings", { rule }, found.length.toLocaleString("en")), bar(found.length / most)]), "findings by rule");
+  return smallTable(["rule", "findings", ""], groups.slice(0, 12).map(([rule, found]) => [link("findings", { rule }, breakable(rule)), link("findings", { rule }, found.length.toLocaleString("en")), bar(found.length / most)]), "findings by rule");
 }
 
 function configurationTable(list) {
   const rows = list.map((one) => {
     const [unknown, all] = one.row.unknown;
-    return [link("system", { configuration: one.name }, one.name), link("system", { configuration: one.name }, one.row.nodes.length.toLocaleString("en")), link("parameters", { configuration: one.name }, one.row.parameters.length.toLocaleString("en")), all, percent(unknown, all), bar(all ? unknown / all : 0, "fill unknown")];
+    return [link("system", { configuration: one.name }, breakable(one.name)), link("system", { configuration: one.name }, one.row.nodes.length.toLocaleString("en")), link("parameters", { configuration: one.name }, one.row.parameters.length.toLocaleString("en")), all, percent(unknown, all), bar(all ? unknown / all : 0, "fill unknown")];
   });
   return smallTable(["configuration", "nodes", "parameters set", "endpoints", "names not known", ""], rows, "configurations");
 }

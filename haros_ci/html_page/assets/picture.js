@@ -2,6 +2,8 @@
 const FOLDED = [190, 46];
 const LINE = 15;
 const HEAD = 38;
+// In a narrow window a picture begins no smaller than this.
+const READABLE = 0.6;
 
 function outline(what, [x, y, width, height]) {
   if (what === "services") return `M${x + 9} ${y}H${x + width}L${x + width - 9} ${y + height}H${x}Z`;
@@ -80,6 +82,8 @@ function makePicture({ label, select, folded, pick }) {
   const view = { x: 0, y: 0, scale: 1 };
   // Whether all of it is in sight: then it stays so when its room changes.
   let isFitted = false;
+  let isBegun = false;
+  let isAlways = false;
   const layer = s("g", {});
   const arrow = (id, kind) => s("marker", { id, class: kind, viewBox: "0 0 8 8", refX: 7, refY: 4, markerWidth: 9, markerHeight: 9, markerUnits: "userSpaceOnUse", orient: "auto" }, s("path", { d: "M0 0.5L7.5 4L0 7.5Z" }));
   const svg = s("svg", { class: "picture", role: "application", tabindex: "0", "aria-label": label }, s("defs", {}, arrow("arrow", "tip"), arrow("arrow-strong", "tip strong")), layer);
@@ -214,7 +218,7 @@ function makePicture({ label, select, folded, pick }) {
         s("title", {}, bundle.members.slice(0, 12).map((one) => one.tip).join("\n") + (many > 12 ? `\nand ${many - 12} more` : "")));
       if (isBundle && many > 1) element.append(s("text", { class: "many", "font-size": 11 * Math.max(1, ...[bundle.from, bundle.to].filter((one) => one !== undefined).map((one) => foldedScale(scene.boxes[one]))), x: (from[0] + from[2] + to[0]) / 2, y: (from[1] + to[1] + from[3]) / 2 - 4 }, `×${many}`));
       paths.push({ element, members: bundle.members, bundle });
-      element.addEventListener("click", (event) => { event.stopPropagation(); if (pick) { mark(null, bundle.members); pick(bundle.members); } else choose(bundle.members[0].channel); });
+      element.addEventListener("click", (event) => { event.stopPropagation(); if (pick) { mark(null, bundle.members); pick(bundle.members); } else choose(bundle.members[0].channel); intoSight(svg); });
       made.push(element);
     }
     return made;
@@ -267,12 +271,29 @@ function makePicture({ label, select, folded, pick }) {
   const scaleToFit = ([width, height]) => Math.min(1.3, Math.max(0.05, Math.min((svg.clientWidth || 900) / width, (svg.clientHeight || 600) / height)));
 
   function fit() {
+    isBegun = false;
     const [width, height] = [across(scene.size[0]), down(scene.size[1])];
     const [w, tall] = [svg.clientWidth || 900, svg.clientHeight || 600];
     view.scale = scaleToFit([width, height]);
     view.x = Math.max(0, (w - width * view.scale) / 2);
     view.y = Math.max(0, (tall - height * view.scale) / 2);
     place(true);
+  }
+
+  // As a whole where that can be read. In a narrow window, or where *always*, from the left, as large as names need; the rest is dragged to.
+  function begin(always) {
+    fit();
+    isBegun = true;
+    isAlways = always === true;
+    const [w, tall] = [svg.clientWidth, svg.clientHeight];
+    const isWhole = !w || (!isAlways && window.innerWidth > 800) || view.scale >= READABLE;
+    if (!isWhole) {
+      view.scale = READABLE;
+      view.x = 0;
+      view.y = (tall - down(scene.size[1]) * view.scale) / 2;
+      place(true);
+    }
+    if (made.told) made.told(isWhole);
   }
 
   function centre(id, scale) {
@@ -354,7 +375,9 @@ function makePicture({ label, select, folded, pick }) {
   svg.addEventListener("pointercancel", release);
   svg.addEventListener("click", (event) => {
     const hit = event.target.closest ? event.target.closest("[data-id]") : null;
-    if (!wasDragged) choose(hit ? hit.dataset.id : null);
+    if (wasDragged) return;
+    choose(hit ? hit.dataset.id : null);
+    if (hit) intoSight(svg);
   });
   svg.addEventListener("keydown", (event) => {
     const moves = { ArrowLeft: [60, 0], ArrowRight: [-60, 0], ArrowUp: [0, 60], ArrowDown: [0, -60] };
@@ -376,7 +399,7 @@ function makePicture({ label, select, folded, pick }) {
     layer.removeAttribute("transform");
   }, () => { svg.removeAttribute("viewBox"); place(isFitted); });
 
-  new ResizeObserver(() => { if (isFitted && svg.clientWidth) fit(); }).observe(svg);
+  new ResizeObserver(() => { if (isFitted && svg.clientWidth) { if (isBegun) begin(isAlways); else fit(); } }).observe(svg);
 
   let given = [];
   function show(next, closedLabels) {
@@ -391,8 +414,8 @@ function makePicture({ label, select, folded, pick }) {
     draw();
   }
 
-  return {
-    element: svg, fit, zoom, centre, choose, fold, show, mark,
+  const made = {
+    element: svg, fit, begin, told: null, zoom, centre, choose, fold, show, mark,
     // Whether its names cannot be read where all of it is in sight.
     get isTiny() { return scaleToFit(scene.size) < 0.35; },
     // Fold what is no box around most of the picture; whether anything is.
@@ -422,4 +445,5 @@ function makePicture({ label, select, folded, pick }) {
     get boxes() { return scene.boxes.length; },
     get edges() { return scene.edges; },
   };
+  return made;
 }

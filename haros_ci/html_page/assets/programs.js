@@ -13,7 +13,7 @@ function programRows() {
       made.configurations.add(one.name);
       made.ends = Math.max(made.ends, row[14].filter((each) => CHANNELS[D.kinds[TABLES.ends[each][0]]] && !(TABLES.ends[each][4] & 1)).length);
     }
-  return [...found.values()].sort((a, b) => compare(a.key, b.key));
+  return [...found.values()].sort((a, b) => Number(!isKnown(a.key)) - Number(!isKnown(b.key)) || compare(a.key, b.key));
 }
 
 function programsView(parameters) {

@@ -33,7 +33,7 @@ function systemView(parameters) {
   const state = { element: parameters.element || "", hops: parameters.hops || "", way: parameters.way || "", to: parameters.to || "", node: parameters.node || "", by: parameters.by === "code" ? "code" : "", folded: (parameters.folded || "").split(" ").filter(Boolean) };
   const detail = h("aside", { class: "detail", "aria-label": "details", "aria-live": "polite" });
   const status = h("span", { class: "quiet", role: "status" });
-  const picture = makePicture({ label: `nodes and topics of ${made.name}`, select: (id) => chooseId(id), pick: (edges) => chooseEdges(edges), folded: (labels) => { Object.assign(state, { folded: labels, isArranged: true }); remember({ folded: labels.join(" ") }); } });
+  const picture = makePicture({ label: `nodes and topics of ${made.name}`, select: (id) => chooseId(id), pick: (edges) => chooseEdges(edges), folded: (labels) => { Object.assign(state, { folded: labels, isArranged: true }); if (!labels.length) status.textContent = howMany(); remember({ folded: labels.join(" ") }); } });
   const shown = (channel) => !channel.switch || shownSwitches.has(channel.switch);
   const idOf = (name) => { const one = made.nodes.find((each) => each.name === name); if (one) return nodeId(one); const channel = [...made.channels.values()].find((each) => each.name === name); return channel ? channelId(channel) : parameterTable(made).has(name) ? `p ${name}` : null; };
   const byId = (id) => (id === null ? null : id.startsWith("n") ? made.numbered.get(Number(id.slice(1))) : id.startsWith("p ") ? parameterTable(made).get(id.slice(2)) || null : made.channels.get(id.slice(2)) || null);
@@ -168,6 +168,8 @@ function systemView(parameters) {
   // Whether traces follow what the code of nodes does, and not all that they receive.
   const isByCode = () => state.by === "code" && made.dependence.size > 0;
 
+  const howMany = () => `${count(made.nodes.length, "node")}, ${count([...made.channels.values()].filter(shown).length, "topic")} and others`.replace("topics and others", "topics, services and actions shown").replace("topic and others", "topic, service or action shown");
+
   function draw() {
     const id = state.element ? idOf(state.element) : null;
     if (state.way === "to" && idOf(state.to) === null) state.way = "";
@@ -179,13 +181,16 @@ function systemView(parameters) {
       return;
     }
     stage.replaceChildren(picture.element);
-    if (!isPart) status.textContent = `${count(made.nodes.length, "node")}, ${count([...made.channels.values()].filter(shown).length, "topic")} and others`.replace("topics and others", "topics, services and actions").replace("topic and others", "topic, service or action");
+    if (!isPart) status.textContent = howMany();
     picture.show(isPart ? part(id) : whole(), isPart ? [] : state.folded);
     // What is too large to be read at once begins folded.
     const isFolded = !isPart && !state.isArranged && !state.folded.length && id === null && picture.isTiny && picture.foldMost();
     if (isFolded) status.textContent += ": folded, as it is large; click a box to unfold it";
+    const rest = h("span", null);
+    status.append(rest);
+    picture.told = (isWhole) => { rest.textContent = isWhole ? "" : "; drag the picture for more of it"; };
     foldButtons.hidden = isPart || picture.boxes === 0;
-    picture.fit();
+    picture.begin();
     const edges = id !== null && id.startsWith("c ") && state.node ? picture.edges.filter((one) => one.channel === id && one.list[0].node.name === state.node) : [];
     if (edges.length) picture.mark(null, edges);
     else choosePicture(id, !isPart && made.nodes.length > 12);
@@ -267,7 +272,7 @@ function systemView(parameters) {
       h("dl", null, row("launch files", made.launch.length ? made.launch.join(", ") : "none: a program by itself"), row("arguments", made.arguments.length ? h("details", { open: made.arguments.length < 7 }, h("summary", null, count(made.arguments.length, "argument")), h("ul", { class: "plain-list" }, made.arguments.map(([name, value]) => h("li", null, h("code", null, `${name}:=${value}`))))) : ""),
         made.variant ? row("with", h("code", null, made.variant), h("p", { class: "quiet" }, "Nodes come and go; parameters and names are those of the default arguments.")) : null,
         row("nodes", String(made.nodes.length)), ...["topics", "services", "actions"].map((what) => row(what, String(every.filter((one) => one.what === what).length))),
-        row("parameters", made.parameters.length ? link("parameters", { configuration: made.name }, String(made.parameters.length)) : "0"),
+        row("parameters set", made.parameters.length ? link("parameters", { configuration: made.name }, made.parameters.length.toLocaleString("en")) : "0"),
         row("remappings", String(made.nodes.reduce((sum, one) => sum + one.remaps.length, 0))),
         row("same name twice", made.twins.length ? made.twins.join(", ") : ""),
         row("conditional", String(made.nodes.filter((one) => one.conditions.length || one.presence).length), " nodes")),
@@ -310,7 +315,7 @@ function systemView(parameters) {
     content: [
       h("div", { class: "bar-of-filters" }, configurationChooser(made.name, (name) => { location.hash = address("system", { configuration: name }); }), variantChooser(made), h("div", { class: "search-box" }, field, results),
         present.length ? h("fieldset", { class: "switches" }, h("legend", null, "also show"), present.map((one) => toggle(one, shownSwitches.has(one), (on) => { if (on) shownSwitches.add(one); else shownSwitches.delete(one); draw(); }))) : null,
-        h("span", { class: "buttons" }, h("button", { onclick: () => picture.zoom(1.3), "aria-label": "enlarge" }, "+"), h("button", { onclick: () => picture.zoom(0.77), "aria-label": "shrink" }, "−"), h("button", { onclick: () => picture.fit() }, "Fit")), foldButtons, back, status),
+        zoomButtons(picture), foldButtons, back, status),
       h("div", { class: "split system" }, stage, detail),
     ],
   };

@@ -10,6 +10,8 @@ function virtualTable({ columns, rows, select, label, sort, sorted }) {
   const body = h("div", { class: "rows", role: "rowgroup" });
   const outer = h("div", { class: "table", role: "table", tabindex: "0", "aria-label": label }, head, body);
   const template = columns.map((one) => one.width).join(" ");
+  // What the columns need at least is scrolled to, and never cut off.
+  outer.style.setProperty("--least", `calc(${columns.map((one) => /^minmax\(([^,]+),/.exec(one.width)?.[1] || one.width).join(" + ")} + ${columns.length * 0.7 + 0.5}rem)`);
   head.style.gridTemplateColumns = template;
   columns.forEach((one, index) => {
     const mark = sort.column === one.key ? (sort.down ? " ▼" : " ▲") : "";
@@ -56,7 +58,9 @@ function virtualTable({ columns, rows, select, label, sort, sorted }) {
   outer.addEventListener("scroll", () => draw(false), { passive: true });
   body.addEventListener("click", (event) => {
     const line = event.target.closest(".row");
-    if (line && !event.target.closest("a,button")) choose(Number(line.dataset.number), true);
+    if (!line || event.target.closest("a,button")) return;
+    choose(Number(line.dataset.number), true);
+    intoSight(outer);
   });
   outer.addEventListener("keydown", (event) => {
     const page = Math.max(1, Math.floor(outer.clientHeight / ROW) - 2);
@@ -86,9 +90,13 @@ function virtualTable({ columns, rows, select, label, sort, sorted }) {
   return { element: outer, set, order, chooseRow: (row, tell) => choose(state.rows.indexOf(row), tell), has: (row) => state.rows.includes(row) };
 }
 
-// A plain table of few rows.
+const isFigure = (cell) => typeof cell === "number" || (cell instanceof Element ? /^[\d.,]+$/.test(cell.textContent) : /^(–|[\d.,]+ %)$/.test(cell));
+const isNothing = (cell) => cell === "" || cell === null || cell === undefined;
+
+// A plain table of few rows; columns of figures stand at the right, with their titles.
 function smallTable(headers, rows, label) {
-  return h("div", { class: "scroll" }, h("table", { "aria-label": label },
-    h("thead", null, h("tr", null, headers.map((one) => h("th", { scope: "col" }, one)))),
-    h("tbody", null, rows.map((row) => h("tr", null, row.map((cell) => h("td", { class: typeof cell === "number" ? "number" : null }, typeof cell === "number" ? cell.toLocaleString("en") : cell)))))));
+  const right = headers.map((_, at) => (rows.every((row) => isNothing(row[at]) || isFigure(row[at])) && rows.length ? "number" : null));
+  return h("div", { class: "scroll" }, h("table", { "aria-label": label, class: headers.length > 3 ? "many" : null },
+    h("thead", null, h("tr", null, headers.map((one, at) => h("th", { scope: "col", class: right[at] }, one)))),
+    h("tbody", null, rows.map((row) => h("tr", null, row.map((cell, at) => h("td", { class: right[at] || (typeof cell === "number" ? "number" : null) }, typeof cell === "number" ? cell.toLocaleString("en") : cell)))))));
 }

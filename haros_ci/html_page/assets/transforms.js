@@ -81,11 +81,13 @@ function transformsView(parameters) {
     describe(one);
   }
   const find = (words) => known.frames.filter((one) => words && one.name.toLowerCase().includes(words.toLowerCase())).sort((a, b) => a.name.length - b.name.length || compare(a.name, b.name) || Number(a.topic !== "/tf") - Number(b.topic !== "/tf"))[0];
+  const rest = h("span", { class: "quiet", role: "status" });
   const stage = h("div", { class: "stage" }, known.picture ? picture.element : h("div", { class: "scroll list" }, h("ul", { class: "plain-list" }, known.frames.map((one) => h("li", null, frameLink(one))))));
   requestAnimationFrame(() => {
     if (known.picture) {
       picture.show({ size: known.picture[0], boxes: [], elements, edges: known.picture[2].map(([from, to, points]) => edgeOf(known.frames[from], known.frames[to], points)) });
-      picture.fit();
+      picture.told = (isWhole) => { rest.textContent = isWhole ? "" : "drag the picture for more of it"; };
+      picture.begin(true);
     }
     const start = known.frames.find((one) => one.name === parameters.frame);
     if (start && known.picture) choose(start);
@@ -99,7 +101,7 @@ function transformsView(parameters) {
     wide: true,
     escape: () => { picture.choose(null, true); describe(null); },
     content: [
-      h("div", { class: "bar-of-filters" }, chooserOf, searchField("Search frames", "", (words) => { const one = find(words); if (one) choose(one); }), h("span", { class: "quiet", role: "status" }, `${count(known.frames.length, "frame")}, ${count(roots.length, "tree")}${odd.length ? `, ${odd.length} in conflict` : ""}`), link("system", { configuration: made.name }, "its system")),
+      h("div", { class: "bar-of-filters" }, chooserOf, searchField("Search frames", "", (words) => { const one = find(words); if (one) choose(one); }), h("span", { class: "quiet", role: "status" }, `${count(known.frames.length, "frame")}, ${count(roots.length, "tree")}${odd.length ? `, ${odd.length} in conflict` : ""}`), link("system", { configuration: made.name }, "its system"), known.picture ? zoomButtons(picture) : null, rest),
       h("div", { class: "split system" }, stage, detail),
     ],
   };
