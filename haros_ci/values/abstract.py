@@ -91,6 +91,11 @@ class Text:
 
     parts: tuple[str | Opaque, ...]
 
+    @property
+    def unknown(self) -> Opaque:
+        """The first part that is not known."""
+        return next(part for part in self.parts if isinstance(part, Opaque))
+
 
 @dataclass(frozen=True, slots=True)
 class Choice:
@@ -185,6 +190,8 @@ Entries = dict[object, Cell] | Opaque
 Value = Union[Known, Opaque, Text, Choice, Object, Sequence, Mapped, Pointer, Callable, Library, ClassValue, Module]
 
 
+#: Data and texts of which nothing is given from outside.
+PLAIN = frozenset((Known, Text))
 NONE = Known(None)
 TRUE = Known(True)
 FALSE = Known(False)
@@ -238,8 +245,8 @@ def concatenate(values: tuple[Value, ...], show: Function_[[Value], str | Opaque
                 chosen = whole if chosen is None else join(chosen, whole)
             return chosen if chosen is not None else Opaque("no value")
     for value in values:
-        if isinstance(value, Known) and value.__class__ is not Known:
-            joined: Value = value.joined(values, show)  # type: ignore[attr-defined]  # of values.given, which opens this module
+        if isinstance(value, (Known, Text)) and value.__class__ not in PLAIN:
+            joined: Value = value.joined(values, show)  # type: ignore[union-attr]  # of values.given, which opens this module
             return joined
     parts: list[str | Opaque] = []
     length = 0
@@ -305,7 +312,7 @@ def opaque_of(value: object) -> Opaque | None:
     if isinstance(value, Opaque):
         return value
     if isinstance(value, Text):
-        return next(part for part in value.parts if isinstance(part, Opaque))
+        return value.unknown
     if isinstance(value, Choice):
         shown = ", ".join(sorted(repr(o.value) for o in value.options if isinstance(o, Known)))
         return Opaque(f"it may be one of {shown}" if shown else "it may be one of several values")
