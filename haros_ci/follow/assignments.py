@@ -59,7 +59,8 @@ def assignment(walk: Walk, frame: Frame, expression: syntax.Assignment) -> Value
     if python and type(target) is syntax.Member and symbol == "=" and properties.assigned(walk, frame, target, value):
         return value
     is_lvalue = not python and (
-        not isinstance(source, (syntax.Call, syntax.New, syntax.ListLiteral)) or walk.references is not None
+        (type(source) is not syntax.Call and type(source) is not syntax.New and type(source) is not syntax.ListLiteral)
+        or walk.references is not None
     )
     cell = _target(walk, frame, target)
     if cell is None:

@@ -58,7 +58,7 @@ def arguments(walk: Walk, frame: Frame, written: tuple[Expression, ...]) -> tupl
             keyword, expression = expression.name, expression.value
         cell, value = expressions.located(walk, frame, expression)
         kind = cell.type if cell is not None and cell.type is not None else None
-        if kind is None and isinstance(expression, TYPED):
+        if kind is None and type(expression) in TYPED:
             kind = static_types.static_type(walk, frame, expression)
         if is_open and not keyword:
             result.append(PassedArgument(walk.opaque(UNPACKED, frame), keyword="*"))
@@ -72,4 +72,4 @@ UNPACKED = "unpacked arguments"
 LVALUES = (syntax.Name, syntax.Member, syntax.Subscript, syntax.Dereference)
 
 
-TYPED = (syntax.String, syntax.Number, syntax.Boolean, syntax.Operation, syntax.Cast)
+TYPED = frozenset((syntax.String, syntax.Number, syntax.Boolean, syntax.Operation, syntax.Cast))

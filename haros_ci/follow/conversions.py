@@ -56,15 +56,15 @@ def converted(value: Value, kind: Type | None) -> Value:
 
 def _data_as(value: Known, kind: Type) -> Value:
     """*value* as a variable of type *kind* holds it; what is given from outside is looked at only where it becomes something else."""
-    name = kind.name
-    is_number = issubclass(value.kind, (int, float))
-    if name in REALS and issubclass(value.kind, int):
+    name, held = kind.name, value.kind
+    is_number = issubclass(held, (int, float))
+    if name in REALS and issubclass(held, int):
         return Known(float(value.of(int)))
     if is_number and "*" not in kind.marks and (name in INTEGERS or set(name.split()) <= INTEGERS):
         data = value.value
         assert isinstance(data, (int, float))
         return _integer(value, data, name)
-    if name in STRINGS and name != "str" and issubclass(value.kind, Character):
+    if name in STRINGS and name != "str" and issubclass(held, Character):
         return Known(chr(value.of(Character)))
     if name in STRINGS and name != "str" and "*" not in kind.marks and is_number:
         return Opaque("a number in a text", None, kind)

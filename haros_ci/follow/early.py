@@ -177,7 +177,7 @@ def _usual(walk: Walk, frame: Frame, test: Expression) -> bool | _Either | None:
     """What a test is while a node runs; None where that says something of it."""
     if type(test) is syntax.Call:
         return _is_running(walk, frame, test.callee)
-    if isinstance(test, (syntax.Name, syntax.Member)):
+    if type(test) is syntax.Name or type(test) is syntax.Member:
         return _EITHER if _is_made(walk, frame, test, is_tested=True) else None
     if type(test) is not syntax.Operation:
         return None
@@ -196,7 +196,7 @@ def _is_running(walk: Walk, frame: Frame, callee: Expression) -> bool | None:
     """What a function says while a node runs that asks whether it does; None of any other."""
     if type(callee) is syntax.Member and not isinstance(callee.object, (syntax.Name, syntax.Member)):
         return None
-    if not isinstance(callee, (syntax.Name, syntax.Member)):
+    if type(callee) is not syntax.Name and type(callee) is not syntax.Member:
         return None
     called = expressions.evaluate(walk, frame, callee)
     if not isinstance(called, Library):

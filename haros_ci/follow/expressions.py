@@ -87,7 +87,7 @@ def cell_of(walk: Walk, frame: Frame, expression: Expression) -> Cell | None:
         return lookup.named_cell(walk, frame, expression.name)
     if type(expression) is syntax.Member:
         return members.member(walk, evaluate(walk, frame, expression.object), expression.name, frame)
-    if isinstance(expression, (syntax.Subscript, syntax.Call)):
+    if type(expression) is syntax.Subscript or type(expression) is syntax.Call:
         return assignments.accessed(walk, frame, expression)
     if type(expression) is syntax.Dereference:
         value = evaluate(walk, frame, expression.value)
@@ -110,7 +110,11 @@ def located(walk: Walk, frame: Frame, expression: Expression) -> tuple[Cell | No
         return cell, cell.value if cell is not None else lookup.no_variable(walk, frame, expression.name)
     if type(expression) is syntax.Member:
         return members.located(walk, frame, expression)
-    cell = cell_of(walk, frame, expression) if isinstance(expression, (syntax.Subscript, syntax.Dereference)) else None
+    cell = (
+        cell_of(walk, frame, expression)
+        if (type(expression) is syntax.Subscript or type(expression) is syntax.Dereference)
+        else None
+    )
     return cell, cell.value if cell is not None else evaluate(walk, frame, expression)
 
 

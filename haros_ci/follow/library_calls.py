@@ -196,7 +196,7 @@ def of_no_specialisation(
 def ends_the_program(walk: Walk, frame: Frame, expression: Expression) -> bool:
     """Whether a statement is a call of ``exit`` and its kin: nothing comes after it."""
     callee = expression.callee if type(expression) is syntax.Call else None
-    if not isinstance(callee, (syntax.Name, syntax.Member)) or callee.name.rpartition("::")[2] not in harmless.EXITS:
+    if callee is None or syntax.name_of(callee).rpartition("::")[2] not in harmless.EXITS:
         return False
     called = expressions.evaluate(walk, frame, callee)
     return isinstance(called, Library) and called.name.removeprefix("::") in harmless.ENDING

@@ -120,7 +120,11 @@ def _static_type(walk: Walk, frame: Frame, expression: Expression) -> Type | Non
         return literal
     if type(expression) is syntax.Number:
         return syntax.Type("int") if isinstance(expression.value, int) else syntax.Type("double")
-    if isinstance(expression, (syntax.Address, syntax.Dereference, syntax.Keyword)):
+    if (
+        type(expression) is syntax.Address
+        or type(expression) is syntax.Dereference
+        or type(expression) is syntax.Keyword
+    ):
         return _static_type(walk, frame, expression.value)
     if type(expression) is syntax.Cast:
         return walk.type_in(expression.type, frame)

@@ -85,7 +85,9 @@ def called_in(item: Part, found: set[str], mentioned: set[str], given: set[str],
                     found.add(f"{callee.name}/{len(node.arguments)}")
             elif type(callee) is syntax.Call or (type(callee) is syntax.Subscript and source.separator == "."):
                 found.add(CALLED)
-            elif type(callee) is syntax.Subscript and isinstance(callee.object, (syntax.Name, syntax.Member)):
+            elif type(callee) is syntax.Subscript and (
+                type(callee.object) is syntax.Name or type(callee.object) is syntax.Member
+            ):
                 found.add(last(callee.object.name))
             found.update(last(name) for kind in node.templates for name in type_names(kind))  # make_shared<T>()
             if source.separator == ".":
@@ -98,13 +100,13 @@ def called_in(item: Part, found: set[str], mentioned: set[str], given: set[str],
                         given.add(f".{passed.name}")
         elif type(node) is syntax.Assignment and type(node.target) is syntax.Subscript:
             found.add(ELEMENT)
-        elif isinstance(node, (syntax.New, syntax.Variable)):
+        elif type(node) is syntax.New or type(node) is syntax.Variable:
             found.update(last(name) for name in type_names(node.type))
-        elif isinstance(node, (syntax.Lambda, syntax.NestedFunction)) and node.function not in lambdas:
+        elif (type(node) is syntax.Lambda or type(node) is syntax.NestedFunction) and node.function not in lambdas:
             lambdas.add(node.function)
             if 0 <= node.function < len(source.program.functions):
                 waiting += below(source.program.functions[node.function].body)
-        elif isinstance(node, (syntax.Name, syntax.Member)):
+        elif type(node) is syntax.Name or type(node) is syntax.Member:
             mentioned.add(last(node.name))
         waiting += below(node)
 
@@ -269,7 +271,7 @@ def targets(item: Part, found: set[str]) -> None:
         elif type(node) is syntax.Call and type(node.callee) is syntax.Member:
             target = node.callee.object if node.callee.name not in READING else None
         while target is not None:
-            if isinstance(target, (syntax.Name, syntax.Member)):
+            if type(target) is syntax.Name or type(target) is syntax.Member:
                 found.add(last(target.name))
                 break
             if type(target) is syntax.Subscript:

@@ -223,10 +223,12 @@ class Relevance:
         """The names that a function, or anything that it calls, assigns to."""
         trace = self._index.trace
         if id(function) in self._changes:
-            if trace is not None:
-                trace.names |= self._changes[id(function)][2]
-                trace.effects[id(function)] = (source, function, self._changes[id(function)][1])
-            return self._changes[id(function)][1]
+            _, known, names = self._changes[id(function)]
+            noted = trace.effects.get(id(function)) if trace is not None else None
+            if trace is not None and (noted is None or noted[2] is not known):
+                trace.names |= names
+                trace.effects[id(function)] = (source, function, known)
+            return known
         result = frozenset[str]()
         reached: set[str] = set()
         if function.body is not None:

@@ -271,4 +271,4 @@ NOTHING = Type("")
 
 def name_of(expression: Expression) -> str:
     """The name that an identifier or a member access says, as written; "" of anything else."""
-    return expression.name if isinstance(expression, (Name, Member)) else ""
+    return expression.name if type(expression) is Name or type(expression) is Member else ""

@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from math import isfinite
 
-from haros_ci.values.abstract import Character, Known, Opaque, Text, Value, concatenate
+from haros_ci.values.abstract import Character, Choice, Known, Opaque, Text, Value, concatenate
 from haros_ci.values.marks import BEGIN, END, filled, keys
 from haros_ci.values.questions import MOST, PLAIN, QUESTIONS, Answer
 
@@ -310,4 +310,6 @@ def marked(value: Value) -> Value:
     """*value* for what is made of it: the text with marks, where it has some."""
     if isinstance(value, GivenText):
         return value.mark
+    if isinstance(value, Choice) and any(isinstance(option, GivenText) for option in value.options):
+        return Choice(tuple(option.mark if isinstance(option, GivenText) else option for option in value.options))
     return Known(value.mark) if isinstance(value, Given) and value.mark is not None else value
