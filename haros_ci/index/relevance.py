@@ -224,13 +224,11 @@ class Relevance:
         trace = self._index.trace
         if id(function) in self._changes:
             _, known, names = self._changes[id(function)]
-            noted = trace.effects.get(id(function)) if trace is not None else None
-            if trace is not None and (noted is None or noted[2] is not known):
+            if trace is not None and trace.effects.get(id(function), (None, None, None))[2] is not known:
                 trace.names |= names
                 trace.effects[id(function)] = (source, function, known)
             return known
-        result = frozenset[str]()
-        reached: set[str] = set()
+        result, reached = frozenset[str](), set[str]()
         if function.body is not None:
             assigned = set(self._assigned(function.body))
             waiting = list(self.names(function.body, source))

@@ -29,8 +29,7 @@ CHOICES = 8
 UNSET = "the attribute is not set before"
 UNSET_OR_INHERITED = "the attribute is not set before, or by a base class"
 #: Longer texts are not put together, nor those of more parts.
-TEXT_LIMIT = 4_000
-PARTS = 100
+TEXT_LIMIT, PARTS = 4_000, 100
 #: Longer lists are not put together.
 LIST_LIMIT = 1_000
 #: Sequences inside sequences that are taken for data.
@@ -192,9 +191,7 @@ Value = Union[Known, Opaque, Text, Choice, Object, Sequence, Mapped, Pointer, Ca
 
 #: Data and texts of which nothing is given from outside.
 PLAIN = frozenset((Known, Text))
-NONE = Known(None)
-TRUE = Known(True)
-FALSE = Known(False)
+NONE, TRUE, FALSE = Known(None), Known(True), Known(False)
 
 
 def join(one: Value, other: Value) -> Value:
@@ -248,8 +245,7 @@ def concatenate(values: tuple[Value, ...], show: Function_[[Value], str | Opaque
         if isinstance(value, (Known, Text)) and value.__class__ not in PLAIN:
             joined: Value = value.joined(values, show)  # type: ignore[union-attr]  # of values.given, which opens this module
             return joined
-    parts: list[str | Opaque] = []
-    length = 0
+    parts, length = list[str | Opaque](), 0
     for value in values:
         found = value.parts if isinstance(value, Text) else ((show or streamed)(value),)
         length += sum(len(part) if isinstance(part, str) else 1 for part in found)
