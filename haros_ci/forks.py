@@ -13,7 +13,8 @@ import signal
 import sys
 import threading
 from collections.abc import Callable, Hashable, Iterator, Sequence
-from contextlib import suppress
+from contextlib import contextmanager, suppress
+from functools import partial
 from typing import Any, BinaryIO, TypeVar
 
 from haros_ci.interruption import held, release
@@ -40,9 +41,52 @@ def shared(
     batches = list(together.values())
     found: dict[int, T] = {}
     count = min(processes, len(batches))
-    if count > 1 and len(batches) <= LONGEST and sys.platform == "linux" and threading.active_count() == 1:
+    if count > 1 and len(batches) <= LONGEST and _can_fork():
         found = _forked(jobs, batches, count, together.get(here, []))
     return [found[number] if number in found else job() for number, job in enumerate(jobs)]
+
+
+@contextmanager
+def meanwhile(job: Callable[[], T]) -> Iterator[Callable[[], T | None]]:
+    """While the block goes on, another process does *job*; what is given waits for it, and returns what it has found.
+
+    None, at once, where there is no such process, and if it did not come to its end. One that is still there when the block ends, ends with it.
+    """
+    life = os.pipe()
+    child: tuple[int, BinaryIO] | None = None
+
+    def found() -> T | None:
+        nonlocal child
+        if child is None:
+            return None
+        (number, pipe), child = child, None
+        result: T | None = _result_of(number, pipe)
+        return result
+
+    try:
+        with suppress(OSError), held():
+            child = _child(job, life) if _can_fork() else None
+        yield found
+    finally:
+        if child is not None:
+            _end([child])
+        for end in life:
+            os.close(end)
+
+
+def _can_fork() -> bool:
+    return sys.platform == "linux" and threading.active_count() == 1
+
+
+def _end(children: list[tuple[int, BinaryIO]]) -> None:
+    """Kill all that are left, and wait for them."""
+    for child, _ in children:
+        with suppress(ProcessLookupError):
+            os.kill(child, signal.SIGKILL)
+    for child, pipe in children:
+        pipe.close()
+        with suppress(ChildProcessError):
+            os.waitpid(child, 0)
 
 
 def _forked(jobs: Sequence[Callable[[], T]], batches: list[list[int]], count: int, own: list[int]) -> dict[int, T]:
@@ -55,31 +99,23 @@ def _forked(jobs: Sequence[Callable[[], T]], batches: list[list[int]], count: in
     try:
         for _ in range(count - 1):
             with suppress(OSError), held():  # no more processes: those that are there do the work
-                children.append(_child(jobs, batches, queue, life))
+                children.append(_child(partial(_all_done, jobs, batches, queue), life))
         found = {number: jobs[number]() for number in own}
         found.update(_done(jobs, batches, queue))
         brought = [_result_of(child, pipe) for child, pipe in children]
     except BaseException:
-        for child, _ in children:
-            with suppress(ProcessLookupError):
-                os.kill(child, signal.SIGKILL)
-        for child, pipe in children:
-            pipe.close()
-            with suppress(ChildProcessError):
-                os.waitpid(child, 0)
+        _end(children)
         raise
     finally:
         for other_number in (queue, *life):
             os.close(other_number)
     for more in brought:
-        found.update(more)
+        found.update(more or {})
     return found
 
 
-def _child(
-    jobs: Sequence[Callable[[], Any]], batches: list[list[int]], queue: int, life: tuple[int, int]
-) -> tuple[int, BinaryIO]:
-    """A process that works through the queue; its number, and where what it finds can be read."""
+def _child(work: Callable[[], Any], life: tuple[int, int]) -> tuple[int, BinaryIO]:
+    """A process that does *work*; its number, and where what it finds can be read."""
     reading, writing = os.pipe()
     try:
         child = os.fork()
@@ -96,7 +132,7 @@ def _child(
         os.close(life[1])
         threading.Thread(target=_die_with_parent, args=(life[0],), daemon=True).start()
         os.close(reading)
-        data = pickle.dumps(dict(_done(jobs, batches, queue)), pickle.HIGHEST_PROTOCOL)
+        data = pickle.dumps(work(), pickle.HIGHEST_PROTOCOL)
         with open(writing, "wb") as stream:
             stream.write(data)
         code = 0
@@ -117,12 +153,15 @@ def _done(jobs: Sequence[Callable[[], T]], batches: list[list[int]], queue: int)
             yield number, jobs[number]()
 
 
-def _result_of(child: int, pipe: BinaryIO) -> dict[int, Any]:
-    """What a process has found; nothing if it did not come to its end."""
+def _all_done(jobs: Sequence[Callable[[], T]], batches: list[list[int]], queue: int) -> dict[int, T]:
+    return dict(_done(jobs, batches, queue))
+
+
+def _result_of(child: int, pipe: BinaryIO) -> Any:
+    """What a process has found; None if it did not come to its end."""
     with pipe:
         data = pipe.read()
     _, status = os.waitpid(child, 0)
     if status != 0:
-        return {}
-    found: dict[int, Any] = pickle.loads(data)
-    return found
+        return None
+    return pickle.loads(data)

@@ -38,6 +38,7 @@ from haros_ci.linting import (
     without_hints,
     worth_reporting,
 )
+from haros_ci.measuring.ahead import measured_meanwhile
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.registry import Registry
 from haros_ci.results import own
@@ -202,7 +203,8 @@ def examine(
     raw, lost = (raw, ()) if since is None else since(raw)
     own_one = own_run(workspace, known)
     if testimony is None:
-        own_one = inspected_or_kept(own_one, workspace, selection, architectures, progress, base)
+        with measured_meanwhile(workspace, architectures, is_head=since is not None):
+            own_one = inspected_or_kept(own_one, workspace, selection, architectures, progress, base)
     elif is_inspected(workspace, selection, architectures.settings, known):
         own_one = replace(testimony.whole(ARCHITECTURE), tool=own_one.tool, analysed=own_one.analysed)
     own_one = replace(own_one, results=(*own_one.results, *lost))
@@ -218,13 +220,8 @@ def examine(
     of_plugins = hosted(workspace, selection, architectures, results, progress)
     runs, results = (*runs, *of_plugins), (*results, *selected(results_of(of_plugins), selection, workspace, left))
     merged = merge_same_defects(keep_worst_band(one_cause(results, workspace.text)))
-    return finished(
-        distribute(runs, said_once(merged, workspace.package_finder())),
-        workspace,
-        selection,
-        architectures.settings,
-        frozenset(left.found),
-    )
+    merged_runs = distribute(runs, said_once(merged, workspace.package_finder()))
+    return finished(merged_runs, workspace, selection, architectures.settings, frozenset(left.found))
 
 
 def weighed(runs: tuple[Run, ...], baseline: Baseline | None, selection: Selection) -> tuple[Run, ...]:

@@ -7,6 +7,7 @@ import os
 import signal
 import sys
 from collections.abc import Callable
+from contextlib import suppress
 from functools import partial
 from typing import Any
 
@@ -139,3 +140,41 @@ def test_no_descriptor_is_left_open(monkeypatch: pytest.MonkeyPatch, fork: Calla
     jobs = [partial(square, number) for number in range(MANY)]
     assert shared(jobs, range(MANY), 4) == [number * number for number in range(MANY)]
     assert len(os.listdir("/proc/self/fd")) == len(before)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="processes are forked on Linux only")
+def test_meanwhile_another_process_works() -> None:
+    before = os.listdir("/proc/self/fd")
+    with forks.meanwhile(partial(where, 3)) as found:
+        number, process = found() or (0, HERE)
+        assert number == 3 and process != HERE
+        assert found() is None, "it is taken once"
+    assert len(os.listdir("/proc/self/fd")) == len(before)
+
+
+@pytest.mark.parametrize("what", [fail, lambda: os._exit(3)], ids=["raises", "exits"])
+def test_what_is_not_brought_back_meanwhile_is_nothing(
+    what: Callable[[], Any], capfd: pytest.CaptureFixture[str]
+) -> None:
+    with forks.meanwhile(partial(in_a_child, what, 3)) as found:
+        assert found() is None
+    assert capfd.readouterr() == ("", "")
+
+
+def test_nothing_is_done_meanwhile_where_there_are_threads(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(forks.threading, "active_count", lambda: 2)
+    with forks.meanwhile(fail) as found:
+        assert found() is None
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="processes are forked on Linux only")
+@pytest.mark.parametrize("is_torn", [False, True])
+def test_what_is_left_ends_with_the_block(is_torn: bool) -> None:
+    reading, writing = os.pipe()
+    with suppress(KeyboardInterrupt), forks.meanwhile(lambda: os.read(reading, 1)):
+        if is_torn:
+            raise KeyboardInterrupt
+    with pytest.raises(ChildProcessError):
+        os.waitpid(-1, os.WNOHANG)
+    os.close(reading)
+    os.close(writing)

@@ -60,8 +60,9 @@ class Architectures:
         self._common: Common | None = None
 
     def under(self, store: Store) -> Architectures:
-        """The same, what is made from now on kept in *store*."""
-        self.store = store
+        """The same, what is made from now on kept in *store*; without a cache what the run has in memory counts on."""
+        if self.settings.cache_dir is not None:
+            self.store = store
         return self
 
     def project(self, workspace: Workspace) -> Project:
@@ -80,6 +81,10 @@ class Architectures:
         """Keep what the checks see."""
         self._projects[_key(project.workspace)] = project
         return project
+
+    def has_made(self, workspace: Workspace) -> bool:
+        """Whether the systems of *workspace* are there already."""
+        return _key(workspace) in self._made
 
     def of(self, workspace: Workspace) -> Linked:
         with stage("loading"):

@@ -334,10 +334,6 @@ def _takes_self(function: Callable, args: tuple[call_arguments.PassedArgument, .
 def new(walk: Walk, frame: Frame, expression: syntax.New) -> Value:
     """``new T(...)``: the object itself stands for its address."""
     resolved = walk.type_in(expression.type, frame)
-    return construct.create(
-        walk,
-        frame,
-        resolved.bare(),
-        call_arguments.arguments(walk, frame, expression.arguments),
-        Location(frame.source.path, expression.line, expression.column),
-    )
+    args = call_arguments.arguments(walk, frame, expression.arguments)
+    location = Location(frame.source.path, expression.line, expression.column)
+    return given_away.constructed(walk, construct.create(walk, frame, resolved.bare(), args, location))

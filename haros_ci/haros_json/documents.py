@@ -28,6 +28,7 @@ from haros_ci.query.findings import Match, grouped
 from haros_ci.query.queries import Scenes
 from haros_ci.query.queries import run as ask
 from haros_ci.query.system import QuerySystem
+from haros_ci.results.copied import together
 from haros_ci.results.result import Report, Result
 from haros_ci.results.rule import Rule
 
@@ -152,7 +153,7 @@ def _summary(
         dependencies=len(frozenset().union(*map(needed, shown)) - {one.name for one in inputs.workspace.packages}),
         nodes=nodes_of(build for key, build in inputs.builds.items() if key in names),
         systems=configurations,
-        tags=[rules.tags(result.full_id) for result in results],
+        tags=[rules.tags(result.full_id) for result in _joined(inputs)],
         violated=len({result.full_id for result in results}),
         tools=len(inputs.report.runs),
         rules=inputs.rules_on,
@@ -160,6 +161,13 @@ def _summary(
         measurements=[one for every in measured.values() for one in every],
         timestamp=inputs.timestamp,
     )
+
+
+def _joined(inputs: Input) -> list[Result]:
+    """The findings as every report that a person reads counts them: the same in copies of one text is one."""
+    package = inputs.workspace.package_finder()
+    report = together(inputs.report, inputs.workspace.text, lambda path: package(path) or "")
+    return [result for result in report.results if is_there(result)]
 
 
 def _entry(project: Mapping[str, Any], id: str, packages: Sequence[str]) -> dict[str, Any]:

@@ -85,6 +85,8 @@ def called_in(item: Part, found: set[str], mentioned: set[str], given: set[str],
                     found.add(f"{callee.name}/{len(node.arguments)}")
             elif type(callee) is syntax.Call or (type(callee) is syntax.Subscript and source.separator == "."):
                 found.add(CALLED)
+            elif type(callee) is syntax.Operation and callee.operator == ".*":
+                found.add(CALLED)
             elif type(callee) is syntax.Subscript and (
                 type(callee.object) is syntax.Name or type(callee.object) is syntax.Member
             ):

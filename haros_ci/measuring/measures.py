@@ -73,8 +73,7 @@ def measure(
     sources: tuple[Source, ...] | None = None,
 ) -> Measures:
     """The same, with what went wrong; *sources* are the programs of *workspace* where they are at hand."""
-    options = LintOptions(timeout=settings.linter_timeout, jobs=settings.jobs, root=settings.root)
-    runs = lint(workspace, values.ADAPTERS, options, store, lambda tool, rule, path: True, progress)
+    runs = tool_values(workspace, settings, store, progress)
     if progress is not None:
         progress("structure")
     with stage("structure"):
@@ -90,6 +89,14 @@ def measure(
         tuple(dict.fromkeys(notes)),
         tuple(run.tool.name.removesuffix(values.SUFFIX) for run in runs if not run.successful),
     )
+
+
+def tool_values(
+    workspace: Workspace, settings: Settings, store: Store, progress: Progress | None = None
+) -> tuple[Run, ...]:
+    """What lizard and radon measure."""
+    options = LintOptions(timeout=settings.linter_timeout, jobs=settings.jobs, root=settings.root)
+    return lint(workspace, values.ADAPTERS, options, store, lambda tool, rule, path: True, progress)
 
 
 def measuring_tools(settings: Settings) -> list[str]:
@@ -108,6 +115,15 @@ def structure(
     workspace: Workspace, store: Store, processes: int, sources: tuple[Source, ...] | None = None
 ) -> Structure:
     """Functions and classes, from *store* as far as the bytes of files are known there."""
+    facts = file_facts(workspace, store, processes)
+    if sources is None:
+        sources = programs(workspace, builds(workspace), store, [], processes)
+    code = codebase(sources, workspace.text)
+    return Structure(facts, measure_classes(code, facts))
+
+
+def file_facts(workspace: Workspace, store: Store, processes: int) -> dict[str, FileFacts]:
+    """What the syntax of each C++ and Python file tells, by path; from *store* where it is known there."""
     files = [file for file in workspace.files if file.language in ("cpp", "python")]
     kept = {file.path: from_json(store.get(*_place(file))) for file in files}
     new = [file for file in files if kept[file.path] is None]
@@ -115,11 +131,7 @@ def structure(
     for file, data in zip(new, shared(jobs, [file.path for file in new], processes), strict=True):
         store.put(*_place(file), data)
         kept[file.path] = from_json(data)
-    facts = {path: file_facts for path, file_facts in kept.items() if file_facts is not None}
-    if sources is None:
-        sources = programs(workspace, builds(workspace), store, [], processes)
-    code = codebase(sources, workspace.text)
-    return Structure(facts, measure_classes(code, facts))
+    return {path: facts for path, facts in kept.items() if facts is not None}
 
 
 def _place(file: SourceFile) -> tuple[str, str, str]:

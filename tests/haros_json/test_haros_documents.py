@@ -314,3 +314,15 @@ def test_the_summary() -> None:
     assert summary["communications"] == {"topics": 2, "remappings": 1, "messages": 1, "services": 0, "actions": 0}
     assert summary["analysis"] == {"plugins": 3, "rules": 9, "userRules": 2, "violatedRules": 3}
     assert set(map(tuple, summary["history"].values())) == {()}
+
+
+def test_the_total_counts_findings_as_every_report_does() -> None:
+    """Two of one rule and file that say the same are one there; the lists have both."""
+    alike = [kit.result(kit.BRACES, "cpplint", location=Location("base/src/base.cpp", line, 3)) for line in (7, 9)]
+    found = kit.made(kit.given(alike))
+    assert found["summary.json"]["issues"]["total"] == 1 and len(found["compliance/source/base.json"]) == 2
+    others = [
+        alike[0],
+        kit.result(kit.BRACES, "cpplint", "Another thing.", location=Location("base/src/base.cpp", 9, 3)),
+    ]
+    assert kit.made(kit.given(others))["summary.json"]["issues"]["total"] == 2

@@ -13,6 +13,7 @@ import pytest
 from haros_ci.commands.output import parse_outputs, text_in
 from haros_ci.errors import UserError
 from haros_ci.haros_json.documents import added, documents
+from haros_ci.model.location import Location
 from haros_ci.writing import put_below
 
 
@@ -87,7 +88,10 @@ def test_text_that_may_be_read(tmp_path: Path) -> None:
 
 
 def run_of(name: str, when: str | None = None, issues: int = 0) -> dict[str, str]:
-    results = [kit.result(kit.BRACES, "cpplint", f"m{n}") for n in range(issues)]
+    results = [
+        kit.result(kit.BRACES, "cpplint", "Said" + " again" * n, location=Location("base/src/base.cpp", 7 + n, 3))
+        for n in range(issues)
+    ]
     return documents(kit.given(results, project={"project": name}, timestamp=when))
 
 

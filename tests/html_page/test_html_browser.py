@@ -519,6 +519,8 @@ def test_properties_with_what_is_wrong_with_them(page: Page) -> None:
 
 
 def test_a_violation_is_a_sequence_of_messages(page: Page) -> None:
+    page.go("overview")
+    assert "4properties1violated by recordings" in page.text(".figures")
     page.go("properties")
     assert "drive.mcap" in page.text(".recordings") and "1,234 messages" in page.text(".recordings")
     assert "✗ violated" in page.text(".rows") and "not asked" in page.text(".rows")
@@ -540,6 +542,8 @@ def test_a_page_without_recordings(driver: Any, tmp_path: Path) -> None:
     page.settled()
     assert "3 of 3 properties" in page.text("[role=status]") and "not asked" not in page.text()
     assert page.complaints() == []
+    page.go("overview")
+    assert "3properties" in page.text(".figures") and "violated" not in page.text(".figures")
 
 
 def test_findings_by_tag_and_by_configuration(page: Page) -> None:

@@ -12,8 +12,8 @@ function changesView(parameters) {
   const kinds = [...new Set(rows.map((one) => one.what))];
   const shown = rows.filter((one) => !filter || one.what === filter);
   const several = (list, most) => list.slice(0, most).join(", ") + (list.length > most ? ` and ${list.length - most} more` : "");
-  const where = (one) => { const configuration = one.configurations.find((name) => BY_CONFIGURATION.has(name)); return configuration ? [link("system", { configuration, element: one.nodes[0] || one.names[0] }, several(one.nodes.length ? one.nodes : one.programs, 3)), one.configurations.length > 1 ? ` (${count(one.configurations.length, "configuration")})` : ""] : several(one.nodes.length ? one.nodes : one.programs, 3); };
-  const table = smallTable(["", "change", "name", "before", "after", "nodes", "used by", "place"], shown.map((one) => [h("span", { class: `sign ${one.action}`, title: one.action }, SIGNS[one.action] || ""), one.title, [one.old.length ? `${several(one.old, 3)} → ` : "", several(one.names, 3)], one.before !== null ? h("code", null, cut(one.before, 160)) : "", one.after !== null ? h("code", null, cut(one.after, 160)) : "", where(one), several(one.users, 3), whereIs(one.place)]), "changes");
+  const where = (one) => { const configuration = one.configurations.find((name) => BY_CONFIGURATION.has(name)); return configuration ? [link("system", { configuration, element: one.nodes[0] || one.names[0] }, breakable(several(one.nodes.length ? one.nodes : one.programs, 3))), one.configurations.length > 1 ? ` (${count(one.configurations.length, "configuration")})` : ""] : breakable(several(one.nodes.length ? one.nodes : one.programs, 3)); };
+  const table = smallTable(["", "change", "name", "before", "after", "nodes", "used by", "place"], shown.map((one) => [h("span", { class: `sign ${one.action}`, title: one.action }, SIGNS[one.action] || ""), one.title, [one.old.length ? `${several(one.old, 3)} → ` : "", breakable(several(one.names, 3))], one.before !== null ? h("code", null, breakable(cut(one.before, 160))) : "", one.after !== null ? h("code", null, breakable(cut(one.after, 160))) : "", where(one), breakable(several(one.users, 3)), whereIs(one.place)]), "changes");
   return {
     content: [
       h("h1", null, "Changes"), h("p", { class: "lead" }, found.headline >= 0 ? text(found.headline) : "No change to interfaces, nodes, topics, services, actions or parameters", base ? ` since ${base}` : "", "."),
@@ -34,6 +34,6 @@ function changePicture(picture) {
   const edges = picture.edges.map(([node, channel, gives, own, points]) => ({ from: gives ? `n${node}` : `c${channel}`, to: gives ? `c${channel}` : `n${node}`, channel: `c${channel}`, points, classes: state(own), tip: own || "there before" }));
   const made = makePicture({ label: "what has changed", select: () => {} });
   made.show({ size: picture.size, boxes: [], elements, edges });
-  requestAnimationFrame(made.fit);
+  requestAnimationFrame(() => made.begin());
   return h("div", { class: "stage low" }, made.element);
 }

@@ -39,6 +39,7 @@ function overview() {
       gone ? figure(gone, "gone", "findings", { state: "gone" }) : null, set ? figure(set, "suppressed", "findings", { state: "suppressed" }) : null,
       figure(D.packages.length, D.packages.length === 1 ? "package" : "packages", "packages"), figure(programs, programs === 1 ? "program that is a node" : "programs that are nodes", programs ? "programs" : null), figure(CONFIGURATIONS.length, CONFIGURATIONS.length === 1 ? "configuration" : "configurations", "system"),
       figure(D.launch_files, D.launch_files === 1 ? "launch file" : "launch files", "launch"), figure(D.interfaces.length, D.interfaces.length === 1 ? "interface defined here" : "interfaces defined here", "interfaces"),
+      PROPERTIES.length ? figure(PROPERTIES.length, PROPERTIES.length === 1 ? "property" : "properties", "properties") : null, RECORDINGS.length ? figure(PROPERTIES.filter((one) => VERDICTS[worstVerdict(one)] === "violated").length, "violated by recordings", "properties", { sort: "verdict-up" }) : null,
       D.changes ? figure(D.changes.rows.length, D.changes.rows.length === 1 ? "change to the system" : "changes to the system", "changes") : null),
     h("div", { class: "cards" },
       h("section", { class: "card" }, h("h2", null, "Findings by tool"), byTool(shown)),

@@ -19,10 +19,10 @@ function propertiesView(parameters) {
   const worst = (one) => (one.findings.length ? Math.min(...one.findings.map((each) => each.rank)) : LEVELS.length);
   const columns = [
     { key: "text", title: "property", width: "minmax(11rem, 5fr)", compare: (a, b) => compare(a.text, b.text), cell: (one) => h("code", { title: one.text }, one.text) },
-    { key: "id", title: "id, title", width: "minmax(4.5rem, 1.5fr)", compare: (a, b) => compare(a.id || a.title, b.id || b.title), cell: (one) => [one.id, one.title].filter(Boolean).join(": ") },
+    ...(list.some((one) => one.id || one.title) ? [{ key: "id", title: "id, title", width: "minmax(4.5rem, 1.5fr)", compare: (a, b) => compare(a.id || a.title, b.id || b.title), cell: (one) => [one.id, one.title].filter(Boolean).join(": ") }] : []),
     { key: "about", title: "about", width: "minmax(5rem, 2fr)", compare: (a, b) => compare(aboutWords(a), aboutWords(b)), cell: (one) => h("span", { title: aboutWords(one) }, aboutWords(one)) },
     { key: "kind", title: "kind", width: "6.5rem", compare: (a, b) => Number(a.granted) - Number(b.granted), cell: (one) => (one.kind === "asked" ? "asked of a recording" : one.fault ? h("span", { class: "remark" }, "not readable") : one.granted ? "assumption" : "promise") },
-    ...(RECORDINGS.length ? [{ key: "verdict", title: "recordings", width: "minmax(7rem, 1.2fr)", compare: (a, b) => worstVerdict(a) - worstVerdict(b), cell: verdictCell }] : []),
+    ...(RECORDINGS.length ? [{ key: "verdict", title: "recordings", width: "minmax(8.6rem, 1.2fr)", compare: (a, b) => worstVerdict(a) - worstVerdict(b), cell: verdictCell }] : []),
     { key: "findings", title: "findings", width: "5rem", compare: (a, b) => worst(a) - worst(b) || b.findings.length - a.findings.length, cell: (one) => (one.findings.length ? h("span", { class: `level ${LEVELS[worst(one)]}` }, String(one.findings.length)) : "") },
     { key: "place", title: "place", width: "minmax(5rem, 1.5fr)", class: "path", compare: (a, b) => compare(a.place.path, b.place.path) || a.place.line - b.place.line, cell: (one) => h("span", { title: one.place.text }, h("bdi", null, one.place.text)) },
   ];
