@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING
 
+from msgspec import Struct
+
 from haros_ci import syntax
 from haros_ci.follow import conversions, handles, members, methods
 from haros_ci.follow.frames import Frame
@@ -47,8 +49,7 @@ class TypeValue:
 Found = Value | TypeValue | None
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Applied:
+class Applied(Struct, frozen=True, eq=False):
     """A row at one call: what its templates may select from."""
 
     walk: Walk
@@ -268,7 +269,7 @@ def _members(applied: Applied, value: Value, names: list[str]) -> Value | None:
 
 def _template_argument(types: tuple[syntax.Argument, ...], index: int) -> TypeValue | None:
     found = types[index] if index < len(types) else None
-    return TypeValue(found) if isinstance(found, syntax.Type) else None
+    return TypeValue(found) if type(found) is syntax.Type else None
 
 
 def _templates_of(owner: str, every: tuple[PassedArgument, ...]) -> Mapping[str, syntax.Argument]:
