@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, is_slip
 from haros_ci.api.launch import ProgramUse
-from haros_ci.api.packages import EntryPoint, OwnModules
+from haros_ci.api.packages import EntryPoint, OwnModules, entry_point_mistake, renamed_module
 
 _MARKERS = "share/ament_index/resource_index/packages"
 _NODE = re.compile(r"\brclpy\.(?:init|spin\w*|create_node)\(|\((?:\w+\.)*(?:Lifecycle)?Node\)\s*:")
@@ -49,6 +49,17 @@ def _entry_points(package: ProjectPackage) -> Iterator[Finding]:
                 yield missing
         elif _is_own(entry_point.module, package):
             yield _missing_module(entry_point, package)
+        elif name := renamed_module(entry_point.module, package):
+            yield _missing_module(entry_point, package, name)
+    for entry in package.build.refused_entries if package.raw.build_type == "ament_python" else ():
+        wrong, right = entry_point_mistake(entry.text, package)
+        yield Finding(
+            at=entry.location,
+            message=f"the entry point '{entry.text}' of package {package.name} {wrong}"
+            + (f"; write '{right}'" if right else ""),
+            about=(package.name, entry.text),
+            apart=(entry.text,),
+        )
 
 
 def _lost_imports(package: ProjectPackage) -> Iterator[Finding]:
@@ -100,7 +111,7 @@ def _generated(package: ProjectPackage) -> tuple[str, ...]:
     )
 
 
-def _missing_module(entry_point: EntryPoint, package: ProjectPackage) -> Finding:
+def _missing_module(entry_point: EntryPoint, package: ProjectPackage, other: str = "") -> Finding:
     folder, _, last = entry_point.module.rpartition(".")
     beside = sorted(
         path.rpartition("/")[2].removesuffix(".py")
@@ -112,10 +123,11 @@ def _missing_module(entry_point: EntryPoint, package: ProjectPackage) -> Finding
         for name in beside
         if name != last and (is_slip(name, last) or name.replace("_", "") == last.replace("_", ""))
     ]
-    meant = f"; write {folder}.{alike[0]}" if alike else _outside(entry_point, package)
+    names = [other] if other else [f"{folder}.{name}" for name in alike]
+    meant = f"; write {names[0]}" if names else _outside(entry_point, package)
     fixes: tuple[Fix, ...] = ()
-    if len(alike) == 1:
-        fixes = _replaced(entry_point, entry_point.module, f"{folder}.{alike[0]}", package)
+    if len(names) == 1:
+        fixes = _replaced(entry_point, entry_point.module, names[0], package)
     return Finding(
         at=entry_point.location,
         message=f"program {entry_point.name} of package {package.name} cannot start: the module {entry_point.module} does not "

@@ -74,12 +74,13 @@ def page(tool: str, known: Registry) -> str:
     more = "\nThe tool has more rules: any id of it can be selected." if tool in known.open_ended else ""
     head = HEAD.format(tool=tool, count=len(rules), when=f"; it runs {when(tool, known)}", more=more)
     shown = [rule for _, rule in sorted(rules.items())]
-    return head + "".join(map(row, shown)) + "".join(map(section, shown))
+    return head + "".join(map(row, shown)) + "".join(section(rule, tool) for rule in shown)
 
 
-def section(rule: Rule) -> str:
+def section(rule: Rule, tool: str) -> str:
     """Why the rule matters, with what is wrong and what is right, for rules that have such texts of their own; else ""."""
-    pair, why = EXAMPLES.get(rule.id), REASONS.get(rule.id) or TIDY.get(rule.id, ("", ""))[1]
+    own = REASONS.get(f"{tool}:{rule.id}") or REASONS.get(rule.id)
+    pair, why = EXAMPLES.get(rule.id), own or TIDY.get(rule.id, ("", ""))[1]
     if not pair and not why:
         return ""
     parts = [f"## {rule.id}", cell(rule.summary), cell(why)]

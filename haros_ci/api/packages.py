@@ -9,6 +9,7 @@ from haros_ci.checking.build_tool import AMENT, CATKIN, always_called, undeclare
 from haros_ci.checking.built_against import is_built_against
 from haros_ci.checking.cmake import OF_TARGETS, CMake, Install, Link
 from haros_ci.checking.cmake_variables import may_set_variables
+from haros_ci.checking.console_scripts import entry_point_mistake, renamed_module
 from haros_ci.checking.counterparts import COUNTERPARTS
 from haros_ci.checking.devel_spaces import DevelSpaces
 from haros_ci.checking.editing import (
@@ -205,6 +206,7 @@ __all__ = [
     "distributions_of",
     "drop_element",
     "drop_lines",
+    "entry_point_mistake",
     "exported_under",
     "exports",
     "file_name",
@@ -251,6 +253,7 @@ __all__ = [
     "left_out_on_purpose",
     "loaders",
     "lookups",
+    "renamed_module",
     "loose",
     "lost_plugins",
     "may_load",

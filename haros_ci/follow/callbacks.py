@@ -162,6 +162,26 @@ def framework_entries(walk: Walk, this: Object) -> None:
                     is_entry = method.source.separator == "::" or name in SETUP | TEARDOWN
                     register(walk, method, (), name in TEARDOWN, name in SETUP, is_entry=is_entry)
     _entries_of_unknown_base(walk, this)
+    _destructor(walk, this)
+
+
+def _destructor(walk: Walk, this: Object) -> None:
+    """A destructor that may make something is called in the end, as what takes a node down."""
+    if this.definition is None or this.definition[0].separator != "::":
+        return
+    source, definition = this.definition
+    last = f"~{definition.name.rpartition('::')[2]}"
+    key = ("destructor", definition.name, source.path)
+    if key not in walk.found:
+        method = methods.method_of(walk, this, last)
+        is_made = (
+            method is not None
+            and method.function.body is not None
+            and walk.relevance.makes(method.function, method.source)
+        )
+        walk.found[key] = is_made
+    if walk.found[key]:
+        register(walk, methods.method_of(walk, this, last) or NONE, (), is_update=True)
 
 
 def _entries_of_unknown_base(walk: Walk, this: Object) -> None:

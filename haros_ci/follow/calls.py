@@ -9,6 +9,7 @@ from haros_ci import syntax
 from haros_ci.follow import (
     activation,
     alternatives,
+    beside,
     call_arguments,
     callbacks,
     commands,
@@ -18,6 +19,7 @@ from haros_ci.follow import (
     follow,
     library_calls,
     linear,
+    managers,
     members,
     methods,
     packs,
@@ -81,6 +83,8 @@ def call(walk: Walk, frame: Frame, expression: syntax.Call) -> Value:
             ros2_parameters.read_as(walk, receiver, name, kinds)
         if isinstance(receiver, Choice) and frame.source.separator == "::":
             receiver = iterators.not_null(receiver)
+        elif isinstance(receiver, Choice):
+            receiver = iterators.not_none(receiver)
         if isinstance(receiver, Choice):
             ways = [
                 partial(method_call, walk, frame, option, cell, name, args, targs, location)
@@ -119,6 +123,10 @@ def method_call(
             outside_nodes.spun(walk, args, location)
         if name.startswith("spin"):
             follow.interlude(walk, frame)
+    elif beside.come_while_waiting(walk, name):
+        follow.meanwhile(walk, frame)
+    if name in managers.METHODS and frame.source.separator == ".":
+        return managers.called(walk, frame, receiver, name)
     modelled = library.method(walk, frame, receiver, cell, name, args, location, targs)
     if modelled is not None:
         return modelled
@@ -300,6 +308,9 @@ def apply(
         if method is not None:
             return activation.invoke(walk, frame, method, args, targs)
     if isinstance(function, Choice):
+        meant = iterators.not_none(function)
+        if not isinstance(meant, Choice):
+            return apply(walk, frame, meant, args, targs, location, callee)
         ways = [partial(apply, walk, frame, option, args, targs, location, callee) for option in function.options]
         return walk.either_way(ways, "one of several functions is called")
     if isinstance(function, Opaque):
@@ -323,10 +334,6 @@ def _takes_self(function: Callable, args: tuple[call_arguments.PassedArgument, .
 def new(walk: Walk, frame: Frame, expression: syntax.New) -> Value:
     """``new T(...)``: the object itself stands for its address."""
     resolved = walk.type_in(expression.type, frame)
-    return construct.create(
-        walk,
-        frame,
-        resolved.bare(),
-        call_arguments.arguments(walk, frame, expression.arguments),
-        Location(frame.source.path, expression.line, expression.column),
-    )
+    args = call_arguments.arguments(walk, frame, expression.arguments)
+    location = Location(frame.source.path, expression.line, expression.column)
+    return given_away.constructed(walk, construct.create(walk, frame, resolved.bare(), args, location))

@@ -252,6 +252,27 @@ def interlude(walk: Walk, frame: Frame) -> None:
     _disturb(walk, walk.effects, -1)
 
 
+def meanwhile(walk: Walk, frame: Frame) -> None:
+    """Other threads may call callbacks here: in ROS 1 as ``interlude``, in ROS 2 for the flags, numbers and texts that they set.
+
+    What callbacks write by themselves is not kept for later: here they are called before the node is complete.
+    """
+    if walk.beside is None:
+        interlude(walk, frame)
+        return
+    if walk.is_interlude:
+        return
+    effects, rehearsed, spent = walk.effects, walk.rehearsed, dict(walk.spent)
+    walk.is_interlude, walk.effects = True, walk.beside
+    try:
+        _rehearse_all(walk, frame)
+    finally:
+        walk.is_interlude, walk.effects, walk.rehearsed, walk.spent = False, effects, rehearsed, spent
+    for cell, value in disturbances.changed(disturbances.together(walk.beside)).items():
+        if isinstance(cell.value, Known):
+            walk.state.put(cell, value)
+
+
 def _disturb(walk: Walk, effects: Sequence_[Writes], own: int) -> None:
     """The callback of the number *own* begins with what the *effects* of the callbacks leave behind."""
     every = disturbances.all_together(walk) if effects is walk.effects else disturbances.together(effects)

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from haros_ci import syntax
-from haros_ci.follow import braces, call_arguments, construct, copies, expressions, follow, specialisations
+from haros_ci.follow import beside, braces, call_arguments, construct, copies, expressions, follow, specialisations
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import harmless, library
 from haros_ci.follow.libraries import objects as library_objects
@@ -63,6 +63,8 @@ def library_call(
     if name in SPINNING:
         outside_nodes.spun(walk, args, location)
         follow.interlude(walk, frame)
+    elif beside.come_while_waiting(walk, name):
+        follow.meanwhile(walk, frame)
     if name in outside_nodes.STARTING and not walk.quiet:
         walk.started = walk.started or location
     base, dot, last = name.rpartition(".")

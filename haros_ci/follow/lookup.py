@@ -312,7 +312,7 @@ def module_frame(walk: Walk, source: Source) -> Frame:
     """A Python module's own scope; its body is followed once, when the module is first used."""
     frame = walk.modules.get(source.path)
     if frame is None:
-        from haros_ci.follow import statements
+        from haros_ci.follow import registering, statements
 
         mark, begun = walk.state.mark(), tick()
         frame = walk.modules[source.path] = Frame(source, "")
@@ -324,6 +324,7 @@ def module_frame(walk: Walk, source: Source) -> Frame:
                 walk.step()
                 if statements.STATEMENTS[type(statement)](walk, frame, statement) != NEXT:
                     break
+        registering.note(walk, frame, source)
         walk.state.settle(mark, begun)  # the next branch finds the module loaded
         for name in _rebound(source):
             if name in frame.scopes[0]:

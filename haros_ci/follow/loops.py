@@ -7,7 +7,7 @@ from collections.abc import Callable
 from functools import partial
 
 from haros_ci import syntax
-from haros_ci.follow import alternatives, early, expressions, follow, statements, static_types, thrown
+from haros_ci.follow import alternatives, beside, early, expressions, follow, statements, static_types, thrown
 from haros_ci.follow.frames import BOUND, BREAK, CONTINUE, NEXT, Frame, Loop
 from haros_ci.follow.made import forget_dead, go_back, keep
 from haros_ci.follow.walk import TURNS, Walk
@@ -78,9 +78,7 @@ def _turned(
     test, before = statement.test, (walk.steps - walk.aside, walk.quiet_steps)
     worthwhile = _worthwhile(walk, frame, statement.body, test)
     loop.is_endless = thrown.is_endless(test)
-    if (
-        walk.context.process is None and not walk.is_called_back
-    ):  # in ROS 2 callbacks are called where an executor spins
+    if beside.come_between_turns(walk):
         loop.runs_on = loop.is_endless or thrown.asks_whether_it_goes_on(test)
     is_kept = loop.is_endless and worthwhile and not walk.quiet
     start, first = (keep(walk), walk.state.mark()) if is_kept else None, 0
@@ -91,7 +89,7 @@ def _turned(
         if not worthwhile or _is_long(walk, loop, *before):
             break
         if loop.runs_on:
-            follow.interlude(walk, frame)
+            follow.meanwhile(walk, frame)
         there, begun, mark = walk.extent(), tick(), walk.state.mark()
         ended = _counted(walk, frame, loop, turn, one, after)
         if ended != NEXT:
@@ -230,7 +228,7 @@ def _widened(
     """
     is_real = matters and not walk.quiet
     if loop.runs_on:
-        follow.interlude(walk, frame)
+        follow.meanwhile(walk, frame)
     begun = tick()
     for left in reversed(range(1 if walk.quiet else REHEARSALS + is_real)):
         inner = Loop(walk.state.mark())

@@ -217,6 +217,10 @@ def attribute(walk: Walk, value: Value, name: str, frame: Frame) -> Value:
             if name == "__name__":
                 return Known(value.definition.name.rpartition(".")[2])
         return Library(f"{value.definition.name}.{name}")
+    if isinstance(value, Choice) and frame.source.separator == ".":
+        value = iterators.not_none(value)
+        if not isinstance(value, Choice):
+            return attribute(walk, value, name, frame)
     if isinstance(value, Choice):
         result: Value | None = None
         for option in value.options:

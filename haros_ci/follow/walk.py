@@ -141,6 +141,8 @@ class Walk:
     #: Whether the expression that is evaluated has raised an exception (``follow.thrown``).
     is_raised: bool = False
     is_interlude: bool = False
+    #: What callbacks write that an executor calls in a thread, beside what is followed (ROS 2); None where none spins so.
+    beside: list[Writes] | None = None
     #: Whether callbacks are followed, not initialisation.
     is_called_back: bool = False
     #: Why there may be more than what was made, and where.

@@ -73,6 +73,8 @@ class Index:
     open: dict[str, tuple[str, ...]] = field(default_factory=dict)
     headers: dict[str, Mapping[str, str]] = field(default_factory=dict)
     trace: Trace | None = None
+    #: Types that have been resolved so far for the one that is asked for (``types.resolve_type``).
+    resolving: int = 0
     by_package: dict[str | None, list[str]] = field(default_factory=dict)
     visible: dict[tuple[str, frozenset[str]], tuple[frozenset[str], frozenset[str | None]]] = field(
         default_factory=dict

@@ -84,6 +84,8 @@ def called_in(item: Part, found: set[str], mentioned: set[str], given: set[str],
                     found.add(f"{callee.name}/{len(node.arguments)}")
             elif isinstance(callee, syntax.Call) or (isinstance(callee, syntax.Subscript) and source.separator == "."):
                 found.add(CALLED)
+            elif isinstance(callee, syntax.Operation) and callee.operator == ".*":
+                found.add(CALLED)
             elif isinstance(callee, syntax.Subscript) and isinstance(callee.object, (syntax.Name, syntax.Member)):
                 found.add(last(callee.object.name))
             found.update(last(name) for kind in node.templates for name in type_names(kind))  # make_shared<T>()

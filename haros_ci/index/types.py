@@ -14,6 +14,8 @@ from haros_ci.syntax import Argument, Type
 from haros_ci.syntax.codec import plain
 
 NO_TYPE = syntax.NOTHING
+#: Types inside of one, aliases among them, that are resolved for it: those of metaprogramming multiply.
+MOST = 300
 #: Namespaces of interfaces inside of their packages, and where rosidl puts underscores into the names of their headers (rosidl_cmake).
 INTERFACES = frozenset(("msg", "srv", "action"))
 _UPPER_WORD, _LOWER_UPPER = re.compile(r"(.)([A-Z][a-z]+)"), re.compile(r"([a-z0-9])([A-Z])")
@@ -89,7 +91,8 @@ def resolve_type(
 ) -> Type:
     """*kind* with its aliases and template parameters replaced, all names qualified as far as the workspace tells."""
     name, arguments, marks = kind.name, kind.arguments, kind.marks
-    if not name or depth > 20:
+    index.resolving = index.resolving + 1 if depth else 0
+    if not name or depth > 20 or index.resolving > MOST:
         return syntax.Type(name, (), marks)
     pointer, of_pointer, rest = name.partition("::element_type")
     held = kind.of(0)

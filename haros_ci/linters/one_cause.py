@@ -6,9 +6,9 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import replace
 
-from haros_ci.results.result import Related, Result
+from haros_ci.results.result import Result
+from haros_ci.results.same_cause import OF_A_NAME, put_together
 from haros_ci.results.scope import scopes
 
 TOOL = "cppcheck"
@@ -41,9 +41,6 @@ OF_A_CALL = frozenset(
     pylint:redundant-keyword-arg
     """.split()
 )
-
-#: Rules that speak once of each use of a name that is not there: those of one name in one file have one cause.
-OF_A_NAME = frozenset("pylint:undefined-variable ruff:F821 flake8:F821 mypy:name-defined".split())
 
 #: So many names that are not there in one file have one cause: it is a sketch, or its imports are missing.
 MANY_NAMES = 4
@@ -80,9 +77,6 @@ _CALLEE = re.compile(r"(?<!\w)(\w+)\s*$")
 #: Lines of a call, and characters before its bracket, that are looked at.
 _LONGEST = 200
 
-_QUOTED = re.compile(r"'\w+'|\"\w+\"|`\w+`")
-#: Names that a message has beside the first.
-_SHOWN = 3
 _REMARK = re.compile(r"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
 #: Lines of a declaration that are looked at.
 _DECLARATION = 8
@@ -124,13 +118,13 @@ def one_cause(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Re
     for here in _with_sketches(lines, found):
         first, *others = sorted(here, key=lambda i: found[i].sort_key)[: MOST + 1]
         if others:
-            merged[first] = _joined(found[first], [found[i] for i in others])
+            merged[first] = put_together(found[first], [found[i] for i in others])
             dropped.update(others)
     for (_, path), indexes in candidates.items():
         if len(indexes) > 1:
             for group in _groups(found, indexes, text(path)):
                 first, *others = sorted(group, key=lambda i: found[i].sort_key)
-                merged[first] = _joined(found[first], [found[i] for i in others])
+                merged[first] = put_together(found[first], [found[i] for i in others])
                 dropped.update(others)
     return tuple(merged.get(i, result) for i, result in enumerate(found) if i not in dropped)
 
@@ -257,26 +251,3 @@ def _groups(found: Sequence[Result], indexes: list[int], text: str) -> Iterator[
             part = group[start : start + MOST + 1]
             if len(part) > 1:
                 yield part
-
-
-def _joined(first: Result, others: Sequence[Result]) -> Result:
-    """*first* with the places of *others*; its level is the worst of theirs."""
-    places = tuple(Related(other.location, f"Of the same cause: {other.message}") for other in others)
-    level = min((first.level, *(other.level for other in others)), key=lambda level: level.rank)
-    return replace(first, level=level, related=(*first.related, *places), message=_message(first, others))
-
-
-def _message(first: Result, others: Sequence[Result]) -> str:
-    """What *first* says; of several names that a file does not define, the others as well."""
-    own = _QUOTED.search(first.message) if first.full_id in OF_A_NAME else None
-    if own is None:
-        return first.message
-    names = dict.fromkeys(name[0] for other in others for name in [_QUOTED.search(other.message)] if name is not None)
-    names.pop(own[0], None)
-    if not names:
-        return first.message
-    shown = [*names][:_SHOWN]
-    more = ", …" if len(names) > _SHOWN else ""
-    return (
-        f"{first.message.rstrip('.')}; {len(names)} more names are not defined in this file: {', '.join(shown)}{more}"
-    )

@@ -68,6 +68,14 @@ class EntryPoint:
     location: Location
 
 
+@dataclass(frozen=True, slots=True)
+class RefusedEntry:
+    """A line of console scripts from which no program can be made: *text* is not ``name = module:function``."""
+
+    text: str
+    location: Location
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Distribution:
     """The name that setup.py gives what it installs."""
@@ -226,6 +234,7 @@ class Build:
     configs: tuple[ConfigFile, ...] = ()
     interfaces: tuple[Interface, ...] = ()
     entry_points: tuple[EntryPoint, ...] = ()
+    refused_entries: tuple[RefusedEntry, ...] = ()
     scripts: tuple[str, ...] = ()
     python_roots: tuple[tuple[str, str], ...] = ()
     defined: tuple[str, ...] = ()

@@ -39,7 +39,18 @@ def fingerprint(runs: Iterable[Run], text: Callable[[str], str], language: Calla
     differently and a result must keep its scope when its tool is upgraded.
     """
     runs = tuple(runs)
-    results = [result for run in runs for result in run.results]
+    results = _identified([result for run in runs for result in run.results], text, language)
+    joined = [index for index, result in enumerate(results) if result.parts]
+    parts = iter(_identified([part for index in joined for part in results[index].parts], text, language))
+    for index in joined:
+        result = results[index]
+        results[index] = replace(result, parts=tuple(islice(parts, len(result.parts))))
+    done = iter(results)
+    return tuple(replace(run, results=tuple(islice(done, len(run.results)))) for run in runs)
+
+
+def _identified(results: list[Result], text: Callable[[str], str], language: Callable[[str], str]) -> list[Result]:
+    """*results*, each with its identity and scope."""
     by_path: dict[str, list[int]] = {}
     for index, result in enumerate(results):
         by_path.setdefault(result.location.path, []).append(index)
@@ -48,8 +59,7 @@ def fingerprint(runs: Iterable[Run], text: Callable[[str], str], language: Calla
         for index, identity in zip(indexes, _identities([results[i] for i in indexes], file), strict=True):
             result = results[index]
             results[index] = replace(result, identity=identity, scope=result.scope or identity.scope)
-    done = iter(results)
-    return tuple(replace(run, results=tuple(islice(done, len(run.results)))) for run in runs)
+    return results
 
 
 def text_hashes(text: str, path: str, language: str) -> frozenset[str]:

@@ -22,7 +22,7 @@ class KnownFinding:
     ``scope`` to ``roles`` are those of Identity, ``subject`` are Result's names, sorted; ``graph`` is Result's and
     ``related`` are the paths and lines of its related places. A finding of a foreign log has no ``text`` although it has a
     ``line``. ``message`` is "" and ``level``, ``value``, ``line`` are None where the baseline does not tell.
-    ``reason`` is the user's own: why the finding is accepted.
+    ``parts`` are the findings of one cause that it was put together of, where that is known. ``reason`` is the user's own: why the finding is accepted.
     """
 
     tool: str
@@ -45,6 +45,7 @@ class KnownFinding:
     line: int | None = None
     graph: str = ""
     related: tuple[tuple[str, int], ...] = ()
+    parts: tuple[KnownFinding, ...] = ()
 
     @property
     def sort_key(self) -> tuple[object, ...]:
@@ -141,6 +142,7 @@ def known_from(result: Result, reason: str = "") -> KnownFinding:
         line=result.location.line,
         graph=result.graph,
         related=tuple((r.location.path, r.location.line) for r in result.related if r.location.line is not None),
+        parts=tuple(known_from(part) for part in result.parts),
     )
 
 

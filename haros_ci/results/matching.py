@@ -11,24 +11,38 @@ from haros_ci.results.known import ComparedFiles, KnownFinding, identity_of
 from haros_ci.results.pairing import pair
 from haros_ci.results.result import BaselineState, Identity, Result
 from haros_ci.results.rule import Level
+from haros_ci.results.same_cause import KnownLines, parts_of, split
 
 
 def match(new: Sequence[Result], known: Sequence[KnownFinding], sides: ComparedFiles) -> tuple[Result, ...]:
     """The results with ``state`` and ``reason`` set, in their order, then the absent ones, sorted.
 
+    Against a revision, a result that was put together of findings of one cause is two where some of those are known and others not.
+
     *new* are fingerprinted; suppressed ones take part. A result is *updated* when its text, message, level, metric
     or file has changed, *unchanged* when only its line has. A known finding is *absent* when its tool answered for
     its file in this run, or the file is gone; of a file that was not looked at nothing is said.
     """
-    pairs = {found.new: found for found in pair(new, known, sides)}
-    past = _KnownBefore(known, sides)
-    found = [
-        _matched(result, known[pairs[i].old], pairs[i].evidence)
-        if i in pairs
-        else replace(result, state=BaselineState.NEW, reason=past.why_new(result))
-        for i, result in enumerate(new)
-    ]
-    paired = {found.old for found in pairs.values()}
+    is_apart = sides.base is not None
+    now = [(part, i) for i, result in enumerate(new) for part in (parts_of(result) if is_apart else (result,))]
+    then = [(part, i) for i, one in enumerate(known) for part in ((is_apart and one.parts) or (one,))]
+    pairs = {found.new: found for found in pair([part for part, _ in now], [part for part, _ in then], sides)}
+    past, lines = _KnownBefore(known, sides), KnownLines((part for part, _ in then), sides)
+    members: list[list[int]] = [[] for _ in new]
+    for n, (_, i) in enumerate(now):
+        members[i].append(n)
+    found: list[Result] = []
+    for result, ours in zip(new, members, strict=True):
+        old = [n for n in ours if n in pairs]
+        kept = [n - ours[0] for n in ours if n in pairs or (old and lines.have(now[n][0]))]
+        if not old and result.suppressions and is_apart:  # what a comment silenced is not known
+            kept = [i for i, part in enumerate(result.parts) if part.suppressions or not lines.is_brought(part)]
+        seen, added = split(result, kept) if kept and is_apart and result.parts else (result, None)
+        if old:
+            found.append(_matched(seen, known[then[pairs[old[0]].old][1]], pairs[old[0]].evidence))
+        for one in filter(None, (None if old else seen, added)):
+            found.append(replace(one, state=BaselineState.NEW, reason=past.why_new(one)))
+    paired = {then[one.old][1] for one in pairs.values()}
     removed = [_absent(k, sides) for i, k in enumerate(known) if i not in paired and sides.answered(k)]
     return (*found, *sorted(removed, key=lambda result: result.sort_key))
 

@@ -5,16 +5,20 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import TypeVar
 
 from haros_ci.results.assignment import assign
 from haros_ci.results.candidate import Key, MatchCandidate, MatchedPair, features, grouped, picker
 from haros_ci.results.comments import lines_of
-from haros_ci.results.fingerprint import quoted_names, text_hashes
+from haros_ci.results.fingerprint import message_template, quoted_names, text_hashes
 from haros_ci.results.known import ComparedFiles, KnownFinding, identity_of
 from haros_ci.results.line_map import line_mapper, words
+from haros_ci.results.named_defects import OF_MISSING_NAMES, is_other_defect
 from haros_ci.results.renaming import RenamingEvidence, pair_partly_mended, pair_renamed
-from haros_ci.results.result import Result
+from haros_ci.results.result import Identity, Result
+
+_Seen = TypeVar("_Seen", Identity, KnownFinding)
 
 #: Lines that a mapped line may be off.
 NEAR = 3
@@ -145,7 +149,15 @@ class _Matcher:
         seen, line = identity_of(result), result.location.line
         thing = MatchCandidate(index, result.location.path, line, (line or 0, index), seen.scope, seen.text, seen.names)
         text = seen.text if seen.text or line is None else None
-        thing.features = features(thing, result.full_id, seen, text, result.message, result.value is not None, True)
+        thing.features = features(
+            thing,
+            result.full_id,
+            self.named(seen, result.full_id, result.message),
+            text,
+            result.message,
+            result.value is not None,
+            True,
+        )
         return thing
 
     def of_known(self, index: int, known: KnownFinding, path: str | None = None) -> MatchCandidate:
@@ -155,8 +167,16 @@ class _Matcher:
         thing = MatchCandidate(index, path, line, place, known.scope, known.text, known.names)
         blind = not known.text and known.line is not None
         text = None if blind else known.text
-        thing.features = features(thing, self.sides.rule(known), known, text, known.message, True, blind)
+        rule = self.sides.rule(known)
+        seen = self.named(known, rule, known.message)
+        thing.features = features(thing, rule, seen, text, known.message, True, blind)
         return thing
+
+    def named(self, seen: _Seen, rule: str, message: str) -> _Seen:
+        """*seen* with the names in its template if they are the defect, and known on both sides."""
+        if self.sides.base is None or rule not in OF_MISSING_NAMES:
+            return seen
+        return replace(seen, template=message_template(message.partition("; ")[0], keep_names=True))
 
     def mapped(self, line: int | None, old_path: str, path: str) -> int | None:
         if line is None or self.sides.base is None:
@@ -227,7 +247,15 @@ class _Matcher:
 
     def is_edited(self, step: _Pass, old: MatchCandidate, new: MatchCandidate) -> bool:
         """Whether the line of *new* may be that of *old*, edited."""
-        return (not step.near or self.akin(old, new)) and not self.is_rewritten(old, new)
+        return (
+            (not step.near or self.akin(old, new)) and not self.is_rewritten(old, new) and not self.is_other(old, new)
+        )
+
+    def is_other(self, old: MatchCandidate, new: MatchCandidate) -> bool:
+        """Whether the names that the two are about are their defects, and are others."""
+        known, result = self.known[old.index], self.results[new.index]
+        base = None if self.sides.base is None else self.sides.base(known.path)
+        return is_other_defect(result.full_id, known.message, result.message, base, lambda: self.sides.head(new.path))
 
     def fits(self, thing: MatchCandidate, step: _Pass) -> bool:
         """Whether a known finding may take part in a pass."""

@@ -74,7 +74,8 @@ class Result:
     ``edges`` what it traverses of the run's ``Graph`` called ``graph``: pairs of ids. ``also`` are
     ``tool:rule`` of other tools that found the same defect. ``state`` is None where no baseline was given, and
     ``reason`` says why it is new or how it was matched (``--why``). ``fixes`` are ways to mend it, the best first.
-    ``copies`` are the same finding in copies of the text, which this one also stands for.
+    ``copies`` are the same finding in copies of the text, which this one also stands for; ``parts`` the findings of one cause that it was
+    put together of, itself as it was first among them.
     """
 
     tool: str
@@ -98,6 +99,7 @@ class Result:
     suppressions: tuple[Suppression, ...] = ()
     fixes: tuple[Fix, ...] = ()
     copies: tuple[Result, ...] = ()
+    parts: tuple[Result, ...] = ()
 
     @property
     def sort_key(self) -> tuple[object, ...]:

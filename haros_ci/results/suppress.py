@@ -84,9 +84,10 @@ def _silenced(
         if names:
             suppressions.append(directive.suppression)
             used.update((id(directive), name) for name in names)
-    if len(suppressions) == len(result.suppressions):
+    parts = tuple(_silenced(part, by_line, matches, used) for part in result.parts)
+    if len(suppressions) == len(result.suppressions) and parts == result.parts:
         return result
-    return replace(result, suppressions=tuple(suppressions))
+    return replace(result, suppressions=tuple(suppressions), parts=parts)
 
 
 class _CommentJudge:

@@ -225,7 +225,11 @@ def linked(
         seen = defaults.over(item.environment, environment)
         opened = open_(types, workspace, load, ros2, item, seen, trees, alternatives)
         problems.update(dict.fromkeys(opened.problems))
-        started.update((job.node.package, job.node.type) for job in opened.jobs)
+        started.update(
+            (job.node.package, job.node.type)
+            for job in opened.jobs
+            if types.versions.get(job.node.package) in (None, job.node.ros)  # else it is of the other ROS
+        )
         launched.append((item, opened))
         jobs += opened.jobs
         others += opened.others

@@ -102,6 +102,8 @@ def why(programs: Programs, package: str, name: str, nodelet: str | None) -> str
             if main_of(programs, target) is not None:
                 what = f"{what} ({where})"
                 return f"{what} is built for tests only" if target.is_test else f"{what} is a program of the other ROS"
+            if target.component:
+                return f"{what} ({where}) runs {target.component}, a component of ROS 2, and is not followed here"
             return f"no main function was found in the sources of {what} ({where})"
     return f"package {package} is in the workspace, but no C++ or Python program called {name} was found in it"
 

@@ -34,6 +34,8 @@ from haros_ci.values.abstract import Callable, Object
 
 #: Why the name of the node is not known.
 USER = "it is the node of whoever uses the class"
+#: Why what a method makes may not be made.
+CALLED = "it is made when a method of the class is called, which nothing in the workspace does"
 #: Why there may be more.
 METHODS = "what the methods of the class make is made when they are called"
 OPTIONS = "rclcpp::NodeOptions"
@@ -71,6 +73,8 @@ class Library:
     nodes: Mapping[int, Type] = field(default_factory=dict)
     #: Whether its methods may make something beside what is seen already.
     may_make_more: Callable_[[Seen], bool] = lambda seen: False
+    #: Those of its methods that make something when whoever uses it calls them (Python).
+    called: tuple[Function, ...] = ()
 
 
 def seen_in(nodes: Iterable[Node], is_all: bool = False) -> Seen:
@@ -155,6 +159,9 @@ def _begin(library: Library, walk: Walk, frame: Frame) -> None:
     this = Object(definition.name, (), (source, definition), location=location, templates=templates)
     if source.separator == ".":
         construct.python_construct(walk, frame, this, arguments, location)
+        for method in library.called:
+            bound = Callable(source, method, this)
+            callbacks.register(walk, bound, doubt=CALLED)
     else:
         construct.initialise(walk, frame, this, (source, definition), templates, arguments, location, chosen=found)
         callbacks.framework_entries(walk, this)
@@ -183,9 +190,10 @@ def _arguments(
     for number, parameter in enumerate(function.parameters):
         kind = library.nodes.get(number) if provided is not None else None
         if kind is not None:
+            own = parameter.type.name if library.source.separator == "." else kind.name
             found.append(
                 PassedArgument(
-                    Object(kind.name, (), walk.class_of(kind.name, library.source), node=provided),
+                    Object(kind.name, (), walk.class_of(own or kind.name, library.source), node=provided),
                     None,
                     kind,
                     parameter.name,

@@ -7,7 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from haros_ci import syntax
 from haros_ci.index.index import Source
-from haros_ci.syntax import Class, Type
+from haros_ci.index.relevance import Relevance
+from haros_ci.syntax import Class, Function, Type
 from haros_ci.systems.following import Types
 from haros_ci.systems.ros2_library import Library, Seen
 from haros_ci.systems.ros2_library_classes import ASIDE, DEEPEST
@@ -38,24 +39,59 @@ def libraries(types: Types, seen: Seen) -> Iterator[Library]:
     ]
     kinds = {f"{source.module}.{definition.name}": _bases(source, definition) for source, definition in every}
     subclassed = {base for bases in kinds.values() for base in bases}
+    owners = {f"{source.module}.{definition.name}": (source, definition) for source, definition in every}
     for source, definition in every:
+        whole = f"{source.module}.{definition.name}"
         if "." in definition.name or definition.name in seen.classes:
             continue
-        name = f"{definition.name}.__init__"
-        inits = [f for f in source.program.functions if f.name == name and f.body is not None]
-        whole = f"{source.module}.{definition.name}"
-        if not inits or not relevance.makes(inits[-1], source):
+        begins = _constructor(owners, kinds, whole)
+        if begins is None:
             continue
-        later = (f.line for f in source.program.functions if f.kind != "lambda" and f.line > inits[-1].line)
-        if seen.between(source.path, inits[-1].line, min(later, default=float("inf"))):
-            continue
+        where, init = begins
         nodes = {
             number: syntax.Type("rclpy.node.Node")
-            for number, parameter in enumerate(inits[-1].parameters)
-            if _takes_node(kinds, source, parameter.name, parameter.type)
+            for number, parameter in enumerate(init.parameters)
+            if _takes_node(kinds, where, parameter.name, parameter.type)
         }
-        if nodes or (_is_node(whole, kinds) and whole not in subclassed):
-            yield Library(source.package or "", source, definition, frozenset((source.path,)), inits[-1], None, nodes)
+        is_new = where is source and relevance.makes(init, source) and not _is_seen(source, init, seen)
+        called = _called(source, definition, relevance, seen) if nodes and whole not in subclassed else ()
+        if (is_new or called) and (nodes or (_is_node(whole, kinds) and whole not in subclassed)):
+            files = frozenset((source.path, where.path))
+            yield Library(source.package or "", source, definition, files, init, None, nodes, called=called)
+
+
+def _constructor(
+    owners: Mapping[str, tuple[Source, Class]], kinds: Mapping[str, Iterable[str]], name: str, depth: int = 0
+) -> tuple[Source, Function] | None:
+    """``__init__`` of a class, or of the nearest of its bases in modules like its own that has one."""
+    found = owners.get(name)
+    if found is None or depth > DEEPEST:
+        return None
+    source, definition = found
+    own = [f for f in source.program.functions if f.name == f"{definition.name}.__init__" and f.body is not None]
+    if own:
+        return source, own[-1]
+    above = (_constructor(owners, kinds, base, depth + 1) for base in kinds.get(name, ()))
+    return next((one for one in above if one is not None), None)
+
+
+def _called(source: Source, definition: Class, relevance: Relevance, seen: Seen) -> tuple[Function, ...]:
+    """The public methods and properties of a class that may make something of which nothing in the workspace is seen to make any."""
+    return tuple(
+        function
+        for function in source.program.functions
+        if function.owner == definition.name
+        and function.kind == "function"
+        and not function.name.rpartition(".")[2].startswith("_")
+        and relevance.makes(function, source)
+        and not _is_seen(source, function, seen)
+    )
+
+
+def _is_seen(source: Source, function: Function, seen: Seen) -> bool:
+    """Whether the workspace's processes make anything in a function."""
+    later = (f.line for f in source.program.functions if f.kind != "lambda" and f.line > function.line)
+    return seen.between(source.path, function.line, min(later, default=float("inf")))
 
 
 def _is_aside(path: str) -> bool:

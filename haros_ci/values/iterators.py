@@ -10,8 +10,11 @@ from haros_ci.values.abstract import (
     TRUE,
     Cell,
     Choice,
+    ClassValue,
     Known,
+    Library,
     Mapped,
+    Module,
     Object,
     Opaque,
     Partial,
@@ -128,3 +131,12 @@ def compared(symbol: str, left: Value, right: Value) -> Value | None:
     if left.fields["[of]"].value is not right.fields["[of]"].value:
         return None
     return TRUE if (one == other) is (symbol == "==") else FALSE
+
+
+def not_none(value: Choice) -> Value:
+    """What has members, is called or is a type: of what may be a name of a library or None (``except ImportError: it = None``) the name."""
+    libraries = tuple(option for option in value.options if isinstance(option, (Library, ClassValue, Module)))
+    rest = tuple(option for option in value.options if option != NONE)
+    if not libraries or len(rest) == len(value.options):
+        return value
+    return rest[0] if len(rest) == 1 else Choice(rest)

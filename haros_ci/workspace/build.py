@@ -82,6 +82,7 @@ def build_of(workspace: Workspace, package: Package, tree: PathTree | None = Non
         configs=tuple(_configs(workspace, package, state, problems)),
         interfaces=tuple(interfaces),
         entry_points=setup.entry_points,
+        refused_entries=setup.refused_entries,
         distribution=setup.distribution,
         scripts=_scripts(workspace, package, python, installed),
         python_roots=tuple(sorted(roots.items())),

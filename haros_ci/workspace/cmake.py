@@ -116,8 +116,9 @@ def _run(state: CMakeState, command: ParsedCommand, macro: dict[str, str] | None
         return _extras(state) if state.pending else END
     if name in state.functions:
         return _call(state, command, macro)
-    state.keep(state.expand(command, command.arguments, macro))
-    note_unknown(state, command)
+    call = state.expand(command, command.arguments, macro)
+    state.keep(call)
+    note_unknown(state, command, call)
     return END
 
 

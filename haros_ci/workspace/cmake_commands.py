@@ -16,7 +16,7 @@ from haros_ci.workspace.cmake_math import evaluate_math
 from haros_ci.workspace.cmake_parse import ParsedCommand
 from haros_ci.workspace.cmake_state import CMakeState, EvaluatedCommand
 from haros_ci.workspace.cmake_strings import run_string
-from haros_ci.workspace.cmake_targets import TARGET_COMMANDS
+from haros_ci.workspace.cmake_targets import TARGET_COMMANDS, taken_for_known
 from haros_ci.workspace.cmake_words import absolute, is_certain, join_list, split_list, unknown
 
 #: Makers of targets that are no part of what a package offers.
@@ -24,18 +24,23 @@ _HARMLESS = frozenset(("add_custom_target", "add_custom_command", "rosidl_target
 _MAKING = ("add_executable", "add_library", "add_node", "add_nodelet", "add_component", "add_plugin", "register_node")
 
 
-def note_unknown(state: CMakeState, command: ParsedCommand) -> None:
+def note_unknown(state: CMakeState, command: ParsedCommand, call: EvaluatedCommand) -> None:
     """A problem, once, for a command that is not known but by its name makes targets; all others change nothing here.
 
     Such names contain ``add_executable``, ``add_library``, ``add_node``, ``add_nodelet``, ``add_component``,
-    ``add_plugin`` or ``register_node``.
+    ``add_plugin`` or ``register_node``. One that ends in ``_add_executable`` or ``_add_library``, as ``rtmbuild_add_executable``, and is given
+    a name and sources of the workspace, is taken for the command of CMake that it ends in, and so the problem says.
     """
     name = command.name
     state.spend()
-    if name in _HARMLESS or not any(word in name for word in _MAKING) or name in state.noted:
+    if name in _HARMLESS or not any(word in name for word in _MAKING):
+        return
+    known = taken_for_known(state, call)
+    if name in state.noted:
         return
     state.noted.add(name)
-    state.problem(state.where(command), f"{name}() is not known; what it builds is missing from the analysis")
+    what = f"it is taken for {known}()" if known else "what it builds is missing from the analysis"
+    state.problem(state.where(command), f"{name}() is not known; {what}")
 
 
 def _set(state: CMakeState, call: EvaluatedCommand) -> None:

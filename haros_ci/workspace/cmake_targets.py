@@ -267,3 +267,24 @@ TARGET_COMMANDS: Mapping[str, Callable[[CMakeState, EvaluatedCommand], None]] = 
         **dict.fromkeys(("rclcpp_components_register_node", "rclcpp_components_register_nodes"), _components),
     }
 )
+
+
+def taken_for_known(state: CMakeState, call: EvaluatedCommand) -> str:
+    """The command of CMake that one which is not known is taken for, by the end of its name; "" for none.
+
+    That is one which is given a name, then sources of the workspace among other words.
+    """
+    words = [bare(word) for word in call.words]
+    if len(words) < 2 or not is_certain(words[0]) or not re.fullmatch(r"[\w.+-]+", words[0]):
+        return ""
+    places = (
+        inside(place(word, state.source_directory())) for word in words[1:] if word.endswith(_CODE) and is_certain(word)
+    )
+    if not any(path is not None and state.tree.is_file(path) for path in places):
+        return ""
+    known = next((name for name in ("add_executable", "add_library") if call.name.endswith(f"_{name}")), "")
+    if known:
+        TARGET_COMMANDS[known](state, call)
+        if words[0] in state.targets:
+            state.targets[words[0]].is_installed = True  # nobody knows that it is not
+    return known

@@ -21,6 +21,11 @@ _NAMES: Mapping[str, Any] = {"True": True, "False": False, "None": None, "pi": m
 _PRINT = re.compile(r"^([ \t]*)print[ \t]+(?!\()(.*)$", re.MULTILINE)
 _EXEC = re.compile(r"^([ \t]*)exec[ \t]+(?!\()(.*)$", re.MULTILINE)
 _EXCEPT = re.compile(r"^([ \t]*except[ \t]+[\w.]+),[ \t]*(\w+)[ \t]*:", re.MULTILINE)
+#: Where ``%`` and ``format()`` put a text, and what else of the kind there may be: that is not computed.
+_PERCENT = re.compile(r"%s")
+_BRACES = re.compile(r"\{\}")
+_OTHER_PLACES = {_PERCENT: re.compile("%"), _BRACES: re.compile("[{}]")}
+_MAX_LOOP = 100
 _OCTAL = re.compile(r"(?<![\w.])0([0-7]+)[lL]?(?![\w.])")
 
 
@@ -76,6 +81,12 @@ def value_of(node: ast.expr, names: Mapping[str, Any], depth: int = 0) -> Any:
         return _dict(node, names, depth)
     if isinstance(node, ast.UnaryOp):
         return _unary(node.op, value_of(node.operand, names, depth + 1))
+    if isinstance(node, ast.ListComp):
+        return _list(node, names, depth)
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mod) and isinstance(node.left, (ast.Constant, ast.Name)):
+        filled = _filled(value_of(node.left, names, depth + 1), _PERCENT, value_of(node.right, names, depth + 1))
+        if filled is not MISSING:
+            return filled
     if isinstance(node, ast.BinOp):
         return _binary(node.op, value_of(node.left, names, depth + 1), value_of(node.right, names, depth + 1))
     if isinstance(node, ast.JoinedStr):
@@ -83,7 +94,41 @@ def value_of(node: ast.expr, names: Mapping[str, Any], depth: int = 0) -> Any:
         return text_of(parts) if parts else ""
     if isinstance(node, ast.Call) and len(node.args) == 1 and not node.keywords and dotted(node.func) in _CASTS:
         return _cast(dotted(node.func), value_of(node.args[0], names, depth + 1))
+    if (
+        isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Attribute)
+        and node.func.attr == "format"
+        and not node.keywords
+    ):
+        items = [value_of(argument, names, depth + 1) for argument in node.args]
+        return _filled(value_of(node.func.value, names, depth + 1), _BRACES, items)
     return MISSING
+
+
+def _filled(text: Any, places: re.Pattern[str], values: Any) -> Any:
+    """*text* with *values* in its *places*, ``%s`` or ``{}``; MISSING where one is no text, or another kind of place is in it."""
+    items = values if isinstance(values, list) else [values]
+    if not isinstance(text, str) or not all(isinstance(item, str) for item in items):
+        return MISSING
+    parts = places.split(text)
+    if len(parts) != len(items) + 1 or any(_OTHER_PLACES[places].search(part) for part in parts):
+        return MISSING
+    return text_of([part for pair in zip(parts, [*items, ""], strict=True) for part in pair])
+
+
+def _list(node: ast.ListComp, names: Mapping[str, Any], depth: int) -> Any:
+    """A list of one loop over a list that is known, without a condition and without another comprehension in it."""
+    loop = node.generators[0]
+    is_simple = len(node.generators) == 1 and not loop.ifs and isinstance(loop.target, ast.Name)
+    items = value_of(loop.iter, names, depth + 1) if is_simple else MISSING
+    if (
+        not isinstance(items, list)
+        or len(items) > _MAX_LOOP
+        or any(isinstance(n, ast.ListComp) for n in ast.walk(node.elt))
+    ):
+        return MISSING
+    made = [value_of(node.elt, {**names, dotted(loop.target): item}, depth + 1) for item in items]
+    return MISSING if any(item is MISSING for item in made) else made
 
 
 def text_of(parts: list[Any], join: Callable[[list[str]], str] = "".join) -> Any:
@@ -174,12 +219,6 @@ def summands(node: ast.expr) -> list[ast.expr]:
         found.append(node.right)
         node = node.left
     return [node, *reversed(found)]
-
-
-def item_places(node: ast.expr | None) -> list[tuple[int, int]]:
-    """The line and column of each item of a list."""
-    items = node.elts if isinstance(node, (ast.List, ast.Tuple)) else []
-    return [(item.lineno, item.col_offset + 1) for item in items]
 
 
 def is_constant(node: ast.expr | None, value: str | bool) -> bool:

@@ -7,15 +7,18 @@ import re
 from collections.abc import Iterable
 from typing import Any
 
-from haros_ci.model.build import EntryPoint
+from haros_ci.model.build import EntryPoint, RefusedEntry
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.workspace.tree import PathTree
 
 MAX_LINES = 10_000
+_LONGEST = 500
 
 _SECTION = re.compile(r"\[([^\]]+)\]")
 _ENTRY = re.compile(r"\s*([\w.-]+)\s*=\s*([\w.]+)\s*:\s*([\w.]+)\s*(?:\[.*\]\s*)?\Z")
+#: What setuptools takes for an entry point (``pkg_resources.EntryPoint.parse``), with the function that a program needs.
+_TAKEN = re.compile(r"[^=]+=\s*[\w.]+\s*:\s*[\w.]+\s*(?:\[.*\])?\s*\Z")
 _SCRIPT = re.compile(r"""\s*["']?([\w.-]+)["']?\s*=\s*["']([^"']+)["']""")
 _KEY = re.compile(r"([\w.\- ]+?)\s*[=:]\s*(.*)\Z", re.DOTALL)
 
@@ -69,9 +72,22 @@ def scripts_of_text(text: str) -> list[str]:
         bare = line.strip()
         if bare.startswith("["):
             section = bare.strip("[] ")
-        elif bare and section in ("", "console_scripts"):
+        elif bare and not bare.startswith("#") and section in ("", "console_scripts"):
             found.append(bare)
     return found
+
+
+def refused_entries(items: Iterable[tuple[Any, tuple[int, int]]], path: str) -> tuple[RefusedEntry, ...]:
+    """Those of the lines at such places of *path* from which no program is made; what is no text is not known."""
+    return tuple(
+        RefusedEntry(item.strip(), Location(path, line, column))
+        for item, (line, column) in items
+        if isinstance(item, str)
+        and item.strip()
+        and len(item) < _LONGEST
+        and "\n" not in item
+        and not _TAKEN.match(item)
+    )
 
 
 def entry_points(
@@ -84,7 +100,7 @@ def entry_points(
     """The entry points of *package* that lines of *path* at such places are."""
     found = []
     for item, (line, column) in items:
-        match = _ENTRY.match(item) if isinstance(item, str) and len(item) < 500 else None
+        match = _ENTRY.match(item) if isinstance(item, str) and len(item) < _LONGEST else None
         if match is not None:
             name, module, function = match.groups()
             entry = EntryPoint(

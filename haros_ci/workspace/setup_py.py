@@ -6,10 +6,11 @@ from __future__ import annotations
 import ast
 import posixpath
 from collections import deque
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from haros_ci.model.build import Distribution, EntryPoint, Installed
+from haros_ci.model.build import Distribution, EntryPoint, Installed, RefusedEntry
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
@@ -18,7 +19,6 @@ from haros_ci.workspace.python_values import (
     MISSING,
     dotted,
     is_constant,
-    item_places,
     parse_python,
     summands,
     text_of,
@@ -29,8 +29,9 @@ from haros_ci.workspace.setup_cfg import (
     entry_points,
     package_directories,
     project_scripts,
-    scripts_of_text,
+    refused_entries,
 )
+from haros_ci.workspace.setup_entries import script_lines
 from haros_ci.workspace.setup_filled import filled
 from haros_ci.workspace.tree import PathTree
 
@@ -50,6 +51,7 @@ class Setup:
     roots: tuple[tuple[str, str], ...] = ()
     installed: tuple[Installed, ...] = ()
     entry_points: tuple[EntryPoint, ...] = ()
+    refused_entries: tuple[RefusedEntry, ...] = ()
     parameter_modules: tuple[tuple[str, str, Location], ...] = ()
     problems: tuple[Problem, ...] = ()
     distribution: Distribution | None = None
@@ -78,6 +80,7 @@ class _SetupReader:
         self.given: dict[str, ast.expr] = {}
         self.calls: dict[str, str] = {}
         self.problems: list[Problem] = []
+        self.refused: tuple[RefusedEntry, ...] = ()
         self.globs = 0
         self.looked = 0
         self.nodes: dict[str, list[ast.expr]] = {}
@@ -194,7 +197,7 @@ class _SetupReader:
         roots = self.roots()
         installed = (*self.scripts(), *self.data_files())
         entry_points = (*self.entry_points(roots), *self.configured(roots))
-        rest = (tuple(self.parameter_modules), tuple(self.problems), self.distribution(), self.packages())
+        rest = (self.refused, tuple(self.parameter_modules), tuple(self.problems), self.distribution(), self.packages())
         return Setup(roots, installed, entry_points, *rest)
 
     def distribution(self) -> Distribution | None:
@@ -316,26 +319,22 @@ class _SetupReader:
 
     def entry_points(self, roots: tuple[tuple[str, str], ...]) -> tuple[EntryPoint, ...]:
         node = self.given.get("entry_points")
-        if node is None:
-            return ()
-        scripts: ast.expr | None = node
-        if isinstance(node, ast.Dict):
-            sections = [v for k, v in zip(node.keys, node.values, strict=True) if is_constant(k, "console_scripts")]
-            scripts = sections[0] if sections else None
-            if scripts is None:
-                return ()
-        value = self.value(scripts) if scripts is not None else MISSING
-        if isinstance(value, dict):
-            value = value.get("console_scripts", [])
-        if isinstance(value, str):
-            value = scripts_of_text(value)
-        if not isinstance(value, list):
+        lines = [] if node is None else script_lines(node, self.value, self.nodes)
+        if node is not None and (lines is None or dotted(node) in self.filled):
             self.problem(node, "entry_points")
-            return ()
-        lines = item_places(scripts)
-        there = (node.lineno, node.col_offset + 1)
-        places = [lines[number] if number < len(lines) else there for number in range(len(value))]
-        return entry_points(self.tree, self.package, zip(value, places, strict=True), self.path, roots)
+        unknown = [place for text, place in lines or () if text is MISSING]
+        if node is not None and unknown:
+            message = f"{len(unknown)} of the entry points {'is' if len(unknown) == 1 else 'are'} computed when setup.py runs; what is named there is missing here"
+            self.problems.append(Problem(self.path, message, unknown[0][0]))
+        return self.taken(lines or (), self.path, roots)
+
+    def taken(
+        self, lines: Iterable[tuple[Any, tuple[int, int]]], path: str, roots: tuple[tuple[str, str], ...]
+    ) -> tuple[EntryPoint, ...]:
+        """The programs that *lines* of *path* make; from which none is made is kept, too."""
+        lines = tuple(lines)
+        self.refused += refused_entries(lines, path)
+        return entry_points(self.tree, self.package, lines, path, roots)
 
     def configured(self, roots: tuple[tuple[str, str], ...]) -> tuple[EntryPoint, ...]:
         """The console scripts of the setup.cfg and pyproject.toml beside setup.py, which count where setup() is given none."""
@@ -345,6 +344,5 @@ class _SetupReader:
         for name, read in (("setup.cfg", console_scripts), ("pyproject.toml", project_scripts)):
             path = f"{self.path.removesuffix('setup.py')}{name}"
             lines = read(self.tree.workspace.text(path))
-            items = ((text, (line, column)) for text, line, column in lines)
-            found += entry_points(self.tree, self.package, items, path, roots)
+            found += self.taken(((text, (line, column)) for text, line, column in lines), path, roots)
         return found

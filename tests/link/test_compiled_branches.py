@@ -250,3 +250,20 @@ def test_what_a_function_under_if_makes_is_ruled_out() -> None:
     assert named(built(files, "add_definitions(-DA)")) == ("a", "c")
     assert named(built(files, "")) == ("ac", "")
     assert only(follow(files)).name == "p/n"
+
+
+@pytest.mark.parametrize(
+    ("case", "made"),
+    [
+        ("#if A || B\n%s break;\n#else\nexit(-1);\n#endif", True),
+        ("#ifdef A\n%s break;\n#endif", True),
+        ("#ifdef A\nexit(-1);\n#else\n%s break;\n#endif", True),
+        ("#ifdef A\n#endif\n%s break;", True),
+        ("#if 0\n%s break;\n#endif", False),
+        ("#ifdef A\nbreak;\n#endif\nbreak;\n%s", False),
+    ],
+)
+def test_what_a_case_has_under_an_if_alone(case: str, made: bool) -> None:
+    text = "int a; switch (a) { case 1:\n" + case % 'ADV("x", 1);' + "\ndefault: break; }"
+    found = node(follow(cpp_files(main(text))))
+    assert [end.name for end in found.endpoints if end.kind == "publishers"] == (["/x"] if made else [])

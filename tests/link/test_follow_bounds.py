@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from follow_kit import cpp_files, follow, main, names, python_files, script
+from follow_kit import cpp, cpp_files, follow, main, names, python_files, script
 
 from haros_ci.values import abstract as values
 
@@ -187,3 +187,14 @@ def test_what_is_nested_too_deeply_is_named() -> None:
     (node,) = found.configurations[0].nodes
     assert names(node) == ["/a"]
     assert [each.reason for each in node.unknowns] == ["the code is nested too deeply to be followed"]
+
+
+def test_aliases_that_multiply() -> None:
+    """Each is eight of the next: 8 ** 10 types in one, of which those beyond a bound are not resolved."""
+    eight = {number: ", ".join([f"T{number + 1}"] * 8) for number in range(18)}
+    aliases = "".join(f"using T{number} = std::tuple<{of}>;\n" for number, of in eight.items())
+    found = cpp(
+        'C c; c.go(nh); ADV("a", 1);',
+        f'{aliases}struct B {{}};\nclass C : public B {{ public: T0 t; void go(ros::NodeHandle& nh) {{ T0 t; nh.advertise<std_msgs::String>("b", 1); }} }};\n',
+    )
+    assert names(found) == ["/a", "/b"]

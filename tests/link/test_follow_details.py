@@ -251,16 +251,10 @@ PYTHON_REACHED = (
     case("default argument", 'def f(x=make("a")):\n    pass', "/a"),
     case("class body", 'class W:\n    p = make("a")', "/a"),
 )
-NOT_REACHED = (
-    because("a variable declared as a function's or method's pointer is lost", "function pointer", "method by pointer")
-    | because("destructors are not called", "destructor")
-    | because("what a default argument calls is not seen to matter", "default argument that makes")
-)
-NOT_REACHED_IN_PYTHON = (
-    because("a call of what a decorator returned is skipped as inert", "wrapper by a decorator")
-    | because("with calls no __enter__", "context manager")
-    | because("default arguments are not carried out", "default argument")
-)
+NOT_REACHED = because("what a default argument calls is not seen to matter", "default argument that makes")
+NOT_REACHED_IN_PYTHON = because(
+    "a call of what a decorator returned is skipped as inert", "wrapper by a decorator"
+) | because("default arguments are not carried out", "default argument")
 
 
 @table(REACHED, NOT_REACHED)

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from follow_kit import CMAKE, ROS2_CMAKE, follow, main, script
+from follow_kit import CMAKE, ROS2_CMAKE, ROS2_HEAD, ROS2_NODE, explicit, follow, main, ros2_files, script
 
 CATKIN = CMAKE.format("p")
 AMENT = ROS2_CMAKE.format("p")
@@ -57,3 +57,17 @@ def test_a_program_of_this_ros_is_followed() -> None:
     found = follow({"p/CMakeLists.txt": cmake, "p/src/n.cpp": main('ADV("a", 1);'), "p/l.launch": LAUNCH}, 1)
     (node,) = found.configurations[0].nodes
     assert node.unknowns == () and len(node.endpoints) == 1
+
+
+@pytest.mark.parametrize(("file", "is_told"), [("l.launch", True), ("l.launch.xml", False)])
+def test_a_program_that_the_other_ros_starts_is_told_by_itself(file: str, is_told: bool) -> None:
+    """Launch files of ROS 1 that a package has kept do not start what it builds for ROS 2."""
+    files = ros2_files(ROS2_HEAD + ROS2_NODE % ('create_publisher<String>("/x", 1);', ""))
+    launch = LAUNCH if is_told else LAUNCH.replace("type", "exec")
+    found = follow(files | {f"p/launch/{file}": launch}, 2)
+    own = [one for one in found.configurations if one.name == "p/n"]
+    assert [[end.name for end in explicit(node)] for one in own for node in one.nodes] == ([["/x"]] if is_told else [])
+    (node,) = next(one for one in found.configurations if one.launch).nodes
+    reasons = [unknown.reason for unknown in node.unknowns if unknown.field == "endpoints"]
+    expected = ["p/n (p/CMakeLists.txt:5) runs N, a component of ROS 2, and is not followed here"]
+    assert reasons == (expected if is_told else [])

@@ -13,6 +13,8 @@ BLOCKS = {
     "try with a note": "try:\n        from geometry_msgs.msg import Twist\n    except ImportError as err:\n        print(err)\n        raise",
     "if": "if True:\n        from geometry_msgs.msg import Twist",
     "with": "with lock:\n        from geometry_msgs.msg import Twist",
+    "try or none": "try:\n        from geometry_msgs.msg import Twist\n    except ImportError:\n        Twist = None",
+    "none, then try": "Twist = None\n    try:\n        from geometry_msgs.msg import Twist\n    except ImportError:\n        pass",
     "once more": "from std_msgs.msg import String as Twist\n    from geometry_msgs.msg import Twist",
 }
 
@@ -27,8 +29,7 @@ def test_a_type_that_a_block_imports(name: str) -> None:
     "block",
     [
         "try:\n        from geometry_msgs.msg import Twist\n    except ImportError:\n        from other.msg import Twist",
-        "try:\n        from geometry_msgs.msg import Twist\n    except ImportError:\n        Twist = None",
-        "Twist = None\n    try:\n        from geometry_msgs.msg import Twist\n    except ImportError:\n        pass",
+        "try:\n        from geometry_msgs.msg import Twist\n    except ImportError:\n        Twist = String",
     ],
 )
 def test_one_of_several_is_not_known(block: str) -> None:

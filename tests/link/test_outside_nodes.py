@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 from follow_kit import ROS2_CMAKE, ROS2_HEAD, explicit, follow, only, ros2_files, ros2_main
+from follow_kit import cpp as ros1_cpp
 from follow_kit import python as ros1_python
 
 from haros_ci.model.architecture import Configuration, Node
@@ -184,3 +185,7 @@ def test_stays_quiet_of_a_template_that_is_given_no_class_that_makes_something()
 def test_ros_1_has_none(body: str) -> None:
     """What a call that lets time pass is given is no node there."""
     assert ros1_python(f"import pkg\n{body}\n").unknowns == ()
+
+
+def test_a_program_for_both_has_one_where_ros_1_initialises_it() -> None:
+    assert ros1_cpp('#ifdef ROS2\nrclcpp::init(argc, argv);\n#endif\nADV("x", 1);').unknowns == ()

@@ -172,3 +172,49 @@ def test_components() -> None:
 )
 def test_macros_that_the_build_defines(cmake: str, defined: tuple[str, ...]) -> None:
     assert built(cmake, "a.cpp").defined == defined
+
+
+@pytest.mark.parametrize(
+    ("cmake", "kind", "sources", "known"),
+    [
+        ("rtmbuild_add_executable(t a.cpp s/c.cpp)", "executable", ["a.cpp", "s/c.cpp"], "add_executable"),
+        ("robot_add_executable(t SOMEHOW a.cpp LIBS x)", "executable", ["a.cpp"], "add_executable"),
+        ("set(S a.cpp)\nrobot_add_executable(t ${S})", "executable", ["a.cpp"], "add_executable"),
+        ("robot_add_library(t SHARED a.cpp)", "library", ["a.cpp"], "add_library"),
+        ("Robot_Add_Library(t a.cpp)", "library", ["a.cpp"], "add_library"),
+    ],
+)
+def test_a_command_that_is_not_known_is_taken_for_the_one_that_it_ends_in(
+    cmake: str, kind: str, sources: list[str], known: str
+) -> None:
+    found = built(cmake, *ALL)
+    target = only(found)
+    assert (target.name, target.kind, [path.removeprefix("arm/") for path in target.sources]) == ("t", kind, sources)
+    assert target.is_installed
+    ((_, message),) = messages(found)
+    assert message.endswith(f"_{known}() is not known; it is taken for {known}()")
+
+
+@pytest.mark.parametrize(
+    "cmake",
+    [
+        "robot_add_executable(t)",
+        "robot_add_executable(t x y)",
+        "robot_add_executable(t gone.cpp)",
+        "robot_add_executable(t a.h)",
+        "robot_add_executable(${N} a.cpp)",
+        "robot_add_executable(NAME t/u SOURCES b)",
+        "robot_add_executable_of(t a.cpp)",
+        "robot_add_node(t a.cpp)",
+    ],
+)
+def test_other_commands_that_are_not_known_make_nothing(cmake: str) -> None:
+    found = built(cmake, *ALL)
+    assert found.targets == ()
+    assert [message for _, message in messages(found)][-1].endswith("what it builds is missing from the analysis")
+
+
+def test_a_command_of_the_workspace_does_what_it_says() -> None:
+    cmake = "function(robot_add_executable name)\nadd_library(${name}_l b.cpp)\nendfunction()\nrobot_add_executable(t a.cpp)"
+    found = built(cmake, *ALL)
+    assert (only(found).name, messages(found)) == ("t_l", [])

@@ -8,12 +8,20 @@ from collections.abc import Callable
 from tree_sitter import Node
 
 from haros_ci import syntax
-from haros_ci.extract.cpp import declarations, expansion, expressions, preprocessor, scopes, types
+from haros_ci.extract.cpp import (
+    declarations,
+    expansion,
+    expressions,
+    method_pointers,
+    preprocessor,
+    scopes,
+    switches,
+    types,
+)
 from haros_ci.extract.cpp.grammar import ERROR, field, kinds, table
 from haros_ci.extract.cpp.unit import DEEPEST, TOO_DEEP, CppScope, Unit
 
 _BLOCK = kinds("compound_statement")
-_CASE = kinds("case_statement")
 _ELSE = kinds("else_clause")
 _INIT = kinds("init_statement")
 _DECLARATION = kinds("declaration")
@@ -29,7 +37,6 @@ _ALTERNATIVE = field("alternative")
 _INITIALIZER = field("initializer")
 _UPDATE = field("update")
 _RIGHT = field("right")
-_VALUE = field("value")
 _PARAMETERS = field("parameters")
 
 Statements = list[syntax.Statement]
@@ -61,7 +68,10 @@ def _expression(unit: Unit, node: Node, depth: int, out: Statements) -> None:
     child = node.children[0] if node.child_count else node
     if child.kind_id in _CALL and unit.found.callable_macros and expansion.expand(unit, child, depth, out):
         return
-    if child.is_named and child.kind_id != ERROR:
+    pointer = method_pointers.variable(unit, child, depth)
+    if pointer is not None:
+        out.append(pointer)
+    elif child.is_named and child.kind_id != ERROR:
         out.append(syntax.Do(expressions.expression(unit, child, depth)))
 
 
@@ -206,29 +216,9 @@ def _switch(unit: Unit, node: Node, depth: int, out: Statements) -> None:
     before: Statements = []
     line, column = unit.position(node)
     text, value = _condition(unit, node.child_by_field_id(_CONDITION), depth, before)
-    cases: list[syntax.Case] = []
     body = node.child_by_field_id(_BODY)
-    if body is not None:
-        _cases(unit, body.children, depth, cases, None)
-    _wrapped(before, syntax.Switch(line, column, text, value, tuple(cases)), out)
-
-
-def _cases(
-    unit: Unit, nodes: list[Node], depth: int, cases: list[syntax.Case], guard: tuple[int, int, str] | None
-) -> None:
-    """Collect the cases among *nodes*; those under an #if have their blocks under that #if."""
-    for node in nodes:
-        if node.kind_id in _CASE:
-            children = node.children
-            value = node.child_by_field_id(_VALUE)
-            start = next((index for index, child in enumerate(children) if child.kind_id in _COLON), 0) + 1
-            inside = block(unit, children[start:], depth)
-            if guard:
-                inside = (syntax.Preprocessor((syntax.Branch(*guard, inside),)),)
-            cases.append(syntax.Case(None if value is None else expressions.expression(unit, value, depth), inside))
-        elif node.kind_id in preprocessor.CONDITIONAL and depth <= DEEPEST:
-            for line, column, text, children in preprocessor.branches(unit, node):
-                _cases(unit, children, depth + 1, cases, (line, column, text))
+    cases = switches.cases(unit, body.children if body is not None else [], depth, block)
+    _wrapped(before, syntax.Switch(line, column, text, value, cases), out)
 
 
 def _try(unit: Unit, node: Node, depth: int, out: Statements) -> None:

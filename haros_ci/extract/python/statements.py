@@ -6,10 +6,11 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Callable
-from typing import Any, Protocol, TypeVar, cast
+from typing import Any, TypeVar, cast
 
 from haros_ci import syntax
 from haros_ci.extract.python.annotations import NO_TYPE
+from haros_ci.extract.python.blocks import Tried, bound_again, may_enter, of_manager, suppressed_by
 from haros_ci.extract.python.definitions import annotation, define_class, define_function
 from haros_ci.extract.python.expressions import expression, operator_text
 from haros_ci.extract.python.imports import imported
@@ -173,42 +174,34 @@ def _after_loop(node: ast.For | ast.AsyncFor | ast.While, scope: PythonScope, de
 def _with(node: ast.With | ast.AsyncWith, scope: PythonScope, depth: int) -> Block:
     """The body follows in the same block: Python has no scope there."""
     entered: list[Statement] = []
+    left: list[Statement] = []
     for item in node.items:
         call = expression(item.context_expr, scope, depth)
-        if item.optional_vars is None:
-            entered.append(syntax.Do(call))
+        at, name = place(scope.file.source, item.context_expr), item.optional_vars
+        enters = may_enter(item.context_expr)
+        if name is None:
+            entered.append(syntax.Do(of_manager(call, "__enter__", at) if enters else call))
         else:
-            _bind(item.optional_vars, None, None, scope, node)
-            entered.append(syntax.Do(syntax.Assignment("=", expression(item.optional_vars, scope, depth), call)))
-    suppressed = next((made for item in node.items if (made := _suppressed(item.context_expr)) is not None), None)
+            _bind(name, None, None, scope, node)
+            target = expression(name, scope, depth)
+            entered.append(syntax.Do(syntax.Assignment("=", target, call)))
+            if enters and isinstance(name, ast.Name):
+                entered.append(syntax.Do(syntax.Assignment("=", target, of_manager(target, "__enter__", at))))
+        manager = item.context_expr if name is None else name
+        if enters and isinstance(manager, (ast.Name, ast.Attribute)):
+            left.append(syntax.Do(of_manager(expression(manager, scope, depth), "__exit__", at)))
+    suppressed = next((made for item in node.items if (made := suppressed_by(item.context_expr)) is not None), None)
     if suppressed is None:
-        return (*entered, *block(node.body, scope, depth))
+        return (*entered, *block(node.body, scope, depth), *left)
     text = " ".join(ast.unparse(argument) for argument in suppressed.args)
     handler = syntax.Handler(*place(scope.file.source, node), text, "", NO_TYPE, ())
     return (*entered, syntax.Try(block(node.body, conditionally(scope), depth), (handler,)))
 
 
-def _suppressed(entered: ast.expr) -> ast.Call | None:
-    """``contextlib.suppress(…)``: the body of the ``with`` ends at these exceptions, as that of a ``try`` that passes over them."""
-    if not isinstance(entered, ast.Call) or not entered.args:
-        return None
-    name = entered.func.attr if isinstance(entered.func, ast.Attribute) else getattr(entered.func, "id", "")
-    return entered if name == "suppress" else None
-
-
-class _Tried(Protocol):
-    """``try`` with ``except`` and with ``except*``, which Python 3.10 does not have."""
-
-    body: list[ast.stmt]
-    handlers: list[ast.ExceptHandler]
-    orelse: list[ast.stmt]
-    finalbody: list[ast.stmt]
-
-
-def _try(node: _Tried, scope: PythonScope, depth: int) -> Block:
+def _try(node: Tried, scope: PythonScope, depth: int) -> Block:
     """What else says belongs to the tried block, what finally says comes after all of it."""
     inner = conditionally(scope)
-    tried = block(node.body, inner, depth) + block(node.orelse, inner, depth)
+    tried = bound_again(node, scope) + block(node.body, inner, depth) + block(node.orelse, inner, depth)
     handlers = tuple([_handler(handler, inner, depth) for handler in node.handlers])
     return (syntax.Try(tried, handlers), *block(node.finalbody, scope, depth))
 

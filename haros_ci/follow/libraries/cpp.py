@@ -13,6 +13,7 @@ from haros_ci.follow.libraries import (
     algorithms,
     cpp_data,
     formats,
+    given_away,
     patterns,
     texts,
     tuples,
@@ -142,7 +143,7 @@ def function(
             return args[0].value if args else NONE
         if targs:
             kind = walk.type_in(targs[0], frame) if isinstance(targs[0], syntax.Type) else syntax.NOTHING
-            return construct.create(walk, frame, kind.bare(), args, location)
+            return given_away.constructed(walk, construct.create(walk, frame, kind.bare(), args, location))
         return None
     if name in TRANSPARENT and len(args) in (1, 2):
         value = args[0].value

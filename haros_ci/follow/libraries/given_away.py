@@ -14,7 +14,7 @@ from haros_ci.follow.ros import ros2_nodes
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
-from haros_ci.values.abstract import ClassValue, Object, Pointer
+from haros_ci.values.abstract import Callable, ClassValue, Object, Pointer, Value
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
@@ -64,6 +64,31 @@ def _made(walk: Walk, frame: Frame, name: str, value: ClassValue) -> None:
 
 def _called(walk: Walk, name: str, this: Object) -> None:
     """An object whose base class is not in the workspace is called by the library that has that class."""
+    for found, base in _overridden(walk, this):
+        doubt = f"{name} is not known, which is given the object and may call it by its base class {base}"
+        if found.source.separator == "::":
+            callbacks.register(walk, found, doubt=doubt)
+        else:
+            uncalled.offer(walk, found, doubt)
+
+
+def constructed(walk: Walk, made: Value) -> Value:
+    """*made* by ``new`` or ``make_shared``: its base class that the workspace does not have may know the object, and its library call what nothing else is seen to."""
+    if (
+        isinstance(made, Object)
+        and made.definition is not None
+        and made.definition[0].separator == "::"
+        and not walk.quiet
+    ):
+        for found, base in _overridden(walk, made):
+            uncalled.offer(
+                walk, found, f"the base class {base} is not in the workspace: its library may call the object"
+            )
+    return made
+
+
+def _overridden(walk: Walk, this: Object) -> Iterator[tuple[Callable, str]]:
+    """The methods of an object that may make something and that a library may call by a base class of its own, with that class."""
     assert this.definition is not None
     source, definition = this.definition
     if not definition.bases:
@@ -74,12 +99,7 @@ def _called(walk: Walk, name: str, this: Object) -> None:
     for last in walk.found[key]:
         found = methods.method_of(walk, this, last)
         if found is not None and walk.relevance.makes(found.function, found.source):
-            base = _calling_bases(walk, source, definition)[0]
-            doubt = f"{name} is not known, which is given the object and may call it by its base class {base}"
-            if source.separator == "::":
-                callbacks.register(walk, found, doubt=doubt)
-            else:
-                uncalled.offer(walk, found, doubt)
+            yield found, _calling_bases(walk, source, definition)[0]
 
 
 def started(walk: Walk, name: str, this: Object) -> None:

@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import callbacks, methods, thrown, unknown_calls
+from haros_ci.follow import beside, callbacks, methods, thrown, unknown_calls
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import containers, given_away, harmless
 from haros_ci.follow.libraries import cpp as library_cpp
@@ -101,6 +101,7 @@ def unknown_call(
         thrown.may_throw(walk)
     for argument in args:
         callbacks.register(walk, argument.value, args)
+    beside.note(walk, *(argument.value for argument in args))
     unknown_calls.called(walk, frame, name, args)
     unknown_calls.forget_passed(walk, frame, name, args)
     if not harmless.is_harmless(name, is_python):

@@ -9,7 +9,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import callbacks, conversions, handles
+from haros_ci.follow import beside, callbacks, conversions, handles
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.ros import (
@@ -270,6 +270,8 @@ def _apply(applied: selectors.Applied, made: Object | None) -> Value | None:
         value = selectors.select_value(applied, where)
         if value is not None and not isinstance(value, selectors.TypeValue):
             callbacks.register(walk, value, applied.args, row.call.rpartition("_parameters")[2] in UPDATES)
+            if row.call.startswith(beside.BEGINNING):
+                beside.note(walk, value)
             if isinstance(value, Opaque) and applied.frame.source.separator == ".":
                 walk.gaps.setdefault(f"what it calls back is not known: {value.reason}", applied.location)
     return parameter

@@ -107,7 +107,7 @@ def _is_node(walk: Walk, value: Object, location: Location) -> None:
 
 def without_node(walk: Walk) -> None:
     """A process that begins as one of ROS 2 and has no node, as far as it is seen, has one that is not."""
-    if walk.started is not None and not walk.nodes:
+    if walk.started is not None and not walk.nodes and not (walk.context.process is None and walk.names):
         walk.gaps.setdefault(NO_NODE, walk.started)
 
 

@@ -17,8 +17,10 @@ from haros_ci.index.ros_types import parameter_type
 from haros_ci.model.api import Entry, Row, Template
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
+from haros_ci.values import iterators
 from haros_ci.values.abstract import (
     Callable,
+    Choice,
     ClassValue,
     Known,
     Library,
@@ -221,10 +223,11 @@ def select_value(applied: Applied, selector: str) -> Found:
         return None
     if function == "callback":
         return _callback_type(walk, found, int(index or 0))
-    if isinstance(found.value, Library):
-        return TypeValue(syntax.Type(found.value.name))
-    if isinstance(found.value, ClassValue):
-        return TypeValue(syntax.Type(found.value.definition.name))
+    value = iterators.not_none(found.value) if isinstance(found.value, Choice) else found.value
+    if isinstance(value, Library):
+        return TypeValue(syntax.Type(value.name))
+    if isinstance(value, ClassValue):
+        return TypeValue(syntax.Type(value.definition.name))
     kind = found.type or conversions.value_type(found.value)
     return TypeValue(kind) if kind is not None else None
 

@@ -44,8 +44,8 @@ MODULES: tuple[tuple[str, str, str, str], ...] = (
 
 
 def rules() -> dict[str, Rule]:
-    """What HAROS ids and coding standards refer to; every other check is invented from its name."""
-    return {name: invented(name) for name in sorted({*NAMED, *standards.named("clang-tidy")})}
+    """What has a text, and what HAROS ids and coding standards refer to; every other check is invented from its name."""
+    return {name: invented(name) for name in sorted({*NAMED, *TEXTS, *standards.named("clang-tidy")})}
 
 
 NAMED = (

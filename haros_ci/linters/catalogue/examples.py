@@ -3,17 +3,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-
-@dataclass(frozen=True, slots=True)
-class Pair:
-    """Two pieces of code in one *language*: with the defect, and without it."""
-
-    bad: str
-    good: str
-    language: str = "python"
-
+from haros_ci.linters.catalogue.clang_tidy_examples import PAIRS as TIDY
+from haros_ci.linters.catalogue.pair import Pair
 
 _CPP = "cpp"
 
@@ -95,4 +86,4 @@ PAIRS: dict[tuple[str, ...], Pair] = {
     ("too-many-format-args",): Pair("print('%s' % (name, pose))", "print('%s at %s' % (name, pose))"),
 }  # fmt: skip
 
-BY_RULE: dict[str, Pair] = {rule: pair for rules, pair in PAIRS.items() for rule in rules}
+BY_RULE: dict[str, Pair] = {**{rule: pair for rules, pair in PAIRS.items() for rule in rules}, **TIDY}

@@ -44,12 +44,13 @@ def level_of(letters: str, usual: Level) -> Level:
     return Level.WARNING if usual is Level.NOTE and letters[0] in "BR" else usual
 
 
-def help_text(rule: str, summary: str, advice: str, suppress: str) -> str:
+def help_text(rule: str, summary: str, advice: str, suppress: str, tool: str = "") -> str:
     """The help of a rule as Markdown: what, why and how to fix, how to suppress, where CODE stands for the rule.
 
-    Rules that are met often have an *advice* of their own instead of their group's.
+    Rules that are met often have an *advice* of their own instead of their group's. *tool* is named where a rule of another tool has the
+    same id and finds something else.
     """
-    advice = BY_RULE.get(rule, advice)
+    advice = BY_RULE.get(f"{tool}:{rule}") or BY_RULE.get(rule, advice)
     parts = [f"**{rule}**: {summary}"]
     if advice:
         parts.append(advice)

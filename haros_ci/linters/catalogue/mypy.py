@@ -156,7 +156,7 @@ def _rule(code: str, letters: str, summary: str, group: Group) -> Rule:
         id=code,
         summary=summary,
         level=Level.ERROR if letters == "B" else Level.WARNING if letters in "RS" else Level.NOTE,
-        help=help_text(code, summary, group.advice, SUPPRESS),
+        help=help_text(code, summary, group.advice, SUPPRESS, "mypy"),
         help_uri=MORE_CODES if "strictness" in group.tags else f"{CODES}#code-{code}",
         precision=group.precision,
         profiles=profiles(letters),

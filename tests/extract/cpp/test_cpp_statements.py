@@ -212,6 +212,46 @@ def test_cases_under_a_conditional() -> None:
     )
 
 
+@pytest.mark.parametrize(
+    ("text", "cases"),
+    [
+        (
+            "case 1:\n#ifdef A\nb(); break;\n#else\nc();\n#endif\nd();\ncase 2: e();",
+            (
+                (
+                    ("num", 1),
+                    (
+                        (
+                            "pre",
+                            ((4, 1, "#ifdef A", (call("b", 5, 1), ("break",))), (6, 1, "#else", (call("c", 7, 1),))),
+                        ),
+                        call("d", 9, 1),
+                    ),
+                ),
+                (("num", 2), (call("e", 10, 9),)),
+            ),
+        ),
+        (
+            "case 1: b();\n#ifdef A\nc();\ncase 2: d();\n#endif\ndefault: e();",
+            (
+                (("num", 1), (call("b", 3, 9), ("pre", ((4, 1, "#ifdef A", (call("c", 5, 1),)),)))),
+                (("num", 2), (("pre", ((4, 1, "#ifdef A", (call("d", 6, 9),)),)),)),
+                (None, (call("e", 8, 10),)),
+            ),
+        ),
+        ("#ifdef A\nb();\n#endif\ncase 1: c();", ((("num", 1), (call("c", 6, 9),)),)),
+        ("b();\ncase 1: c();", ((("num", 1), (call("c", 4, 9),)),)),
+        (
+            "case 1:\n#ifdef A\n#endif\ncase 2: c();",
+            ((("num", 1), (("pre", ((4, 1, "#ifdef A", ()),)),)), (("num", 2), (call("c", 6, 9),))),
+        ),
+    ],
+)
+def test_blocks_under_a_conditional_go_on_with_the_case_before_them(text: str, cases: Any) -> None:
+    (switch,) = body(f"switch (a) {{\n{text} }}")
+    assert switch[5] == cases
+
+
 def test_a_conditional_that_splits_braces_is_read_in_its_first_branch() -> None:
     text = "#ifdef A\nif (a) {\n#else\nif (b) {\n#endif\nc(); }\nd();"
     assert body(text) == (

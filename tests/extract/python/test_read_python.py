@@ -36,6 +36,10 @@ def call(name: str, *arguments: Any, line: int = 1, column: int = 1) -> Any:
     return ("call", ("name", name), arguments, (), line, column)
 
 
+def managed(manager: Any, method: str, column: int) -> Any:
+    return ("call", ("field", manager, method), (), (), 1, column)
+
+
 def formatted(form: str, argument: Any) -> Any:
     return ("call", ("field", ("str", form), "format"), (argument,), (), 1, 1)
 
@@ -221,7 +225,21 @@ def test_lambda_and_comprehension_are_functions() -> None:
                 ("if", 2, 1, "else", ("?", "else"), (("do", C),), 0, 0, ()),
             ),
         ),
-        ("with a() as x, b: c\n", (("do", ("set", "=", X, call("a", column=6))), ("do", B), ("do", C))),
+        (
+            "with open(a) as x, b.lock: c\n",
+            (("do", ("set", "=", X, call("open", A, column=6))), ("do", ("field", B, "lock")), ("do", C)),
+        ),
+        (
+            "with a() as x, b: c\n",
+            (
+                ("do", ("set", "=", X, call("a", column=6))),
+                ("do", ("set", "=", X, managed(X, "__enter__", 6))),
+                ("do", managed(B, "__enter__", 16)),
+                ("do", C),
+                ("do", managed(X, "__exit__", 6)),
+                ("do", managed(B, "__exit__", 16)),
+            ),
+        ),
         (
             "try:\n  a\nexcept (a.E,\n  F) as x: b\nexcept: c\nelse: x\nfinally: c\n",
             (

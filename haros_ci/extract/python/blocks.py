@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What ``with`` and ``try`` of Python do beside their blocks: context managers are entered and left, names are bound again."""
+
+from __future__ import annotations
+
+import ast
+from typing import Protocol
+
+from haros_ci import syntax
+from haros_ci.extract.python.imports import imported
+from haros_ci.extract.python.scope import PythonScope
+from haros_ci.syntax import Block, Expression
+
+
+def may_enter(manager: ast.expr) -> bool:
+    """Whether what a ``with`` names may be of the workspace: no file that is opened, and no lock."""
+    called = manager.func if isinstance(manager, ast.Call) else manager
+    name = called.attr if isinstance(called, ast.Attribute) else getattr(called, "id", "")
+    return name not in ("open", "suppress", "") and not any(word in name.lower() for word in ("lock", "mutex"))
+
+
+def of_manager(manager: Expression, method: str, at: tuple[int, int]) -> Expression:
+    """What a ``with`` calls of its context manager at its beginning and its end (docs.python.org, the with statement)."""
+    return syntax.Call(syntax.Member(manager, method), (), (), *at)
+
+
+def suppressed_by(entered: ast.expr) -> ast.Call | None:
+    """``contextlib.suppress(…)``: the body of the ``with`` ends at these exceptions, as that of a ``try`` that passes over them."""
+    if not isinstance(entered, ast.Call) or not entered.args:
+        return None
+    name = entered.func.attr if isinstance(entered.func, ast.Attribute) else getattr(entered.func, "id", "")
+    return entered if name == "suppress" else None
+
+
+class Tried(Protocol):
+    """``try`` with ``except`` and with ``except*``, which Python 3.10 does not have."""
+
+    body: list[ast.stmt]
+    handlers: list[ast.ExceptHandler]
+    orelse: list[ast.stmt]
+    finalbody: list[ast.stmt]
+
+
+def bound_again(node: Tried, scope: PythonScope) -> Block:
+    """The imports of a module's tried block whose names a handler assigns to (``except ImportError: Foo = None``)."""
+    if scope.kind != "module" or not any(isinstance(one, (ast.Import, ast.ImportFrom)) for one in node.body):
+        return ()
+    names = {
+        target.id
+        for handler in node.handlers
+        for one in handler.body
+        for target in (one.targets if isinstance(one, ast.Assign) else ())
+        if isinstance(target, ast.Name)
+    }
+    found = [pair for one in node.body if isinstance(one, (ast.Import, ast.ImportFrom)) for pair in imported(one)]
+    return tuple([syntax.Import(name, target) for name, target in found if name in names])

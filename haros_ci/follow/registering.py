@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Python: decorators of the workspace that note functions (``@register("name")``): they are called as the module is loaded.
+
+A decorated function itself stays what it is: what a decorator puts around it is not followed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci import syntax
+from haros_ci.follow import call_arguments, calls, expressions
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.walk import Walk
+from haros_ci.index.index import Source
+from haros_ci.model.location import Location
+from haros_ci.syntax import Expression, Function
+from haros_ci.values.abstract import Callable
+
+#: What is said of a decorator that makes something around a function.
+AROUND = "what the decorator {} puts around functions is not followed"
+#: Decorated functions of a module that are looked at.
+MOST = 200
+
+
+def note(walk: Walk, frame: Frame, source: Source) -> None:
+    """Call the decorators of the functions of a module, whose body has been followed, that put them into lists and maps."""
+    for function in [one for one in source.program.functions if one.decorators][:MOST]:
+        if function.owner or "." in function.name or function.kind != "function":
+            continue
+        for decorator in reversed(function.decorators):
+            callee = decorator.callee if isinstance(decorator, syntax.Call) else decorator
+            if not isinstance(callee, syntax.Name):
+                continue
+            if _makes(walk, callee.name):
+                walk.gaps.setdefault(AROUND.format(callee.name), Location(source.path, function.line))
+            if not _notes(walk, callee.name):
+                continue
+            value = expressions.evaluate(walk, frame, decorator)
+            if isinstance(value, Callable):
+                _call(walk, frame, value, Callable(source, function), decorator)
+
+
+def _call(walk: Walk, frame: Frame, decorator: Callable, function: Callable, written: Expression) -> None:
+    location = Location(function.source.path, function.function.line)
+    calls.apply(walk, frame, decorator, (call_arguments.PassedArgument(function),), (), location, written)
+
+
+def _notes(walk: Walk, name: str) -> bool:
+    """Whether a function of that name, or one inside of it, puts something into a list or map."""
+    key = ("notes", name)
+    if key not in walk.found:
+        walk.found[key] = any(
+            walk.relevance.collects(part.body, source) for source, part in _parts(walk, name) if part.body is not None
+        )
+    return bool(walk.found[key])
+
+
+def _makes(walk: Walk, name: str) -> bool:
+    """Whether a function of that name, or one inside of it, may make something beside what it calls of the function that it is given."""
+    key = ("makes around", name)
+    if key not in walk.found:
+        walk.found[key] = any(walk.relevance.makes(part, source) for source, part in _parts(walk, name))
+    return bool(walk.found[key])
+
+
+def _parts(walk: Walk, name: str) -> Iterator[tuple[Source, Function]]:
+    """The Python functions of a name, each with those inside of it."""
+    for source, function in walk.index.functions.get(name, ()):
+        if source.separator == ".":
+            yield source, function
+            inside = (one for one in source.program.functions if one.name.startswith(f"{name}."))
+            yield from ((source, one) for one in inside)
