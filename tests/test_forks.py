@@ -170,11 +170,17 @@ def test_nothing_is_done_meanwhile_where_there_are_threads(monkeypatch: pytest.M
 @pytest.mark.skipif(sys.platform != "linux", reason="processes are forked on Linux only")
 @pytest.mark.parametrize("is_torn", [False, True])
 def test_what_is_left_ends_with_the_block(is_torn: bool) -> None:
-    reading, writing = os.pipe()
-    with suppress(KeyboardInterrupt), forks.meanwhile(lambda: os.read(reading, 1)):
+    (reading, writing), (told, telling) = os.pipe(), os.pipe()
+
+    def wait() -> bytes:
+        os.write(telling, str(os.getpid()).encode())
+        return os.read(reading, 1)
+
+    with suppress(KeyboardInterrupt), forks.meanwhile(wait):
+        child = int(os.read(told, 20))
         if is_torn:
             raise KeyboardInterrupt
     with pytest.raises(ChildProcessError):
-        os.waitpid(-1, os.WNOHANG)
-    os.close(reading)
-    os.close(writing)
+        os.waitpid(child, os.WNOHANG)
+    for end in (reading, writing, told, telling):
+        os.close(end)
