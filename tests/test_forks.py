@@ -9,12 +9,15 @@ import sys
 from collections.abc import Callable
 from contextlib import suppress
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from haros_ci import forks
 from haros_ci.forks import shared
+from haros_ci.interruption import listening
+from haros_ci.scratch import scratch_directory
 
 HERE = os.getpid()
 #: Long enough that one process does not do all of it before the next one begins.
@@ -184,3 +187,15 @@ def test_what_is_left_ends_with_the_block(is_torn: bool) -> None:
         os.waitpid(child, os.WNOHANG)
     for end in (reading, writing, told, telling):
         os.close(end)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="processes are forked on Linux only")
+def test_what_is_left_puts_in_order_what_it_has_begun(tmp_path: Path) -> None:
+    def work() -> None:
+        with scratch_directory(place=str(tmp_path)):
+            signal.pause()
+
+    with listening(), forks.meanwhile(work):
+        while not os.listdir(tmp_path):
+            os.sched_yield()
+    assert os.listdir(tmp_path) == []
