@@ -29,7 +29,7 @@ def coverage(
     unread = list(dict.fromkeys(problem.path for problem in (*workspace.problems, *workspace.hiding.unread)))
     if unread:
         named = ", ".join(unread[:_NAMED]) + (f" and {len(unread) - _NAMED} more" if len(unread) > _NAMED else "")
-        unseen.append(f"Not or not fully read (the warnings say why): {named}.")
+        unseen.append(f"What could not be read, or not in full, as the warnings say: {named}.")
     reported = [file for file in workspace.files if workspace.reports_on(file.path)]
     if generated := [file.path for file in reported if file.is_generated and not file.third_party]:
         unseen.append(_generated(generated))
