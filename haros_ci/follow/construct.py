@@ -220,7 +220,7 @@ def instance(
     return this
 
 
-def initialise(
+def initialise(  # noqa: C901 - the steps of [class.base.init], in its order
     walk: Walk,
     frame: Frame,
     this: Object,

@@ -199,7 +199,7 @@ def _returns_value(block: Part) -> bool:
     return any(type(node) is syntax.Return and node.value is not None for node in everything(block))
 
 
-def skipped(
+def skipped(  # noqa: C901 - one branch for each place that a function can change
     walk: Walk,
     inner: Frame,
     function: Callable,

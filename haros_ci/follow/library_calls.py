@@ -49,7 +49,7 @@ SPINNING = frozenset(
 )
 
 
-def library_call(
+def library_call(  # noqa: C901 - one branch for each kind of library
     walk: Walk,
     frame: Frame,
     function: Library,

@@ -180,7 +180,7 @@ def static_cell(walk: Walk, source: Source, definition: Class, name: str, depth:
     return None
 
 
-def attribute(walk: Walk, value: Value, name: str, frame: Frame) -> Value:
+def attribute(walk: Walk, value: Value, name: str, frame: Frame) -> Value:  # noqa: C901 - one branch for each kind of value
     """``value.name`` where it is no data member: a method, a module's content, a library's member."""
     if isinstance(value, Pointer):
         value = value.cell.value

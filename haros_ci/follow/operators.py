@@ -87,7 +87,7 @@ def _bound(walk: Walk, frame: Frame, left: Value, right: Value) -> Value:
     return walk.opaque("it is a member that a pointer tells", frame)
 
 
-def binary(walk: Walk, frame: Frame, symbol: str, left: Value, right: Value) -> Value:
+def binary(walk: Walk, frame: Frame, symbol: str, left: Value, right: Value) -> Value:  # noqa: C901 - one branch for each pair of kinds of operands
     """*symbol* applied to two values; Opaque where it cannot be computed."""
     if isinstance(left, Choice) and not isinstance(right, Choice):
         return _over(left, lambda option: binary(walk, frame, symbol, option, right))
@@ -205,7 +205,7 @@ def _over(choice: Choice, function: Function_[[Value], Value]) -> Value:
     return result if result is not None else NONE
 
 
-def _computed(walk: Walk, frame: Frame, symbol: str, left: object, right: object) -> Value:
+def _computed(walk: Walk, frame: Frame, symbol: str, left: object, right: object) -> Value:  # noqa: C901 - one branch for each operator
     is_python = frame.source.program.language == "python"
     if not is_python and isinstance(left, int) and isinstance(right, int) and conversions.NPOS in (left, right):
         left, right = left % (conversions.NPOS + 1), right % (conversions.NPOS + 1)

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, TypeVar
 
 from haros_ci import syntax
+from haros_ci.follow import yielding
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import EITHER, Source
@@ -27,23 +28,8 @@ Placed = TypeVar("Placed", Class, Function)
 EXACT, GENERIC, CONVERTED, PERHAPS, NOT = 4, 3, 2, 1, 0
 #: Decorators that leave what a function returns as it is, by the last part of their names.
 TRANSPARENT = frozenset(
-    (
-        "property",
-        "staticmethod",
-        "classmethod",
-        "wraps",
-        "abstractmethod",
-        "abstractproperty",
-        "cached_property",
-        "lru_cache",
-        "cache",
-        "override",
-        "final",
-        "setter",
-        "getter",
-        "deleter",
-        "overload",
-    )
+    "property staticmethod classmethod wraps abstractmethod abstractproperty cached_property lru_cache cache override final setter "
+    "getter deleter overload".split()
 )
 #: Expressions and statements whose numbers are no places.
 STRICT = (syntax.Number, syntax.Lambda, syntax.NestedFunction)
@@ -172,7 +158,7 @@ def decorated(walk: Walk, function: Function) -> Function:
     for decorator in function.decorators:
         while type(decorator) is syntax.Call:
             decorator = decorator.callee
-        if not isinstance(decorator, (syntax.Name, syntax.Member)) or decorator.name not in TRANSPARENT:
+        if (name := syntax.name_of(decorator)) not in TRANSPARENT and not yielding.is_manager(name, function):
             return _unsure(walk, function, (function,))
     return function
 

@@ -30,7 +30,7 @@ from haros_ci.values.abstract import (
 UNCERTAIN = "it is assigned to in a way that is not followed"
 
 
-def lost(walk: Walk, frame: Frame, target: Expression, value: Value) -> None:
+def lost(walk: Walk, frame: Frame, target: Expression, value: Value) -> None:  # noqa: C901 - one branch for each kind of target
     """What has no single cell is assigned to: all that may be meant is what it was or the value, or not known."""
     if type(target) is syntax.Member and isinstance(value, Callable) and _passed_to_library(walk, frame, target, value):
         return

@@ -64,7 +64,7 @@ TURNS = (syntax.Name("[for]"), syntax.Name("[for in]"))
 GIVING = (syntax.Lambda, syntax.Name, syntax.Address, syntax.Call, syntax.Conditional, syntax.Subscript)
 
 
-def called_in(item: Part, found: set[str], mentioned: set[str], given: set[str], source: Source) -> None:
+def called_in(item: Part, found: set[str], mentioned: set[str], given: set[str], source: Source) -> None:  # noqa: C901 - one branch for each form of a call
     """Collect what is called or constructed in *item*, what is mentioned in any other way, and what Python gives to a function by its name."""
     lambdas: set[int] = set()
     waiting = below((item,))

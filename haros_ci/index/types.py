@@ -80,7 +80,7 @@ def _element(arguments: tuple[Argument, ...], templates: Mapping[str, Argument])
     return element if isinstance(element, Type) else None
 
 
-def resolve_type(
+def resolve_type(  # noqa: C901 - the order of the rules of name lookup
     index: Index,
     kind: Type,
     scope: str,

@@ -110,7 +110,7 @@ def instance(walk: Walk, frame: Frame, kind: Type, args: tuple[PassedArgument, .
     return library_gazebo.instance(name, args)
 
 
-def function(
+def function(  # noqa: C901 - one branch for each modelled function
     walk: Walk,
     frame: Frame,
     name: str,
@@ -217,7 +217,7 @@ def _number(value: Value) -> Value:
     return value
 
 
-def method(
+def method(  # noqa: C901 - one branch for each kind of receiver
     walk: Walk,
     frame: Frame,
     receiver: Value,
@@ -305,7 +305,7 @@ _OF_CLASS: dict[str, Callable[..., Value | None]] = {
 }
 
 
-def _object(
+def _object(  # noqa: C901 - one branch for each modelled class
     walk: Walk,
     frame: Frame,
     receiver: Object,

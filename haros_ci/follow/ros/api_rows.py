@@ -216,7 +216,7 @@ def _has_type(argument: PassedArgument | None, expected: str, walk: Walk) -> boo
     return name == expected
 
 
-def _apply(applied: selectors.Applied, made: Object | None) -> Value | None:
+def _apply(applied: selectors.Applied, made: Object | None) -> Value | None:  # noqa: C901 - one branch for each kind of what a row makes
     """Make, fill, store and register what the row says; the value that its getter reads is returned."""
     walk, row = applied.walk, applied.row
     if row.unseen and not walk.quiet:
