@@ -116,7 +116,7 @@ def _written(project: Project) -> frozenset[str]:
     return frozenset(found)
 
 
-def _users(project: Project, renamed: Mapping[str, _Frame]) -> Iterator[tuple[Location, str, str, Level]]:
+def _users(project: Project, renamed: Mapping[str, _Frame]) -> Iterator[tuple[Location, str, str, Level]]:  # noqa: C901 - one loop for each place that names a frame
     """Place, frame, what names it there, and how grave that is."""
     for system in project.systems:
         for parameter in system.parameters:

@@ -266,13 +266,15 @@ def in_words(limits: tuple[float | None, float | None, float | None] | None) -> 
 
 def _quality(end: Endpoint, other: Endpoint) -> Iterator[tuple[str, str | None, str | None]]:
     if end.qos is not None and other.qos is not None:
+        # haros: ignore[arguments-out-of-order] both ways: what the one has, and what the other has
         before, after = qos_words(end.qos, other.qos), qos_words(other.qos, end.qos)
         if before != after:
             yield "QoS", before, after
     elif end.qos is other.qos is None:
         old = _queue(end, other)
-        if old != _queue(other, end):
-            yield "QoS", old, _queue(other, end)
+        new = _queue(other, end)  # haros: ignore[arguments-out-of-order] the other way
+        if old != new:
+            yield "QoS", old, new
 
 
 def qos_words(qos: Qos, other: Qos) -> str:

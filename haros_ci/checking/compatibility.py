@@ -162,6 +162,7 @@ def refused_pairs(channel: Channel, policy: str) -> Iterator[Pair]:
 
 def _are_incompatible(channel: Channel, policy: str, offered: Qos | None, requested: Qos | None) -> bool:
     """Whether no message comes from the one to the other; of a service each end offers and asks for the same."""
+    # haros: ignore[arguments-out-of-order] a service is looked at both ways
     return refuses(policy, offered, requested) or (channel.kind == "service" and refuses(policy, requested, offered))
 
 

@@ -165,7 +165,7 @@ def _in(kind: str, statement: Statement | syntax.Handler, around: Around, test: 
     return (*around, Place(kind, statement, around, test))
 
 
-def _statement(statement: Statement, body: Body, around: Around) -> None:
+def _statement(statement: Statement, body: Body, around: Around) -> None:  # noqa: C901 - one branch for each kind of statement
     if isinstance(statement, syntax.Do):
         _expression(statement.value, body, around, is_bare=True)
     elif isinstance(statement, syntax.Variable):

@@ -177,7 +177,7 @@ def _member(code: Codebase, owner: classes.Owner | None, name: str) -> Type | No
     return classes.resolved(code, field.type, definition.name, source)
 
 
-def _call(code: Codebase, routine: Routine, call: syntax.Call, steps: int) -> Type | None:
+def _call(code: Codebase, routine: Routine, call: syntax.Call, steps: int) -> Type | None:  # noqa: C901 - one branch for each form of a call whose type is known
     callee, args, templates = call.callee, call.arguments, call.templates
     if isinstance(callee, syntax.Name):
         head, _, last = callee.name.rpartition("::")

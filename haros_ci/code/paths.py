@@ -108,7 +108,7 @@ def _block(block: Block, done: bool, does: _Doing, ways: _Ways, near: tuple[int,
     ways.on |= states
 
 
-def _statement(statement: Statement, done: bool, does: _Doing, ways: _Ways, near: tuple[int, int]) -> None:
+def _statement(statement: Statement, done: bool, does: _Doing, ways: _Ways, near: tuple[int, int]) -> None:  # noqa: C901 - one branch for each kind of statement
     if isinstance(statement, (syntax.Do, syntax.Step)):
         ways.on.add(done or does(statement.value))
     elif isinstance(statement, syntax.Variable):

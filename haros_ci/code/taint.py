@@ -27,7 +27,7 @@ _NUMERIC = frozenset("bcdeEfFgGiouxXn%")
 Marks = Mapping[str, frozenset[tuple[str, ...]]]
 
 
-def carried(expression: Expression, marks: Marks) -> frozenset[tuple[str, ...]]:
+def carried(expression: Expression, marks: Marks) -> frozenset[tuple[str, ...]]:  # noqa: C901 - one branch for each kind of expression
     """The members of the message that an expression's value carries; *marks* are the variables that carry some."""
     if isinstance(expression, syntax.Name):
         return marks.get(expression.name, frozenset())

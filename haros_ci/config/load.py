@@ -174,7 +174,7 @@ def _from_disk(path: Path, root: Path | None = None) -> bytes | None:
         raise UserError(f"{path.name}: cannot be read: {err.strerror}", help="check its permissions") from err
 
 
-def _with_flags(settings: Settings, flags: Mapping[str, Any]) -> Settings:
+def _with_flags(settings: Settings, flags: Mapping[str, Any]) -> Settings:  # noqa: C901 - one branch for each option
     """*settings* with what the command line says."""
     changes: dict[str, Any] = {}
     if profile := flags.get("profile"):

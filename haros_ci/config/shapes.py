@@ -121,7 +121,7 @@ class File:
         number = value.data
         if isinstance(number, bool) or not isinstance(number, (int, float)):
             raise self.error(value.line, f"{what} must be a number of {unit}, not {kind(value)}", "write a bare number")
-        if not (number == number and number > 0):
+        if not number > 0:  # nor is NaN
             raise self.error(value.line, f"{what} must be above 0, not {quoted(number)}", f"write a number of {unit}")
         if number > LARGEST.get(unit, LARGEST_COUNT):
             most = f"{LARGEST.get(unit, LARGEST_COUNT):,}"

@@ -27,7 +27,7 @@ from haros_ci.values.abstract import (
 from haros_ci.values.given import letter
 
 
-def indexed(walk: Walk, frame: Frame, expression: syntax.Subscript) -> Value:
+def indexed(walk: Walk, frame: Frame, expression: syntax.Subscript) -> Value:  # noqa: C901 - one branch for each kind of container
     """``a[b]``."""
     container, key, kind = assignments.parts(walk, frame, expression)
     if isinstance(key, Object) and key.name == "slice":

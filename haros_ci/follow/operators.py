@@ -87,7 +87,7 @@ def _bound(walk: Walk, frame: Frame, left: Value, right: Value) -> Value:
     return walk.opaque("it is a member that a pointer tells", frame)
 
 
-def binary(walk: Walk, frame: Frame, symbol: str, left: Value, right: Value) -> Value:
+def binary(walk: Walk, frame: Frame, symbol: str, left: Value, right: Value) -> Value:  # noqa: C901 - one branch for each pair of kinds of operands
     """*symbol* applied to two values; Opaque where it cannot be computed."""
     if isinstance(left, Choice) and not isinstance(right, Choice):
         return _over(left, lambda option: binary(walk, frame, symbol, option, right))
@@ -136,10 +136,11 @@ def binary(walk: Walk, frame: Frame, symbol: str, left: Value, right: Value) -> 
             words = [library.name.rpartition("::")[2] for library in (left, right)]
             if all(word.startswith("PARAMETER_") for word in words):  # constants of rclcpp::ParameterType
                 return TRUE if (words[0] == words[1]) is (symbol == "==") else FALSE
-        known, one_data = data_of(left)
-        also, other_data = data_of(right)
-        if known and also:
-            return _computed(walk, frame, symbol, one_data, other_data)
+        if not isinstance(left, (Opaque, Text)) and not isinstance(right, (Opaque, Text)):
+            known, one_data = data_of(left)
+            also, other_data = data_of(right)
+            if known and also:
+                return _computed(walk, frame, symbol, one_data, other_data)
     if symbol in ("in", "not in"):
         known, item = data_of(left)
         also, items = data_of(right)
@@ -204,7 +205,7 @@ def _over(choice: Choice, function: Function_[[Value], Value]) -> Value:
     return result if result is not None else NONE
 
 
-def _computed(walk: Walk, frame: Frame, symbol: str, left: object, right: object) -> Value:
+def _computed(walk: Walk, frame: Frame, symbol: str, left: object, right: object) -> Value:  # noqa: C901 - one branch for each operator
     is_python = frame.source.program.language == "python"
     if not is_python and isinstance(left, int) and isinstance(right, int) and conversions.NPOS in (left, right):
         left, right = left % (conversions.NPOS + 1), right % (conversions.NPOS + 1)

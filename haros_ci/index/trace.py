@@ -100,6 +100,7 @@ class Traced(dict[str, list[tuple[Source, Entity]]], Generic[Entity]):
             self.trace.has_scanned = True
         return super().__iter__()
 
+    # haros: ignore[invalid-sequence-index] a type, not an index
     def values(self) -> dict_values[str, list[tuple[Source, Entity]]]:
         if self.trace is not None:
             self.trace.has_scanned = True

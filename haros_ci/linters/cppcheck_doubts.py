@@ -93,7 +93,7 @@ _BY_ONE = re.compile(r"%=?\s*(?:\(\s*)?1\b")
 _OF_CONDITIONS = frozenset({"identicalInnerCondition", "duplicateCondition"})
 
 
-def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
+def is_refuted(rule: str, message: str, line: int, text: str) -> bool:  # noqa: C901 - one branch for each rule
     """Whether the *text* refutes what cppcheck says by *rule* at *line*, counted from 1.
 
     Cppcheck 2.22 takes a string with a suffix for a pointer, and does not see that a ``case`` reads the constant that

@@ -19,8 +19,8 @@ from types import SimpleNamespace
 from typing import Any
 
 try:
-    from re import _constants as codes  # type: ignore[attr-defined]
-    from re import _parser as syntax  # type: ignore[attr-defined]
+    from re import _constants as codes  # type: ignore[attr-defined]  # has no stub
+    from re import _parser as syntax  # type: ignore[attr-defined]  # has no stub
 except ImportError:  # Python 3.10
     import sre_constants as codes
     import sre_parse as syntax

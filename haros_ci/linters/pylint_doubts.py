@@ -86,7 +86,7 @@ _RAISED = (
 )
 
 
-def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
+def is_refuted(rule: str, line: int, column: int, text: str) -> bool:  # noqa: C901 - one branch for each rule
     """Whether the *text* refutes what pylint says by *rule* at *line*, counted from 1, and *column*, from 0."""
     if rule in _OF_VALUES and takes_value(text, line):
         return True

@@ -14,7 +14,7 @@ MAX_PATTERN = 500
 
 
 @lru_cache(maxsize=256)
-def translated(pattern: str) -> tuple[re.Pattern[str], int] | None:
+def translated(pattern: str) -> tuple[re.Pattern[str], int] | None:  # noqa: C901 - one branch for each sign of the grammar
     """*pattern* for ``re`` and the power of the length that a search costs; None if it is malformed or not bounded.
 
     Unlike in ``re``: a backslash only quotes, braces are characters, ``$`` is the very end, a bracket knows no escape.

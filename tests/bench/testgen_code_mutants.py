@@ -98,7 +98,7 @@ def mutants(text: str, topics: tuple[tuple[str, str], ...]) -> Iterator[Mutant]:
             yield Mutant(operator, text.count("\n", 0, start) + 1, text[start:end].strip(), new.strip(), made)
 
 
-def _changes(text: str, topics: tuple[tuple[str, str], ...]) -> Iterator[tuple[str, int, int, str]]:
+def _changes(text: str, topics: tuple[tuple[str, str], ...]) -> Iterator[tuple[str, int, int, str]]:  # noqa: C901 - one branch for each kind of change
     """Operator, begin and end of what is replaced, and by what."""
     code = re.sub(r"//[^\n]*", lambda match: " " * len(match[0]), text)
     for match in re.finditer(r" (<=|<|>=|>|==|!=) ", code):

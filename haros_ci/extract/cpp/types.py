@@ -239,7 +239,7 @@ def _is_conversion(node: Node) -> bool:
     return node.kind_id in _OPERATOR_CAST
 
 
-def declarator(unit: Unit, node: Node, base: syntax.Type, depth: int) -> Declared:
+def declarator(unit: Unit, node: Node, base: syntax.Type, depth: int) -> Declared:  # noqa: C901 - one branch for each form of a declarator
     """Follow a declarator from the outside in, adding to *base* what it says."""
     function: Node | None = None
     is_parenthesized = DECLARATORS.get(node.kind_id) == _PARENTHESES and not _is_pointer(node)

@@ -92,7 +92,7 @@ def _range(first: Value, end: Value) -> list[Value] | None:
     return [cell.value for cell in content]
 
 
-def sequence(walk: Walk, frame: Frame, receiver: Sequence, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+def sequence(walk: Walk, frame: Frame, receiver: Sequence, name: str, args: tuple[PassedArgument, ...]) -> Value | None:  # noqa: C901 - one branch for each method
     cells = receiver.content.value
     known = isinstance(cells, tuple)
     held = cells if isinstance(cells, tuple) else ()

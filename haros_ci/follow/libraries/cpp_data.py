@@ -80,7 +80,7 @@ ASKED = {"starts_with": "starts with", "ends_with": "ends with", "find": "first 
 PARTS = frozenset(("path", "string", "filename", "extension", "stem", "parent_path"))
 
 
-def of_known(
+def of_known(  # noqa: C901 - one branch for each method
     walk: Walk, frame: Frame, receiver: Known, cell: Cell | None, name: str, args: tuple[PassedArgument, ...]
 ) -> Value | None:
     if name == "has_value" and not args and receiver.kind is bool:

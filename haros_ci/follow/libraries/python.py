@@ -47,7 +47,7 @@ DICTS = frozenset(("dict", "[dict]", "collections.OrderedDict"))
 YAML = frozenset(("yaml.load", "yaml.safe_load", "yaml.full_load"))
 
 
-def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> Value | None:  # noqa: C901 - one branch for each modelled function
     """A modelled function."""
     first = args[0].value if args else None
     if name == "str" and first is not None:
@@ -190,7 +190,7 @@ def _may_be_text(value: Value) -> bool:
     return not isinstance(value, Known) or issubclass(value.kind, str)
 
 
-def method(walk: Walk, frame: Frame, receiver: Value, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+def method(walk: Walk, frame: Frame, receiver: Value, name: str, args: tuple[PassedArgument, ...]) -> Value | None:  # noqa: C901 - one branch for each kind of receiver and method
     """A modelled method."""
     if receiver.__class__ in commands.KINDS and (found := commands.method(walk, frame, receiver, name, args)):
         return found

@@ -35,7 +35,7 @@ RECONFIGURED = "its server writes what is set or its default in the .cfg, and la
 _READ: dict[str, tuple[type, ...]] = {"bool": (bool,), "int": (int, float), "double": (int, float), "str": (str,)}
 
 
-def emit(applied: Applied, entry: Entry) -> Value | None:
+def emit(applied: Applied, entry: Entry) -> Value | None:  # noqa: C901 - one branch for each kind of endpoint
     """Make one endpoint (or name the node); for a getter, the value that it reads is returned."""
     walk = applied.walk
     if walk.context.process is not None:

@@ -130,7 +130,7 @@ def _named(applied: Applied, entry: Entry, provided: Value | None, node: RosNode
     return None
 
 
-def _parameter(
+def _parameter(  # noqa: C901 - one branch for each way to declare a parameter
     applied: Applied, entry: Entry, node: RosNode | None, why_not: str, name: tuple[str, str | None, Location | None]
 ) -> Value | None:
     from haros_ci.follow.ros.selectors import TypeValue, in_type, value_of

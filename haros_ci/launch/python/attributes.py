@@ -58,7 +58,7 @@ CONSTANTS: dict[str, Value] = {
 }
 
 
-def attribute(run: ScriptEvaluation, value: Value, name: str, place: Location) -> Value:
+def attribute(run: ScriptEvaluation, value: Value, name: str, place: Location) -> Value:  # noqa: C901 - one branch for each kind of value
     """The attribute *name*; methods of data are bound to it."""
     if isinstance(value, Library):
         dotted = f"{value.dotted}.{name}"

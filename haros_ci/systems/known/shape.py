@@ -101,7 +101,7 @@ def shown(value: object) -> str:
     return str(value)[:100] if value is None or isinstance(value, (str, int, float)) else type(value).__name__
 
 
-def _node(entry: object, name: object, package: str, at: str, reading: _ShapeReading) -> KnownNode | None:
+def _node(entry: object, name: object, package: str, at: str, reading: _ShapeReading) -> KnownNode | None:  # noqa: C901 - one branch for each key of an entry
     if not isinstance(name, str) or not re.fullmatch(r"[\w./+:-]{1,200}", name):
         reading.say(at, "this is no node type: write the executable, or the look-up name of a nodelet")
         return None
