@@ -33,10 +33,10 @@ function packagesView(parameters) {
   const most = Math.max(1, ...list.map((one) => one.ratio));
   const number = (title, key, get, width) => ({ key, title, width: width || "5.5rem", class: "number", down: true, compare: (a, b) => get(a) - get(b), cell: (one) => (get(one) ? get(one).toLocaleString("en") : "") });
   const columns = [
-    { key: "name", title: "package", width: "minmax(14rem, 2fr)", class: "path", compare: (a, b) => compare(a.name, b.name), cell: (one) => h("span", { title: `${one.name}: ${one.path}` }, h("bdi", null, one.name, one.circle >= 0 ? h("span", { class: "remark" }, ` cycle ${one.circle + 1}`) : "")) },
+    { key: "name", title: "package", width: "minmax(13rem, 2fr)", class: "path", compare: (a, b) => compare(a.name, b.name), cell: (one) => h("span", { title: `${one.name}: ${one.path}` }, h("bdi", null, one.name, one.circle >= 0 ? h("span", { class: "remark" }, ` cycle ${one.circle + 1}`) : "")) },
     number("files", "files", (one) => one.files, "4rem"), ...D.languages.map((name, index) => number(LANGUAGE_NAMES[name].replace(" files (XML)", ""), name, (one) => one.lines[index], name === "interface" ? "5rem" : "4.3rem")).filter((_, index) => list.some((one) => one.lines[index])),
-    number("findings", "findings", (one) => one.findings, "4.6rem"), number("per 1,000 lines", "ratio", (one) => Number(one.ratio.toFixed(one.ratio < 0.1 ? 2 : 1)), "7.2rem"),
-    { key: "bar", title: "", width: "4.2rem", cell: (one) => bar(one.ratio / most, "fill heat") }, number("depends on", "needs", (one) => one.inner.length, "5.6rem"), number("needed by", "users", (one) => one.users.length, "5.4rem"),
+    number("findings", "findings", (one) => one.findings, "4.6rem"), number("per 1,000 lines", "ratio", (one) => Number(one.ratio.toFixed(one.ratio < 0.1 ? 2 : 1)), "7.6rem"),
+    { key: "bar", title: "", width: "4.2rem", cell: (one) => bar(one.ratio / most, "fill heat") }, number("depends on", "needs", (one) => one.inner.length, "6rem"), number("needed by", "users", (one) => one.users.length, "5.4rem"),
   ];
   const [key, direction] = (parameters.sort || "").split("-");
   const detail = h("aside", { class: "detail", "aria-label": "package", "aria-live": "polite" });
