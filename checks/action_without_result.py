@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from haros_ci.api import Check, Decidability, Finding, Level, Location, Project, syntax
+from haros_ci.api import Check, Decidability, Finding, Level, Location, Project, listed, syntax
 from haros_ci.api.code import (
     Codebase,
     Routine,
@@ -66,7 +66,7 @@ def check(project: Project) -> Iterator[Finding]:
         if ways:
             yield Finding(
                 at=Location(routine.path, function.line, function.column),
-                message=f"{routine.title} executes an action goal, but one of its paths neither succeeds nor aborts nor cancels "
+                message=f"{routine.title} executes an action goal, but {_ends(ways)} "
                 f"the goal: {why}; set the final state on every path",
                 about=(routine.title,),
                 level=Level.NOTE if is_ended or _is_meant(project, routine, ways) else None,
@@ -74,6 +74,14 @@ def check(project: Project) -> Iterator[Finding]:
                     (Location(routine.path, *way), "this path returns without a final state") for way in ways
                 ),
             )
+
+
+def _ends(ways: Iterable[tuple[int, int]]) -> str:
+    """What the paths leave undone, and where they end, by their lines."""
+    lines = [str(line) for line in dict.fromkeys(line for line, _ in ways)]
+    if len(lines) == 1:
+        return f"the path that ends in line {lines[0]} neither succeeds nor aborts nor cancels"
+    return f"the paths that end in lines {listed(lines)} neither succeed nor abort nor cancel"
 
 
 def _executing(code: Codebase) -> Iterator[tuple[Routine, str]]:

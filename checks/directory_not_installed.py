@@ -307,13 +307,12 @@ def _finding(package: ProjectPackage, thing: str, need: _Need, is_idle: bool) ->
     what = f"the directory {thing}" if is_folder else f"the file {thing}"
     fix = None
     if need.wrong:
-        message = (
-            f"{what} of {package.name} is installed to {need.wrong}, but used from share/{package.name}/{thing}; "
-            "correct the destination"
-        )
+        message = f"{what} of {package.name} is installed to {need.wrong}, but used from share/{package.name}/{thing}; "
+        message += _right_place(package, thing, need.wrong)
     elif need.places:
-        many = f"{len(need.places)} places need" if len(need.places) > 1 else "one place needs"
-        message = f"{what} of {package.name} is not installed, but {many} it; {_how(package, is_folder)}"
+        place, more = need.places[0][0], len(need.places) - 1
+        also = f" and {more} more place{'s' if more > 1 else ''} need" if more else " needs"
+        message = f"{what} of {package.name} is not installed, but {place.path}:{place.line}{also} it; {_how(package, is_folder)}"
     else:
         message = f"{what} of {package.name} is not installed: ros2 launch finds none of its launch files; "
         message += _how(package, is_folder)
@@ -332,6 +331,13 @@ def _finding(package: ProjectPackage, thing: str, need: _Need, is_idle: bool) ->
         else Level.WARNING,
         fixes=(fix,) if fix is not None else (),
     )
+
+
+def _right_place(package: ProjectPackage, thing: str, wrong: str) -> str:
+    """What to write where *thing* is installed to *wrong*: without a slash behind it install() puts the directory itself into the destination."""
+    if not f"{wrong}/".startswith(f"share/{package.name}/{thing}/{thing}/"):
+        return "correct the destination"
+    return f"write DIRECTORY {thing}/ with a slash, or leave {thing} out of the destination"
 
 
 def _how(package: ProjectPackage, is_folder: bool) -> str:

@@ -174,7 +174,7 @@ def _is_unknown(word: str) -> bool:
 
 def _finding(package: ProjectPackage, target: Target, uses: Mapping[str, Location], fix: Fix | None) -> Finding:
     header, place = next(iter(uses.items()))
-    more = f" and {len(uses) - 1} more headers that are" if len(uses) > 1 else ", which is"
+    more = f" and {len(uses) - 1} more, which are" if len(uses) > 1 else ", which is"
     name = target.name
     wrong = _awaited_for_nothing(package, target) if package.ros == 1 else ()
     if wrong:
@@ -187,7 +187,10 @@ def _finding(package: ProjectPackage, target: Target, uses: Mapping[str, Locatio
         remedy = f"add add_dependencies({name} ${{${{PROJECT_NAME}}_EXPORTED_TARGETS}}) after {_generator(package)}()"
     else:
         then = "the compiler does not find the header"
-        remedy = "link it with the target that rosidl_get_typesupport_target() names"
+        remedy = (
+            "add rosidl_get_typesupport_target(support ${PROJECT_NAME} rosidl_typesupport_cpp) and "
+            f'target_link_libraries({name} "${{support}}")'
+        )
     return Finding(
         at=target.location,
         message=f"target {name} includes {header}{more} generated in {package.name}, but does not depend on the "

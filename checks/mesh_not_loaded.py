@@ -42,7 +42,7 @@ def _found(project: Project) -> Iterator[tuple[str, Finding]]:
             if problem and is_literal:
                 problem = _not_substituted(mesh.filename or "", more)
             elif problem and more:
-                problem += f"; {more} more {'meshes are' if more > 1 else 'mesh is'} looked for in the same directory, which does not exist"
+                problem += f"; {more} more {'meshes are' if more > 1 else 'mesh is'} looked for in the same directory, {_lacks(mesh, project)}"
             if problem and mesh.path is not None and not mesh.is_missing:
                 if mesh.path in disguised:  # several robots may have the one file
                     continue
@@ -112,7 +112,7 @@ def _is_left_over(description: Description, project: Project) -> bool:
 
 
 def _by_directory(meshes: Iterable[list[Mesh]], project: Project, is_plain: bool) -> list[list[Mesh]]:
-    """*meshes* of one description; those of one file in one directory that does not exist at all, which is one slip, together.
+    """*meshes* of one description; those of one file in one directory that does not exist at all or has no mesh of their format, which is one slip, together.
 
     So are those of one file whose names nothing substitutes, where it *is_plain* URDF.
     """
@@ -124,11 +124,35 @@ def _by_directory(meshes: Iterable[list[Mesh]], project: Project, is_plain: bool
         folder = (mesh[0].filename or "").rpartition("/")[0]
         inside = folder.partition("://")[2].replace("$(find ", "").replace(")", "")
         package = project.package(owner(mesh[0].filename or ""))
-        wrong = (
-            package is not None and mesh[0].is_missing and not project.exists(package.inside(inside.partition("/")[2]))
-        )
+        place = package.inside(inside.partition("/")[2]) if package is not None else ""
+        wrong = package is not None and mesh[0].is_missing and not _has_kind(project, place, mesh[0].filename or "")
         found.setdefault((mesh[0].location.path, folder if wrong else f"\0{number}"), []).extend(mesh)
     return list(found.values())
+
+
+def _has_kind(project: Project, folder: str, filename: str) -> bool:
+    """Whether the root-relative *folder* has a file with the ending of *filename* in it."""
+    ending = f".{filename.rpartition('.')[2].lower()}"
+    start = f"{folder.rstrip('/')}/"
+    names = project.workspace.names
+    return project.exists(folder) and any(
+        name.startswith(start) and "/" not in name[len(start) :] and name.lower().endswith(ending) for name in names
+    )
+
+
+def _lacks(mesh: Mesh, project: Project) -> str:
+    """What the directory of *mesh* lacks: itself, or any file of the format."""
+    package = project.package(owner(mesh.filename or ""))
+    inner = (
+        (mesh.filename or "")
+        .rpartition("/")[0]
+        .partition("://")[2]
+        .replace("$(find ", "")
+        .replace(")", "")
+        .partition("/")[2]
+    )
+    is_there = package is not None and project.exists(package.inside(inner))
+    return f"which has no file *.{(mesh.filename or '').rpartition('.')[2]}" if is_there else "which does not exist"
 
 
 def fault(mesh: Mesh, project: Project, meshes: list[str]) -> str:

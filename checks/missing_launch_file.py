@@ -22,11 +22,10 @@ _VALUES = 3
 #: So many places of one finding are shown.
 _SHOWN = 10
 _WHAT = {
-    "include": "includes",
-    "parameters": "loads parameters from",
-    "text": "reads",
-    "value": "names",
-    "default": "has the default",
+    "include": "the launch file includes",
+    "parameters": "the launch file loads parameters from",
+    "text": "the launch file reads",
+    "value": "the launch file names",
 }
 
 
@@ -135,7 +134,7 @@ def _several(uses: list[FileUse], folder: str) -> Finding:
 
 
 def _what(use: FileUse) -> str:
-    return _WHAT[use.kind] + (f" of {use.name!r}," if use.kind == "default" else "")
+    return f"the default of {use.name!r} is" if use.kind == "default" else _WHAT[use.kind]
 
 
 def _finding(use: FileUse, made: str) -> Finding:

@@ -9,13 +9,15 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from haros_ci.config.settings import Settings
+from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
-from haros_ci.model.workspace import Workspace
+from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.results import own
 from haros_ci.results.result import Notification, Result, Run, Silenced
 from haros_ci.results.rule import Level
 from haros_ci.results.silence_words import sentences
 from haros_ci.workspace.base import Base
+from haros_ci.workspace.git import BaselineUnavailable
 
 if TYPE_CHECKING:
     from haros_ci.workspace.past import Past
@@ -43,8 +45,55 @@ def before(settings: Settings) -> Past | None:
     return past_of(settings.root.resolve(), settings.baseline_rev, is_missing=bool(settings.base_missing))
 
 
-def silenced(workspace: Workspace, base: Base, runs: Iterable[Run]) -> Silenced:
-    """What comments silence that the files have now and did not have in *base*."""
+def silenced(
+    workspace: Workspace,
+    settings: Settings,
+    base: Base | BaselineUnavailable | None,
+    runs: tuple[Run, ...],
+    examine: Callable[[Workspace], tuple[Run, ...]],
+) -> Silenced:
+    """What comments silence that the files have now and did not have in *base*, and what those silence that were there.
+
+    The latter only where the findings at *base* are known anyway: *examine* gives them.
+    """
+    if not isinstance(base, Base):
+        return Silenced()
+    found = _by_comments(workspace, base, runs)
+    if settings.baseline is not None:
+        return found
+    return replace(found, more=tuple(sorted({*found.more, *_more(workspace, base, runs, examine)}, key=_place)))
+
+
+def _place(pair: tuple[Location, str]) -> tuple[object, ...]:
+    return pair[0].sort_key, pair[1]
+
+
+def _more(
+    workspace: Workspace, base: Base, runs: tuple[Run, ...], examine: Callable[[Workspace], tuple[Run, ...]]
+) -> Iterator[tuple[Location, str]]:
+    """The findings that tools leave out for comments now, and neither had nor left out in *base*."""
+    from haros_ci.results.fingerprint import fingerprint
+    from haros_ci.results.known import known_from, sides
+    from haros_ci.results.pairing import pair
+
+    now = tuple(replace(run, results=run.silenced) for run in runs if run.silenced)
+    if not now:
+        return
+    of_tools = {run.tool.name for run in now}
+    languages = {file.path: file.language for it in (base.workspace, workspace) for file in it.files}
+    old = tuple(replace(run, results=run.silenced) for run in examine(base.workspace) if run.tool.name in of_tools)
+    old = fingerprint(old, base.workspace.text, lambda path: languages.get(path, ""))
+    now = fingerprint(now, workspace.text, lambda path: languages.get(path, ""))
+    found = sides(workspace, now, (".",), base.workspace, base.renames)
+    known = [known_from(result) for run in old for result in run.results]
+    results = [result for run in now for result in run.results]
+    paired = {one.new for one in pair(results, known, found)}
+    for i, result in enumerate(results):
+        if i not in paired:
+            yield Location(result.location.path, result.location.line), result.rule
+
+
+def _by_comments(workspace: Workspace, base: Base, runs: Iterable[Run]) -> Silenced:
     from haros_ci.results.silenced import SilencedPair
     from haros_ci.results.silenced import silenced as found
 
@@ -70,6 +119,26 @@ def silenced(workspace: Workspace, base: Base, runs: Iterable[Run]) -> Silenced:
 def unreadable(
     workspace: Workspace, base: Base | None, runs: tuple[Run, ...], past: Callable[[Base], Iterable[Run]] | None
 ) -> Unreadable:
+    """The *runs* without what linters cannot analyse since *base*, and a result for each file of that, and for each that is used as code since then."""
+    if base is None:
+        return runs, ()
+    left, lost = _unreadable(workspace, base, runs, past)
+    return left, (*own.unread_results(_used_first(workspace, base)), *lost)
+
+
+def _used_first(workspace: Workspace, base: Base) -> Iterator[Problem]:
+    """The files that nothing in *base* used as code, and that are what they were: whatever is wrong in them, the change brings it in."""
+    if not workspace.hiding.used:
+        return
+    from haros_ci.workspace.used_code import UsedCode
+
+    before = UsedCode(base.workspace, workspace.text)
+    yield from (problem for problem in workspace.hiding.used if not before.why(problem.path))
+
+
+def _unreadable(
+    workspace: Workspace, base: Base, runs: tuple[Run, ...], past: Callable[[Base], Iterable[Run]] | None
+) -> Unreadable:
     """The *runs* without what they say of code that linters cannot analyse since *base*, and a result for each file of that.
 
     Such code is C++ or Python that the change alters or adds: what is wrong in it would not be found. *past* gives the runs on *base*, where what
@@ -77,8 +146,8 @@ def unreadable(
     the base revision had it so that they could read it, and where a new file is for a newer one than anything in the base revision: nobody says
     that the robot has that, and its linters could have been silenced by one line.
     """
-    notes = _gave_up(runs) if base is not None else []
-    if base is None or not notes:
+    notes = _gave_up(runs)
+    if not notes:
         return runs, ()
     wrong = {result.location.path for run in runs for result in run.results if result.rule in _OF_SYNTAX}
     notes = [one for one in _of_change(notes, workspace, base, is_known=past is not None) if one.place not in wrong]

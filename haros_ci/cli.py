@@ -34,6 +34,7 @@ from haros_ci.commands.testgen_flags import testgen
 from haros_ci.commands.verify_flags import verify
 from haros_ci.errors import EXIT_INTERRUPTED, EXIT_TOOL_TROUBLE, EXIT_USAGE, RunFailure, UserError
 from haros_ci.interruption import Interrupted, listening
+from haros_ci.stack_room import with_room
 from haros_ci.streams import flushed, prepare_streams, write_to_stderr
 
 
@@ -42,7 +43,7 @@ def main(argv: list[str] | None = None) -> int:
     try:
         with listening():
             prepare_streams()
-            return flushed(_outcome(argv))
+            return flushed(with_room(lambda: _outcome(argv)))
     except Interrupted as err:
         write_to_stderr(f"error: ended by {err.name} before the run was complete")
         return flushed(err.code)

@@ -12,16 +12,19 @@ import pickle
 import signal
 import sys
 import threading
+import time
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from functools import partial
 from typing import Any, BinaryIO, TypeVar
 
-from haros_ci.interruption import held, release
+from haros_ci.interruption import held, listen_anew, release
 
 T = TypeVar("T")
 #: A place in the queue as bytes: so few are read from a pipe at once or not at all (pipe(7)).
 WIDTH = 4
+#: Seconds that a process gets to put in order what it has begun.
+PATIENCE = 5.0
 #: Groups that fit into a pipe that nobody reads from yet.
 LONGEST = 60_000 // WIDTH
 
@@ -50,7 +53,8 @@ def shared(
 def meanwhile(job: Callable[[], T]) -> Iterator[Callable[[], T | None]]:
     """While the block goes on, another process does *job*; what is given waits for it, and returns what it has found.
 
-    None, at once, where there is no such process, and if it did not come to its end. One that is still there when the block ends, ends with it.
+    None, at once, where there is no such process, and if it did not come to its end. One that is still there when the block ends, ends with it, and puts in
+    order what it has begun, as it does when a signal ends the run.
     """
     life = os.pipe()
     child: tuple[int, BinaryIO] | None = None
@@ -65,10 +69,11 @@ def meanwhile(job: Callable[[], T]) -> Iterator[Callable[[], T | None]]:
 
     try:
         with suppress(OSError), held():
-            child = _child(job, life) if _can_fork() else None
+            child = _child(job, life, listen_anew) if _can_fork() else None
         yield found
     finally:
         if child is not None:
+            _ask_to_end(child[0])
             _end([child])
         for end in life:
             os.close(end)
@@ -76,6 +81,17 @@ def meanwhile(job: Callable[[], T]) -> Iterator[Callable[[], T | None]]:
 
 def _can_fork() -> bool:
     return sys.platform == "linux" and threading.active_count() == 1
+
+
+def _ask_to_end(child: int) -> None:
+    """Send it a signal, and wait for a while; whether it has ended is not said, and it is not collected."""
+    deadline = time.monotonic() + PATIENCE
+    with suppress(ProcessLookupError, ChildProcessError):
+        os.kill(child, signal.SIGTERM)
+        while time.monotonic() < deadline:
+            if os.waitid(os.P_PID, child, os.WEXITED | os.WNOHANG | os.WNOWAIT) is not None:
+                return
+            time.sleep(0.005)
 
 
 def _end(children: list[tuple[int, BinaryIO]]) -> None:
@@ -114,8 +130,8 @@ def _forked(jobs: Sequence[Callable[[], T]], batches: list[list[int]], count: in
     return found
 
 
-def _child(work: Callable[[], Any], life: tuple[int, int]) -> tuple[int, BinaryIO]:
-    """A process that does *work*; its number, and where what it finds can be read."""
+def _child(work: Callable[[], Any], life: tuple[int, int], begin: Callable[[], None] = release) -> tuple[int, BinaryIO]:
+    """A process that does *work*; its number, and where what it finds can be read. *begin* says what signals do in it."""
     reading, writing = os.pipe()
     try:
         child = os.fork()
@@ -128,7 +144,7 @@ def _child(work: Callable[[], Any], life: tuple[int, int]) -> tuple[int, BinaryI
         return child, open(reading, "rb")
     code = 1
     try:
-        release()
+        begin()
         os.close(life[1])
         threading.Thread(target=_die_with_parent, args=(life[0],), daemon=True).start()
         os.close(reading)

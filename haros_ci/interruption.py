@@ -95,6 +95,11 @@ def release() -> None:
             signal.signal(number, signal.SIG_DFL)
 
 
+def listen_anew() -> None:
+    """For a forked child that has something to put in order: a signal raises in it as it does in its parent, whatever that held back."""
+    _SignalState.ending = _SignalState.pending = _SignalState.held = 0
+
+
 @contextmanager
 def held() -> Iterator[None]:
     """What is done in here is not torn: a signal that comes meanwhile is raised at the end."""

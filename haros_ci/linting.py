@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Iterable, Mapping
+from dataclasses import replace
 from functools import cache
 from itertools import islice
 
@@ -13,20 +14,23 @@ from haros_ci.analysis.inspection import asks
 from haros_ci.config.selection import Selection
 from haros_ci.config.selector import is_glob
 from haros_ci.config.settings import Settings
-from haros_ci.linters import values
+from haros_ci.linters import pylint, values
 from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.in_default import IN_TESTS, is_idle, is_of_linter, is_test
-from haros_ci.linters.linter import LintOptions, When
+from haros_ci.linters.linter import SILENCED, LintOptions, When
 from haros_ci.linters.loaded_files import loaded_files
 from haros_ci.linters.pylint_surroundings import is_refuted_around
 from haros_ci.linters.recorded import Testimony
 from haros_ci.linters.said_by_ours import unrepeated
 from haros_ci.linters.undefined_names import weighed_names
+from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
 from haros_ci.registry import Registry
 from haros_ci.results import own
-from haros_ci.results.result import Result, Run, Tool, results_of
+from haros_ci.results.result import Result, Run, Suppression, Tool, results_of
 from haros_ci.results.rule import Level, Rule
+
+_SILENCED = re.compile(r"'(?P<rule>[\w-]{1,100})' \(from line (?P<line>\d{1,9})\)")
 
 #: The metrics of both languages are one run, whatever measured them.
 METRICS = "metrics"
@@ -62,6 +66,28 @@ def lint_options(settings: Settings, known: Registry) -> LintOptions:
         root=settings.root,
         beside={one.of.NAME: one for one in values.ADAPTERS} if settings.is_measured else {},
     )
+
+
+def with_silenced(runs: Iterable[Run], workspace: Workspace, selection: Selection) -> tuple[Run, ...]:
+    """*runs* with what pylint says of findings that comments silence as ``Run.silenced``, those whose rule is on."""
+
+    def left_out(result: Result) -> Result | None:
+        found = _SILENCED.search(result.message)
+        if found is None or not workspace.reports_on(result.location.path):
+            return None
+        level = selection.decide(result.tool, selection.rule(result.tool, found["rule"]), result.location.path)
+        place = Location(result.location.path, int(found["line"]))
+        comment = (Suppression("inSource", location=place),)
+        return level and replace(result, rule=found["rule"], level=level, suppressions=comment)
+
+    done = []
+    for run in runs:
+        apart = [result for result in run.results if result.rule == SILENCED]
+        if run.tool.name == pylint.NAME and apart:
+            kept = tuple(result for result in run.results if result.rule != SILENCED)
+            run = replace(run, results=kept, silenced=tuple(filter(None, map(left_out, apart))))
+        done.append(run)
+    return tuple(done)
 
 
 def with_names(results: Iterable[Result], workspace: Workspace, selection: Selection) -> tuple[Result, ...]:

@@ -35,6 +35,7 @@ from haros_ci.linting import (
     with_metrics,
     with_names,
     with_queries,
+    with_silenced,
     without_hints,
     worth_reporting,
 )
@@ -52,7 +53,6 @@ from haros_ci.results.result import (
     Report,
     Result,
     Run,
-    Silenced,
     Tool,
     distribute,
     results_of,
@@ -109,7 +109,7 @@ def analyse(
         runs = examine(workspace, selection, architectures, progress, past, head, left, since)
         runs = tuple(described(run, selection) for run in (*runs, *imported(settings, workspace, selection)))
         compared = compare(runs, workspace, settings, base, examine=before_it)
-        silence = silenced(workspace, base, compared.runs) if isinstance(base, Base) else Silenced()
+        silence = silenced(workspace, settings, base, compared.runs, before_it)
     notes = (*settings.notes, *misfits, *idle_entries(runs, workspace, settings))
     weighed_runs = weighed(compared.runs, compared.baseline, selection)
     runs = tuple(described(run, selection) for run in weighed_runs)  # absent results bring rules of their own
@@ -201,6 +201,7 @@ def examine(
         workspace, known.linters, options, store, selection.wants, progress, testimony.lint if testimony else None
     )
     raw, lost = (raw, ()) if since is None else since(raw)
+    raw = with_silenced(raw, workspace, selection)
     own_one = own_run(workspace, known)
     if testimony is None:
         with measured_meanwhile(workspace, architectures, is_head=since is not None):

@@ -9,12 +9,15 @@ import sys
 from collections.abc import Callable
 from contextlib import suppress
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from haros_ci import forks
 from haros_ci.forks import shared
+from haros_ci.interruption import listening
+from haros_ci.scratch import scratch_directory
 
 HERE = os.getpid()
 #: Long enough that one process does not do all of it before the next one begins.
@@ -170,11 +173,29 @@ def test_nothing_is_done_meanwhile_where_there_are_threads(monkeypatch: pytest.M
 @pytest.mark.skipif(sys.platform != "linux", reason="processes are forked on Linux only")
 @pytest.mark.parametrize("is_torn", [False, True])
 def test_what_is_left_ends_with_the_block(is_torn: bool) -> None:
-    reading, writing = os.pipe()
-    with suppress(KeyboardInterrupt), forks.meanwhile(lambda: os.read(reading, 1)):
+    (reading, writing), (told, telling) = os.pipe(), os.pipe()
+
+    def wait() -> bytes:
+        os.write(telling, str(os.getpid()).encode())
+        return os.read(reading, 1)
+
+    with suppress(KeyboardInterrupt), forks.meanwhile(wait):
+        child = int(os.read(told, 20))
         if is_torn:
             raise KeyboardInterrupt
     with pytest.raises(ChildProcessError):
-        os.waitpid(-1, os.WNOHANG)
-    os.close(reading)
-    os.close(writing)
+        os.waitpid(child, os.WNOHANG)
+    for end in (reading, writing, told, telling):
+        os.close(end)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="processes are forked on Linux only")
+def test_what_is_left_puts_in_order_what_it_has_begun(tmp_path: Path) -> None:
+    def work() -> None:
+        with scratch_directory(place=str(tmp_path)):
+            signal.pause()
+
+    with listening(), forks.meanwhile(work):
+        while not os.listdir(tmp_path):
+            os.sched_yield()
+    assert os.listdir(tmp_path) == []

@@ -210,6 +210,7 @@ DOORS: dict[str, set[str]] = {
     "recordings": {"bounded_yaml", "errors", "model", "scratch"},
     "starting": {"model"},
     "streams": set(),
+    "stack_room": set(),
     "commands": {
         "analysis",
         "baselines",
@@ -246,7 +247,7 @@ DOORS: dict[str, set[str]] = {
         "writing",
     },
     "internal_errors": {"report", "streams", "writing"},
-    "cli": {"commands", "errors", "interruption", "report", "streams", "internal_errors"},
+    "cli": {"commands", "errors", "interruption", "report", "stack_room", "streams", "internal_errors"},
     "__main__": {"cli"},
     # checks see a system; api.testing makes one of the examples of their pages
     "api": {

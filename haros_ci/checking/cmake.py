@@ -190,9 +190,21 @@ class CMake:
 
     @cached_property
     def links(self) -> Mapping[str, tuple[Link, ...]]:
-        """By target: what target_link_libraries and ament_target_dependencies say."""
+        """By target: what target_link_libraries and ament_target_dependencies say, and link_libraries before the target is made."""
         found: dict[str, list[Link]] = {}
+        for_all: list[tuple[str, Link]] = []  # with the directory that it holds for, and those below
+        places = {target.location: target.name for target in self.targets.values()} if self._links_all else {}
         for command in self.commands:
+            if command.name == "link_libraries":
+                words = (word for word in command.arguments if word not in _WORDS)
+                for_all += [(command.directory, Link(word, True, False, command.is_conditional)) for word in words]
+            elif for_all and (name := places.get(command.location)) is not None:
+                holding = (
+                    link
+                    for folder, link in for_all
+                    if folder in ("", ".") or f"{command.directory}/".startswith(f"{folder}/")
+                )
+                found.setdefault(name, []).extend(holding)
             if command.name in ("target_link_libraries", "ament_target_dependencies") and command.arguments:
                 is_package = command.name == "ament_target_dependencies"
                 scope = "PUBLIC"
@@ -203,6 +215,10 @@ class CMake:
                         link = Link(word, "PRIVATE" not in scope, is_package, command.is_conditional)
                         found.setdefault(self.real(command.arguments[0]), []).append(link)
         return {name: tuple(links) for name, links in found.items()}
+
+    @property
+    def _links_all(self) -> bool:
+        return any(command.name == "link_libraries" for command in self.commands)
 
     def real(self, name: str) -> str:
         """The name of the target that *name*, perhaps an alias, stands for."""

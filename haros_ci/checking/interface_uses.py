@@ -15,12 +15,16 @@ _HEADERS = (".h", ".hh", ".hpp", ".hxx")
 
 
 def interfaces_in_use(project: Project) -> dict[str, Location]:
-    """A place where each interface is used by name: another definition, an include, an import; not where nothing builds or starts the code."""
+    """A place where each interface is used by name: another definition, an include, an import; not where nothing builds or starts the code.
+
+    Of two of one name, a message and a service, nobody knows here which is meant: they are left out.
+    """
     found: dict[str, Location] = {}
     included, aside = _included(project), dict[str | None, frozenset[str]]()
     owners = {file.path: file.package for file in project.workspace.files}
+    doubles = _doubles(project)
     for name, path, line in _places(project):
-        if name in found or (path.endswith(_HEADERS) and path.rpartition("/")[2] not in included):
+        if name in found or name in doubles or (path.endswith(_HEADERS) and path.rpartition("/")[2] not in included):
             continue
         if path.endswith(".py"):
             owner = owners.get(path)
@@ -31,6 +35,15 @@ def interfaces_in_use(project: Project) -> dict[str, Location]:
                 continue
         found[name] = Location(path, line if isinstance(line, int) else _line_with(project.text(path), line))
     return found
+
+
+def _doubles(project: Project) -> frozenset[str]:
+    """Names that interfaces of several kinds have."""
+    kinds: dict[str, set[str]] = {}
+    for package in project.packages:
+        for interface in package.build.interfaces:
+            kinds.setdefault(interface.name, set()).add(interface.kind)
+    return frozenset(name for name, all_kinds in kinds.items() if len(all_kinds) > 1)
 
 
 def _included(project: Project) -> frozenset[str]:

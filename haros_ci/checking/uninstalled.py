@@ -24,6 +24,8 @@ _ASIDE = re.compile(
 _HEAD = re.compile(r"(?:[ \t]*#[^\n]{0,300}\n|[ \t]*\n){0,60}(?:\"{3}.{0,1500}?\"{3}|'{3}.{0,1500}?'{3})?", re.DOTALL)
 _DEMONSTRATION = re.compile(r"\b(?:demo(?:nstrat\w+)?|example|tutorial|test case|playground)\b", re.IGNORECASE)
 _TESTS = re.compile(r"(?:^|_)(?:tests?|testing|benchmarks?|tools)(?:$|_)")
+#: Copies that editors and people keep beside a script.
+_KEPT = re.compile(r"(?:~|\.(?:bak|backup|old|orig|org|save|swp|tmp|disabled)\d*)\Z", re.IGNORECASE)
 _RUN = re.compile(r"\b(?:ros2 run|rosrun)\s+([\w-]+)\s+([\w.-]+)")
 #: What the code of a node uses by itself, and what leaves it to a library.
 _CLIENT = re.compile(r"\b(?:ros|roscpp|rclcpp\w*|rcl|nodelet|nav2_\w+)::\w|\brclcpp\b|\binit\s*\(\s*argc\b")
@@ -93,6 +95,8 @@ def _is_left_out(package: ProjectPackage, other_uninstalled: Uninstalled) -> boo
     """
     is_aside = all(_ASIDE.search(place.path.rpartition("/")[2].lower()) for place, _ in other_uninstalled.related)
     if other_uninstalled.kind == "executable" and is_aside and is_said_not_installed(package, other_uninstalled.at):
+        return True
+    if other_uninstalled.kind == "script" and _KEPT.search(other_uninstalled.at.path):
         return True
     if other_uninstalled.kind == "script" and _is_meant(package, other_uninstalled.at.path):
         return True

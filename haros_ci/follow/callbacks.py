@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from haros_ci import syntax
-from haros_ci.follow import call_arguments, methods, partials, setters
+from haros_ci.follow import beside, call_arguments, methods, partials, setters
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.made import SEVERAL, Root, counts_alone, either
@@ -126,12 +126,7 @@ def _in_common(walk: Walk, known: Root, other: Root) -> tuple[tuple[Condition, .
 def signature(walk: Walk, frame: Frame, macro: str, written: tuple[Expression, ...]) -> Value:
     """``SLOT(method(types))`` and ``SIGNAL(...)`` call nothing: a slot of the object is called by a signal later (QObject)."""
     named: Expression = written[0] if len(written) == 1 else syntax.Null()
-    if (
-        macro == "SLOT"
-        and frame.this is not None
-        and isinstance(named, syntax.Call)
-        and isinstance(named.callee, syntax.Name)
-    ):
+    if macro == "SLOT" and frame.this is not None and type(named) is syntax.Call and type(named.callee) is syntax.Name:
         register(walk, methods.method_of(walk, frame.this, named.callee.name) or NONE)
     return walk.opaque(f"what {macro} is", frame)
 
@@ -161,25 +156,23 @@ def framework_entries(walk: Walk, this: Object) -> None:
                 if method is not None and row.is_class:
                     is_entry = method.source.separator == "::" or name in SETUP | TEARDOWN
                     register(walk, method, (), name in TEARDOWN, name in SETUP, is_entry=is_entry)
+                    if owner.startswith(beside.BEGINNING):
+                        beside.note(walk, method)
     _entries_of_unknown_base(walk, this)
     _destructor(walk, this)
 
 
 def _destructor(walk: Walk, this: Object) -> None:
-    """A destructor that may make something is called in the end, as what takes a node down."""
-    if this.definition is None or this.definition[0].separator != "::":
+    """A destructor, or ``__del__``, that may make something is called in the end, as what takes a node down."""
+    if this.definition is None:
         return
     source, definition = this.definition
-    last = f"~{definition.name.rpartition('::')[2]}"
+    last = f"~{definition.name.rpartition('::')[2]}" if source.separator == "::" else "__del__"
     key = ("destructor", definition.name, source.path)
     if key not in walk.found:
         method = methods.method_of(walk, this, last)
-        is_made = (
-            method is not None
-            and method.function.body is not None
-            and walk.relevance.makes(method.function, method.source)
-        )
-        walk.found[key] = is_made
+        has_body = method is not None and method.function.body is not None
+        walk.found[key] = method is not None and has_body and walk.relevance.makes(method.function, method.source)
     if walk.found[key]:
         register(walk, methods.method_of(walk, this, last) or NONE, (), is_update=True)
 

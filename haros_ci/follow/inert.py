@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 from haros_ci import syntax
 from haros_ci.follow import call_arguments, lookup, methods, partials, thrown
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
+from haros_ci.index.mentions import last
 from haros_ci.syntax import Function, Type
 from haros_ci.syntax.walk import Part, everything
 from haros_ci.values.abstract import (
@@ -55,7 +55,7 @@ def may_make(
     if walk.relevance.makes(function.function, function.source):
         return True
     for kind in (templates or {}).values():
-        if isinstance(kind, syntax.Type) and kind.name in walk.index.classes and walk.relevance.named(kind.name):
+        if type(kind) is syntax.Type and kind.name in walk.index.classes and walk.relevance.named(kind.name):
             return True
     return (
         any(a.value.__class__ in CALLABLE and _makes(walk, a.value) for a in args)
@@ -168,7 +168,7 @@ def _is_short(definition: Function) -> bool:
     body = definition.body or ()
     return (
         0 < len(body) <= SHORT
-        and isinstance(body[-1], syntax.Return)
+        and type(body[-1]) is syntax.Return
         and body[-1].value is not None
         and all(isinstance(statement, STRAIGHT) for statement in body)
     )
@@ -183,7 +183,7 @@ def _only_numbers(this: Object, changed: frozenset[str], depth: int = 0) -> bool
                 if not _only_numbers(cell.value, changed, depth + 1):
                     return False
             continue
-        if isinstance(cell.value, Known) and isinstance(cell.value.value, (int, float)):
+        if isinstance(cell.value, Known) and issubclass(cell.value.kind, (int, float)):
             continue
         if isinstance(cell.value, Opaque) and (
             cell.type is None or call_arguments.is_scalar(cell.type) or cell.value.type is None
@@ -196,7 +196,7 @@ def _only_numbers(this: Object, changed: frozenset[str], depth: int = 0) -> bool
 
 
 def _returns_value(block: Part) -> bool:
-    return any(isinstance(node, syntax.Return) and node.value is not None for node in everything(block))
+    return any(type(node) is syntax.Return and node.value is not None for node in everything(block))
 
 
 def skipped(  # noqa: C901 - one branch for each place that a function can change
@@ -224,8 +224,8 @@ def skipped(  # noqa: C901 - one branch for each place that a function can chang
             for pointer in pointers:
                 lookup.global_cell(walk, *pointer)
     for (_, name), cell in walk.globals.items():
-        if name.rpartition("::")[2].rpartition(".")[2] in changed and not _is_constant(cell):
-            _forget(walk, cell, replace(unknown, type=cell.type))
+        if last(name) in changed and not _is_constant(cell):
+            _forget(walk, cell, unknown, cell.type)
     for module in walk.modules.values():
         for name in changed & module.scopes[0].keys():
             _forget(walk, module.scopes[0][name], unknown)
@@ -233,14 +233,14 @@ def skipped(  # noqa: C901 - one branch for each place that a function can chang
         for name in changed:
             outer = function.frame.find(name)
             if outer is not None:
-                _forget(walk, outer, replace(unknown, type=outer.type))
+                _forget(walk, outer, unknown, outer.type)
     for parameter, argument in zip(definition.parameters, args, strict=False):
         marks = parameter.type.marks
         is_changed = "&" in marks and not marks.rstrip("&").endswith("c")
         if parameter.name in changed and (is_changed or ("*" in marks and "c" not in marks)):
             target = argument.value.cell if isinstance(argument.value, Pointer) else argument.cell
             if target is not None:
-                _forget(walk, target, walk.opaque(reason, inner, definition.line, target.type))
+                _forget(walk, target, unknown, target.type)
     if returns.name == "void":
         return NONE
     return walk.opaque(
@@ -251,14 +251,15 @@ def skipped(  # noqa: C901 - one branch for each place that a function can chang
 def _forget_members(walk: Walk, this: Object, changed: frozenset[str], unknown: Opaque, depth: int) -> None:
     for name, cell in this.fields.items():
         if name in changed:
-            _forget(walk, cell, replace(unknown, type=cell.type))
+            _forget(walk, cell, unknown, cell.type)
         elif isinstance(cell.value, Object) and cell.value.definition is not None and depth < NESTED:
             _forget_members(walk, cell.value, changed, unknown, depth + 1)
 
 
-def _forget(walk: Walk, cell: Cell, unknown: Opaque) -> None:
+def _forget(walk: Walk, cell: Cell, unknown: Opaque, kind: Type | None = None) -> None:
+    """What a cell holds is not known any more: *unknown*, as a value of type *kind*."""
     value = cell.value
     if isinstance(value, (Sequence, Mapped)):
-        walk.state.forget(value.content, unknown)
+        walk.state.forget(value.content, Opaque(unknown.reason, unknown.location, kind))
     elif isinstance(value, (Known, Choice, Text)):
-        walk.state.write(cell, unknown)
+        walk.state.write(cell, Opaque(unknown.reason, unknown.location, kind))

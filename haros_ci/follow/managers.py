@@ -6,7 +6,7 @@ from __future__ import annotations
 from haros_ci.follow import activation, call_arguments, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
-from haros_ci.values.abstract import NONE, Object, Sequence, Value
+from haros_ci.values.abstract import NONE, Known, Object, Sequence, Value
 
 #: What a ``with`` calls at its beginning, and at its end.
 METHODS = frozenset(("__enter__", "__exit__"))
@@ -21,6 +21,13 @@ def called(walk: Walk, frame: Frame, receiver: Value, name: str) -> Value:
     if method is not None:
         args = tuple(call_arguments.PassedArgument(NONE) for _ in method.function.parameters)
         return activation.invoke(walk, frame, method, args)
+    if (
+        name == "__enter__"
+        and isinstance(receiver, Known)
+        and isinstance(receiver.value, list)
+        and len(receiver.value) == 1
+    ):
+        return Known(receiver.value[0])
     cells = receiver.content.value if isinstance(receiver, Sequence) else ()
     if name == "__enter__" and isinstance(cells, tuple) and len(cells) == 1:
         found: Value = cells[0].value

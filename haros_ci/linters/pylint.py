@@ -12,7 +12,7 @@ from typing import Any
 from haros_ci.linters import columns, growth, imports, installed, python2
 from haros_ci.linters.catalogue.pylint import NOT_FATAL
 from haros_ci.linters.doubting import Doubting
-from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
+from haros_ci.linters.linter import SILENCED, Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.linters.noqa import is_silenced
 from haros_ci.linters.pylint_config import config_path, inert_options
 from haros_ci.linters.pylint_doubts import is_refuted
@@ -182,5 +182,6 @@ def _rc(batch: Batch) -> str:
         except ValueError:
             pass  # an unreadable configuration: as if there were none
     options["disable"] = ",".join(filter(None, (options.get("disable", "").strip().strip(","), DISABLED)))
+    options["enable"] = ",".join(filter(None, (options.get("enable", "").strip().strip(","), SILENCED)))
     lines = (f"{key}={continued(value)}" for key, value in sorted(options.items()))
     return "[MAIN]\n" + "\n".join(lines) + "\n"

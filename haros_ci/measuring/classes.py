@@ -18,6 +18,8 @@ from haros_ci.measuring.facts import ClassFacts, FileFacts, FunctionFacts
 from haros_ci.syntax import Type
 
 NOWHERE: frozenset[str] = frozenset()
+#: What types end in that stand for a class under another name (rclcpp/macros.hpp; element_type and type of the standard library).
+ENDS = ("Ptr", "type")
 
 
 @dataclass(slots=True, eq=False)
@@ -59,6 +61,9 @@ class _Measuring:
         self.by_place: dict[tuple[str, str, int], Measured] = {}
         self.meant: dict[tuple[str, str, str], Measured | None] = {}
         self.mentioned: dict[tuple[str, str, str], tuple[Measured, ...]] = {}
+        #: What names of classes and aliases in C++ end in.
+        every = (name for names in (code.cpp.classes, code.cpp.aliases) for name in names)
+        self.names = {name.rpartition("::")[2] for name in every}
 
     def all(self) -> Classes:
         for source in self.code.sources:
@@ -176,9 +181,10 @@ class _Measuring:
         """
         key = (source.path, scope, name)
         if key not in self.mentioned:
-            found = self.named(source, scope, name)
+            can_be = source.separator == "." or self._can_be_class(name)
+            found = self.named(source, scope, name) if can_be else None
             every = [] if found is None else [found]
-            if found is None and source.separator == "::":
+            if found is None and can_be and source.separator == "::":
                 every = [
                     e
                     for e in map(self._seen_by(source), _parts(self._type(source, scope, name).arguments))
@@ -187,6 +193,14 @@ class _Measuring:
             head = name.rpartition(source.separator)[0]
             self.mentioned[key] = tuple(every) or (self._mentioned(source, scope, head) if head else ())
         return self.mentioned[key]
+
+    def _can_be_class(self, name: str) -> bool:
+        """Whether a name of C++ can be resolved to a class of the workspace, by its end: most of what is mentioned cannot, and resolving is dear.
+
+        Pointers that macros declare beside a class, and types within library templates, have ends of their own.
+        """
+        end = name.rpartition("::")[2]
+        return end in self.names or end.endswith(ENDS)
 
     def _type(self, source: Source, scope: str, name: str) -> Type:
         return resolved(self.code, syntax.Type(name), scope, source)

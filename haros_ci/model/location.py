@@ -3,11 +3,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 
-@dataclass(frozen=True, slots=True)
-class Location:
+class Location(Struct, frozen=True, gc=False):
     """A place in a file, as SARIF §3.29–3.30 counts.
 
     *path* is POSIX-style and relative to the workspace root. Lines and columns are 1-based; columns count

@@ -33,6 +33,11 @@ def gathered(notes: Iterable[Notification]) -> tuple[Notification, ...]:
     return tuple(_one(key, group) for key, group in by_reason.items())
 
 
+def _of_many(reason: str) -> str:
+    """*reason* in the plural: "they are Python 2"."""
+    return f"they are {reason[6:]}" if reason.startswith("it is ") else reason
+
+
 def _one(key: object, group: list[Notification]) -> Notification:
     first = group[0]
     if not isinstance(key, tuple):
@@ -45,5 +50,5 @@ def _one(key: object, group: list[Notification]) -> Notification:
     named = ", ".join(places[:NAMED])
     if len(places) > NAMED:
         named += f" and {len(places) - NAMED} more"
-    message = f"{who} could not analyse {len(group)} files: {reason.rstrip('.')}: {named}"
+    message = f"{who} could not analyse {len(group)} files: {_of_many(reason.rstrip('.'))}: {named}"
     return replace(first, tool=tools[0] if len(tools) == 1 else None, path=None, line=None, message=message)

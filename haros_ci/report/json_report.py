@@ -61,6 +61,7 @@ def render(report: Report, copy_of: Mapping[int, Location] = MappingProxyType({}
             "comments": [
                 {"path": place.path, "line": place.line, "comment": name} for place, name in report.silenced.comments
             ],
+            "more": [{"path": place.path, "line": place.line, "what": name} for place, name in report.silenced.more],
         },
         "coverage": _coverage(report),
         "provenance": _provenance(report),

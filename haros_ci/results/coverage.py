@@ -26,10 +26,10 @@ def coverage(
         unseen.append(
             "No package.xml was found: files are analysed one by one, nothing is known of packages. Run haros-ci in a workspace of ROS, or a package."
         )
-    if (count := len(workspace.problems) + len(workspace.hiding.unread)) == 1:
-        unseen.append("1 input could not be read as it stands.")
-    elif count:
-        unseen.append(f"{count} inputs could not be read as they stand.")
+    unread = list(dict.fromkeys(problem.path for problem in (*workspace.problems, *workspace.hiding.unread)))
+    if unread:
+        named = ", ".join(unread[:_NAMED]) + (f" and {len(unread) - _NAMED} more" if len(unread) > _NAMED else "")
+        unseen.append(f"Not or not fully read (the warnings say why): {named}.")
     reported = [file for file in workspace.files if workspace.reports_on(file.path)]
     if generated := [file.path for file in reported if file.is_generated and not file.third_party]:
         unseen.append(_generated(generated))

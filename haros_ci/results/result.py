@@ -161,7 +161,7 @@ class Run:
     ``analysed`` are the paths the tool was asked about and answered for: only their old findings can be absent.
     ``architecture`` says that all checks of the architecture could be made: else no old finding of theirs is absent.
     ``imported`` marks a log of another tool taken in with ``--import``. ``changes`` is what has changed since the base revision, None
-    where there is none.
+    where there is none. ``silenced`` are findings that the tool itself left out for a comment, as far as it tells.
     """
 
     tool: Tool
@@ -174,6 +174,7 @@ class Run:
     graphs: tuple[Graph, ...] = ()
     architecture: bool = False
     changes: Changes | None = None
+    silenced: tuple[Result, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -222,14 +223,16 @@ class Silenced:
     """What a change silences by comments that it adds.
 
     *findings* are suppressed by its ``haros:`` comments; *comments* are those of other tools, whose findings nobody sees: where each stands
-    and what it is called (``noqa``).
+    and what it is called (``noqa``). *more* are findings, and lines under comments that hold for many, which comments that were there before have come to
+    silence: where each stands, and its rule or what the comment is called.
     """
 
     findings: int = 0
     comments: tuple[tuple[Location, str], ...] = ()
+    more: tuple[tuple[Location, str], ...] = ()
 
     def __bool__(self) -> bool:
-        return bool(self.findings or self.comments)
+        return bool(self.findings or self.comments or self.more)
 
 
 @dataclass(frozen=True, slots=True)

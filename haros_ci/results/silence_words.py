@@ -11,7 +11,7 @@ MAX_NAMED = 5
 
 
 def sentences(silenced: Silenced) -> Iterator[str]:
-    """Up to two sentences: on findings that are suppressed, and on comments whose effect nobody sees, with the first places."""
+    """Up to three sentences: on findings that are suppressed, on comments whose effect nobody sees, and on old comments, with the first places."""
     if silenced.findings:
         one = silenced.findings == 1
         yield f"{silenced.findings:,} finding{'' if one else 's'} suppressed by comments that this change adds"
@@ -21,6 +21,15 @@ def sentences(silenced: Silenced) -> Iterator[str]:
         more = f" and {number - MAX_NAMED:,} more" if number > MAX_NAMED else ""
         noun = "comment that silences" if number == 1 else "comments that silence"
         yield f"the change adds {number:,} {noun} linters: {named}{more}"
+    yield from _more(silenced)
+
+
+def _more(silenced: Silenced) -> Iterator[str]:
+    if silenced.more:
+        number = len(silenced.more)
+        named = ", ".join(f"{place} ({name})" for place, name in silenced.more[:MAX_NAMED])
+        more = f" and {number - MAX_NAMED:,} more" if number > MAX_NAMED else ""
+        yield f"comments that were there before silence more than they did: {named}{more}"
 
 
 def counted(silenced: Silenced) -> str:
@@ -32,4 +41,6 @@ def counted(silenced: Silenced) -> str:
         parts.append(
             f"{number:,} comment{' that silences' if number == 1 else 's that silence'} linters added by this change"
         )
+    if number := len(silenced.more):
+        parts.append(f"{number:,} more silenced by comments that were there before")
     return "; ".join(parts)

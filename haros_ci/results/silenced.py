@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_left
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
 from haros_ci.model.location import Location
-from haros_ci.results.comments import bare, lines_of, syntax
+from haros_ci.results.comments import bare, comments, lines_of, syntax
 from haros_ci.results.directives import code_lines, directives
 from haros_ci.results.line_map import line_mapper, words
 from haros_ci.results.result import Run, Silenced
@@ -18,6 +19,11 @@ from haros_ci.results.silencers import is_generated, silencers
 #: Texts with more characters than this are compared by what their comments say and stand beside alone.
 _LARGEST_MAPPED = 1_000_000
 
+
+#: The comments of C++ that hold for more than a line, and what ends them.
+_BLOCK = re.compile(r"/[/*]\s*(?:cppcheck-suppress-(?:begin|(?P<macro>macro))\b|NOLINTBEGIN(?!\w))[^\n]*")
+_END = re.compile(r"/[/*]\s*(?:cppcheck-suppress-end\b|NOLINTEND(?!\w))")
+_WORD = re.compile(r"\w")
 
 #: What a comment says, and a line.
 _Key = tuple[str, int | None]
@@ -51,15 +57,17 @@ def silenced(pairs: Iterable[SilencedPair], removed: Iterable[tuple[str, str, st
     A comment is old if one with the same words stands in the base on the line that maps to its own, or beside the line that maps to its code, or
     beside the same code that has moved: from another place of the file, from another changed file, or from one that is *removed* (path, language
     and text). If that code is still in its place, it has lost the comment, and the comment is new. Of a file that was generated before
-    and still is nothing is said.
+    and still is nothing is key.
     """
     new: list[_Mark] = []
+    grown: list[tuple[Location, str]] = []
     pool: Counter[tuple[str, str]] = Counter()
     for pair in pairs:
         marks = list(_marks(pair.path, pair.language, pair.head))
         before = [] if pair.base is None else list(_marks(pair.path, pair.language, pair.base))
         if pair.base is not None and marks and is_generated(pair.base) and is_generated(pair.head):
             continue
+        grown += _grown(pair)
         left, unmatched = _unmapped(pair, marks, before)
         new += left
         pool.update((mark.words, mark.code) for mark in unmatched)
@@ -74,8 +82,44 @@ def silenced(pairs: Iterable[SilencedPair], removed: Iterable[tuple[str, str, st
     own = {mark.place for mark in added if mark.is_own}
     results = (result for run in runs for result in run.results if result.suppressions)
     count = sum(all(s.kind == "inSource" and s.location in own for s in result.suppressions) for result in results)
-    others = ((mark.place, mark.name) for mark in added if not mark.is_own)
-    return Silenced(count, tuple(sorted(others, key=lambda pair: (pair[0].sort_key, pair[1]))))
+    others = [(mark.place, mark.name) for mark in added if not mark.is_own]
+    return Silenced(count, tuple(sorted(others, key=_order)), tuple(sorted({*grown} - {*others}, key=_order)))
+
+
+def _order(pair: tuple[Location, str]) -> tuple[object, ...]:
+    return pair[0].sort_key, pair[1]
+
+
+def _grown(pair: SilencedPair) -> Iterator[tuple[Location, str]]:
+    """The comments of *pair* that hold for a block, and were there before, under which lines stand that none of the same words stood above."""
+    if pair.base is None or syntax(pair.language, pair.path) != "c" or not _BLOCK.search(pair.base):
+        return
+    old: dict[str, Counter[str]] = {}
+    for key, _, lines in _blocks(pair.base):
+        old.setdefault(key, Counter()).update(lines)
+    for key, line, lines in _blocks(pair.head):
+        if key in old and lines - old[key]:
+            yield Location(pair.path, line), "NOLINTBEGIN" if key.startswith("NOLINT") else "cppcheck-suppress"
+        elif key in old:
+            old[key] -= lines
+
+
+def _blocks(text: str) -> Iterator[tuple[str, int, Counter[str]]]:
+    """What each comment for a block says, its line, and the lines of code below it: to its end, or of a macro."""
+    lines, found = lines_of(text), list(comments(text, "c"))
+    for i, comment in enumerate(found):
+        match = _BLOCK.match(comment.text)
+        if match is None:
+            continue
+        if match["macro"]:
+            end = comment.end_line + 1
+            while end < len(lines) and lines[end - 1].endswith("\\"):
+                end += 1
+        else:
+            ends = (one.line for one in found[i + 1 :] if _END.match(one.text))
+            end = next(ends, len(lines) + 1) - 1
+        code = Counter(bare(line, "c") for line in lines[comment.end_line : end])
+        yield "".join(match[0].split()), comment.line, +Counter({k: n for k, n in code.items() if _WORD.search(k)})
 
 
 def _marks(path: str, language: str, text: str) -> Iterator[_Mark]:

@@ -73,6 +73,8 @@ _HINTS = (
     "isort:", "lizard", "shellcheck", "hadolint", "yamllint", "catkin_lint", "cmake-", "codespell", "flawfinder", "rats:", "its4:",
     "generated code",
 )  # fmt: skip
+#: A comment that keeps pylint out of a file: what it silences there nobody tells.
+_EVERYTHING = re.compile(r"pylint:[^\n]*\bdisable=(?:[\w,-]*,)?all\b")
 #: What a generated file says of itself in its first lines.
 _GENERATED = re.compile(
     r"(?i)\b(?:do not edit|auto-?generated|automatically generated|generated (?:by|from|file|code))\b"
@@ -108,7 +110,10 @@ def silencers(text: str, kind: str) -> Iterator[Silencer]:
                 continue
             line = comment.line + comment.text.count("\n", 0, found.start())
             code, code_line = _code_of(lines, comment)
-            yield Silencer(form, line, "".join(found[0].split()), code, code_line)
+            words = "".join(found[0].split())
+            if comment.alone and _EVERYTHING.search(words):
+                words = f"{words} alone"  # of the whole file; beside code, of its line
+            yield Silencer(form, line, words, code, code_line)
 
 
 def _code_of(lines: list[str], comment: Comment) -> tuple[str, int]:

@@ -6,6 +6,8 @@ from __future__ import annotations
 from itertools import count
 from typing import TYPE_CHECKING, Generic, TypeVar
 
+from msgspec import Struct, field
+
 from haros_ci.syntax import Type
 
 #: What a cell holds: a ``Value`` where nothing else is said (a default as of PEP 696, which Python itself has from 3.13 on).
@@ -22,29 +24,23 @@ else:
 tick = count().__next__
 
 
-class Slot:
+class Slot(Struct, eq=False):
     """A cell, whatever it holds: this is how ``State`` sees it, which writes and joins any."""
 
-    __slots__ = ("born", "type", "value")
-    born: int
-    type: Type | None
     value: object
+    type: Type | None = None
+    born: int = field(default_factory=tick)
 
 
-class Cell(Slot, Generic[Content]):
+class Cell(Slot, Generic[Content], eq=False):
     """A variable, member or element: it holds a Value, and may have a declared type.
 
     The content of a sequence or map is a cell, too: of a tuple of cells, of a dict (``Elements``, ``Entries``). Written through
     ``State.write`` only. *born* is less than that of every cell that is made later.
     """
 
-    __slots__ = ()
-    value: Content
-
-    def __init__(self, value: Content, type: Type | None = None) -> None:  # noqa: A002 - the field is called so
-        self.value = value
-        self.type = type
-        self.born = tick()
+    if TYPE_CHECKING:
+        value: Content
 
     def __repr__(self) -> str:
         return f"Cell({self.value!r}, {self.type!r})"
@@ -56,7 +52,5 @@ class Named:
     __slots__ = ()
 
 
-class Closure:
+class Closure(Struct):
     """The variables around a lambda; ``follow.frames`` has the class that derives from it."""
-
-    __slots__ = ()

@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from haros_ci.values.abstract import NONE, Cell, Choice, Known, Object, Opaque, Partial, Value, join
 from haros_ci.values.cells import Content, Slot
@@ -23,8 +24,7 @@ Writes = dict[Slot, object]
 _join: Callable[[object, object], object] = join  # type: ignore[assignment]  # where it is no content, it is a value
 
 
-@dataclass(frozen=True, slots=True)
-class Held:
+class Held(Struct, frozen=True):
     """The value of a parameter that a ROS 2 node has declared or set; not *is_certain* if it has on some paths only."""
 
     value: Value
@@ -177,6 +177,8 @@ def joined(one: object, other: object) -> object:
 
 def _entry(one: object, other: object) -> object:
     """What is held under one key: of what a ROS 2 node declares, the value stays known where only one way has it."""
+    if one is other:
+        return one
     both = [value for value in (one, other) if isinstance(value, Held)]
     if not both:
         return _join(one, other)

@@ -244,10 +244,14 @@ def _of_no_package(files: Iterable[SourceFile], reader: TextReader) -> Iterable[
                 if _CLIENT.search(text) and _STARTED.search(text):
                     found.append(file.path)
     if found:
-        others = f" and {len(found) - 1} more" if len(found) > 1 else ""
+        others = len(found) - 1
+        what = (
+            f"this and {others} more Python program{'s' if others > 1 else ''} of ROS lie"
+            if others
+            else "a Python program of ROS that lies"
+        )
         yield Problem(
-            min(found),
-            f"a Python program outside of all packages that talks to ROS{others}: its nodes are not in the model",
+            min(found), f"{what} in no package: what nodes publish and subscribe to there is not in the model"
         )
 
 

@@ -96,8 +96,6 @@ class TrackedChange:
         except (OSError, ValueError):
             return ""  # it is there, and nobody can say that it is as it was
 
-    # -- what is said ----------------------------------------------------------------------------------------------
-
     def applied_to(
         self, workspace: Workspace, candidates: Collection[CandidatePath], scope: AnalysedPaths, excludes: Excludes
     ) -> Workspace:
@@ -122,9 +120,20 @@ class TrackedChange:
                 *self._unused_code({path: used.language_by_text(path) for path in others if path not in code}),
             ),
             unread=(*workspace.hiding.unread, *unread),
+            used=tuple(self._first_used(used, analysed, scope, excludes)),
             later=tuple(sorted(package.path for package in workspace.packages if self._is_new(package))),
         )
         return replace(workspace, hiding=hiding, problems=tuple(self._problems(workspace, hiding.later)))
+
+    def _first_used(
+        self, used: UsedCode, analysed: Mapping[str, str], scope: AnalysedPaths, excludes: Excludes
+    ) -> Iterator[Problem]:
+        """The files that are as they were, and that are code by what changed files say of them."""
+        names = used.names_in(path for path in analysed if self.is_known and self.has_changed(path))
+        for path, name in sorted(self.tracked.items()) if names else ():
+            if path.rpartition("/")[2] in names and self.base.get(path) == name and analysed.get(path) not in CODE:
+                if scope.given(path) is not None and not _excluded(path, excludes) and (why := used.why(path)):
+                    yield Problem(path, f"skipped: {why}")
 
     def _is_new(self, package: Package) -> bool:
         """Whether the change brings the package: a manifest that is not in the base revision, or differs there."""

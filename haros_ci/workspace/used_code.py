@@ -102,8 +102,10 @@ _STEPS = 4
 class UsedCode:
     """What the analysed files of *workspace* say of others; each question reads the texts when it is first asked."""
 
-    def __init__(self, workspace: Workspace) -> None:
+    def __init__(self, workspace: Workspace, text: Callable[[str], str] | None = None) -> None:
+        """*text* reads the files that are asked about, where they are not *workspace*'s."""
         self._workspace = workspace
+        self._text = text or workspace.text
         self._names: dict[str, frozenset[str]] = {}
 
     def why(self, path: str) -> str:
@@ -113,7 +115,9 @@ class UsedCode:
         """
         name = path.rpartition("/")[2]
         language = language_of(name)
-        text = self._workspace.text(path)
+        if language in CODE:
+            return ""
+        text = self._text(path)
         if suffix := _UNKNOWN.get(suffix_of(name)):
             return f"it is {suffix}, which is not analysed"
         if name in self._of("cpp", _included) or (
@@ -207,6 +211,10 @@ class UsedCode:
             return ""
         others = self._files(("launch", "python", "xml", "yaml", "cmake"))
         return "" if any(name in self._workspace.text(file.path) for file in others if file.path != path) else kind
+
+    def names_in(self, paths: Iterable[str]) -> frozenset[str]:
+        """The words in the texts of *paths* that may be names of files."""
+        return frozenset(name for path in paths for name in _PIECE.findall(self._workspace.text(path)))
 
     def _files(self, languages: Collection[str]) -> Iterator[SourceFile]:
         return (file for file in self._workspace.files if file.language in languages)

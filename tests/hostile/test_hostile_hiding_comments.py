@@ -74,7 +74,7 @@ def test_files_that_moved_bring_nothing(trap: Trap) -> None:
     text = DEFECT.replace("\n", "  // haros: ignore[nullPointer] old\n") + "int a;  // NOLINT\nint b;\nint c;\n"
     pull_request(trap, {"src/old.cpp": text}, {"lib/new.cpp": "\n" + text.replace("int b", "  int bb")})
     outcome = trap.run("--baseline-rev=main", *QUICK)
-    assert outcome.report["silenced"] == {"findings": 0, "comments": []}
+    assert outcome.report["silenced"] == {"findings": 0, "comments": [], "more": []}
     assert outcome.report["counts"]["suppressed"] == 1 and outcome.notes() == []
 
 
@@ -82,7 +82,7 @@ def test_without_a_base_nothing_is_said(trap: Trap) -> None:
     pull_request(trap, {}, {"a.cpp": "int a;  // NOLINT\n"})
     for arguments in ((), ("--baseline-rev=nowhere", "--no-require-baseline")):
         outcome = trap.run(*arguments, *QUICK)
-        assert outcome.report["silenced"] == {"findings": 0, "comments": []} and not outcome.says("silence")
+        assert outcome.report["silenced"] == {"findings": 0, "comments": [], "more": []} and not outcome.says("silence")
 
 
 def test_excluded_files_and_other_targets_are_not_looked_at(trap: Trap) -> None:
@@ -321,3 +321,39 @@ def test_without_the_base_revision_everything_is_used(trap: Trap) -> None:
     trap.write("more.cpp", "int more;\n")
     trap.commit()
     assert "demo/b.cpp" in found(trap, "--baseline-rev=main", "--no-require-baseline")[0]
+
+
+NAMES = "def g():\n    return nowhere\n"
+DISABLE = "# pylint: disable=undefined-variable\n"
+ENABLE = "# pylint: enable=undefined-variable\n"
+BLOCK = "// cppcheck-suppress-begin nullPointer\nint one();\n// cppcheck-suppress-end nullPointer\n"
+
+
+def test_comments_that_come_to_silence_more_are_named(trap: Trap) -> None:
+    old = DISABLE + "X = here\n"
+    pull_request(
+        trap,
+        {
+            "moved.py": old + ENABLE,
+            "quiet.py": old + ENABLE,
+            "alone.py": "X = here  " + DISABLE,
+            "moved.cpp": BLOCK,
+            "quiet.cpp": BLOCK,
+        },
+        {
+            "moved.py": old + NAMES + ENABLE,
+            "quiet.py": "Y = 1\n" + old.replace("X", "Z") + ENABLE,
+            "alone.py": DISABLE + "X = here\n" + NAMES,
+            "moved.cpp": BLOCK.replace("int one();\n", "int one();\n" + DEFECT),
+            "quiet.cpp": "int two();\n" + BLOCK.replace("int", "  int"),
+        },
+    )
+    outcome = trap.run("--baseline-rev=main", "--ignore=cpplint,metrics,ruff,unassignedVariable")
+    more = [(c["path"], c["line"], c["what"]) for c in outcome.report["silenced"]["more"]]
+    assert more == [
+        ("alone.py", 4, "undefined-variable"),
+        ("moved.cpp", 1, "cppcheck-suppress"),
+        ("moved.py", 4, "undefined-variable"),
+    ]
+    assert outcome.report["silenced"]["comments"] == []
+    assert outcome.says("comments that were there before silence more than they did: alone.py:4 (undefined-variable), ")

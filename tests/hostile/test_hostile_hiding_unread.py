@@ -349,3 +349,58 @@ def test_a_header_that_no_linter_can_analyse(trap: Trap) -> None:
         lambda t: t.write("src/h.hpp", f"int \\u00e9;\n{DEFECT}"),
     )
     assert [found[:3] for found in told(trap.run("--baseline-rev=main", *LINTERS))] == [("src/h.hpp", "warning", "new")]
+
+
+LIST = "cmake_minimum_required(VERSION 3.8)\nproject(a)\n"
+LIFT = "inline int & lift()\n{\n  int made = 1;\n  return made;\n}\n"
+PART = "def part():\n    return undefined_thing\n"
+BASE = {
+    "src/lift.inc": LIFT,
+    "src/lift.txt": LIFT,
+    "src/part.txt": PART,
+    "src/rows.txt": "1, 2, 3\n",
+    "src/notes.md": "# Notes\n",
+    A: TEXT,
+    "src/a.py": "A = 1\n",
+    "CMakeLists.txt": LIST,
+}
+COMPILED = LIST + "set_source_files_properties(src/lift.txt PROPERTIES LANGUAGE CXX)\nadd_library(b src/lift.txt)\n"
+
+
+def used(head: dict[str, str], more: dict[str, str], trap: Trap) -> list[str]:
+    pull_request(
+        trap,
+        lambda t: [t.write(name, text) for name, text in {**BASE, **more}.items()],
+        lambda t: [t.write(name, text) for name, text in head.items()],
+    )
+    return [path for path, _, state, _ in told(trap.run("--baseline-rev=main", *QUICK)) if state == "new"]
+
+
+@pytest.mark.parametrize(
+    ("head", "path"),
+    [
+        ({A: '#include "lift.inc"\n' + TEXT}, "src/lift.inc"),
+        ({"CMakeLists.txt": COMPILED}, "src/lift.txt"),
+        ({"src/a.py": "A = exec(open('part.txt').read())\n"}, "src/part.txt"),
+    ],
+)
+def test_a_file_of_the_base_that_a_change_uses_first(head: dict[str, str], path: str, trap: Trap) -> None:
+    assert used(head, {}, trap) == [path]
+
+
+@pytest.mark.parametrize(
+    ("head", "more"),
+    [
+        ({A: '#include "lift.inc"\nint b;\n'}, {A: '#include "lift.inc"\n'}),
+        ({"src/b.cpp": '#include "lift.inc"\n'}, {A: '#include "lift.inc"\n'}),
+        ({"src/a.py": "A = open('part.txt').read()\n"}, {}),
+        ({"src/a.py": "A = 'see notes.md and rows.txt'\n"}, {}),
+        ({A: "// not lift.inc\n" + TEXT}, {}),
+        ({"CMakeLists.txt": LIST + "install(FILES src/lift.inc src/part.txt DESTINATION share/a)\n"}, {}),
+        ({"readme.md": "lift.inc, part.txt\n"}, {}),
+    ],
+)
+def test_a_file_of_the_base_that_was_used_or_still_is_not(
+    head: dict[str, str], more: dict[str, str], trap: Trap
+) -> None:
+    assert used(head, more, trap) == []

@@ -133,3 +133,37 @@ def test_types_that_are_one_of_two_or_none(before: str, kind: str | None) -> Non
     (node,) = program("n = Node('n')\nn.create_publisher(Foo, '/x', 1)", before).nodes
     (end,) = explicit(node)
     assert end.type == kind
+
+
+DEL = "class M:\n    def __init__(self, n):\n        self.n = n\n    def %s(self):\n        self.n.create_publisher(String, '/x', 1)\n"
+
+
+@pytest.mark.parametrize(
+    ("method", "body", "expected"),
+    [
+        ("__del__", "m = M(n)\ndel m", ["/x"]),
+        ("__del__", "m = M(n)\nrclpy.spin(n)", ["/x"]),
+        ("__del__", "pass", []),
+        ("delete", "m = M(n)", []),
+    ],
+)
+def test_what_python_calls_in_the_end(method: str, body: str, expected: list[str]) -> None:
+    assert made("n = Node('n')\n" + body, DEL % method) == expected
+
+
+YIELDS = "import contextlib\nfrom contextlib import contextmanager\n@%s\ndef m(t):\n    n = Node(t)\n    n.create_publisher(String, '/in', 1)\n    %s\n    n.create_publisher(String, '/out', 1)\n"
+
+
+@pytest.mark.parametrize(
+    ("decorator", "yields", "expected"),
+    [
+        ("contextmanager", "yield n", ["/in", "/out", "/q/x"]),
+        ("contextlib.contextmanager", "yield n", ["/in", "/out", "/q/x"]),
+        ("contextmanager", "try:\n        yield n\n    finally:\n        pass", ["/in", "/out", "/q/x"]),
+        ("contextmanager", "x = yield n", ["/?/x", "/in", "/out"]),
+        ("outside.manager", "yield n", ["/?/x", "/in", "/out"]),
+    ],
+)
+def test_what_a_generator_yields_to_a_with(decorator: str, yields: str, expected: list[str]) -> None:
+    body = "with m('q') as a:\n    a.create_publisher(String, '~/x', 1)"
+    assert made(body, "import outside\n" + YIELDS % (decorator, yields)) == expected

@@ -75,7 +75,6 @@ MESSAGES = (
 #: Why a callback's type is not told yet.
 NO_TYPE = {
     'nh.subscribe("x", 1, cb<std_msgs::Int32>);': "a function template's arguments are dropped where it is not called",
-    'C<std_msgs::Int32> c; nh.subscribe("x", 1, &C<std_msgs::Int32>::cb, &c);': "its methods are not found",
 }
 
 

@@ -41,6 +41,10 @@ KNOWN = (
     ),
     ('class C:\n    @staticmethod\n    def g():\n        yield "a"\nfor n in C.g():\n    PUB(n)', ["/a"]),
     ('def g():\n    try:\n        yield "a"\n    except ValueError:\n        pass\nfor n in g():\n    PUB(n)', ["/a"]),
+    (
+        "from contextlib import contextmanager\n@contextmanager\ndef g():\n    yield 'a'\nwith g() as n:\n    PUB(n)",
+        ["/a"],
+    ),
     ("g = (n + 'x' for n in ['a', 'b'])\nfor n in g:\n    PUB(n)", ["/ax", "/bx"]),
 )
 
@@ -57,7 +61,7 @@ NOT_KNOWN = (
     "from o import many\ndef g():\n    yield 'a'\n    yield from many()\nfor n in g():\n    PUB(n)",
     "def g():\n    x = yield 'a'\n    yield x\nfor n in g():\n    PUB(n)",
     "from o import wrapped\n@wrapped\ndef g():\n    yield 'a'\nPUB(g())",
-    "from contextlib import contextmanager\n@contextmanager\ndef g():\n    yield 'a'\nwith g() as n:\n    PUB(n)",
+    "from contextlib import contextmanager\n@contextmanager\ndef g():\n    x = yield 'a'\nwith g() as n:\n    PUB(n)",
     "from o import cond\ndef g():\n    if cond():\n        yield 'a'\n    yield 'b'\nl = list(g())\nPUB(l[0])",
     "def g():\n    i = 0\n    while True:\n        yield 't%d' % i\n        i += 1\nfor n in g():\n    PUB(n)",
 )

@@ -49,6 +49,30 @@ def test_a_flag_that_a_callback_sets_in_python(body: str) -> None:
     assert not is_ruled_out(program("n = N()\n" + body, PYTHON))
 
 
+THREADS = "class T(threading.Thread):\n    def __init__(self, n):\n        super().__init__()\n        self.n = n\n    def run(self):\n        %s\n"
+
+
+@pytest.mark.parametrize(("run", "expected"), [("rclpy.spin(self.n)", False), ("print(self.n)", True)])
+def test_a_class_of_threads(run: str, expected: bool) -> None:
+    assert is_ruled_out(program("n = N()\nT(n).start()\nn.run()", PYTHON + THREADS % run)) is expected
+
+
+@pytest.mark.parametrize(
+    ("way", "expected"),
+    [
+        ("lambda m: setattr(self, 'on', m.data)", False),
+        ("lambda m: setattr(self, 'off', m.data)", True),
+        ("lambda m: setattr(m, 'on', m.data)", True),
+        ("lambda m: getattr(self, 'on', m.data)", True),
+    ],
+)
+def test_what_a_callback_sets_by_its_name(way: str, expected: bool) -> None:
+    text = PYTHON.replace("self.cb, 1)", f"{way}, 1)").replace(
+        "self.create_sub", "self.create_timer(1.0, self.make)\n        self.create_sub"
+    )
+    assert is_ruled_out(program("n = N()\nrclpy.spin(n)", text)) is expected
+
+
 @pytest.mark.parametrize(
     "body",
     [

@@ -102,3 +102,21 @@ template<size_t N> void put(ros::NodeHandle& nh) { std::tuple_element_t<N, All> 
 ))  # fmt: skip
 def test_elements_of_the_types_of_tuples(before: str, code: str, expected: list[str]) -> None:
     assert names(cpp(code, before)) == expected
+
+
+TAKING = "template<typename T> class C { public: void cb(%s m) {} int k_; };\nclass D { public: void cb(const std_msgs::Bool& m) {} };\n"
+
+
+@pytest.mark.parametrize(
+    ("parameter", "call", "kind"),
+    [
+        ("const typename T::ConstPtr&", "C<std_msgs::String> c; nh.subscribe(NAME, &C<std_msgs::String>::cb, &c)", "std_msgs/String"),
+        ("const boost::shared_ptr<T const>&", "C<std_msgs::Bool> c; nh.subscribe(NAME, &C<std_msgs::Bool>::cb, &c)", "std_msgs/Bool"),
+        ("const T&", "auto c = std::make_shared<C<std_msgs::Bool>>(); nh.subscribe(NAME, &C<std_msgs::Bool>::cb, c.get())", "std_msgs/Bool"),
+        ("const T&", "D d; nh.subscribe(NAME, &D::cb, &d)", "std_msgs/Bool"),
+        ("const T&", "C<Outside> c; nh.subscribe(NAME, &C<Outside>::cb, &c)", None),
+    ],
+)  # fmt: skip
+def test_the_type_that_a_method_of_a_class_template_takes(parameter: str, call: str, kind: str | None) -> None:
+    found = cpp(call.replace("NAME", '"t", 1') + ";", TAKING % parameter)
+    assert [end.type for end in found.endpoints if end.kind == "subscribers"] == [kind]

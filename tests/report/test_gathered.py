@@ -34,7 +34,7 @@ def test_files_of_python_2_of_two_tools() -> None:
     notes = [note("pylint", path, "it is Python 2", 4) for path in ("a.py", "b.py")]
     notes += [note("radon", path, f"Missing parentheses in {path}", 4) for path in ("a.py", "b.py")]
     (one,) = gathered(notes)
-    assert one.message == "pylint and radon could not analyse 2 files: it is Python 2: a.py:4, b.py:4"
+    assert one.message == "pylint and radon could not analyse 2 files: they are Python 2: a.py:4, b.py:4"
 
 
 QUIET = [

@@ -257,3 +257,39 @@ def test_words() -> None:
     assert list(sentences(many))[1].endswith("a.py:5 (noqa) and 2 more")
     assert counted(many) == "2 findings suppressed by this change; 7 comments that silence linters added by this change"
     assert (list(sentences(Silenced())), counted(Silenced())) == ([], "")
+
+
+BEGIN, END = "// cppcheck-suppress-begin a\n", "// cppcheck-suppress-end a\n"
+MACRO = "// cppcheck-suppress-macro a\n#define X 1\n"
+
+
+@pytest.mark.parametrize(
+    ("base", "head", "lines"),
+    [
+        (BEGIN + "f();\n" + END, BEGIN + "f();\ng();\n" + END, [1]),
+        (BEGIN + "f();\n" + END + "g();\n", BEGIN + "f();\ng();\n" + END, [1]),
+        (BEGIN + "f();\n" + END + "g();\n", BEGIN + "f();\ng();\n", [1]),
+        ("// NOLINTBEGIN\nf();\n// NOLINTEND\n", "\n// NOLINTBEGIN\nf();\nf();\n// NOLINTEND\n", [2]),
+        (MACRO, MACRO.replace("1", "2"), [1]),
+        (MACRO, MACRO.replace("1", "\\\n  2"), [1]),
+        (BEGIN + "f();\n" + END, BEGIN + "f();\n" + END, []),
+        (BEGIN + "f();\n" + END, "int a;\n" + BEGIN + "  f();  // why\n" + END + "g();\n", []),
+        (BEGIN + "f();\ng();\n" + END, BEGIN + "f();\n" + END, []),
+        (BEGIN + "f();\n" + END, BEGIN + "{\n\n  f();\n}\n// more\n" + END, []),
+        (BEGIN + "f();\n" + END, BEGIN + "f();\n" + END + BEGIN.replace("a", "b") + "g();\n", []),
+        (MACRO, MACRO + "int a;\n", []),
+        ("// cppcheck-suppress a\nf();\n", "// cppcheck-suppress a\nf();\ng();\n", []),
+        ("f();\n", "f();\ng();\n", []),
+    ],
+)
+def test_comments_for_a_block_that_grows(base: str, head: str, lines: list[int]) -> None:
+    found = silenced([SilencedPair("a.cpp", "cpp", head, base)], (), ())
+    assert [place.line for place, _ in found.more] == lines
+
+
+def test_more_is_put_in_words() -> None:
+    silence = Silenced(more=((Location("a.py", 4), "undefined-variable"),))
+    assert list(sentences(silence)) == [
+        "comments that were there before silence more than they did: a.py:4 (undefined-variable)"
+    ]
+    assert counted(silence) == "1 more silenced by comments that were there before" and bool(silence)

@@ -480,14 +480,17 @@ def test_other_sketches_are_not_named(tmp_path: Path, files: dict[str, bytes]) -
 
 
 TOOL = b"import rospy\nif __name__ == '__main__':\n    rospy.init_node('n')\n"
-LOOSE = "a Python program outside of all packages that talks to ROS{}: its nodes are not in the model"
+LOOSE = "{} in no package: what nodes publish and subscribe to there is not in the model"
 
 
 @pytest.mark.parametrize(
     ("files", "words"),
     [
-        ({"tools/a.py": TOOL}, ""),
-        ({"a.py": TOOL.replace(b"import rospy", b"from rclpy.node import Node"), "b/c.py": TOOL}, " and 1 more"),
+        ({"tools/a.py": TOOL}, "a Python program of ROS that lies"),
+        (
+            {"a.py": TOOL.replace(b"import rospy", b"from rclpy.node import Node"), "b/c.py": TOOL},
+            "this and 1 more Python program of ROS lie",
+        ),
     ],
 )
 def test_programs_in_no_package_are_named_once(tmp_path: Path, files: dict[str, bytes], words: str) -> None:

@@ -22,6 +22,8 @@ _PROCESS = (
     *("respawn_delay", "respawn_max_retries", "sigterm_timeout", "sigkill_timeout", "emulate_tty", "shell", "on_exit"),
 )
 _NODE = ("pkg", "exec", "namespace", "node-name", *_PROCESS)
+#: How Python's launch files and ROS 1 call what has another name here.
+_CALLED = {"executable": "exec", "type": "exec", "package": "pkg", "ns": "namespace", "prefix": "launch-prefix"}
 _COMPONENT = ("pkg", "plugin", "name", "namespace")
 
 
@@ -54,7 +56,10 @@ class Builder:
         names = {name for name, _ in entity.attributes}
         spare = names.difference(attributes, ("if", "unless"), {f"{name}-sep" for name in names})
         for name in sorted(spare):
-            self.wrong(entity, f"<{entity.tag}> has no attribute '{name}'; remove it or correct its name")
+            meant = _CALLED.get(name)
+            is_meant = meant in attributes and meant not in names
+            remedy = f"write {meant}" if is_meant else "remove it or correct its name"
+            self.wrong(entity, f"<{entity.tag}> has no attribute '{name}'; {remedy}")
         if children is not None:
             for name in sorted({child.tag for child in entity.children}.difference(children)):
                 self.wrong(entity, f"<{name}> cannot stand in <{entity.tag}>; remove it or correct its name")

@@ -158,7 +158,23 @@ def _slice(node: ast.Slice, scope: PythonScope, depth: int) -> Expression:
     return syntax.Call(syntax.Name("[slice]"), tuple(parts), (), *place(scope.file.source, node))
 
 
+def _set_by_name(node: ast.Call, scope: PythonScope, depth: int) -> Expression | None:
+    """``setattr(a, "b", c)`` is ``a.b = c`` (docs.python.org, setattr); None for any other call."""
+    if not (
+        isinstance(node.func, ast.Name) and node.func.id == "setattr" and len(node.args) == 3 and not node.keywords
+    ):
+        return None
+    name = node.args[1].value if isinstance(node.args[1], ast.Constant) else None
+    if not isinstance(name, str) or not name.isidentifier():
+        return None
+    target = syntax.Member(expression(node.args[0], scope, depth), name)
+    return syntax.Assignment("=", target, expression(node.args[2], scope, depth))
+
+
 def _call(node: ast.Call, scope: PythonScope, depth: int) -> Expression:
+    written = _set_by_name(node, scope, depth)
+    if written is not None:
+        return written
     callee = expression(node.func, scope, depth)
     arguments = [expression(item, scope, depth) for item in node.args]
     for keyword in node.keywords:

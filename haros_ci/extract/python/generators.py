@@ -13,8 +13,8 @@ from typing import Any, TypeVar
 
 #: The list: no name of Python.
 YIELDED = "[yielded]"
-#: Decorators that leave a generator what it is.
-_PLAIN = frozenset(("staticmethod", "classmethod"))
+#: Decorators that leave a generator what it is; what ``contextmanager`` makes of one has its first element for a ``with``.
+_PLAIN = frozenset(("staticmethod", "classmethod", "contextmanager"))
 _Node = TypeVar("_Node", bound=ast.AST)
 _OWN_SCOPE = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)
 
@@ -27,7 +27,7 @@ def body_of(node: ast.FunctionDef | ast.AsyncFunctionDef) -> list[ast.stmt]:
     statements = {id(item.value) for item in _own(node.body) if isinstance(item, ast.Expr)}
     if any(id(item) not in statements for item in yields):
         return node.body
-    if any(not isinstance(item, ast.Name) or item.id not in _PLAIN for item in node.decorator_list):
+    if any(getattr(item, "attr", getattr(item, "id", "")) not in _PLAIN for item in node.decorator_list):
         return node.body
     first, last = node.body[0], node.body[-1]
     made = ast.Assign(targets=[ast.Name(YIELDED, ast.Store())], value=ast.List([], ast.Load()))

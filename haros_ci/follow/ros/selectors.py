@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING
 
+from msgspec import Struct
+
 from haros_ci import syntax
 from haros_ci.follow import conversions, handles, members, methods
 from haros_ci.follow.frames import Frame
@@ -47,8 +49,7 @@ class TypeValue:
 Found = Value | TypeValue | None
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Applied:
+class Applied(Struct, frozen=True, eq=False):
     """A row at one call: what its templates may select from."""
 
     walk: Walk
@@ -222,7 +223,7 @@ def select_value(applied: Applied, selector: str) -> Found:  # noqa: C901 - one 
     if found is None:
         return None
     if function == "callback":
-        return _callback_type(walk, found, int(index or 0))
+        return _callback_type(walk, found, applied.args, int(index or 0))
     value = iterators.not_none(found.value) if isinstance(found.value, Choice) else found.value
     if isinstance(value, Library):
         return TypeValue(syntax.Type(value.name))
@@ -268,11 +269,22 @@ def _members(applied: Applied, value: Value, names: list[str]) -> Value | None:
 
 def _template_argument(types: tuple[syntax.Argument, ...], index: int) -> TypeValue | None:
     found = types[index] if index < len(types) else None
-    return TypeValue(found) if isinstance(found, syntax.Type) else None
+    return TypeValue(found) if type(found) is syntax.Type else None
 
 
-def _callback_type(walk: Walk, argument: PassedArgument, index: int) -> TypeValue | None:
-    """The type of a callback's parameter that is not bound."""
+def _templates_of(owner: str, every: tuple[PassedArgument, ...]) -> Mapping[str, syntax.Argument]:
+    """What the template parameters of the class *owner* stand for in an object of it among the arguments (``&C<T>::cb, &c``)."""
+    for argument in every if owner else ():
+        value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
+        if isinstance(value, Object) and value.definition is not None and value.definition[1].name == owner:
+            return value.templates
+    return {}
+
+
+def _callback_type(
+    walk: Walk, argument: PassedArgument, every: tuple[PassedArgument, ...], index: int
+) -> TypeValue | None:
+    """The type of a callback's parameter that is not bound; *every* argument of the call may be the object that it is a method of."""
     value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
     if isinstance(value, Object) and value.definition is not None:
         value = methods.method_of(walk, value, "operator()") or value
@@ -281,7 +293,8 @@ def _callback_type(walk: Walk, argument: PassedArgument, index: int) -> TypeValu
         if index >= len(free):
             return None
         scope = value.function.owner or value.function.name.rpartition("::")[0]
-        inner = Frame(value.source, scope, value.function, value.this, templates=value.templates)
+        templates = value.templates or _templates_of(value.function.owner, every)
+        inner = Frame(value.source, scope, value.function, value.this, templates=templates)
         return TypeValue(walk.type_in(free[index].type, inner))
     kind = argument.type or conversions.value_type(value)
     if kind is not None and kind.name in ("boost::function", "std::function") and kind.arguments:

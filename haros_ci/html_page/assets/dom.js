@@ -60,7 +60,14 @@ const printing = [];
 const whenPrinted = (before, after) => printing.push([before, after]);
 
 // A long name may be broken behind its slashes, colons and underscores; what is copied of it stays the same.
-const breakable = (name) => (name.match(/[^/_:]+[/_:]*|[/_:]+/g) || []).flatMap((part, at) => (at ? [h("wbr"), part] : [part]));
+function breakable(name) {
+  const parts = [];
+  for (const part of name.match(/[^/_:]+[/_:]*|[/_:]+/g) || []) {
+    if (parts.length && /(^|\s)[/_:]+$/.test(parts[parts.length - 1])) parts[parts.length - 1] += part; // a slash at the beginning stays with its name
+    else parts.push(part);
+  }
+  return parts.flatMap((part, at) => (at ? [h("wbr"), part] : [part]));
+}
 
 const link = (view, parameters, ...children) => h("a", { href: address(view, parameters) }, ...children);
 

@@ -13,17 +13,20 @@ function metricsView(parameters) {
   const nameOf = (one) => `${one.level} ${one.metric}`;
   const chosen = list.find((one) => nameOf(one) === parameters.metric) || list.find((one) => nameOf(one) === "function cyclomatic-complexity") || list[0];
   const beyond = (one) => one.limits.reduce((most, [, , , crossed]) => Math.max(most, crossed), 0);
-  const rows = list.map((one) => [link("metrics", { metric: nameOf(one) }, one.metric), h("span", { class: "whole" }, one.level), one.count, one.limits.map(([, limit, lowest]) => `${lowest ? "≥" : "≤"} ${limit}`).join(", "), beyond(one), one.worst.length ? one.worst[0][0] : ""]);
+  const rows = list.map((one) => [h("span", { class: "whole" }, link("metrics", { metric: nameOf(one) }, one.metric)), h("span", { class: "whole" }, one.level), one.count, one.limits.map(([, limit, lowest]) => `${lowest ? "≥" : "≤"} ${limit}`).join(", "), beyond(one), one.worst.length ? rounded(one.worst[0][0]) : ""]);
   return {
     content: [
       h("h1", null, "Metrics"),
       h("div", { class: "columns" },
         h("section", { class: "card" }, h("h2", null, `${chosen.metric} of ${chosen.level === "class" ? "classes" : `${chosen.level}s`}`), METRIC_WORDS[chosen.metric] ? h("p", null, METRIC_WORDS[chosen.metric]) : null, histogram(chosen), chosen.limits.length ? h("ul", { class: "plain-list" }, chosen.limits.map(([rule, limit, lowest, crossed]) => h("li", null, `${text(rule)}: ${lowest ? "at least" : "at most"} ${limit}; ${crossed.toLocaleString("en")} of ${chosen.count.toLocaleString("en")} are ${lowest ? "below" : "above"}`))) : null,
           h("h3", null, `The ${chosen.worst.length} worst values`), smallTable(["value", chosen.level, "place", "package"], chosen.worst.map(([value, at, name, pkg]) => [value, breakable(text(name)), whereIs(place(at)), breakable(text(pkg))]), "worst values")),
-        h("section", { class: "card" }, h("h2", null, "All metrics"), smallTable(["metric", "of", "values", "limits", "over a limit", "worst"], rows, "all metrics"))),
+        h("section", { class: "card" }, h("h2", null, "All metrics"), smallTable(["metric", "of", "values", "limits", "beyond", "worst"], rows, "all metrics"))),
     ],
   };
 }
+
+// Thousands need no decimals.
+const rounded = (value) => (Math.abs(value) >= 1000 ? Math.round(value) : value);
 
 function histogram(one) {
   const [width, height] = [560, 190];

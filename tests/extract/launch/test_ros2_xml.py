@@ -195,7 +195,7 @@ def test_kinds(body: str, kind: str) -> None:
     ("body", "message"),
     [
         ("<nodes/>", "launch knows no <nodes> here; did you mean <node>?"),
-        ('<node pkg="p" type="e"/>', "<node> has no attribute 'type'; remove it or correct its name"),
+        ('<node pkg="p" type="e"/>', "<node> has no attribute 'type'; write exec"),
         (
             '<node pkg="p" exec="e"><arg name="a"/></node>',
             "<arg> cannot stand in <node>; remove it or correct its name",
