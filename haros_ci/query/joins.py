@@ -192,7 +192,6 @@ def _edge(
         for n in left[use.variable]:
             machine.tick()
             value = found[n] = use.of(pools[use.variable][n], scope)
-            # haros: ignore[comparison-with-itself] NaN, among values of any type
             if value is WILD or value.__class__ is UnknownText or value == "?" or value != value:
                 is_exact = False  # equal keys are not all that == asks for
         keys.append(found)
