@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Any
 
 import jsonschema
-from msgspec import structs
 
 from haros_ci.behaviour.declared import Owner, in_file
 from haros_ci.checking.system import SystemNode, systems
@@ -212,7 +211,7 @@ def properties(word: str = "") -> tuple[Held, ...]:
             Owner("configuration", f"{NAME}{word}") if number else Owner("node", f"base/driver{word}"),
             is_axiom=number == 1,
         ):
-            at = structs.replace(one.location, line=10 * number + 3, end_line=10 * number + 4)
+            at = replace(one.location, line=10 * number + 3, end_line=10 * number + 4)
             found.append(
                 Held(replace(one, location=at), ((f"/stop{word}", (f"/arm/stop{word}",)), ("/away", ())), (NAME,))
             )

@@ -9,7 +9,6 @@ from collections import Counter
 from dataclasses import replace
 
 import pytest
-from msgspec import structs
 
 from haros_ci.model.location import Location
 from haros_ci.results.compact import read_compact, write_compact
@@ -321,7 +320,7 @@ def test_level_and_message_of_an_upgraded_tool() -> None:
 )
 def test_columns_do_not_matter(moved: dict[str, int]) -> None:
     results = lint(whole(BASE))
-    new = tuple(replace(r, location=structs.replace(r.location, **moved)) for r in results)
+    new = tuple(replace(r, location=replace(r.location, **moved)) for r in results)
     assert [r.state for r in match(new, known_from_results(results), sides(whole(BASE)))] == [BaselineState.UNCHANGED]
 
 
