@@ -9,8 +9,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from msgspec import structs
-
 from haros_ci import PROJECT_URL
 from haros_ci.analysis.inspection import Architectures
 from haros_ci.config.selection import Selection
@@ -131,7 +129,7 @@ def _result(plugin: HarosPlugin, data: Mapping[str, Any], places: PluginPlaces) 
         if (place := _location(resource, places)) is not None
     ]
     line = data.get("line")
-    at = where[0][0] if where else structs.replace(scope, line=line if type(line) is int and line >= 1 else scope.line)
+    at = where[0][0] if where else replace(scope, line=line if type(line) is int and line >= 1 else scope.line)
     configuration = str(data["scope"]).partition("configuration:")[2]
     named = {name for resource in resources for name in resource.get("names") or () if isinstance(name, str)}
     names = tuple(sorted(named)) or ((configuration,) if configuration else ())

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from msgspec import Struct
+from dataclasses import dataclass
 
 from haros_ci import syntax
 from haros_ci.follow import conversions, expressions, static_types
@@ -14,7 +14,8 @@ from haros_ci.syntax import Expression, Type
 from haros_ci.values.abstract import Cell, Mapped, Value
 
 
-class PassedArgument(Struct, frozen=True, eq=False):
+@dataclass(frozen=True, slots=True, eq=False)
+class PassedArgument:
     """An argument: its value, its cell where it is an lvalue, its static type, its keyword in Python."""
 
     value: Value

@@ -5,9 +5,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable as Function_
+from dataclasses import replace
 from typing import TypeVar, cast
-
-from msgspec.structs import replace
 
 from haros_ci import syntax
 from haros_ci.follow import (

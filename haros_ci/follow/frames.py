@@ -4,9 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
-
-from msgspec import Struct, field
 
 from haros_ci import syntax
 from haros_ci.index.index import Source
@@ -35,6 +34,7 @@ def of_element(key: object) -> str:
     return "an element that is not known"
 
 
+@dataclass(slots=True)
 class Frame(Closure):
     """An activation of a function: its names, what its template parameters mean, what it has returned so far."""
 
@@ -69,7 +69,8 @@ class Frame(Closure):
         return cell
 
 
-class Loop(Struct):
+@dataclass(slots=True)
+class Loop:
     """A loop (or switch) that is being followed: what the ways that break or continue have written since *mark*."""
 
     mark: int

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from inspect import signature
+from dataclasses import fields
 from typing import Any
 
 from haros_ci.follow.made import MadeEntity
@@ -240,4 +240,4 @@ def _now(line: Any, known: Mapping[int, int]) -> int | None:
     return known[line]
 
 
-assert all(list(CLASSES[kind]) == list(signature(kind).parameters) for kind in CLASSES)
+assert all(list(CLASSES[kind]) == [field.name for field in fields(kind)] for kind in CLASSES)

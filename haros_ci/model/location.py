@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
-from msgspec import Struct
+from dataclasses import dataclass
 
 
-class Location(Struct, frozen=True, gc=False):
+@dataclass(frozen=True, slots=True)
+class Location:
     """A place in a file, as SARIF §3.29–3.30 counts.
 
     *path* is POSIX-style and relative to the workspace root. Lines and columns are 1-based; columns count

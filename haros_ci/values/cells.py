@@ -6,8 +6,6 @@ from __future__ import annotations
 from itertools import count
 from typing import TYPE_CHECKING, Generic, TypeVar
 
-from msgspec import Struct, field
-
 from haros_ci.syntax import Type
 
 #: What a cell holds: a ``Value`` where nothing else is said (a default as of PEP 696, which Python itself has from 3.13 on).
@@ -24,23 +22,29 @@ else:
 tick = count().__next__
 
 
-class Slot(Struct, eq=False):
+class Slot:
     """A cell, whatever it holds: this is how ``State`` sees it, which writes and joins any."""
 
+    __slots__ = ("born", "type", "value")
+    born: int
+    type: Type | None
     value: object
-    type: Type | None = None
-    born: int = field(default_factory=tick)
 
 
-class Cell(Slot, Generic[Content], eq=False):
+class Cell(Slot, Generic[Content]):
     """A variable, member or element: it holds a Value, and may have a declared type.
 
     The content of a sequence or map is a cell, too: of a tuple of cells, of a dict (``Elements``, ``Entries``). Written through
     ``State.write`` only. *born* is less than that of every cell that is made later.
     """
 
-    if TYPE_CHECKING:
-        value: Content
+    __slots__ = ()
+    value: Content
+
+    def __init__(self, value: Content, type: Type | None = None) -> None:  # noqa: A002 - the field is called so
+        self.value = value
+        self.type = type
+        self.born = tick()
 
     def __repr__(self) -> str:
         return f"Cell({self.value!r}, {self.type!r})"
@@ -52,5 +56,7 @@ class Named:
     __slots__ = ()
 
 
-class Closure(Struct):
+class Closure:
     """The variables around a lambda; ``follow.frames`` has the class that derives from it."""
+
+    __slots__ = ()

@@ -4,8 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-
-from msgspec import Struct
+from dataclasses import dataclass
 
 from haros_ci.values.abstract import NONE, Cell, Choice, Known, Object, Opaque, Partial, Value, join
 from haros_ci.values.cells import Content, Slot
@@ -24,7 +23,8 @@ Writes = dict[Slot, object]
 _join: Callable[[object, object], object] = join  # type: ignore[assignment]  # where it is no content, it is a value
 
 
-class Held(Struct, frozen=True):
+@dataclass(frozen=True, slots=True)
+class Held:
     """The value of a parameter that a ROS 2 node has declared or set; not *is_certain* if it has on some paths only."""
 
     value: Value
@@ -177,8 +177,6 @@ def joined(one: object, other: object) -> object:
 
 def _entry(one: object, other: object) -> object:
     """What is held under one key: of what a ROS 2 node declares, the value stays known where only one way has it."""
-    if one is other:
-        return one
     both = [value for value in (one, other) if isinstance(value, Held)]
     if not both:
         return _join(one, other)

@@ -6,9 +6,8 @@ from __future__ import annotations
 import posixpath
 import re
 import string
+from dataclasses import replace
 from typing import TYPE_CHECKING
-
-from msgspec.structs import replace
 
 from haros_ci import syntax
 from haros_ci.follow import members

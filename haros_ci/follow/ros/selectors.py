@@ -8,8 +8,6 @@ from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING
 
-from msgspec import Struct
-
 from haros_ci import syntax
 from haros_ci.follow import conversions, handles, members, methods
 from haros_ci.follow.frames import Frame
@@ -49,7 +47,8 @@ class TypeValue:
 Found = Value | TypeValue | None
 
 
-class Applied(Struct, frozen=True, eq=False):
+@dataclass(frozen=True, slots=True, eq=False)
+class Applied:
     """A row at one call: what its templates may select from."""
 
     walk: Walk
