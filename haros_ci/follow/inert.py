@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from haros_ci import syntax
 from haros_ci.follow import call_arguments, lookup, methods, partials, thrown
@@ -225,7 +226,7 @@ def skipped(  # noqa: C901 - one branch for each place that a function can chang
                 lookup.global_cell(walk, *pointer)
     for (_, name), cell in walk.globals.items():
         if last(name) in changed and not _is_constant(cell):
-            _forget(walk, cell, unknown, cell.type)
+            _forget(walk, cell, replace(unknown, type=cell.type))
     for module in walk.modules.values():
         for name in changed & module.scopes[0].keys():
             _forget(walk, module.scopes[0][name], unknown)
@@ -233,14 +234,14 @@ def skipped(  # noqa: C901 - one branch for each place that a function can chang
         for name in changed:
             outer = function.frame.find(name)
             if outer is not None:
-                _forget(walk, outer, unknown, outer.type)
+                _forget(walk, outer, replace(unknown, type=outer.type))
     for parameter, argument in zip(definition.parameters, args, strict=False):
         marks = parameter.type.marks
         is_changed = "&" in marks and not marks.rstrip("&").endswith("c")
         if parameter.name in changed and (is_changed or ("*" in marks and "c" not in marks)):
             target = argument.value.cell if isinstance(argument.value, Pointer) else argument.cell
             if target is not None:
-                _forget(walk, target, unknown, target.type)
+                _forget(walk, target, walk.opaque(reason, inner, definition.line, target.type))
     if returns.name == "void":
         return NONE
     return walk.opaque(
@@ -251,15 +252,14 @@ def skipped(  # noqa: C901 - one branch for each place that a function can chang
 def _forget_members(walk: Walk, this: Object, changed: frozenset[str], unknown: Opaque, depth: int) -> None:
     for name, cell in this.fields.items():
         if name in changed:
-            _forget(walk, cell, unknown, cell.type)
+            _forget(walk, cell, replace(unknown, type=cell.type))
         elif isinstance(cell.value, Object) and cell.value.definition is not None and depth < NESTED:
             _forget_members(walk, cell.value, changed, unknown, depth + 1)
 
 
-def _forget(walk: Walk, cell: Cell, unknown: Opaque, kind: Type | None = None) -> None:
-    """What a cell holds is not known any more: *unknown*, as a value of type *kind*."""
+def _forget(walk: Walk, cell: Cell, unknown: Opaque) -> None:
     value = cell.value
     if isinstance(value, (Sequence, Mapped)):
-        walk.state.forget(value.content, Opaque(unknown.reason, unknown.location, kind))
+        walk.state.forget(value.content, unknown)
     elif isinstance(value, (Known, Choice, Text)):
-        walk.state.write(cell, Opaque(unknown.reason, unknown.location, kind))
+        walk.state.write(cell, unknown)

@@ -43,34 +43,21 @@ def named_cell(walk: Walk, frame: Frame, name: str) -> Cell | None:
         if cell is not None:
             return cell
     found = _found_variable(walk, frame, name)
-    if found is None and "::" in name:
-        found = _found_static(walk, frame, name)
+    if found is None and "::" in name:  # a static member of what a template parameter or an alias stands for
+        head, _, last = name.rpartition("::")
+        meant = walk.type_in(syntax.Type(head), frame).name
+        found = _found_variable(walk, frame, f"{meant}::{last}") if meant not in ("", head) else None
     return global_cell(walk, *found) if found is not None else None
 
 
-#: A variable at namespace scope or a static member: its file, qualified name, initialiser, type.
-Variable = tuple[Source, str, syntax.Init | None, Type]
-
-
-def _found_variable(walk: Walk, frame: Frame, name: str) -> Variable | None:
+def _found_variable(walk: Walk, frame: Frame, name: str) -> tuple[Source, str, syntax.Init | None, Type] | None:
     if (key := ("variable", name, frame.scope, frame.source.path)) not in walk.found:
         walk.found[key] = _variable(walk, frame, name)
-    found: Variable | None = walk.found[key]
+    found: tuple[Source, str, syntax.Init | None, Type] | None = walk.found[key]
     return found
 
 
-def _found_static(walk: Walk, frame: Frame, name: str) -> Variable | None:
-    """A static member of what a template parameter or an alias stands for."""
-    number = walk.numbered(frame.templates) if frame.templates else 0
-    if (key := ("static", name, frame.scope, frame.source.path, number)) not in walk.found:
-        head, _, last = name.rpartition("::")
-        meant = walk.type_in(syntax.Type(head), frame).name
-        walk.found[key] = _found_variable(walk, frame, f"{meant}::{last}") if meant not in ("", head) else None
-    found: Variable | None = walk.found[key]
-    return found
-
-
-def _variable(walk: Walk, frame: Frame, name: str) -> Variable | None:
+def _variable(walk: Walk, frame: Frame, name: str) -> tuple[Source, str, syntax.Init | None, Type] | None:
     """The namespace-scope variable or static member that *name* means: its file, qualified name, initialiser, type."""
     for candidate in walk.index.scopes(name, frame.scope, frame.source):
         found = walk.index.near(walk.index.variables, candidate, frame.source, walk.files)

@@ -82,31 +82,10 @@ def _read_as(walk: Walk, value: Object, name: str) -> None:
 
 def _of_base(walk: Walk, value: Object, name: str, frame: Frame) -> Cell | None:
     """The cell of ``Base::x``: the data member of that name that the class of an object, or a base of it, declares."""
+    head, _, last = name.rpartition("::")
     if value.definition is None or value.definition[0].separator != "::":
         return None
-    number = walk.numbered(frame.templates) if frame.templates else 0
-    place = ("of base", id(value.definition[1]), name, frame.scope, frame.source.path, number)
-    if place not in walk.found:  # most names with "::" are no members at all
-        walk.found[place] = _declared_in_base(walk, *value.definition, name, frame)
-    declared: tuple[str, Type] | None = walk.found[place]
-    if declared is None:
-        return None
-    key, kind = declared
-    if "::" not in key:
-        return member(walk, value, key, frame)
-    if key not in value.fields:
-        value.fields[key] = Cell(walk.opaque(f"{name} is hidden by a member of its derived class", frame), kind)
-    return value.fields[key]
-
-
-def _declared_in_base(
-    walk: Walk, source: Source, definition: Class, name: str, frame: Frame
-) -> tuple[str, Type] | None:
-    """The name of the data member ``Base::x`` and its type; None if there is none, or it is static.
-
-    The name is the full one where the class has another member of that name, and methods of the base mean this.
-    """
-    head, _, last = name.rpartition("::")
+    source, definition = value.definition
     meant = walk.type_in(syntax.Type(head), frame).name
     lineage = _lineage(walk, source, definition)
     owners = [item for item in lineage if item[1].name in (meant, head)]
@@ -115,8 +94,12 @@ def _declared_in_base(
     if found is None or found[1].is_static:
         return None
     seen = methods.field_of(walk, source, definition, last, {})
-    is_seen = seen is not None and seen[1] is found[1]
-    return last if is_seen else f"{owners[0][1].name}::{last}", found[2]
+    if seen is not None and seen[1] is found[1]:
+        return member(walk, value, last, frame)
+    key = f"{owners[0][1].name}::{last}"  # the class has another one of that name, and methods of the base mean this
+    if key not in value.fields:
+        value.fields[key] = Cell(walk.opaque(f"{name} is hidden by a member of its derived class", frame), found[2])
+    return value.fields[key]
 
 
 def _lineage(walk: Walk, source: Source, definition: Class) -> list[tuple[Source, Class]]:
