@@ -91,7 +91,7 @@ def invoke(
         templates = {**templates, **of_base} if of_base else templates
     if definition.templates:
         explicit = {
-            n: walk.type_in(t, frame) if isinstance(t, syntax.Type) else t
+            n: walk.type_in(t, frame) if type(t) is syntax.Type else t
             for n, t in zip(definition.templates, targs, strict=False)
             if isinstance(t, (syntax.Type, syntax.Number))
         }

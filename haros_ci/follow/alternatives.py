@@ -72,6 +72,8 @@ def certain(options: Sequence_[Value], branches: list[Writes]) -> None:
 
 def own(walk: Walk, writes: Writes) -> Writes:
     """What a way writes to plug-ins, which are there on this way only: it holds wherever they are."""
+    if not writes:
+        return {}
     objects = (object_ for _, group in walk.alternatives for object_ in group)
     return {cell: writes[cell] for object_ in objects for cell in _cells(object_, NESTED) if cell in writes}
 

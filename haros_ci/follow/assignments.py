@@ -50,21 +50,17 @@ def assignment(walk: Walk, frame: Frame, expression: syntax.Assignment) -> Value
     """``=`` and its kin: the target holds the value from here on."""
     symbol, target, source = expression.operator, expression.target, expression.value
     python = frame.source.program.language == "python"
-    if isinstance(target, syntax.ListLiteral):
+    if type(target) is syntax.ListLiteral:
         return _unpack(walk, frame, target.items, expressions.evaluate(walk, frame, source))
-    if isinstance(target, syntax.Call) and target.callee in TIES and symbol == "=":
+    if type(target) is syntax.Call and target.callee in TIES and symbol == "=":
         return _unpack(walk, frame, target.arguments, expressions.evaluate(walk, frame, source))
     walk.references = None
     value = expressions.evaluate(walk, frame, source)
-    if (
-        python
-        and isinstance(target, syntax.Member)
-        and symbol == "="
-        and properties.assigned(walk, frame, target, value)
-    ):
+    if python and type(target) is syntax.Member and symbol == "=" and properties.assigned(walk, frame, target, value):
         return value
     is_lvalue = not python and (
-        not isinstance(source, (syntax.Call, syntax.New, syntax.ListLiteral)) or walk.references is not None
+        (type(source) is not syntax.Call and type(source) is not syntax.New and type(source) is not syntax.ListLiteral)
+        or walk.references is not None
     )
     cell = _target(walk, frame, target)
     if cell is None:
@@ -80,7 +76,7 @@ def assignment(walk: Walk, frame: Frame, expression: syntax.Assignment) -> Value
         if python and isinstance(held, Sequence) and symbol[0] in python_lists.CHANGING:
             return python_lists.changed(walk, frame, held, symbol[0], value)
         value = operators.binary(walk, frame, symbol[:-1], held, value)
-    elif isinstance(source, syntax.ListLiteral) and not python and cell.type is not None:
+    elif type(source) is syntax.ListLiteral and not python and cell.type is not None:
         value = braces.from_list(walk, frame, cell.type, value)
     elif is_lvalue:
         value = copies.copied(walk, value, _copied_type(walk, frame, cell.type, source))
@@ -131,16 +127,14 @@ def _unpack(walk: Walk, frame: Frame, targets: tuple[Expression, ...], value: Va
         items = [cell.value for cell in value.content.value]
     elif isinstance(value, Object) and value.name == tuples.PAIR:
         items = [cell.value for number in range(2) if (cell := tuples.part(value, number)) is not None]
-    known = (
-        items is not None and len(items) == len(targets) and not any(isinstance(item, syntax.Star) for item in targets)
-    )
+    known = items is not None and len(items) == len(targets) and not any(type(item) is syntax.Star for item in targets)
     for index, item in enumerate(targets):
         one: Value = walk.opaque("it is unpacked from what is not known", frame)
         if known and items is not None:
             one = items[index]
-        if isinstance(item, syntax.Star):
+        if type(item) is syntax.Star:
             item = item.value
-        if isinstance(item, syntax.ListLiteral):
+        if type(item) is syntax.ListLiteral:
             _unpack(walk, frame, item.items, one)
             continue
         cell = _target(walk, frame, item)
@@ -154,20 +148,20 @@ def _unpack(walk: Walk, frame: Frame, targets: tuple[Expression, ...], value: Va
 def _target(walk: Walk, frame: Frame, target: Expression) -> Cell | None:
     """The cell to assign to; Python makes it where there is none."""
     python = frame.source.program.language == "python"
-    if python and isinstance(target, syntax.Name):
+    if python and type(target) is syntax.Name:
         is_module = walk.modules.get(frame.source.path) is frame
         scopes = frame.scopes[:1] if is_module else reversed(frame.scopes)
         cell = next((scope[target.name] for scope in scopes if target.name in scope), None)
         if cell is None:
             cell = frame.scopes[0][target.name] = Cell(NONE)
         return cell
-    if python and isinstance(target, syntax.Member):
+    if python and type(target) is syntax.Member:
         cell = members.own_cell(walk, expressions.evaluate(walk, frame, target.object), target.name, frame)
     else:
         cell = expressions.cell_of(walk, frame, target)
-    if cell is None and python and isinstance(target, syntax.Subscript):
+    if cell is None and python and type(target) is syntax.Subscript:
         return _entry(walk, frame, target)
-    if cell is None and isinstance(target, syntax.Member):
+    if cell is None and type(target) is syntax.Member:
         owner = expressions.evaluate(walk, frame, target.object)
         if isinstance(owner, Pointer):
             owner = owner.cell.value
@@ -179,7 +173,7 @@ def _target(walk: Walk, frame: Frame, target: Expression) -> Cell | None:
         elif isinstance(owner, ClassValue) and python:
             key = (owner.source.path, f"{owner.definition.name}.{target.name}")
             cell = walk.globals[key] = Cell(members.attribute(walk, owner, target.name, frame))
-    if cell is None and isinstance(target, syntax.Call) and not python:
+    if cell is None and type(target) is syntax.Call and not python:
         walk.references = None
         expressions.evaluate(walk, frame, target)
         if walk.references is not None and len(walk.references) == 1:
@@ -215,7 +209,7 @@ def parts(walk: Walk, frame: Frame, expression: syntax.Subscript) -> tuple[Value
     cell = expressions.cell_of(walk, frame, inner) if isinstance(inner, call_arguments.LVALUES) else None
     value = cell.value if cell is not None else expressions.evaluate(walk, frame, inner)
     key = expressions.evaluate(walk, frame, expression.index)
-    if isinstance(expression.index, syntax.Assignment):  # ``i++`` is lowered as ``++i`` is
+    if type(expression.index) is syntax.Assignment:  # ``i++`` is lowered as ``++i`` is
         key = walk.opaque("an index that is counted on the way", frame)
     if isinstance(value, Pointer):
         value = value.cell.value
@@ -230,14 +224,10 @@ def parts(walk: Walk, frame: Frame, expression: syntax.Subscript) -> tuple[Value
 
 def accessed(walk: Walk, frame: Frame, expression: syntax.Subscript | syntax.Call) -> Cell | None:
     """The cell of ``v[i]``, ``v.at(i)``, ``v.front()`` or ``v.back()``."""
-    if isinstance(expression, syntax.Subscript):
+    if type(expression) is syntax.Subscript:
         return element(walk, frame, *parts(walk, frame, expression))
     callee = expression.callee
-    if (
-        frame.source.program.language == "python"
-        or not isinstance(callee, syntax.Member)
-        or callee.name not in ACCESSORS
-    ):
+    if frame.source.program.language == "python" or type(callee) is not syntax.Member or callee.name not in ACCESSORS:
         return None
     if not isinstance(callee.object, call_arguments.LVALUES):
         return None

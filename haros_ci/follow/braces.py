@@ -24,7 +24,7 @@ def arguments(
     """What stands in braces or brackets behind a variable of the resolved type *kind*; where that is nothing, a number begins with 0."""
     found = call_arguments.arguments(walk, frame, items)
     characters = [
-        chr(a.value.value) for a in found if isinstance(a.value, Known) and isinstance(a.value.value, Character)
+        chr(a.value.of(Character)) for a in found if isinstance(a.value, Known) and issubclass(a.value.kind, Character)
     ]
     if kind.name in STRINGS and len(found) == len(characters) > 1:
         return (call_arguments.PassedArgument(Known("".join(characters))),)

@@ -35,7 +35,7 @@ def arguments(walk: Walk, frame: Frame, written: tuple[Expression, ...]) -> tupl
     result: list[PassedArgument] = []
     is_open = False  # what stands behind an unpacked list that is not known has no place that is known
     for expression in written:
-        if isinstance(expression, syntax.Star):
+        if type(expression) is syntax.Star:
             items = static_types.elements(walk, frame, expression.value)
             if items is None:
                 result.append(PassedArgument(walk.opaque(UNPACKED, frame), keyword="*"))
@@ -43,7 +43,7 @@ def arguments(walk: Walk, frame: Frame, written: tuple[Expression, ...]) -> tupl
             elif not is_open:
                 result += [PassedArgument(item.value if isinstance(item, Cell) else item) for item in items]
             continue
-        if isinstance(expression, syntax.DoubleStar):
+        if type(expression) is syntax.DoubleStar:
             argument_value = expressions.evaluate(walk, frame, expression.value)
             cells = argument_value.content.value if isinstance(argument_value, Mapped) else None
             named = (
@@ -55,11 +55,11 @@ def arguments(walk: Walk, frame: Frame, written: tuple[Expression, ...]) -> tupl
                 result.append(PassedArgument(walk.opaque(UNPACKED, frame), keyword="**"))
             continue
         keyword = ""
-        if isinstance(expression, syntax.Keyword):
+        if type(expression) is syntax.Keyword:
             keyword, expression = expression.name, expression.value
         cell, value = expressions.located(walk, frame, expression)
         kind = cell.type if cell is not None and cell.type is not None else None
-        if kind is None and isinstance(expression, TYPED):
+        if kind is None and type(expression) in TYPED:
             kind = static_types.static_type(walk, frame, expression)
         if is_open and not keyword:
             result.append(PassedArgument(walk.opaque(UNPACKED, frame), keyword="*"))
@@ -73,4 +73,4 @@ UNPACKED = "unpacked arguments"
 LVALUES = (syntax.Name, syntax.Member, syntax.Subscript, syntax.Dereference)
 
 
-TYPED = (syntax.String, syntax.Number, syntax.Boolean, syntax.Operation, syntax.Cast)
+TYPED = frozenset((syntax.String, syntax.Number, syntax.Boolean, syntax.Operation, syntax.Cast))

@@ -126,12 +126,7 @@ def _in_common(walk: Walk, known: Root, other: Root) -> tuple[tuple[Condition, .
 def signature(walk: Walk, frame: Frame, macro: str, written: tuple[Expression, ...]) -> Value:
     """``SLOT(method(types))`` and ``SIGNAL(...)`` call nothing: a slot of the object is called by a signal later (QObject)."""
     named: Expression = written[0] if len(written) == 1 else syntax.Null()
-    if (
-        macro == "SLOT"
-        and frame.this is not None
-        and isinstance(named, syntax.Call)
-        and isinstance(named.callee, syntax.Name)
-    ):
+    if macro == "SLOT" and frame.this is not None and type(named) is syntax.Call and type(named.callee) is syntax.Name:
         register(walk, methods.method_of(walk, frame.this, named.callee.name) or NONE)
     return walk.opaque(f"what {macro} is", frame)
 

@@ -66,7 +66,7 @@ def call(walk: Walk, frame: Frame, expression: syntax.Call) -> Value:
     twins.called(walk, callee)
     if callee == FOLD:
         return packs.folded(walk, frame, written[0])
-    if isinstance(callee, syntax.Member):
+    if type(callee) is syntax.Member:
         name = callee.name
         receiver_cell, receiver = expressions.located(walk, frame, callee.object)
         smart = receiver_cell is not None and is_smart_pointer(receiver_cell.type)
@@ -79,7 +79,7 @@ def call(walk: Walk, frame: Frame, expression: syntax.Call) -> Value:
             of = iterators.pointed(receiver)
             receiver_cell, receiver = (of, of.value) if of is not None else (receiver_cell, receiver)
         if isinstance(receiver, Object) and receiver.name == ros2_parameters.PARAMETER:
-            kinds = tuple(walk.type_in(targ, frame) if isinstance(targ, syntax.Type) else targ for targ in targs)
+            kinds = tuple(walk.type_in(targ, frame) if type(targ) is syntax.Type else targ for targ in targs)
             ros2_parameters.read_as(walk, receiver, name, kinds)
         if isinstance(receiver, Choice) and frame.source.separator == "::":
             receiver = iterators.not_null(receiver)
@@ -296,7 +296,7 @@ def apply(  # noqa: C901 - one branch for each kind of what is called
             return activation.invoke(walk, frame, function, args, targs)
     if isinstance(function, ClassValue):
         owner = (function.source, function.definition)
-        resolved = tuple(walk.type_in(t, frame) for t in targs if isinstance(t, syntax.Type))
+        resolved = tuple(walk.type_in(t, frame) for t in targs if type(t) is syntax.Type)
         return construct.instance(walk, frame, owner, resolved, args, location)
     if isinstance(function, Library):
         return library_calls.library_call(walk, frame, function, args, targs, location, callee)

@@ -84,11 +84,11 @@ def _decorated(walk: Walk, source: Source, function: Function) -> Command | None
     if function.owner:
         return None
     for decorator in function.decorators:
-        callee = decorator.callee if isinstance(decorator, syntax.Call) else decorator
+        callee = decorator.callee if type(decorator) is syntax.Call else decorator
         word = syntax.name_of(callee)
         if word not in GROUPING:
             continue
-        arguments = decorator.arguments if isinstance(decorator, syntax.Call) else ()
+        arguments = decorator.arguments if type(decorator) is syntax.Call else ()
         own = Callable(source, function)
         group = id(function) if word == "group" else None
         owner = _owner(walk, source, callee)
@@ -101,10 +101,10 @@ def _decorated(walk: Walk, source: Source, function: Function) -> Command | None
 def _owner(walk: Walk, source: Source, callee: Expression) -> int | None:
     """The group that ``group.command`` adds to, by identity; 0 for click's own ``command``, None for anything else."""
     frame = lookup.module_frame(walk, source)
-    if isinstance(callee, syntax.Name):
+    if type(callee) is syntax.Name:
         value: Value = expressions.evaluate(walk, frame, callee)
         return 0 if isinstance(value, Library) and value.name.partition(".")[0] in MODULES else None
-    if not isinstance(callee, syntax.Member) or not members.dotted(callee.object):
+    if type(callee) is not syntax.Member or not members.dotted(callee.object):
         return None
     value = expressions.evaluate(walk, frame, callee.object)
     if isinstance(value, Library):
@@ -116,9 +116,9 @@ def _owner(walk: Walk, source: Source, callee: Expression) -> int | None:
 def _name(function: Function, arguments: tuple[Expression, ...]) -> str:
     """The name of a command: the first argument, or that of the function with ``-`` for ``_``."""
     for argument in arguments:
-        if isinstance(argument, syntax.Keyword) and argument.name == "name":
+        if type(argument) is syntax.Keyword and argument.name == "name":
             argument = argument.value
-        if isinstance(argument, syntax.String):
+        if type(argument) is syntax.String:
             return argument.value
         break
     return function.name.rpartition(".")[2].lower().replace("_", "-")

@@ -41,7 +41,7 @@ def declare(walk: Walk, frame: Frame, variable: syntax.Variable) -> None:
     name, init = variable.name, variable.init
     resolved = walk.type_in(variable.type, frame)
     location = Location(frame.source.path, variable.line, variable.column)
-    value_node = init.value if isinstance(init, syntax.Equals) else None
+    value_node = init.value if type(init) is syntax.Equals else None
     if value_node is not None and "&" in resolved.marks:
         cell = expressions.cell_of(walk, frame, value_node)
         if cell is None and "c" not in resolved.marks:
@@ -51,7 +51,7 @@ def declare(walk: Walk, frame: Frame, variable: syntax.Variable) -> None:
             return
     declared = resolved if resolved.name != "auto" else None
     value = initial(walk, frame, resolved, init, location)
-    is_call = isinstance(value_node, syntax.Call)
+    is_call = type(value_node) is syntax.Call
     if is_call and "&" in resolved.marks and walk.references is not None and len(walk.references) == 1:
         frame.declare(name, walk.references[0])
         return
@@ -62,9 +62,9 @@ def declare(walk: Walk, frame: Frame, variable: syntax.Variable) -> None:
 
 def initial(walk: Walk, frame: Frame, kind: Type, init: syntax.Init | None, location: Location) -> Value:
     """The first value of a variable of the resolved type *kind*."""
-    if isinstance(init, syntax.Equals):
+    if type(init) is syntax.Equals:
         is_python = frame.source.program.language == "python"
-        in_braces = init.value if isinstance(init.value, syntax.ListLiteral) and not is_python else None
+        in_braces = init.value if type(init.value) is syntax.ListLiteral and not is_python else None
         if in_braces is not None and not braces.is_list(kind) and "*" not in kind.marks:
             return create(walk, frame, kind, braces.arguments(walk, frame, kind, in_braces.items), location)
         walk.references = None
@@ -84,9 +84,9 @@ def initial(walk: Walk, frame: Frame, kind: Type, init: syntax.Init | None, loca
             return Sequence(value.content, kind if kind.name in SEQUENCES else value.type, value.end)
         return conversions.converted(value, kind)
     arguments = braces.arguments(walk, frame, kind, init.arguments) if init is not None else ()
-    braced = init.arguments if isinstance(init, syntax.Braces) and arguments else ()
+    braced = init.arguments if type(init) is syntax.Braces and arguments else ()
     is_braced = bool(braced)
-    if is_braced and "*" in kind.marks and (len(arguments) > 1 or isinstance(braced[0], syntax.ListLiteral)):
+    if is_braced and "*" in kind.marks and (len(arguments) > 1 or type(braced[0]) is syntax.ListLiteral):
         return braces.array(walk, frame, [argument.value for argument in arguments], kind)
     if "*" in kind.marks or "&" in kind.marks:
         return arguments[0].value if arguments else NONE
@@ -187,7 +187,7 @@ def made_by_its_class(
 
     A node's class has the one of ``rclcpp::Node``, which makes no object of it, unless it defines its own: None.
     """
-    if not isinstance(callee, syntax.Name) or not callee.name.endswith(("::make_shared", "::make_unique")):
+    if type(callee) is not syntax.Name or not callee.name.endswith(("::make_shared", "::make_unique")):
         return None
     kind = walk.type_in(syntax.Type(callee.name.rpartition("::")[0], kinds), frame)
     owner = walk.class_of(kind.name, frame.source)

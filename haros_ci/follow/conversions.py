@@ -50,21 +50,26 @@ def converted(value: Value, kind: Type | None) -> Value:
     if isinstance(value, Known):
         if value.__class__ is not Known and _is_as_declared(value.kind, kind):
             return value
-        data, name = value.value, kind.name
-        if name in REALS and isinstance(data, (int, bool)):
-            return Known(float(data))
-        if (
-            "*" not in kind.marks
-            and isinstance(data, (int, float))
-            and (name in INTEGERS or set(name.split()) <= INTEGERS)
-        ):
-            return _integer(value, data, name)
-        if name in STRINGS and name != "str" and isinstance(data, Character):
-            return Known(chr(data))
-        if name in STRINGS and name != "str" and "*" not in kind.marks and isinstance(data, (int, float)):
-            return Opaque("a number in a text", None, kind)
-        if name == "bool" and isinstance(data, (int, float)):
-            return Known(bool(data))
+        return _data_as(value, kind)
+    return value
+
+
+def _data_as(value: Known, kind: Type) -> Value:
+    """*value* as a variable of type *kind* holds it; what is given from outside is looked at only where it becomes something else."""
+    name, held = kind.name, value.kind
+    is_number = issubclass(held, (int, float))
+    if name in REALS and issubclass(held, int):
+        return Known(float(value.of(int)))
+    if is_number and "*" not in kind.marks and (name in INTEGERS or set(name.split()) <= INTEGERS):
+        data = value.value
+        assert isinstance(data, (int, float))
+        return _integer(value, data, name)
+    if name in STRINGS and name != "str" and issubclass(held, Character):
+        return Known(chr(value.of(Character)))
+    if name in STRINGS and name != "str" and "*" not in kind.marks and is_number:
+        return Opaque("a number in a text", None, kind)
+    if name == "bool" and is_number:
+        return Known(bool(value.value))
     return value
 
 

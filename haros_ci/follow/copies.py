@@ -178,11 +178,11 @@ def _perhaps(
 def static_copy(walk: Walk, frame: Frame, expression: Expression) -> Type | None:
     """The type of value that *expression* has, so that ``auto`` copies it; None where that is not known."""
     kind: Type | None = None
-    if isinstance(expression, syntax.Cast):
+    if type(expression) is syntax.Cast:
         kind = walk.type_in(expression.type, frame)
-    elif isinstance(expression, syntax.Conditional):
+    elif type(expression) is syntax.Conditional:
         return static_copy(walk, frame, expression.then)
-    elif isinstance(expression, syntax.Dereference):
+    elif type(expression) is syntax.Dereference:
         cell = (
             expressions.cell_of(walk, frame, expression.value)
             if isinstance(expression.value, call_arguments.LVALUES)
@@ -192,13 +192,13 @@ def static_copy(walk: Walk, frame: Frame, expression: Expression) -> Type | None
         if kind is None or not (is_smart_pointer(kind) or kind.marks.count("*") == 1):
             return None
         kind = pointee(kind)
-    elif isinstance(expression, syntax.Call) and isinstance(expression.callee, syntax.Name):
+    elif type(expression) is syntax.Call and type(expression.callee) is syntax.Name:
         kind = walk.type_in(syntax.Type(expression.callee.name, expression.templates, ""), frame)
         is_class = kind.name in qos_profiles.CLASSES or walk.class_of(kind.name, frame.source) is not None
         return kind if is_class else None
     elif (
-        isinstance(expression, syntax.Call)
-        and isinstance(expression.callee, syntax.Member)
+        type(expression) is syntax.Call
+        and type(expression.callee) is syntax.Member
         and expression.callee.name in qos_profiles.CHAINED
     ):
         kind = static_copy(walk, frame, expression.callee.object)
@@ -215,7 +215,7 @@ def taken(walk: Walk, frame: Frame, kind: Type, expression: Expression, value: V
     """The value of *expression* as a new variable of the resolved type *kind* takes it: copied if it is another's."""
     if frame.source.program.language == "python" or "*" in kind.marks or "&" in kind.marks:
         return value
-    if isinstance(expression, syntax.Call) and walk.references is None:
+    if type(expression) is syntax.Call and walk.references is None:
         if syntax.name_of(expression.callee) not in (*assignments.ACCESSORS, *qos_profiles.CHAINED):
             return value
     if isinstance(expression, (syntax.New, syntax.Lambda, syntax.Address, syntax.This)):
@@ -240,7 +240,7 @@ def returned(walk: Walk, inner: Frame, function: Function, returns: Type, value:
         return value
     written, local = _returning(walk, function)
     if all(
-        isinstance(e, (syntax.Call, syntax.New, syntax.ListLiteral)) or (isinstance(e, syntax.Name) and e.name in local)
+        isinstance(e, (syntax.Call, syntax.New, syntax.ListLiteral)) or (type(e) is syntax.Name and e.name in local)
         for e in written
     ):
         return value
@@ -260,7 +260,7 @@ def _written(function: Function) -> tuple[list[Expression], set[str]]:
     found: list[Expression] = []
     local: set[str] = set()
     for node in everything(function.body):
-        if isinstance(node, syntax.Return) and node.value is not None:
+        if type(node) is syntax.Return and node.value is not None:
             found.append(node.value)
         elif isinstance(node, (syntax.Variable, syntax.Each)):
             local.add(node.name)
@@ -271,14 +271,12 @@ def _referred(walk: Walk, frame: Frame, expression: Expression, local: set[str])
     """The cell of a returned reference, after the function's end; None if it may be that of a local variable."""
     inner = expression
     while isinstance(inner, (syntax.Member, syntax.Subscript, syntax.Dereference, syntax.Cast)):
-        if isinstance(inner, syntax.Subscript) and not isinstance(
-            inner.index, (syntax.Number, syntax.String, syntax.Name)
-        ):
+        if type(inner) is syntax.Subscript and not isinstance(inner.index, (syntax.Number, syntax.String, syntax.Name)):
             return None
-        if isinstance(inner, syntax.Subscript) and isinstance(inner.index, syntax.Name) and inner.index.name in local:
+        if type(inner) is syntax.Subscript and type(inner.index) is syntax.Name and inner.index.name in local:
             return None
         inner = inner.object if isinstance(inner, (syntax.Member, syntax.Subscript)) else inner.value
-    if isinstance(inner, syntax.This) or (isinstance(inner, syntax.Name) and inner.name not in local):
+    if type(inner) is syntax.This or (type(inner) is syntax.Name and inner.name not in local):
         return expressions.cell_of(walk, frame, expression)
     return None
 
@@ -318,7 +316,7 @@ def captures(walk: Walk, frame: Frame, index: int) -> tuple[Function, tuple[synt
         captured: list[syntax.Variable] = []
         brace = (written.body_line, written.body_column)
         for statement in body:
-            if not isinstance(statement, syntax.Variable) or (statement.line, statement.column) >= brace:
+            if type(statement) is not syntax.Variable or (statement.line, statement.column) >= brace:
                 break
             captured.append(statement)
         function = syntax.replace(written, body=body[len(captured) :]) if captured else written

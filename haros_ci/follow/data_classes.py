@@ -81,10 +81,10 @@ def _fields(walk: Walk, source: Source, definition: Class, depth: int) -> dict[s
 
 def _options(source: Source, field: Field) -> dict[str, syntax.Expression]:
     """The keyword arguments of a field that is declared by ``field(…)``."""
-    value = field.init.value if isinstance(field.init, syntax.Equals) else None
-    if not isinstance(value, syntax.Call) or syntax.name_of(value.callee).rpartition(".")[2] not in FIELD:
+    value = field.init.value if type(field.init) is syntax.Equals else None
+    if type(value) is not syntax.Call or syntax.name_of(value.callee).rpartition(".")[2] not in FIELD:
         return {}
-    return {argument.name: argument.value for argument in value.arguments if isinstance(argument, syntax.Keyword)}
+    return {argument.name: argument.value for argument in value.arguments if type(argument) is syntax.Keyword}
 
 
 def _default(walk: Walk, source: Source, options: dict[str, syntax.Expression]) -> Value | None:

@@ -22,20 +22,17 @@ class Effects:
 
     def __init__(self, every: Sequence[Writes]) -> None:
         self.every = every
-        self._writers: dict[Slot, list[int]] = {}
-        self._sides: dict[Slot, tuple[list[object], list[object]]] = {}
-        for number, writes in enumerate(every):
-            for cell in writes:
-                self._writers.setdefault(cell, []).append(number)
+        #: Of the few cells that are asked for: the callbacks that write it, and what those up to and from each leave behind.
+        self._sides: dict[Slot, tuple[list[int], list[object], list[object]]] = {}
 
     def besides(self, cell: Slot, own: int) -> list[object]:
         """What the others leave behind in *cell*: those before the callback of the number *own*, and those after it."""
-        numbers = self._writers.get(cell, [])
         if cell not in self._sides:
+            numbers = [number for number, writes in enumerate(self.every) if cell in writes]
             values = [self.every[number][cell] for number in numbers]
             back = list(accumulate(reversed(values), lambda later, value: joined(value, later)))
-            self._sides[cell] = list(accumulate(values, joined)), back[::-1]
-        before, after = self._sides[cell]
+            self._sides[cell] = numbers, list(accumulate(values, joined)), back[::-1]
+        numbers, before, after = self._sides[cell]
         place = bisect_left(numbers, own)
         rest = place + (place < len(numbers) and numbers[place] == own)
         return [*before[place - 1 : place], *after[rest : rest + 1]] if place else after[rest : rest + 1]

@@ -64,9 +64,9 @@ def _adds(walk: Walk, source: Source, function: Function, name: str) -> bool:
 def _is_of_base(statement: Statement, name: str) -> bool:
     """Whether a statement is ``Base::name(...);``."""
     if (
-        not isinstance(statement, syntax.Do)
-        or not isinstance(statement.value, syntax.Call)
-        or not isinstance(statement.value.callee, syntax.Name)
+        type(statement) is not syntax.Do
+        or type(statement.value) is not syntax.Call
+        or type(statement.value.callee) is not syntax.Name
     ):
         return False
     return bool(statement.value.callee.name.endswith(f"::{name}"))

@@ -11,8 +11,10 @@ way puts what stands behind it under the opposite of all that leads there. No co
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from haros_ci import syntax
 from haros_ci.follow import conversions, expressions
@@ -55,8 +57,7 @@ SHUTDOWNS = frozenset(
 STARTS = frozenset("on_init on_configure on_activate init initRequest initialize configure".split())
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Exit:
+class Exit(Struct, frozen=True, eq=False):
     """A way out: the *conditions* around it, from the entry on; *ends* is the loop of which it ends a turn, or the ``try``
     whose block it leaves, None where it is the function."""
 
@@ -66,8 +67,11 @@ class Exit:
 
 def returns(walk: Walk, frame: Frame, value: Value, is_bare: bool) -> None:
     """A ``return`` of *value* is followed; *is_bare* if nothing is written behind it."""
-    is_failed = is_failure(value) and (frame.is_start or (not is_bare and _is_start(walk, frame)))
-    if not (is_failed or is_over(walk, frame)):
+    if is_over(walk, frame):
+        return
+    # The value is asked last: a parameter that does not matter here may be another one for the next node (decision 0023).
+    is_failed = (frame.is_start or (not is_bare and _is_start(walk, frame))) and is_failure(value)
+    if not is_failed:
         frame.early.append(Exit(tuple(walk.conditions)))
 
 
@@ -171,11 +175,11 @@ _EITHER = _Either()
 
 def _usual(walk: Walk, frame: Frame, test: Expression) -> bool | _Either | None:
     """What a test is while a node runs; None where that says something of it."""
-    if isinstance(test, syntax.Call):
+    if type(test) is syntax.Call:
         return _is_running(walk, frame, test.callee)
-    if isinstance(test, (syntax.Name, syntax.Member)):
+    if type(test) is syntax.Name or type(test) is syntax.Member:
         return _EITHER if _is_made(walk, frame, test, is_tested=True) else None
-    if not isinstance(test, syntax.Operation):
+    if type(test) is not syntax.Operation:
         return None
     parts = test.operands
     if test.operator == "!":
@@ -190,9 +194,9 @@ def _usual(walk: Walk, frame: Frame, test: Expression) -> bool | _Either | None:
 
 def _is_running(walk: Walk, frame: Frame, callee: Expression) -> bool | None:
     """What a function says while a node runs that asks whether it does; None of any other."""
-    if isinstance(callee, syntax.Member) and not isinstance(callee.object, (syntax.Name, syntax.Member)):
+    if type(callee) is syntax.Member and not isinstance(callee.object, (syntax.Name, syntax.Member)):
         return None
-    if not isinstance(callee, (syntax.Name, syntax.Member)):
+    if type(callee) is not syntax.Name and type(callee) is not syntax.Member:
         return None
     called = expressions.evaluate(walk, frame, callee)
     if not isinstance(called, Library):
@@ -213,10 +217,10 @@ def _compared(walk: Walk, frame: Frame, same: bool, one: Expression, other: Expr
     """The same of a comparison with a null pointer, or with true or false."""
     if isinstance(one, (syntax.Null, syntax.Boolean)):
         one, other = other, one
-    if isinstance(other, syntax.Boolean):
+    if type(other) is syntax.Boolean:
         usual = _usual(walk, frame, one)
         return (usual is other.value) is same if isinstance(usual, bool) else usual
-    is_name = isinstance(one, (syntax.Name, syntax.Member)) and isinstance(other, syntax.Null)
+    is_name = isinstance(one, (syntax.Name, syntax.Member)) and type(other) is syntax.Null
     return _EITHER if is_name and _is_made(walk, frame, one, is_tested=False) else None
 
 
@@ -280,19 +284,19 @@ def _last(name: str) -> str:
 
 def judged(walk: Walk, frame: Frame, test: Expression, then: Block, other: Block) -> bool:
     """Whether *test* asks if a call has failed, and the program ends where it has."""
-    if isinstance(test, syntax.Operation) and test.operator in ("!", "==", "!=", "<"):
+    if type(test) is syntax.Operation and test.operator in ("!", "==", "!=", "<"):
         return any(map(_is_call, test.operands)) and (_ends(walk, frame, then) or _ends(walk, frame, other))
     return _is_call(test) and bool(other) and _ends(walk, frame, other)
 
 
 def judged_next(walk: Walk, frame: Frame, statement: Statement, following: Statement) -> bool:
     """Whether *statement* sets a variable to what a call returns, and the program ends where what follows finds it false."""
-    if not isinstance(following, syntax.If) or not isinstance(following.test, syntax.Operation):
+    if type(following) is not syntax.If or type(following.test) is not syntax.Operation:
         return False
     name, values = "", tuple[Expression, ...]()
-    if isinstance(statement, syntax.Variable):
+    if type(statement) is syntax.Variable:
         name, values = statement.name, syntax.started(statement.init)
-    elif isinstance(statement, syntax.Do) and isinstance(statement.value, syntax.Assignment):
+    elif type(statement) is syntax.Do and type(statement.value) is syntax.Assignment:
         name, values = syntax.name_of(statement.value.target), (statement.value.value,)
     if not name or len(values) != 1 or not _is_call(values[0]):
         return False
@@ -301,7 +305,7 @@ def judged_next(walk: Walk, frame: Frame, statement: Statement, following: State
 
 
 def _is_call(expression: Expression) -> bool:
-    return isinstance(expression, syntax.Call)
+    return type(expression) is syntax.Call
 
 
 def _ends(walk: Walk, frame: Frame, block: Block) -> bool:
@@ -309,32 +313,30 @@ def _ends(walk: Walk, frame: Frame, block: Block) -> bool:
     if not block:
         return False
     last = block[-1]
-    if isinstance(last, syntax.Throw) or any(map(shuts_down, block)):
+    if type(last) is syntax.Throw or any(map(shuts_down, block)):
         return True
-    if isinstance(last, syntax.Return):
+    if type(last) is syntax.Return:
         is_start = frame.is_start or (last.value is not None and _is_start(walk, frame))
         return is_over(walk, frame) or (is_start and _is_written_failure(last.value))
-    return isinstance(last, syntax.Do) and _called(last) in harmless.ENDING
+    return type(last) is syntax.Do and _called(last) in harmless.ENDING
 
 
 def _is_written_failure(value: Expression | None) -> bool:
-    if isinstance(value, syntax.Boolean):
+    if type(value) is syntax.Boolean:
         return not value.value
-    if isinstance(value, syntax.Operation):
+    if type(value) is syntax.Operation:
         return value.operator == "-"
-    return (
-        value is None or isinstance(value, syntax.Null) or _last(syntax.name_of(value)).endswith(("FAILURE", "ERROR"))
-    )
+    return value is None or type(value) is syntax.Null or _last(syntax.name_of(value)).endswith(("FAILURE", "ERROR"))
 
 
 def shuts_down(statement: Statement) -> bool:
     """Whether a statement is a call that takes the node down."""
-    return isinstance(statement, syntax.Do) and _called(statement) in SHUTDOWNS
+    return type(statement) is syntax.Do and _called(statement) in SHUTDOWNS
 
 
 def _called(statement: syntax.Do) -> str:
     """The full name of what a statement calls, as written."""
-    callee = statement.value.callee if isinstance(statement.value, syntax.Call) else None
-    if isinstance(callee, syntax.Member) and isinstance(callee.object, syntax.Name):
+    callee = statement.value.callee if type(statement.value) is syntax.Call else None
+    if type(callee) is syntax.Member and type(callee.object) is syntax.Name:
         return f"{callee.object.name}.{callee.name}"
-    return callee.name.removeprefix("::") if isinstance(callee, syntax.Name) else ""
+    return callee.name.removeprefix("::") if type(callee) is syntax.Name else ""

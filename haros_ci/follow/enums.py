@@ -26,7 +26,7 @@ def is_enumeration(walk: Walk, value: Value) -> bool:
 def field(walk: Walk, frame: Frame, expression: syntax.Member) -> Value | None:
     """``E.A.value`` or ``E.A.name``; None for another expression."""
     inner = expression.object
-    if not isinstance(inner, syntax.Member) or not isinstance(inner.object, (syntax.Name, syntax.Member)):
+    if type(inner) is not syntax.Member or not isinstance(inner.object, (syntax.Name, syntax.Member)):
         return None
     owner = expressions.evaluate(walk, frame, inner.object)
     if not isinstance(owner, ClassValue) or not is_enumeration(walk, owner):

@@ -82,13 +82,13 @@ def holds(walk: Walk, frame: Frame, expression: Expression, value: Value) -> boo
 
 def cell_of(walk: Walk, frame: Frame, expression: Expression) -> Cell | None:
     """The cell that *expression* names (an lvalue); None if it names none."""
-    if isinstance(expression, syntax.Name):
+    if type(expression) is syntax.Name:
         return lookup.named_cell(walk, frame, expression.name)
-    if isinstance(expression, syntax.Member):
+    if type(expression) is syntax.Member:
         return members.member(walk, evaluate(walk, frame, expression.object), expression.name, frame)
-    if isinstance(expression, (syntax.Subscript, syntax.Call)):
+    if type(expression) is syntax.Subscript or type(expression) is syntax.Call:
         return assignments.accessed(walk, frame, expression)
-    if isinstance(expression, syntax.Dereference):
+    if type(expression) is syntax.Dereference:
         value = evaluate(walk, frame, expression.value)
         if isinstance(value, Pointer):
             return value.cell
@@ -104,12 +104,16 @@ def cell_of(walk: Walk, frame: Frame, expression: Expression) -> Cell | None:
 
 def located(walk: Walk, frame: Frame, expression: Expression) -> tuple[Cell | None, Value]:
     """The cell of *expression* if it names one, and its value; what it is made of is evaluated once."""
-    if isinstance(expression, syntax.Name):
+    if type(expression) is syntax.Name:
         cell = lookup.named_cell(walk, frame, expression.name)
         return cell, cell.value if cell is not None else lookup.no_variable(walk, frame, expression.name)
-    if isinstance(expression, syntax.Member):
+    if type(expression) is syntax.Member:
         return members.located(walk, frame, expression)
-    cell = cell_of(walk, frame, expression) if isinstance(expression, (syntax.Subscript, syntax.Dereference)) else None
+    cell = (
+        cell_of(walk, frame, expression)
+        if (type(expression) is syntax.Subscript or type(expression) is syntax.Dereference)
+        else None
+    )
     return cell, cell.value if cell is not None else evaluate(walk, frame, expression)
 
 
@@ -142,7 +146,7 @@ def _conditional(walk: Walk, frame: Frame, expression: syntax.Conditional) -> Va
 def _list(walk: Walk, frame: Frame, expression: syntax.ListLiteral) -> Value:
     items: list[Cell] = []
     for item in expression.items:
-        if isinstance(item, syntax.Star):
+        if type(item) is syntax.Star:
             more = static_types.elements(walk, frame, item.value)
             if more is None or len(items) + len(more) > LIST_LIMIT:
                 return Sequence(Cell(walk.opaque("a list with unpacked elements", frame)))
@@ -155,7 +159,7 @@ def _list(walk: Walk, frame: Frame, expression: syntax.ListLiteral) -> Value:
 def _dict(walk: Walk, frame: Frame, expression: syntax.DictLiteral) -> Value:
     pairs: dict[object, Cell] = {}
     for key, item in expression.pairs:
-        if key and isinstance(key, syntax.DoubleStar):
+        if key and type(key) is syntax.DoubleStar:
             more = evaluate(walk, frame, key.value)
             cells = more.content.value if isinstance(more, Mapped) else None
             if not isinstance(cells, dict):
@@ -175,9 +179,7 @@ def _lambda(walk: Walk, frame: Frame, expression: syntax.Lambda) -> Value:
     for variable in captured:
         place = Location(frame.source.path, variable.line, variable.column)
         held = construct.initial(walk, frame, syntax.AUTO, variable.init, place)
-        kind = (
-            copies.static_copy(walk, frame, variable.init.value) if isinstance(variable.init, syntax.Equals) else None
-        )
+        kind = copies.static_copy(walk, frame, variable.init.value) if type(variable.init) is syntax.Equals else None
         around.scopes = [*around.scopes, {variable.name: Cell(held, kind)}]
     if function.captures:
         around.scopes = [*around.scopes, copies.by_value(walk, frame, function.captures)]
@@ -245,7 +247,7 @@ def _unknown(walk: Walk, frame: Frame, expression: syntax.Unknown) -> Value:
 
 
 def _unpacked(walk: Walk, frame: Frame, expression: syntax.Star | syntax.DoubleStar) -> Value:
-    return walk.opaque(f"it is computed: {'star' if isinstance(expression, syntax.Star) else 'starstar'}", frame)
+    return walk.opaque(f"it is computed: {'star' if type(expression) is syntax.Star else 'starstar'}", frame)
 
 
 def _on(kind: type[_Kind], value: Function_[[Walk, Frame, _Kind], Value]) -> tuple[type[Expression], _Evaluate]:

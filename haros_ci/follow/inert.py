@@ -11,6 +11,7 @@ from haros_ci.follow import call_arguments, lookup, methods, partials, thrown
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
+from haros_ci.index.mentions import last
 from haros_ci.syntax import Function, Type
 from haros_ci.syntax.walk import Part, everything
 from haros_ci.values.abstract import (
@@ -55,7 +56,7 @@ def may_make(
     if walk.relevance.makes(function.function, function.source):
         return True
     for kind in (templates or {}).values():
-        if isinstance(kind, syntax.Type) and kind.name in walk.index.classes and walk.relevance.named(kind.name):
+        if type(kind) is syntax.Type and kind.name in walk.index.classes and walk.relevance.named(kind.name):
             return True
     return (
         any(a.value.__class__ in CALLABLE and _makes(walk, a.value) for a in args)
@@ -168,7 +169,7 @@ def _is_short(definition: Function) -> bool:
     body = definition.body or ()
     return (
         0 < len(body) <= SHORT
-        and isinstance(body[-1], syntax.Return)
+        and type(body[-1]) is syntax.Return
         and body[-1].value is not None
         and all(isinstance(statement, STRAIGHT) for statement in body)
     )
@@ -183,7 +184,7 @@ def _only_numbers(this: Object, changed: frozenset[str], depth: int = 0) -> bool
                 if not _only_numbers(cell.value, changed, depth + 1):
                     return False
             continue
-        if isinstance(cell.value, Known) and isinstance(cell.value.value, (int, float)):
+        if isinstance(cell.value, Known) and issubclass(cell.value.kind, (int, float)):
             continue
         if isinstance(cell.value, Opaque) and (
             cell.type is None or call_arguments.is_scalar(cell.type) or cell.value.type is None
@@ -196,7 +197,7 @@ def _only_numbers(this: Object, changed: frozenset[str], depth: int = 0) -> bool
 
 
 def _returns_value(block: Part) -> bool:
-    return any(isinstance(node, syntax.Return) and node.value is not None for node in everything(block))
+    return any(type(node) is syntax.Return and node.value is not None for node in everything(block))
 
 
 def skipped(  # noqa: C901 - one branch for each place that a function can change
@@ -224,7 +225,7 @@ def skipped(  # noqa: C901 - one branch for each place that a function can chang
             for pointer in pointers:
                 lookup.global_cell(walk, *pointer)
     for (_, name), cell in walk.globals.items():
-        if name.rpartition("::")[2].rpartition(".")[2] in changed and not _is_constant(cell):
+        if last(name) in changed and not _is_constant(cell):
             _forget(walk, cell, replace(unknown, type=cell.type))
     for module in walk.modules.values():
         for name in changed & module.scopes[0].keys():

@@ -71,10 +71,10 @@ def library_call(  # noqa: C901 - one branch for each kind of library
     if last == "__init__" and dot and args and base in walk.rows and isinstance(args[0].value, Object):
         library_objects.construct_library(walk, frame, args[0].value, syntax.Type(base), args[1:], location)
         return NONE
-    kind = frame.templates.get(callee.name) if isinstance(callee, syntax.Name) else None
-    if isinstance(kind, syntax.Type):  # what a template parameter stands for
+    kind = frame.templates.get(callee.name) if type(callee) is syntax.Name else None
+    if type(kind) is syntax.Type:  # what a template parameter stands for
         return construct.of_template(walk, frame, kind, args, location)
-    if function.this is None and frame.this is not None and isinstance(callee, syntax.Name):  # an inherited method
+    if function.this is None and frame.this is not None and type(callee) is syntax.Name:  # an inherited method
         inherited = inherited_call(walk, frame, frame.this, callee.name, args, targs, location)
         if inherited is not None:
             return inherited
@@ -91,7 +91,7 @@ def library_call(  # noqa: C901 - one branch for each kind of library
     modelled = library.function(walk, frame, name, args, targs, location)
     if modelled is not None:
         return modelled
-    kinds = tuple(walk.type_in(t, frame) if isinstance(t, syntax.Type) else t for t in targs)
+    kinds = tuple(walk.type_in(t, frame) if type(t) is syntax.Type else t for t in targs)
     if name == ros2_nodes.NODE_OPTIONS and len(args) == 1 and isinstance(args[0].value, (Object, Opaque)):
         return copies.copied(walk, args[0].value, syntax.Type(name))
     found = api_rows.call(walk, frame, name, function.this, args, targs, location, kinds)
@@ -103,7 +103,7 @@ def library_call(  # noqa: C901 - one branch for each kind of library
     modelled = modelled or library.instance(walk, frame, syntax.Type(name, kinds), args)
     if modelled is not None:
         return modelled
-    if isinstance(callee, syntax.Name) and "::" not in name and frame.source.separator == "::":
+    if type(callee) is syntax.Name and "::" not in name and frame.source.separator == "::":
         resolved = walk.type_in(syntax.Type(callee.name, targs), frame)
         if resolved.name != name or is_smart_pointer(resolved) or resolved.name in STRINGS:
             return construct.create(walk, frame, resolved, args, location)
@@ -127,7 +127,7 @@ def _filled(
 
     The facts of the code do not say which of ``Names(2, "a")`` and ``Names{"a", "b"}`` stands there, of another name of a list's type.
     """
-    if not isinstance(callee, syntax.Name) or _last(callee.name) == _last(kind.name):
+    if type(callee) is not syntax.Name or _last(callee.name) == _last(kind.name):
         return construct.create(walk, frame, kind, args, location)
     kind = kind if kind.arguments else walk.type_in(syntax.Type(callee.name), frame)
     if kind.name not in SEQUENCES or not args or isinstance(args[0].value, Sequence):
@@ -150,7 +150,7 @@ def _made(
     location: Location,
 ) -> Value | None:
     """``make_it<T>(args)`` of a library that is not known, as ``std::make_unique``, for a class T of the workspace: an object of it."""
-    if not name.rpartition("::")[2].startswith("make_") or not kinds or not isinstance(kinds[0], syntax.Type):
+    if not name.rpartition("::")[2].startswith("make_") or not kinds or type(kinds[0]) is not syntax.Type:
         return None
     if walk.class_of(kinds[0].name, frame.source) is None:
         return None
@@ -166,9 +166,7 @@ def _one(
     if owner is None or not last.lower().endswith("instance"):
         return None
     own = owner[1].name.rpartition("::")[2]
-    named = (
-        argument.name for base in owner[1].bases for argument in base.arguments if isinstance(argument, syntax.Type)
-    )
+    named = (argument.name for base in owner[1].bases for argument in base.arguments if type(argument) is syntax.Type)
     if own not in {item.rpartition("::")[2] for item in named}:
         return None
     key = (f"the one of {owner[0].path}", owner[1].name)
@@ -197,8 +195,8 @@ def of_no_specialisation(
 
 def ends_the_program(walk: Walk, frame: Frame, expression: Expression) -> bool:
     """Whether a statement is a call of ``exit`` and its kin: nothing comes after it."""
-    callee = expression.callee if isinstance(expression, syntax.Call) else None
-    if not isinstance(callee, (syntax.Name, syntax.Member)) or callee.name.rpartition("::")[2] not in harmless.EXITS:
+    callee = expression.callee if type(expression) is syntax.Call else None
+    if callee is None or syntax.name_of(callee).rpartition("::")[2] not in harmless.EXITS:
         return False
     called = expressions.evaluate(walk, frame, callee)
     return isinstance(called, Library) and called.name.removeprefix("::") in harmless.ENDING

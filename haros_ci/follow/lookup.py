@@ -305,7 +305,7 @@ def is_generated(walk: Walk, source: Source, name: str) -> bool:
 def _rebound(source: Source) -> set[str]:
     """The variables of a Python module that its functions assign to (``global``)."""
     statements = (statement for function in source.program.functions for statement in function.body or ())
-    return {name for statement in statements if isinstance(statement, syntax.Global) for name in statement.names}
+    return {name for statement in statements if type(statement) is syntax.Global for name in statement.names}
 
 
 def module_frame(walk: Walk, source: Source) -> Frame:

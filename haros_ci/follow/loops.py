@@ -13,7 +13,7 @@ from haros_ci.follow.made import forget_dead, go_back, keep
 from haros_ci.follow.walk import TURNS, Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Type
-from haros_ci.values.abstract import Cell, Known, Mapped, Object, Opaque, Partial, Sequence, Value, opaque_of, tick
+from haros_ci.values.abstract import Cell, Known, Mapped, Object, Opaque, Partial, Sequence, Value, tick
 from haros_ci.values.cells import Slot
 from haros_ci.values.state import certain, joined
 
@@ -41,7 +41,7 @@ def loop(walk: Walk, frame: Frame, statement: syntax.Loop) -> str:
     current = Loop(walk.state.mark())
     known = len(walk.made)
 
-    step = body[-1] if body and isinstance(body[-1], syntax.Step) else None
+    step = body[-1] if body and type(body[-1]) is syntax.Step else None
 
     def one() -> str:
         return statements.execute(walk, frame, body[:-1] if step else body)
@@ -205,7 +205,7 @@ def _worthwhile(walk: Walk, frame: Frame, body: Block, test: Expression | None) 
     if (
         walk.turns < NESTED
         and test is not None
-        and isinstance(test, syntax.Operation)
+        and type(test) is syntax.Operation
         and walk.relevance.edits(body, frame.source)
     ):
         return True
@@ -260,7 +260,7 @@ def _forgotten(walk: Walk, frame: Frame, loop: Loop, line: int, begun: int, ways
         if not walk.is_older(cell, begun):  # of the turn itself
             continue
         then = joined(cell.value, value)
-        if then is cell.value or isinstance(then, (tuple, dict)) or opaque_of(then) is None:
+        if then is cell.value or isinstance(then, (tuple, dict, Known)):
             continue
         some = certain(then)
         is_opaque = isinstance(cell.value, Opaque) and certain(cell.value) == some

@@ -310,9 +310,9 @@ def located(walk: Walk, frame: Frame, expression: syntax.Member) -> tuple[Cell |
 
 def dotted(expression: Expression) -> str:
     parts: list[str] = []
-    while isinstance(expression, syntax.Member):
+    while type(expression) is syntax.Member:
         parts.append(expression.name)
         expression = expression.object
-    if not isinstance(expression, syntax.Name):
+    if type(expression) is not syntax.Name:
         return ""
     return ".".join((expression.name, *reversed(parts)))

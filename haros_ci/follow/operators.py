@@ -136,10 +136,11 @@ def binary(walk: Walk, frame: Frame, symbol: str, left: Value, right: Value) -> 
             words = [library.name.rpartition("::")[2] for library in (left, right)]
             if all(word.startswith("PARAMETER_") for word in words):  # constants of rclcpp::ParameterType
                 return TRUE if (words[0] == words[1]) is (symbol == "==") else FALSE
-        known, one_data = data_of(left)
-        also, other_data = data_of(right)
-        if known and also:
-            return _computed(walk, frame, symbol, one_data, other_data)
+        if not isinstance(left, (Opaque, Text)) and not isinstance(right, (Opaque, Text)):
+            known, one_data = data_of(left)
+            also, other_data = data_of(right)
+            if known and also:
+                return _computed(walk, frame, symbol, one_data, other_data)
     if symbol in ("in", "not in"):
         known, item = data_of(left)
         also, items = data_of(right)

@@ -156,7 +156,7 @@ def is_any(walk: Walk, function: Function) -> bool:
 def decorated(walk: Walk, function: Function) -> Function:
     """A Python function as its decorators leave it: with results that are not known where they may do anything."""
     for decorator in function.decorators:
-        while isinstance(decorator, syntax.Call):
+        while type(decorator) is syntax.Call:
             decorator = decorator.callee
         if (name := syntax.name_of(decorator)) not in TRANSPARENT and not yielding.is_manager(name, function):
             return _unsure(walk, function, (function,))
@@ -166,9 +166,7 @@ def decorated(walk: Walk, function: Function) -> Function:
 def python_methods(found: list[Found]) -> list[Found]:
     """The last definition of a method counts; a property's setter is none."""
     own = [
-        item
-        for item in found
-        if not any(isinstance(d, syntax.Member) and d.name in ACCESSORS for d in item[1].decorators)
+        item for item in found if not any(type(d) is syntax.Member and d.name in ACCESSORS for d in item[1].decorators)
     ]
     return (own or found)[-1:]
 
@@ -194,7 +192,7 @@ def signature(function: Function) -> tuple[str, ...]:
 
 def plain(kind: syntax.Argument, depth: int = 0) -> str:
     """A type as text, names without their scopes."""
-    if not isinstance(kind, syntax.Type) or depth > BASES:
+    if type(kind) is not syntax.Type or depth > BASES:
         return "?"
     inner = ",".join(plain(item, depth + 1) for item in kind.arguments)
     return f"{kind.name.rpartition('::')[2]}<{inner}>{kind.marks}"
@@ -209,7 +207,7 @@ def _same(one: object, other: object) -> bool:
             if len(left) != len(right):
                 return False
             waiting += zip(left, right, strict=True)
-        elif isinstance(left, syntax.Record) and isinstance(right, syntax.Record):
+        elif type(left) is syntax.Record and type(right) is syntax.Record:
             if type(left) is not type(right) or (isinstance(left, STRICT) and left != right):
                 return False
             waiting += [(getattr(left, name), getattr(right, name)) for name in left.__struct_fields__]

@@ -15,7 +15,7 @@ from haros_ci.values.abstract import NONE, Cell, Sequence, Value
 def folded(walk: Walk, frame: Frame, expression: Expression) -> Value:
     """Evaluate *expression* for the elements of the packs that it names, in their order; once where these are not known."""
     packs = _packs(frame)
-    named = {node.name for node in everything(expression) if isinstance(node, syntax.Name)} & packs
+    named = {node.name for node in everything(expression) if type(node) is syntax.Name} & packs
     found = {name: cell.value for name in sorted(named) if (cell := frame.find(name)) is not None}
     contents = [value.content.value for value in found.values() if isinstance(value, Sequence)]
     known = [content for content in contents if isinstance(content, tuple)]

@@ -82,4 +82,4 @@ def _has_setter(walk: Walk, name: str) -> bool:
 
 
 def _is_setter(function: Function) -> bool:
-    return any(isinstance(d, syntax.Member) and d.name == "setter" for d in function.decorators)
+    return any(type(d) is syntax.Member and d.name == "setter" for d in function.decorators)

@@ -95,7 +95,7 @@ def _static(walk: Walk, frame: Frame, statement: syntax.Static) -> str:
     """A variable that is made once. What is made in a rehearsal is kept if it is plain data: all else has made nothing of note."""
     variable = statement.statement
     name = variable.name
-    kinds = (kind.name if isinstance(kind, syntax.Type) else "" for kind in frame.templates.values())
+    kinds = (kind.name if type(kind) is syntax.Type else "" for kind in frame.templates.values())
     key = (" ".join((frame.source.path, str(variable.line), str(variable.column), *kinds)), name)
     cell = walk.globals.get(key) or walk.statics.get(key)
     if cell is None:
@@ -231,7 +231,7 @@ def _return(walk: Walk, frame: Frame, statement: syntax.Return) -> str:
     walk.judged = len(walk.active) if frame.is_start or early.is_over(walk, frame) else before
     value = expressions.evaluate(walk, frame, statement.value) if statement.value is not None else Known(None)
     walk.judged = before
-    if isinstance(statement.value, syntax.ListLiteral) and frame.function is not None and frame.source.separator != ".":
+    if type(statement.value) is syntax.ListLiteral and frame.function is not None and frame.source.separator != ".":
         value = conversions.in_braces(value, walk.type_in(frame.function.returns, frame))
     early.returns(walk, frame, value, statement.value is None)
     if not frame.is_dead and not walk.is_raised:

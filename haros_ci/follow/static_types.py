@@ -91,7 +91,7 @@ def member_called(
     walk: Walk, frame: Frame, callee: Expression, targs: tuple[syntax.Argument, ...]
 ) -> tuple[Expression, tuple[syntax.Argument, ...]]:
     """``decltype(a)::element_type::make`` with the class that it stands for, and this class's template arguments."""
-    if not isinstance(callee, syntax.Name) or not callee.name.startswith("decltype("):
+    if type(callee) is not syntax.Name or not callee.name.startswith("decltype("):
         return callee, targs
     inside, _, rest = callee.name[9:].partition(")")
     name = inside.removeprefix("this->").strip()
@@ -118,21 +118,25 @@ def _static_type(walk: Walk, frame: Frame, expression: Expression) -> Type | Non
     literal = LITERAL_TYPES.get(type(expression))
     if literal is not None:
         return literal
-    if isinstance(expression, syntax.Number):
+    if type(expression) is syntax.Number:
         return syntax.Type("int") if isinstance(expression.value, int) else syntax.Type("double")
-    if isinstance(expression, (syntax.Address, syntax.Dereference, syntax.Keyword)):
+    if (
+        type(expression) is syntax.Address
+        or type(expression) is syntax.Dereference
+        or type(expression) is syntax.Keyword
+    ):
         return _static_type(walk, frame, expression.value)
-    if isinstance(expression, syntax.Cast):
+    if type(expression) is syntax.Cast:
         return walk.type_in(expression.type, frame)
-    if isinstance(expression, syntax.Operation) and (
+    if type(expression) is syntax.Operation and (
         expression.operator in COMPARING or (expression.operator in CHOOSING and frame.source.separator != ".")
     ):
         return syntax.Type("bool")
-    if isinstance(expression, syntax.Operation):
+    if type(expression) is syntax.Operation:
         kinds = [_static_type(walk, frame, item) for item in expression.operands]
         if frame.source.separator == ".":
             last = expression.operands[-1]
-            exponent = last.value if isinstance(last, syntax.Number) else None
+            exponent = last.value if type(last) is syntax.Number else None
             return python_numbers.operation(expression.operator, kinds, exponent)
         known = [kind for kind in kinds if kind is not None]
         for name in ("std::string", "double", "float"):

@@ -26,11 +26,7 @@ def deduced(definition: Function, args: tuple[PassedArgument, ...]) -> dict[str,
             found.setdefault(parameter.type.name, kind.bare())
         elif parameter.type.arguments:
             for inner, actual in zip(parameter.type.arguments, kind.arguments, strict=False):
-                if (
-                    isinstance(inner, syntax.Type)
-                    and inner.name in definition.templates
-                    and isinstance(actual, syntax.Type)
-                ):
+                if type(inner) is syntax.Type and inner.name in definition.templates and type(actual) is syntax.Type:
                     found.setdefault(inner.name, actual)
     return found
 
@@ -61,5 +57,5 @@ def defaulted(
 
 def _mentions(kind: syntax.Type, name: str) -> bool:
     return kind.name.partition("::")[0] == name or any(
-        isinstance(argument, syntax.Type) and _mentions(argument, name) for argument in kind.arguments
+        type(argument) is syntax.Type and _mentions(argument, name) for argument in kind.arguments
     )

@@ -163,7 +163,7 @@ def asks_whether_it_goes_on(test: Expression | None) -> bool:
 
     rospy calls each in a thread of its own, and so does ``ros::AsyncSpinner``.
     """
-    calls = (node.callee for node in everything(test) if isinstance(node, syntax.Call)) if test is not None else ()
+    calls = (node.callee for node in everything(test) if type(node) is syntax.Call) if test is not None else ()
     names = (callee.name for callee in calls if isinstance(callee, (syntax.Name, syntax.Member)))
     return any(name.rpartition("::")[2].rpartition(".")[2] in RUNNING for name in names)
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
+from haros_ci.index.mentions import last
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Function
 
@@ -48,8 +49,7 @@ class Standing:
 
 def called(walk: Walk, callee: Expression) -> None:
     """A call, after which a node may be gone."""
-    name = syntax.name_of(callee)
-    if name.rpartition("::")[2].rpartition(".")[2] in _ENDING:
+    if last(syntax.name_of(callee)) in _ENDING:
         walk.has_ended = True
 
 
@@ -80,4 +80,4 @@ def _has_scopes(function: Function) -> bool:
 
 
 def _has_block(body: Block) -> bool:
-    return any(isinstance(statement, syntax.Nested) for statement in body)
+    return any(type(statement) is syntax.Nested for statement in body)

@@ -68,12 +68,12 @@ def _called_by_name(walk: Walk, function: Callable) -> frozenset[int]:
         held: dict[str, list[int]] = {}
         uses: Counter[str] = Counter()
         for node in everything(source.program.functions):
-            if isinstance(node, syntax.Variable) and isinstance(node.init, syntax.Equals):
-                if isinstance(node.init.value, syntax.Lambda) and node.type.name == "auto":
+            if type(node) is syntax.Variable and type(node.init) is syntax.Equals:
+                if type(node.init.value) is syntax.Lambda and node.type.name == "auto":
                     held.setdefault(node.name, []).append(node.init.value.function)
-            elif isinstance(node, syntax.Name):
+            elif type(node) is syntax.Name:
                 uses[node.name] += 1
-            elif isinstance(node, syntax.Call) and isinstance(node.callee, syntax.Name):
+            elif type(node) is syntax.Call and type(node.callee) is syntax.Name:
                 uses[node.callee.name] -= 1
         numbers = [number for name, found in held.items() if not uses[name] for number in found]
         walk.found[key] = frozenset(id(source.program.functions[number]) for number in numbers)

@@ -32,15 +32,11 @@ UNCERTAIN = "it is assigned to in a way that is not followed"
 
 def lost(walk: Walk, frame: Frame, target: Expression, value: Value) -> None:  # noqa: C901 - one branch for each kind of target
     """What has no single cell is assigned to: all that may be meant is what it was or the value, or not known."""
-    if (
-        isinstance(target, syntax.Member)
-        and isinstance(value, Callable)
-        and _passed_to_library(walk, frame, target, value)
-    ):
+    if type(target) is syntax.Member and isinstance(value, Callable) and _passed_to_library(walk, frame, target, value):
         return
-    if isinstance(target, syntax.Cast):
+    if type(target) is syntax.Cast:
         lost(walk, frame, target.value, value)
-    elif isinstance(target, syntax.Conditional):
+    elif type(target) is syntax.Conditional:
         holds = conversions.truth(expressions.evaluate(walk, frame, target.test))
         sides = (target.then, target.other)
         for side in sides if holds is None else (sides[0 if holds else 1],):
@@ -51,9 +47,9 @@ def lost(walk: Walk, frame: Frame, target: Expression, value: Value) -> None:  #
                 walk.state.write(cell, conversions.converted(value, cell.type))
             else:
                 _maybe(walk, frame, cell, value)
-    elif isinstance(target, syntax.Member):
+    elif type(target) is syntax.Member:
         owners = _options(expressions.evaluate(walk, frame, target.object))
-        if isinstance(target.object, syntax.Subscript) and not any(isinstance(owner, Object) for owner in owners):
+        if type(target.object) is syntax.Subscript and not any(isinstance(owner, Object) for owner in owners):
             owners = [
                 other_value
                 for held in _options(expressions.evaluate(walk, frame, target.object.object))
@@ -66,14 +62,14 @@ def lost(walk: Walk, frame: Frame, target: Expression, value: Value) -> None:  #
                 cell = members.member(walk, option, target.name, frame)
                 if cell is not None:
                     _maybe(walk, frame, cell, value)
-    elif isinstance(target, syntax.Dereference):
+    elif type(target) is syntax.Dereference:
         owner = expressions.evaluate(walk, frame, target.value)
         for other_value in owner.options if isinstance(owner, Choice) else (owner,):
             if isinstance(other_value, Pointer):
                 _maybe(walk, frame, other_value.cell, value)
             elif isinstance(other_value, Object) and "[of]" in other_value.fields:
                 _element(walk, frame, other_value.fields["[of]"].value, value)
-    elif isinstance(target, syntax.Subscript):
+    elif type(target) is syntax.Subscript:
         python = frame.source.program.language == "python"
         key = expressions.evaluate(walk, frame, target.index)
         for container in _options(expressions.evaluate(walk, frame, target.object)):
@@ -85,7 +81,7 @@ def lost(walk: Walk, frame: Frame, target: Expression, value: Value) -> None:  #
                 _element(walk, frame, container, value)
             elif isinstance(container, Known):
                 _inside(walk, frame, target, container, key, value)
-    elif isinstance(target, syntax.Call) and isinstance(target.callee, syntax.Member):
+    elif type(target) is syntax.Call and type(target.callee) is syntax.Member:
         cell = _root(walk, frame, target.callee.object)
         if cell is not None:
             _forget(walk, frame, cell)
@@ -94,11 +90,7 @@ def lost(walk: Walk, frame: Frame, target: Expression, value: Value) -> None:  #
 def _passed_to_library(walk: Walk, frame: Frame, target: syntax.Member, value: Callable) -> bool:
     """A function is assigned to a member of a struct inside a library's object: the struct is made, as a part of it."""
     inside = expressions.evaluate(walk, frame, target.object)
-    if (
-        not isinstance(inside, Library)
-        or not isinstance(target.object, syntax.Member)
-        or frame.source.separator != "::"
-    ):
+    if not isinstance(inside, Library) or type(target.object) is not syntax.Member or frame.source.separator != "::":
         return False
     if not isinstance(inside.this, Object) or inside.this.definition is not None:
         return False
@@ -161,7 +153,7 @@ def _root(walk: Walk, frame: Frame, expression: Expression) -> Cell | None:
             expression = expression.object
         elif isinstance(expression, (syntax.Dereference, syntax.Cast)):
             expression = expression.value
-        elif isinstance(expression, syntax.Call) and isinstance(expression.callee, syntax.Member):
+        elif type(expression) is syntax.Call and type(expression.callee) is syntax.Member:
             expression = expression.callee.object
         else:
             return None
@@ -191,7 +183,7 @@ def _pointed(value: Value) -> list[Value]:
 
 def exposed(walk: Walk, frame: Frame, expression: Expression) -> None:
     """A reference to one of several is made: what they hold may be changed through it from here on."""
-    for side in (expression.then, expression.other) if isinstance(expression, syntax.Conditional) else ():
+    for side in (expression.then, expression.other) if type(expression) is syntax.Conditional else ():
         cell = expressions.cell_of(walk, frame, side)
         if cell is None:
             exposed(walk, frame, side)

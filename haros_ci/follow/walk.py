@@ -32,7 +32,7 @@ from haros_ci.values.cells import Slot
 from haros_ci.values.state import Held, State, Writes
 
 #: Statements and calls that one node may take, and as many in rehearsals; what is beyond is named in a notification.
-STEPS = 60_000
+STEPS = 80_000
 #: The same for a node that is followed with all plug-ins of the workspace.
 WITH_PLUGINS = 120_000
 #: Calls inside calls.

@@ -94,7 +94,7 @@ def _one_of(fields: list[Field]) -> Field:
 
 def _start(init: syntax.Init | None) -> syntax.Expression:
     """The expression that a variable starts with."""
-    if isinstance(init, syntax.Equals):
+    if type(init) is syntax.Equals:
         return init.value
     return init.arguments[0] if init is not None and len(init.arguments) == 1 else syntax.Unknown(EITHER)
 

@@ -88,9 +88,9 @@ def _is_open(tokens: list[tuple[str, str]]) -> bool:
 
 def _is_text(found: Expression) -> bool:
     """Whether an expression adds to a text, and is the same however it goes on."""
-    if isinstance(found, syntax.Operation) and found.operator == "+" and len(found.operands) == 2:
+    if type(found) is syntax.Operation and found.operator == "+" and len(found.operands) == 2:
         return _is_text(found.operands[0])
-    return bool(isinstance(found, syntax.Cast) and found.type.name == "std::string")
+    return bool(type(found) is syntax.Cast and found.type.name == "std::string")
 
 
 def _binary(tokens: list[tuple[str, str]], at: int, level: int, depth: int) -> tuple[Expression, int]:
@@ -108,7 +108,7 @@ def _unary(tokens: list[tuple[str, str]], at: int, depth: int) -> tuple[Expressi
     kind, text = tokens[at]
     if kind == "op" and text in "-+~":
         inner, at = _unary(tokens, at + 1, depth + 1)
-        if isinstance(inner, syntax.Number) and text != "~":
+        if type(inner) is syntax.Number and text != "~":
             return syntax.Number(-inner.value if text == "-" else inner.value), at
         return syntax.Operation(text, (inner,)), at
     if kind == "op" and text == "(":
@@ -148,7 +148,7 @@ def _texts(tokens: list[tuple[str, str]], at: int) -> tuple[Expression, int]:
         is_text = kind == "str"
         parts.append(syntax.String(_unescaped(text[text.index('"') + 1 : -1])) if is_text else syntax.Name(text))
         at += 1
-    texts = [part.value for part in parts if isinstance(part, syntax.String)]
+    texts = [part.value for part in parts if type(part) is syntax.String]
     if not texts:
         raise _Unreadable
     if len(texts) == len(parts):

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Container, Iterable
+from functools import cache
 
 from haros_ci import syntax
 from haros_ci.index.index import Index, Source
@@ -69,43 +70,45 @@ def called_in(item: Part, found: set[str], mentioned: set[str], given: set[str],
     waiting = below((item,))
     while waiting:
         node = waiting.pop()
-        if isinstance(node, syntax.Call):
+        if type(node) is syntax.Call:
             callee = node.callee
-            if isinstance(callee, syntax.Name):
+            if type(callee) is syntax.Name:
                 found.add(last(callee.name))
                 found.add("::".join(callee.name.split("::")[-2:]))
                 if callee.name.endswith(("::make_shared", "::make_unique")):
                     found.add(callee.name.split("::")[-2])
-            elif isinstance(callee, syntax.Member):
+            elif type(callee) is syntax.Member:
                 found.add(callee.name if callee.name in COLLECTING else f".{callee.name.rpartition('::')[2]}")
                 if callee.name in PAIR and source.separator == "::":
                     found.add(CALLED)
                 if callee.name in COUNTED:
                     found.add(f"{callee.name}/{len(node.arguments)}")
-            elif isinstance(callee, syntax.Call) or (isinstance(callee, syntax.Subscript) and source.separator == "."):
+            elif type(callee) is syntax.Call or (type(callee) is syntax.Subscript and source.separator == "."):
                 found.add(CALLED)
-            elif isinstance(callee, syntax.Operation) and callee.operator == ".*":
+            elif type(callee) is syntax.Operation and callee.operator == ".*":
                 found.add(CALLED)
-            elif isinstance(callee, syntax.Subscript) and isinstance(callee.object, (syntax.Name, syntax.Member)):
+            elif type(callee) is syntax.Subscript and (
+                type(callee.object) is syntax.Name or type(callee.object) is syntax.Member
+            ):
                 found.add(last(callee.object.name))
             found.update(last(name) for kind in node.templates for name in type_names(kind))  # make_shared<T>()
             if source.separator == ".":
                 for argument in node.arguments:
-                    passed = argument.value if isinstance(argument, syntax.Keyword) else argument
-                    if isinstance(passed, syntax.Name):
+                    passed = argument.value if type(argument) is syntax.Keyword else argument
+                    if type(passed) is syntax.Name:
                         # a class that is given may be made by whoever gets it
                         (found if passed.name[:1].isupper() else given).add(passed.name)
-                    elif isinstance(passed, syntax.Member) and isinstance(passed.object, syntax.This):
+                    elif type(passed) is syntax.Member and type(passed.object) is syntax.This:
                         given.add(f".{passed.name}")
-        elif isinstance(node, syntax.Assignment) and isinstance(node.target, syntax.Subscript):
+        elif type(node) is syntax.Assignment and type(node.target) is syntax.Subscript:
             found.add(ELEMENT)
-        elif isinstance(node, (syntax.New, syntax.Variable)):
+        elif type(node) is syntax.New or type(node) is syntax.Variable:
             found.update(last(name) for name in type_names(node.type))
-        elif isinstance(node, (syntax.Lambda, syntax.NestedFunction)) and node.function not in lambdas:
+        elif (type(node) is syntax.Lambda or type(node) is syntax.NestedFunction) and node.function not in lambdas:
             lambdas.add(node.function)
             if 0 <= node.function < len(source.program.functions):
                 waiting += below(source.program.functions[node.function].body)
-        elif isinstance(node, (syntax.Name, syntax.Member)):
+        elif type(node) is syntax.Name or type(node) is syntax.Member:
             mentioned.add(last(node.name))
         waiting += below(node)
 
@@ -115,8 +118,8 @@ def grouped(program: syntax.Program) -> list[tuple[str, str]]:
     found: list[tuple[str, str]] = []
     for function in program.functions:
         for decorator in function.decorators:
-            callee = decorator.callee if isinstance(decorator, syntax.Call) else decorator
-            if isinstance(callee, syntax.Member) and callee.name in GROUPING:
+            callee = decorator.callee if type(decorator) is syntax.Call else decorator
+            if type(callee) is syntax.Member and callee.name in GROUPING:
                 found.append((syntax.name_of(callee.object), last(function.name)))
     if any(alias.type.name.partition(".")[0] in MODULES for alias in program.aliases):
         bodies = tuple(function.body or () for function in program.functions if function.kind == "module")
@@ -131,8 +134,8 @@ def commands(index: Index) -> list[tuple[str, str]]:
 
 def _added(node: object) -> list[tuple[str, str]]:
     """The group and the command of a call that adds it."""
-    callee = node.callee if isinstance(node, syntax.Call) else None
-    if not isinstance(node, syntax.Call) or not isinstance(callee, syntax.Member) or callee.name not in ADDING:
+    callee = node.callee if type(node) is syntax.Call else None
+    if type(node) is not syntax.Call or type(callee) is not syntax.Member or callee.name not in ADDING:
         return []
     return [(syntax.name_of(callee.object), syntax.name_of(item)) for item in node.arguments[:1]]
 
@@ -227,11 +230,7 @@ def holding(index: Index) -> frozenset[str]:
 def _attributes(block: Part, found: set[str]) -> None:
     """Collect the attributes that Python code may keep a function in."""
     for node in everything(block):
-        if (
-            isinstance(node, syntax.Assignment)
-            and isinstance(node.target, syntax.Member)
-            and isinstance(node.value, HELD)
-        ):
+        if type(node) is syntax.Assignment and type(node.target) is syntax.Member and isinstance(node.value, HELD):
             found.add(node.target.name)
 
 
@@ -239,25 +238,25 @@ def callable_variables(block: Part, names: set[str], source: Source, kinds: froz
     """Collect the local variables of *block* that a function, lambda or class is assigned to, or of one of *kinds*."""
     python = source.program.language == "python"
     for node in everything(block):
-        if isinstance(node, syntax.Variable):
-            value = node.init.value if isinstance(node.init, syntax.Equals) else None
+        if type(node) is syntax.Variable:
+            value = node.init.value if type(node.init) is syntax.Equals else None
             if (
                 may_be_called(node.type, source)
                 or any(last(name) in kinds for name in type_names(node.type))
-                or isinstance(value, syntax.Lambda)
+                or type(value) is syntax.Lambda
             ):
                 if node.type.name != "auto" or isinstance(value, GIVING):
                     names.add(node.name)
-        elif isinstance(node, syntax.Assignment):
-            if python and isinstance(node.target, syntax.Name) and isinstance(node.value, HELD):
+        elif type(node) is syntax.Assignment:
+            if python and type(node.target) is syntax.Name and isinstance(node.value, HELD):
                 names.add(node.target.name)
-            elif python and isinstance(node.target, syntax.ListLiteral):
-                names.update(item.name for item in everything((node.target,)) if isinstance(item, syntax.Name))
-        elif isinstance(node, syntax.Each) and may_be_called(node.type, source):
+            elif python and type(node.target) is syntax.ListLiteral:
+                names.update(item.name for item in everything((node.target,)) if type(item) is syntax.Name)
+        elif type(node) is syntax.Each and may_be_called(node.type, source):
             names.add(node.name)
-        elif python and isinstance(node, syntax.Call) and node.callee in TURNS:
+        elif python and type(node) is syntax.Call and node.callee in TURNS:
             for item in node.arguments:  # the elements of a comprehension
-                function = source.program.functions[item.function] if isinstance(item, syntax.Lambda) else None
+                function = source.program.functions[item.function] if type(item) is syntax.Lambda else None
                 if function is not None and function.body is not None:
                     names.update(parameter.name for parameter in function.parameters)
                     callable_variables(function.body, names, source, kinds)
@@ -267,30 +266,32 @@ def targets(item: Part, found: set[str]) -> None:
     """The last names of all that is assigned to, read into or built up in a block."""
     for node in everything(item):
         target: syntax.Expression | None = None
-        if isinstance(node, syntax.Assignment):
+        if type(node) is syntax.Assignment:
             target = node.target
-        elif isinstance(node, syntax.Operation) and node.operator in (">>", "<<") and len(node.operands) == 2:
+        elif type(node) is syntax.Operation and node.operator in (">>", "<<") and len(node.operands) == 2:
             target = node.operands[1] if node.operator == ">>" else node.operands[0]
-        elif isinstance(node, syntax.Call) and isinstance(node.callee, syntax.Member):
+        elif type(node) is syntax.Call and type(node.callee) is syntax.Member:
             target = node.callee.object if node.callee.name not in READING else None
         while target is not None:
-            if isinstance(target, (syntax.Name, syntax.Member)):
+            if type(target) is syntax.Name or type(target) is syntax.Member:
                 found.add(last(target.name))
                 break
-            if isinstance(target, syntax.Subscript):
+            if type(target) is syntax.Subscript:
                 target = target.object
-            elif isinstance(target, syntax.Call):
+            elif type(target) is syntax.Call:
                 target = target.callee
             else:
                 target = target.value if isinstance(target, (syntax.Dereference, syntax.Address, syntax.Cast)) else None
 
 
 def type_names(kind: syntax.Argument) -> Iterable[str]:
-    if isinstance(kind, syntax.Type):
+    if type(kind) is syntax.Type:
         yield kind.name
         for inner in kind.arguments:
             yield from type_names(inner)
 
 
+@cache
 def last(name: str) -> str:
+    """The last part of a qualified name; asked for the same names again and again."""
     return name.rpartition("::")[2].rpartition(".")[2]

@@ -223,12 +223,12 @@ class Relevance:
         """The names that a function, or anything that it calls, assigns to."""
         trace = self._index.trace
         if id(function) in self._changes:
-            if trace is not None:
-                trace.names |= self._changes[id(function)][2]
-                trace.effects[id(function)] = (source, function, self._changes[id(function)][1])
-            return self._changes[id(function)][1]
-        result = frozenset[str]()
-        reached: set[str] = set()
+            _, known, names = self._changes[id(function)]
+            if trace is not None and trace.effects.get(id(function), (None, None, None))[2] is not known:
+                trace.names |= names
+                trace.effects[id(function)] = (source, function, known)
+            return known
+        result, reached = frozenset[str](), set[str]()
         if function.body is not None:
             assigned = set(self._assigned(function.body))
             waiting = list(self.names(function.body, source))

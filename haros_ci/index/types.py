@@ -74,7 +74,7 @@ def _element(arguments: tuple[Argument, ...], templates: Mapping[str, Argument])
     number, of = arguments if len(arguments) == 2 else (None, None)
     if isinstance(number, (syntax.Name, Type)):
         number = templates.get(number.name)
-    if not isinstance(number, syntax.Number) or not isinstance(of, Type) or not isinstance(number.value, int):
+    if type(number) is not syntax.Number or not isinstance(of, Type) or not isinstance(number.value, int):
         return None
     element = of.arguments[number.value] if 0 <= number.value < len(of.arguments) else None
     return element if isinstance(element, Type) else None

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from math import isnan
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.query.fault import QueryBudgetExhausted, QueryError
@@ -192,7 +193,12 @@ def _edge(
         for n in left[use.variable]:
             machine.tick()
             value = found[n] = use.of(pools[use.variable][n], scope)
-            if value is WILD or value.__class__ is UnknownText or value == "?" or value != value:
+            if (
+                value is WILD
+                or value.__class__ is UnknownText
+                or value == "?"
+                or (value.__class__ is float and isnan(value))
+            ):
                 is_exact = False  # equal keys are not all that == asks for
         keys.append(found)
     return JoinCondition((sides[0].variable, sides[1].variable), (keys[0], keys[1]), is_exact)

@@ -7,11 +7,12 @@ included.
 
 from __future__ import annotations
 
-from typing import TypeAlias
+from typing import TypeAlias, final
 
 from haros_ci.syntax.node import Node
 
 
+@final
 class Type(Node, frozen=True, tag="T"):
     """A type. *name* as written, without template arguments (``std::vector``), Python dotted.
 
@@ -39,38 +40,45 @@ class Type(Node, frozen=True, tag="T"):
         return found if isinstance(found, Type) else None
 
 
+@final
 class String(Node, frozen=True, tag="str"):
     """A text; adjacent literals are joined."""
 
     value: str
 
 
+@final
 class Number(Node, frozen=True, tag="num"):
     """A number."""
 
     value: int | float
 
 
+@final
 class Boolean(Node, frozen=True, tag="bool"):
     """``true``, ``False``."""
 
     value: bool
 
 
+@final
 class Null(Node, frozen=True, tag="none"):
     """``nullptr``, ``None``."""
 
 
+@final
 class Name(Node, frozen=True, tag="name"):
     """An identifier as written, qualified by ``::``; Python names are bare."""
 
     name: str
 
 
+@final
 class This(Node, frozen=True, tag="this"):
     """C++ ``this``; Python's first parameter of a method, whatever its name."""
 
 
+@final
 class Member(Node, frozen=True, tag="field"):
     """``a.b``, ``a->b``, Python attribute access."""
 
@@ -78,6 +86,7 @@ class Member(Node, frozen=True, tag="field"):
     name: str
 
 
+@final
 class Subscript(Node, frozen=True, tag="index"):
     """``a[b]``."""
 
@@ -85,6 +94,7 @@ class Subscript(Node, frozen=True, tag="index"):
     index: Expression
 
 
+@final
 class Call(Node, frozen=True, tag="call"):
     """A call. ``T(x)`` and ``T{x}`` are calls, too. *templates* are the template arguments of what is called."""
 
@@ -95,6 +105,7 @@ class Call(Node, frozen=True, tag="call"):
     column: int
 
 
+@final
 class New(Node, frozen=True, tag="new"):
     """``new T(x)``."""
 
@@ -104,6 +115,7 @@ class New(Node, frozen=True, tag="new"):
     column: int
 
 
+@final
 class Operation(Node, frozen=True, tag="op"):
     """Unary and binary operators; ``not``, ``and``, ``or`` are spelled ``!``, ``&&``, ``||``, and ``<<`` is one."""
 
@@ -111,6 +123,7 @@ class Operation(Node, frozen=True, tag="op"):
     operands: tuple[Expression, ...]
 
 
+@final
 class Assignment(Node, frozen=True, tag="set"):
     """``=``, ``+=``; ``++x`` is ``x += 1``, ``x++`` is ``(x += 1) - 1`` where its value is used."""
 
@@ -119,12 +132,14 @@ class Assignment(Node, frozen=True, tag="set"):
     value: Expression
 
 
+@final
 class Compiled(Node, frozen=True, tag="compiled"):
     """Whether what stands under these ``#if`` lines is compiled: (line, column, text). The index writes it, no front end."""
 
     guards: tuple[tuple[int, int, str], ...]
 
 
+@final
 class Conditional(Node, frozen=True, tag="if"):
     """The conditional expression."""
 
@@ -133,42 +148,49 @@ class Conditional(Node, frozen=True, tag="if"):
     other: Expression
 
 
+@final
 class Lambda(Node, frozen=True, tag="lambda"):
     """The function at the index *function* of ``Program.functions``."""
 
     function: int
 
 
+@final
 class ListLiteral(Node, frozen=True, tag="list"):
     """Braces, Python lists, tuples and sets."""
 
     items: tuple[Expression, ...]
 
 
+@final
 class DictLiteral(Node, frozen=True, tag="dict"):
     """A Python dictionary; a key that is a ``DoubleStar`` unpacks another."""
 
     pairs: tuple[tuple[Expression, Expression], ...]
 
 
+@final
 class Format(Node, frozen=True, tag="format"):
     """A Python f-string: its parts, to be joined as text."""
 
     parts: tuple[Expression, ...]
 
 
+@final
 class Address(Node, frozen=True, tag="&"):
     """``&a``."""
 
     value: Expression
 
 
+@final
 class Dereference(Node, frozen=True, tag="*"):
     """``*a``."""
 
     value: Expression
 
 
+@final
 class Cast(Node, frozen=True, tag="cast"):
     """Any C++ cast by keyword or parentheses."""
 
@@ -176,12 +198,14 @@ class Cast(Node, frozen=True, tag="cast"):
     value: Expression
 
 
+@final
 class TypeName(Node, frozen=True, tag="type"):
     """A type where an expression is expected (template argument, typeid)."""
 
     type: Type
 
 
+@final
 class Keyword(Node, frozen=True, tag="kw"):
     """A Python keyword argument, a C++ designated initialiser."""
 
@@ -189,18 +213,21 @@ class Keyword(Node, frozen=True, tag="kw"):
     value: Expression
 
 
+@final
 class Star(Node, frozen=True, tag="star"):
     """``*a`` among Python arguments or elements."""
 
     value: Expression
 
 
+@final
 class DoubleStar(Node, frozen=True, tag="starstar"):
     """``**a`` among Python arguments or entries."""
 
     value: Expression
 
 
+@final
 class Unknown(Node, frozen=True, tag="?"):
     """Anything else, as source text (at most 200 characters)."""
 
@@ -244,4 +271,4 @@ NOTHING = Type("")
 
 def name_of(expression: Expression) -> str:
     """The name that an identifier or a member access says, as written; "" of anything else."""
-    return expression.name if isinstance(expression, (Name, Member)) else ""
+    return expression.name if type(expression) is Name or type(expression) is Member else ""

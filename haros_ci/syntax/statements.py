@@ -3,24 +3,27 @@
 
 from __future__ import annotations
 
-from typing import TypeAlias
+from typing import TypeAlias, final
 
 from haros_ci.syntax.expressions import Expression, Type
 from haros_ci.syntax.node import Node, Record
 
 
+@final
 class Equals(Node, frozen=True, tag="="):
     """``T x = value``."""
 
     value: Expression
 
 
+@final
 class Parentheses(Node, frozen=True, tag="("):
     """``T x(arguments)``."""
 
     arguments: tuple[Expression, ...]
 
 
+@final
 class Braces(Node, frozen=True, tag="{"):
     """``T x{arguments}``."""
 
@@ -38,12 +41,14 @@ def started(init: Init | None) -> tuple[Expression, ...]:
     return (init.value,) if isinstance(init, Equals) else init.arguments
 
 
+@final
 class Do(Node, frozen=True, tag="do"):
     """An expression statement."""
 
     value: Expression
 
 
+@final
 class Variable(Node, frozen=True, tag="var"):
     """A local variable."""
 
@@ -54,24 +59,28 @@ class Variable(Node, frozen=True, tag="var"):
     column: int
 
 
+@final
 class Static(Node, frozen=True, tag="static"):
     """A local variable that is made once."""
 
     statement: Variable
 
 
+@final
 class Global(Node, frozen=True, tag="global"):
     """Python: the names are the module's variables in this function."""
 
     names: tuple[str, ...]
 
 
+@final
 class Nonlocal(Node, frozen=True, tag="nonlocal"):
     """Python: the names are variables of a function around this one."""
 
     names: tuple[str, ...]
 
 
+@final
 class If(Node, frozen=True, tag="if"):
     """*text* is the condition as written, spaces collapsed; *else_line* is 0 without else.
 
@@ -88,6 +97,7 @@ class If(Node, frozen=True, tag="if"):
     other: Block
 
 
+@final
 class Loop(Node, frozen=True, tag="loop"):
     """*keyword* is for, while or do; *before* comes before the first turn."""
 
@@ -100,12 +110,14 @@ class Loop(Node, frozen=True, tag="loop"):
     body: Block
 
 
+@final
 class Step(Node, frozen=True, tag="step"):
     """The step expression, last in the body of a ``for``: ``continue`` goes here."""
 
     value: Expression
 
 
+@final
 class Each(Node, frozen=True, tag="each"):
     """Range-for and Python for (*name* "" where it is a pattern)."""
 
@@ -118,6 +130,7 @@ class Each(Node, frozen=True, tag="each"):
     body: Block
 
 
+@final
 class Case(Record, frozen=True):
     """A case of a switch; its value is None for default."""
 
@@ -125,6 +138,7 @@ class Case(Record, frozen=True):
     body: Block
 
 
+@final
 class Switch(Node, frozen=True, tag="switch"):
     """Fall-through is kept: a block that does not end in break is followed by the next one's."""
 
@@ -135,6 +149,7 @@ class Switch(Node, frozen=True, tag="switch"):
     cases: tuple[Case, ...]
 
 
+@final
 class Handler(Record, frozen=True):
     """``catch``, ``except``."""
 
@@ -146,6 +161,7 @@ class Handler(Record, frozen=True):
     body: Block
 
 
+@final
 class Try(Node, frozen=True, tag="try"):
     """A block with its handlers."""
 
@@ -153,6 +169,7 @@ class Try(Node, frozen=True, tag="try"):
     handlers: tuple[Handler, ...]
 
 
+@final
 class Branch(Record, frozen=True):
     """``#if``, ``#elif``, ``#else``."""
 
@@ -162,38 +179,45 @@ class Branch(Record, frozen=True):
     body: Block
 
 
+@final
 class Preprocessor(Node, frozen=True, tag="pre"):
     """A preprocessor conditional inside a body."""
 
     branches: tuple[Branch, ...]
 
 
+@final
 class Nested(Node, frozen=True, tag="block"):
     """A scope of its own."""
 
     body: Block
 
 
+@final
 class Return(Node, frozen=True, tag="return"):
     """``return``."""
 
     value: Expression | None
 
 
+@final
 class Break(Node, frozen=True, tag="break"):
     """``break``."""
 
 
+@final
 class Continue(Node, frozen=True, tag="continue"):
     """``continue``."""
 
 
+@final
 class Throw(Node, frozen=True, tag="throw"):
     """``throw``, ``raise``."""
 
     value: Expression | None
 
 
+@final
 class NestedFunction(Node, frozen=True, tag="def"):
     """A nested Python function: the one at the index *function* of ``Program.functions``."""
 
@@ -201,12 +225,14 @@ class NestedFunction(Node, frozen=True, tag="def"):
     function: int
 
 
+@final
 class NestedClass(Node, frozen=True, tag="class"):
     """A nested class, in ``Program.classes`` under its qualified name."""
 
     name: str
 
 
+@final
 class Import(Node, frozen=True, tag="import"):
     """A Python import inside a function: its local name and dotted target."""
 

@@ -29,8 +29,7 @@ CHOICES = 8
 UNSET = "the attribute is not set before"
 UNSET_OR_INHERITED = "the attribute is not set before, or by a base class"
 #: Longer texts are not put together, nor those of more parts.
-TEXT_LIMIT = 4_000
-PARTS = 100
+TEXT_LIMIT, PARTS = 4_000, 100
 #: Longer lists are not put together.
 LIST_LIMIT = 1_000
 #: Sequences inside sequences that are taken for data.
@@ -90,6 +89,11 @@ class Text:
     """A text of known and opaque parts, in turn."""
 
     parts: tuple[str | Opaque, ...]
+
+    @property
+    def unknown(self) -> Opaque:
+        """The first part that is not known."""
+        return next(part for part in self.parts if isinstance(part, Opaque))
 
 
 @dataclass(frozen=True, slots=True)
@@ -185,9 +189,9 @@ Entries = dict[object, Cell] | Opaque
 Value = Union[Known, Opaque, Text, Choice, Object, Sequence, Mapped, Pointer, Callable, Library, ClassValue, Module]
 
 
-NONE = Known(None)
-TRUE = Known(True)
-FALSE = Known(False)
+#: Data and texts of which nothing is given from outside.
+PLAIN = frozenset((Known, Text))
+NONE, TRUE, FALSE = Known(None), Known(True), Known(False)
 
 
 def join(one: Value, other: Value) -> Value:
@@ -238,11 +242,10 @@ def concatenate(values: tuple[Value, ...], show: Function_[[Value], str | Opaque
                 chosen = whole if chosen is None else join(chosen, whole)
             return chosen if chosen is not None else Opaque("no value")
     for value in values:
-        if isinstance(value, Known) and value.__class__ is not Known:
-            joined: Value = value.joined(values, show)  # type: ignore[attr-defined]  # of values.given, which opens this module
+        if isinstance(value, (Known, Text)) and value.__class__ not in PLAIN:
+            joined: Value = value.joined(values, show)  # type: ignore[union-attr]  # of values.given, which opens this module
             return joined
-    parts: list[str | Opaque] = []
-    length = 0
+    parts, length = list[str | Opaque](), 0
     for value in values:
         found = value.parts if isinstance(value, Text) else ((show or streamed)(value),)
         length += sum(len(part) if isinstance(part, str) else 1 for part in found)
@@ -305,7 +308,7 @@ def opaque_of(value: object) -> Opaque | None:
     if isinstance(value, Opaque):
         return value
     if isinstance(value, Text):
-        return next(part for part in value.parts if isinstance(part, Opaque))
+        return value.unknown
     if isinstance(value, Choice):
         shown = ", ".join(sorted(repr(o.value) for o in value.options if isinstance(o, Known)))
         return Opaque(f"it may be one of {shown}" if shown else "it may be one of several values")

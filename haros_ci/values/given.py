@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from math import isfinite
 
-from haros_ci.values.abstract import Character, Known, Opaque, Value, concatenate
+from haros_ci.values.abstract import Character, Choice, Known, Opaque, Text, Value, concatenate
 from haros_ci.values.marks import BEGIN, END, filled, keys
 from haros_ci.values.questions import MOST, PLAIN, QUESTIONS, Answer
 
@@ -99,27 +99,73 @@ class Given(Known):
         return f"Known(value={self.value!r})"
 
     def joined(self, values: tuple[Value, ...], show: Callable[[Value], str | Opaque] | None) -> Value:
-        """The text of *values*, of which some are ``Given``: one itself, if all of it is known."""
-        parameters = [value for value in values if isinstance(value, Given)]
-        for value in parameters:
-            if value.mark is None:
-                value.looks.seen.update(value.cells)
-        whole = concatenate(tuple(Known(v.held) if isinstance(v, Given) else v for v in values), show)
-        marked = [value for value in parameters if value.mark is not None]
-        if not marked:
-            return whole
-        if isinstance(whole, Known):
-            mark = concatenate(tuple(Known(v.mark) if isinstance(v, Given) else v for v in map(_plain, values)), show)
-            if isinstance(mark, Known):
-                cells = tuple(dict.fromkeys(cell for value in marked for cell in value.cells))
-                return Given(whole.value, str(mark.value), cells, self.looks)
-        for value in marked:
-            value.looks.seen.update(value.cells)
+        return _joined(self.looks, values, show)
+
+
+class GivenText(Text):
+    """A text of which some parts are not known, and others given from outside: reading ``parts`` makes the *cells* of these count as they are.
+
+    *mark* is the text with marks for its cells.
+    """
+
+    __slots__ = ("cells", "held", "looks", "mark")
+    cells: tuple[str, ...]
+    held: tuple[str | Opaque, ...]
+    looks: Looks
+    mark: Text
+
+    def __init__(self, held: tuple[str | Opaque, ...], mark: Text, cells: tuple[str, ...], looks: Looks) -> None:
+        for name, value in (("held", held), ("mark", mark), ("cells", cells), ("looks", looks)):
+            object.__setattr__(self, name, value)
+
+    @property
+    def parts(self) -> tuple[str | Opaque, ...]:
+        self.looks.seen.update(self.cells)
+        return self.held
+
+    @property
+    def unknown(self) -> Opaque:
+        return self.mark.unknown
+
+    def __eq__(self, other: object) -> bool:
+        if self is other or (isinstance(other, GivenText) and self.mark == other.mark):
+            return True
+        return isinstance(other, Text) and self.parts == other.parts
+
+    def __hash__(self) -> int:
+        return hash((self.parts,))
+
+    def __repr__(self) -> str:
+        return f"Text(parts={self.parts!r})"
+
+    def joined(self, values: tuple[Value, ...], show: Callable[[Value], str | Opaque] | None) -> Value:
+        return _joined(self.looks, values, show)
+
+
+def _joined(looks: Looks, values: tuple[Value, ...], show: Callable[[Value], str | Opaque] | None) -> Value:
+    """The text of *values*, of which some are given from outside: it is, too, as far as its parts have marks."""
+    parameters = [value for value in values if isinstance(value, (Given, GivenText))]
+    for value in parameters:
+        if value.mark is None:
+            looks.seen.update(value.cells)
+    whole = concatenate(tuple(map(_held, values)), show)
+    cells = tuple(dict.fromkeys(cell for value in parameters if value.mark is not None for cell in value.cells))
+    if not cells:
         return whole
+    mark = concatenate(tuple(_held(value) if marked(value) is value else marked(value) for value in values), show)
+    if isinstance(whole, Known) and isinstance(mark, Known):
+        return Given(whole.value, str(mark.value), cells, looks)
+    if isinstance(whole, Text) and isinstance(mark, Text):
+        return GivenText(whole.parts, mark, cells, looks)
+    looks.seen.update(cells)
+    return whole
 
 
-def _plain(value: Value) -> Value:
-    return Known(value.held) if isinstance(value, Given) and value.mark is None else value
+def _held(value: Value) -> Value:
+    """*value* as it is, without looking at what is given of it."""
+    if isinstance(value, GivenText):
+        return Text(value.held)
+    return Known(value.held) if isinstance(value, Given) else value
 
 
 class Letter(Given):
@@ -152,10 +198,12 @@ def letter(value: Known, place: int) -> Known:
 
 
 def beginning(value: Known, count: int) -> Known | None:
-    """The first *count* characters of a given text where the rest of it is not given; None for others."""
+    """The first *count* characters of a given text where the rest of it is not given, or which are none; None for others."""
     held = value.held if isinstance(value, Given) else None
-    if not isinstance(value, Given) or not isinstance(held, str) or value.mark is None or not 0 < count <= len(held):
+    if not isinstance(value, Given) or not isinstance(held, str) or value.mark is None or not 0 <= count <= len(held):
         return None
+    if count == 0:
+        return Known("")
     rest = held[count:]
     if not value.mark.endswith(rest):
         return None
@@ -229,6 +277,13 @@ class Marks:
         cells = tuple(dict.fromkeys(self.cells[key] for key in keys(text)))
         return Given(self.real(text), text, cells, self.looks) if cells else Known(text)
 
+    def partly(self, text: Text) -> Text:
+        """*text*, which is not wholly known, as a value of the program."""
+        written = "".join(part for part in text.parts if isinstance(part, str))
+        cells = tuple(dict.fromkeys(self.cells[key] for key in keys(written)))
+        held = tuple(self.real(part) if isinstance(part, str) else part for part in text.parts)
+        return GivenText(held, text, cells, self.looks) if cells else text
+
     def looked_at(self, text: str) -> str:
         """*text* as it is; what is done depends on it from now on."""
         self.looks.seen.update(self.cells[key] for key in keys(text))
@@ -253,4 +308,8 @@ class Marks:
 
 def marked(value: Value) -> Value:
     """*value* for what is made of it: the text with marks, where it has some."""
+    if isinstance(value, GivenText):
+        return value.mark
+    if isinstance(value, Choice) and any(isinstance(option, GivenText) for option in value.options):
+        return Choice(tuple(option.mark if isinstance(option, GivenText) else option for option in value.options))
     return Known(value.mark) if isinstance(value, Given) and value.mark is not None else value

@@ -128,7 +128,7 @@ def function(  # noqa: C901 - one branch for each modelled function
         return conversions.converted(args[0].value if args else Known(0), Type(name))
     if name in BINDERS and args:
         return uncalled.keep(walk, library_bind.bind(args))
-    if name.startswith(LIMITS) and len(targs) == 1 and isinstance(targs[0], syntax.Type) and not args:
+    if name.startswith(LIMITS) and len(targs) == 1 and type(targs[0]) is syntax.Type and not args:
         return library_numbers.limit(name.removeprefix(LIMITS), walk.type_in(targs[0], frame))
     if name.endswith("::directory_iterator") and args:
         return library_xml.directory(walk, args[0].value)
@@ -142,7 +142,7 @@ def function(  # noqa: C901 - one branch for each modelled function
         if name.endswith("_ptr"):
             return args[0].value if args else NONE
         if targs:
-            kind = walk.type_in(targs[0], frame) if isinstance(targs[0], syntax.Type) else syntax.NOTHING
+            kind = walk.type_in(targs[0], frame) if type(targs[0]) is syntax.Type else syntax.NOTHING
             return given_away.constructed(walk, construct.create(walk, frame, kind.bare(), args, location))
         return None
     if name in TRANSPARENT and len(args) in (1, 2):
@@ -151,7 +151,7 @@ def function(  # noqa: C901 - one branch for each modelled function
             return concatenate((value,), converted_to_text)
         if name in ("std::string", "string"):
             return texts.constructed(args)
-        if name == "boost::lexical_cast" and targs and isinstance(targs[0], syntax.Type):
+        if name == "boost::lexical_cast" and targs and type(targs[0]) is syntax.Type:
             expected = walk.type_in(targs[0], frame)
             if expected.name not in STRINGS:
                 return conversions.converted(_number(value), expected)

@@ -94,7 +94,7 @@ def method(
     """A method of an object of these classes; None if there is no model of it."""
     if receiver.fields.keys().isdisjoint(OWN):
         return None  # such as one of a class of that name in the workspace
-    targs = tuple(walk.type_in(targ, frame) if isinstance(targ, syntax.Type) else targ for targ in targs)
+    targs = tuple(walk.type_in(targ, frame) if type(targ) is syntax.Type else targ for targ in targs)
     if receiver.name == HELPER:
         value: Value | None = receiver.fields[HANDLE].value if name == "node" and not args else None
         return value
@@ -169,7 +169,7 @@ def _known(text: str | None) -> Value:
 
 
 def _kind(targs: tuple[syntax.Argument, ...]) -> str:
-    return targs[0].name if len(targs) == 1 and isinstance(targs[0], syntax.Type) else ""
+    return targs[0].name if len(targs) == 1 and type(targs[0]) is syntax.Type else ""
 
 
 def _as(value: Value, targs: tuple[syntax.Argument, ...]) -> Value:

@@ -82,7 +82,7 @@ def _hidden(
     if walk.quiet or not handles or kind.name in walk.rows:
         return
     for inner in kind.arguments:
-        owner = walk.class_of(inner.name, frame.source) if isinstance(inner, syntax.Type) else None
+        owner = walk.class_of(inner.name, frame.source) if type(inner) is syntax.Type else None
         if owner is not None and walk.relevance.named(owner[1].name):
             message = f"{kind.name} is given class {owner[1].name} and a node handle: whether it makes one is not seen"
             walk.gaps.setdefault(message, location)

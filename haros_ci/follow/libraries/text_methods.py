@@ -73,8 +73,8 @@ def end_of(expression: Expression, iterator: Value) -> Value | None:
     """``*text.begin()`` or ``*text.rbegin()``: the first or last character, where the text is known."""
     if (
         not isinstance(iterator, Object)
-        or not isinstance(expression, syntax.Call)
-        or not isinstance(expression.callee, syntax.Member)
+        or type(expression) is not syntax.Call
+        or type(expression.callee) is not syntax.Member
     ):
         return None
     name = expression.callee.name

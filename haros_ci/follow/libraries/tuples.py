@@ -34,7 +34,7 @@ def part(value: Object, number: object) -> Cell | None:
 
 def got(targs: tuple[syntax.Argument, ...], args: tuple[PassedArgument, ...]) -> Value | None:
     """``std::get<0>(t)`` of a tuple or pair; None for all else."""
-    number = targs[0].value if len(targs) == 1 and isinstance(targs[0], syntax.Number) else None
+    number = targs[0].value if len(targs) == 1 and type(targs[0]) is syntax.Number else None
     if len(args) != 1 or type(number) is not int:
         return None
     value = args[0].value
@@ -53,7 +53,7 @@ def made(args: tuple[PassedArgument, ...]) -> Value:
 def number_of(kind: syntax.Type, place: int) -> int | None:
     """The number among the template arguments of a type (``std::array<T, 2>``), if it is one."""
     provided = kind.arguments[place] if place < len(kind.arguments) else None
-    if isinstance(provided, syntax.Number) and type(provided.value) is int:
+    if type(provided) is syntax.Number and type(provided.value) is int:
         return provided.value
     return None
 

@@ -62,7 +62,7 @@ def _base_name(loader: Object) -> str:
 def _base(loader: Object) -> syntax.Type | None:
     """The class whose plug-ins the loader gives."""
     found = loader.arguments[0] if loader.arguments else None
-    return found if isinstance(found, syntax.Type) else None
+    return found if type(found) is syntax.Type else None
 
 
 def _named(walk: Walk, frame: Frame, loader: Object, name: Value, location: Location) -> Value:

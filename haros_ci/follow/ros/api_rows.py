@@ -85,7 +85,7 @@ def call(
         if modelled is not None:
             return modelled
     if types is None:
-        types = tuple(walk.type_in(t, frame) if isinstance(t, syntax.Type) else t for t in targs)
+        types = tuple(walk.type_in(t, frame) if type(t) is syntax.Type else t for t in targs)
     made: Object | None = None
     returns = row.returns
     if returns is not None and all(isinstance(part, str) for part in returns.parts):

@@ -106,7 +106,7 @@ def _construct(walk: Walk, frame: Frame, registered: Object, config: Object, loc
     if registered.name == "registerNodeType" and registered.arguments:
         more = (call_arguments.PassedArgument(cell.value) for cell in registered.fields.values())
         kind = registered.arguments[0]
-        if isinstance(kind, syntax.Type):
+        if type(kind) is syntax.Type:
             built = construct.create(walk, frame, kind.bare(), (name, argument, *more), location)
     elif "0" in registered.fields:
         builder = registered.fields["0"].value

@@ -175,8 +175,8 @@ def _declare(walk: Walk, ports: Ports, source: Source, function: Function, node:
         last = callee.rpartition("::")[2]
         if last in DECLARING:
             text = args[0] if args else None
-            yield isinstance(text, syntax.String)
-            if isinstance(text, syntax.String):
+            yield type(text) is syntax.String
+            if type(text) is syntax.String:
                 ports[text.value] = (frame, args[1]) if len(args) == 3 and last != "OutputPort" else None
         elif last.startswith("provided") and depth < DEEPEST:
             head = callee.rpartition("::")[0]
@@ -194,8 +194,8 @@ def _calls(block: Part) -> Iterator[tuple[str, tuple[Expression, ...]]]:
     waiting = below((block,))[::-1]
     while waiting:
         node = waiting.pop()
-        if isinstance(node, syntax.Call):
-            name = node.callee.text if isinstance(node.callee, syntax.Unknown) else syntax.name_of(node.callee)
+        if type(node) is syntax.Call:
+            name = node.callee.text if type(node.callee) is syntax.Unknown else syntax.name_of(node.callee)
             yield name, node.arguments
             if name.rpartition("::")[2] in DECLARING:
                 continue

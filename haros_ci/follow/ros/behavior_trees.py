@@ -64,7 +64,7 @@ def _factory(
     location: Location,
 ) -> Value | None:
     if name in REGISTERING and args:
-        types = tuple(walk.type_in(targ, frame) for targ in targs if isinstance(targ, syntax.Type))
+        types = tuple(walk.type_in(targ, frame) for targ in targs if type(targ) is syntax.Type)
         _register(walk, factory, name, args, types)
         return NONE
     if name in LOADING:
@@ -212,7 +212,7 @@ def _blackboard(
             cell = board.fields[key] = Cell(Opaque(f"the blackboard's {key} is not set before"))
         walk.state.write(cell, args[1].value)
         return NONE
-    kind = walk.type_in(targs[0], frame) if targs and isinstance(targs[0], syntax.Type) else None
+    kind = walk.type_in(targs[0], frame) if targs and type(targs[0]) is syntax.Type else None
     message = f"the blackboard's {key or 'entry of a key that is not known'} is not known"
     value = cell.value if cell is not None else walk.opaque(message, frame, None, kind)
     return value if len(args) == 1 else behavior_tree_ports.stored(walk, frame, args[1], value)

@@ -17,8 +17,8 @@ from haros_ci.index.types import STRINGS
 from haros_ci.model.location import Location
 from haros_ci.syntax import Function
 from haros_ci.values import iterators
-from haros_ci.values.abstract import Choice, Known, Library, Opaque, Text
-from haros_ci.values.given import marked
+from haros_ci.values.abstract import Choice, Known, Library, Opaque, Text, Value
+from haros_ci.values.given import Given, marked
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
@@ -47,12 +47,19 @@ def through(
 @contextmanager
 def _outermost(walk: Walk, args: tuple[PassedArgument, ...], location: Location) -> Iterator[None]:
     values = [argument.value for argument in args if isinstance(argument.value, (Known, Text, Choice, Opaque, Library))]
-    texts = [pattern(marked(option))[0] for value in values for option in (value, *iterators.options(value))]
+    every = [_marked(option) for value in values for option in (value, *iterators.options(value))]
+    # A number that is given from outside, which has no mark, is no name; it is not looked at.
+    texts = [pattern(option)[0] for option in every if not isinstance(option, Given)]
     walk.outer = location, frozenset(text or UNKNOWN for text in texts)
     try:
         yield
     finally:
         walk.outer = None
+
+
+def _marked(value: Value) -> Value:
+    """*value* with marks, also in each of several that it may be."""
+    return Choice(tuple(map(marked, value.options))) if isinstance(value, Choice) else marked(value)
 
 
 def place(walk: Walk, name: str, location: Location) -> Location:

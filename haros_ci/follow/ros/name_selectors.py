@@ -36,11 +36,10 @@ def _full(applied: selectors.Applied, value: Value | None, flag: str) -> Value:
         return applied.walk.opaque("the namespace that an empty name is resolved to", applied.frame)
     full, unknown = _absolute(applied, _name(value))
     if unknown is not None:
-        full = applied.walk.context.marks.looked_at(full)
         pieces: list[str | Opaque] = []
         for number, piece in enumerate(full.split("?")):
             pieces += ([unknown] if number else []) + ([piece] if piece else [])
-        return Text(tuple(pieces)) if "?" in full else unknown
+        return applied.walk.context.marks.partly(Text(tuple(pieces))) if "?" in full else unknown
     name = _remap(applied, full)
     argument = selectors.given(applied.args, flag) if flag else None
     remaps, expands = (TRUE, FALSE) if applied.walk.context.process is None else (FALSE, TRUE)  # ROS 2: only_expand

@@ -116,7 +116,7 @@ def given(walk: Walk, frame: Frame, kind: syntax.Type, this: Object, location: L
     if walk.context.process is None or walk.quiet or not _is_strange(walk, kind.name):
         return
     for inner in kind.arguments:
-        owner = walk.class_of(inner.name, frame.source) if isinstance(inner, syntax.Type) else None
+        owner = walk.class_of(inner.name, frame.source) if type(inner) is syntax.Type else None
         if owner is None or not (walk.relevance.named(owner[1].name) or _called(walk, *owner)):
             continue
         key = ("given", id(owner[1]))

@@ -155,7 +155,7 @@ def gotten(applied: Applied, found: list[tuple[Value, Value | None]]) -> Value:
 def read_as(walk: Walk, parameter: Value, name: str, kinds: tuple[syntax.Argument, ...] = ()) -> None:
     """What ``get_parameter`` has returned is read by *name*, as a template argument if that says so: that is its type."""
     kind = READ_AS.get(name)
-    if kind is None and name in READ_BY and kinds and isinstance(kinds[0], syntax.Type):
+    if kind is None and name in READ_BY and kinds and type(kinds[0]) is syntax.Type:
         kind = ros2_parameter_type(kinds[0])
     if kind is None or walk.quiet or not isinstance(parameter, Object) or "name" not in parameter.fields:
         return

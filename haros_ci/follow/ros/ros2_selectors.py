@@ -32,6 +32,8 @@ if TYPE_CHECKING:
 _OPTIONS = {"cli_args": "arguments"}
 #: Classes of rclcpp that hold a parameter's value.
 PARAMETERS = ("rclcpp::ParameterValue", "rclcpp::Parameter")
+#: Types of data that are those of a parameter.
+SCALARS = frozenset((bool, int, float, str))
 #: Members of rcl_interfaces/msg/ParameterType and of rclpy's Parameter.Type, without their prefix.
 TYPES = {
     "BOOL": "bool",
@@ -141,7 +143,10 @@ def type_constant(value: Value | None) -> Library | None:
         value = held.value if held is not None and value.name in PARAMETERS else None
     if value is None or isinstance(value, Library) or value == NONE:
         return None
-    known, data = data_of(value)
+    if isinstance(value, Known) and value.kind in SCALARS:  # the type tells, and the value is looked at by nobody
+        known, data = True, value.kind()
+    else:
+        known, data = data_of(value)
     word = (ros2_data_type(data) if known else None) or ros2_parameter_type(conversions.value_type(value))
     constant = next((name for name, type_name in TYPES.items() if type_name == word), None)
     return Library(f"rclcpp::ParameterType::PARAMETER_{constant}") if constant is not None else None

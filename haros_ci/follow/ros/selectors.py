@@ -268,7 +268,7 @@ def _members(applied: Applied, value: Value, names: list[str]) -> Value | None:
 
 def _template_argument(types: tuple[syntax.Argument, ...], index: int) -> TypeValue | None:
     found = types[index] if index < len(types) else None
-    return TypeValue(found) if isinstance(found, syntax.Type) else None
+    return TypeValue(found) if type(found) is syntax.Type else None
 
 
 def _templates_of(owner: str, every: tuple[PassedArgument, ...]) -> Mapping[str, syntax.Argument]:
