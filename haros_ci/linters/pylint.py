@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator
 from posixpath import dirname
 from typing import Any
 
-from haros_ci.linters import columns, growth, imports, installed, python2
+from haros_ci.linters import columns, doubled_values, growth, imports, installed, python2
 from haros_ci.linters.catalogue.pylint import NOT_FATAL
 from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.linter import SILENCED, Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
@@ -89,7 +89,8 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
 
 def declined(workspace: Workspace, units: Iterable[Unit]) -> dict[str, str]:
     """Files on which the tool would not end, with the reason: it is not asked about them."""
-    return growth.why_not_python(workspace, units)
+    units = list(units)
+    return growth.why_not_python(workspace, units) | doubled_values.why_not(workspace, units)
 
 
 def command(program: Program, batch: Batch) -> Command:
