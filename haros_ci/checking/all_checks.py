@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Hashable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -70,13 +70,22 @@ def run_all(
             side_by_side(CHECKS, part, piece.spent)
     found = {name or group: piece.found for (group, name, _), piece in zip(work, done, strict=True)}
     of_checks = _together([found[check.id] for check in of_project])
-    return found[SYSTEMS], of_checks, found.get(OF_CHANGES), found[BESIDE]
+    unread = frozenset(fault.path for fault in project.workspace.faults)
+    of_systems, of_checks = _not_at(unread, found[SYSTEMS]), _not_at(unread, of_checks)
+    return of_systems, of_checks, found.get(OF_CHANGES), found[BESIDE]
 
 
 def _timed(do: Callable[[], Any]) -> _Done:
     before = now()
     found = do()
     return _Done(found, os.getpid(), now().less(before))
+
+
+def _not_at(manifests: frozenset[str], checked: Checked) -> Checked:
+    """*checked* without findings at *manifests* that cannot be parsed: what these declare is not known, and malformed-manifest says so."""
+    if not manifests:
+        return checked
+    return replace(checked, results=tuple(one for one in checked.results if one.location.path not in manifests))
 
 
 def _together(found: Sequence[Checked]) -> Checked:

@@ -19,7 +19,10 @@ _STATEMENTS = re.compile(
     )$""",
     re.MULTILINE | re.VERBOSE,
 )
-_OPERATORS = re.compile(r"^[^#'\"\n]*(?:<>|`\w+`|\b0[0-7]+[lL]?\b|\bur['\"])", re.MULTILINE)
+#: Operators and numbers that Python 3 has no more; a zero before octal digits is no fraction's (``0.01``).
+_OPERATORS = re.compile(r"<>|`[^`\n]{1,200}`|(?<![\w.])0[0-7]*[1-7][0-7]*[lL]?(?![\w.])|\bur\"")
+#: Texts and comments of one line.
+_REMARKS = re.compile(r"(?P<quote>['\"])(?:\\.|(?!(?P=quote))[^\\\n])*(?P=quote)|#[^\n]*")
 #: Methods and names that Python 3 has no more (What's New in Python 3.0), in what its parser takes.
 _GONE = re.compile(
     r"\.(?:iteritems|iterkeys|itervalues|has_key)[ \t]*\(|(?<![\w.])(?:xrange|raw_input|unicode|basestring)[ \t]*[(,)]"
@@ -56,7 +59,9 @@ _OPEN_BRACES = re.compile(
 def is_python2(text: str) -> bool:
     """Whether *text*, which is not valid Python 3, has the marks of Python 2."""
     code = _TEXTS.sub("", text)
-    return any(pattern.search(code) for pattern in (_SHEBANG, _STATEMENTS, _OPERATORS))
+    if _SHEBANG.search(code) is not None or _STATEMENTS.search(code) is not None:
+        return True
+    return _OPERATORS.search(_REMARKS.sub(lambda found: '""' if found["quote"] else "", code)) is not None
 
 
 def runs_only_on_python2(text: str) -> bool:

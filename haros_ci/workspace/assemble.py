@@ -25,6 +25,8 @@ _OF_ROS = re.compile(r"#[ \t]*include[ \t]*[<\"](?:ros\.h|rosserial|ArduinoHardw
 #: The branch of Python modules that are started, and what imports a client library of ROS.
 _STARTED = re.compile(r"""^if[ (]+__name__\s*==\s*["']__main__["']""", re.MULTILINE)
 _CLIENT = re.compile(r"^(?:import|from)[ \t]+(?:rospy|rclpy)\b", re.MULTILINE)
+#: The name of a package, in a manifest that no parser takes.
+_NAME = re.compile(rb"<name>\s*([A-Za-z][\w-]{0,99})\s*</name>")
 _TESTS = frozenset(("test", "tests"))
 #: A package, and what is wrong with its manifest.
 _Found = tuple[Package, Problem | None]
@@ -176,12 +178,14 @@ def _outermost(packages: dict[str, _Found]) -> dict[str, _Found]:
 
 
 def _package(content: Content, root_name: str) -> _Found:
-    """The package of a manifest; of a malformed one the directory, under its own name, and the fault."""
+    """The package of a manifest; of a malformed one its directory, under the name that stands in the text or else its own, and the fault."""
     package = parse_package(content.path, content.data)
     if isinstance(package, Package):
         return package, None
     directory = _directory(content.path)
-    return Package(name=root_name if directory == "." else directory.rpartition("/")[2], path=directory), package
+    written = _NAME.findall(content.data)
+    own = root_name if directory == "." else directory.rpartition("/")[2]
+    return Package(name=written[0].decode() if len(written) == 1 else own, path=directory), package
 
 
 def _owned(files: Iterable[SourceFile], owners: dict[str, str], third_party: ThirdParty) -> tuple[SourceFile, ...]:

@@ -32,6 +32,9 @@ PYTHON_2 = [
     "os.chmod(p, 0755)\n",
     "x = ur'y'\n",
     "#!/usr/bin/env python2\nx = (\n",
+    "x = 'a' + `b.c[0]` + 'd'\n",
+    "x = \"a\" + 'b', 1 <> 2\n",
+    "os.chmod('x', 0755)\n",
 ]
 NOT_PYTHON_2 = [
     "print('x')\n",
@@ -48,6 +51,10 @@ NOT_PYTHON_2 = [
     "# say `x` and a <> b\nx = (\n",
     "'''print the docs'''\n(\n",
     "x = 10 + 0.5 +\n",
+    "train(lr=0.01, gamma=0.99\nx = 1\n",
+    "x = 1.01 + 2.07e01 + 0x01 + 00 +\n",
+    "x = 'a' + \"<> `b` 0777 ur'c'\" +\n",
+    "print(f'`{x}`', \n  y=0.01 # <>\nz = (\n",
 ]
 
 
