@@ -2,8 +2,8 @@
 """The report as one JSON document for scripts: schema version 1, to which keys are added but never renamed.
 
 Top level: ``schemaVersion``, ``tool`` {name, version}, ``failOn`` (level or null), ``counts`` {open, errors, warnings,
-notes, failing, unchanged, updated, absent, suppressed, counted (metrics that are not listed)}, ``baseline`` {kind,
-source, available, message} or null, ``silenced`` by the change
+notes, failing, unchanged, updated, absent, suppressed, counted (metrics that are not listed), copies (open ones that text counts
+with what stands for them)}, ``baseline`` {kind, source, available, message} or null, ``silenced`` by the change
 {findings, comments [{path, line, comment}]},
 ``coverage`` {packages, files, lines, targets, unseen, sandbox}, ``provenance`` {repositoryUri, revision, branch} or null,
 ``runs`` [{tool, version, successful, imported, analysed, results}] (the last two are counts), ``notifications``
@@ -54,6 +54,7 @@ def render(report: Report, copy_of: Mapping[int, Location] = MappingProxyType({}
             "absent": counts.absent,
             "suppressed": counts.suppressed,
             "counted": counts.counted,
+            "copies": sum(is_open(result) and id(result) in copy_of for result in report.results),
         },
         "baseline": _baseline(report),
         "silenced": {

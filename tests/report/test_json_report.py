@@ -11,7 +11,7 @@ import pytest
 from report_samples import ARCHITECTURE, COMPARED, CPP, EMPTY, FAILED, HOSTILE, PLAIN, SHAPES, hostile
 
 from haros_ci.report import json_report
-from haros_ci.results.result import Report
+from haros_ci.results.result import Report, is_open
 
 
 @pytest.mark.parametrize("report", SHAPES.values(), ids=SHAPES)
@@ -78,11 +78,20 @@ def test_counts_add_up() -> None:
         "absent": 1,
         "suppressed": 0,
         "counted": 0,
+        "copies": 0,
     }
     for report in SHAPES.values():
         counts = json.loads(json_report.render(report))["counts"]
         kinds = ("open", "unchanged", "updated", "absent", "suppressed", "counted")
         assert sum(counts[kind] for kind in kinds) == len(report.results)
+
+
+def test_copies_are_counted_apart() -> None:
+    """As many as text leaves out of its headline."""
+    first = COMPARED.results[0]
+    copied = {id(result): first.location for result in COMPARED.results if result is not first}
+    counts = json.loads(json_report.render(COMPARED, copied))["counts"]
+    assert counts["copies"] == sum(is_open(result) for result in COMPARED.results if result is not first) > 0
 
 
 def test_failures_and_missing_baselines() -> None:
