@@ -125,7 +125,7 @@ def circles(by_child: dict[tuple[str, str], list[Broadcast]], system: System) ->
                 continue
             yield Finding(
                 at=ring[0].at,
-                message=f"the frames {names} form a cycle: tf rejects cycles, and every look-up in it fails; {seen_with(system)}",
+                message=f"the frames {names} form a cycle: tf rejects cycles, so that look-ups between these frames fail; {seen_with(system)}",
                 about=(*sorted(broadcast.child for broadcast in ring), *{id(e.node): e.node for e in ring}.values()),
                 related=each_once(ring[0].at, ((broadcast.at, broadcast.what) for broadcast in ring[1:])),
             )
