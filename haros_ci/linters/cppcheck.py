@@ -35,7 +35,13 @@ LEVELS = {"error": Level.ERROR, "warning": Level.WARNING}
 GAVE_UP = frozenset(
     {
         *("syntaxError", "unknownMacro", "preprocessorErrorDirective", "internalError", "internalAstError"),
-        *("unhandledChar", "includeNestedTooDeeply", "instantiationError", "cppcheckError"),
+        *(
+            "unhandledChar",
+            "includeNestedTooDeeply",
+            "instantiationError",
+            "cppcheckError",
+            "directiveAsMacroParameter",
+        ),
     }
 )
 #: It speaks of itself.

@@ -27,6 +27,10 @@ _TESTED = re.compile(
     r"^[ \t]*(?:#|%:)[ \t]*(?:if(n)?def[ \t]+|(?:el)?if\b[^\n]{0,200}?(!)?[ \t]*\bdefined\b[ \t(]*)([A-Za-z_]\w*)[^\n]*\n(?:[ \t]*\n)*[ \t]*(#|%:)?",
     re.M,
 )
+#: A comment whose end is written over two lines; a line that goes on behind other white space than blanks; what is taken for an assembler's.
+_OVER_LINES = re.compile(r"\*(?:\\|\?\?/)[ \t\f\v]*\r?\n[ \t]*/")
+_ODD_SPLICE = re.compile(r"(?:\\|\?\?/)[ \t]*[\f\v][ \t\f\v]*\r?\n")
+_ASSEMBLER = re.compile(r"(?<!\w)(?:_asm\b|__asm\s*\{)")
 _CALL = re.compile(r"\b([A-Z]\w{3,80})[ \t]*\(")
 _TOKEN = re.compile(r"\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.){1,12}'|[(){};]")
 #: What a decoration can mean without being code: attributes, words, other macros.
@@ -71,6 +75,12 @@ def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification
 
 def seen_otherwise(text: str) -> Iterator[str]:
     """What *text* has of this, quoted, in its order by kind; takes linear time."""
+    if _OVER_LINES.search(text) is not None:
+        yield "a comment whose end is written over two lines"
+    if _ODD_SPLICE.search(text) is not None:
+        yield "a line that goes on behind a form feed or vertical tab"
+    if _ASSEMBLER.search(text) is not None:
+        yield "what is called _asm"
     if "#" not in text and "%:" not in text and not any(name in text for name in _WITH_ARGUMENTS):
         return
     text = _code(text)

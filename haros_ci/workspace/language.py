@@ -39,9 +39,10 @@ SUFFIXES = {
 #: Environment hooks that are templates or of ament's own form, and files of environment variables.
 _ENVIRONMENT = re.compile(r".*\.(?:(?:sh|bash)(?:\.develspace)?\.(?:em|in)|dsv(?:\.in)?|env)|(?:.*\.)?env\.\w+|\.env")
 
-#: ``#!/usr/bin/python3``, ``#!/usr/bin/env python``, ``#!/usr/bin/env -S python3 -u``, ``#!/bin/sh -e``
+#: ``#!/usr/bin/python3``, ``#!/usr/bin/env python``, ``#!/usr/bin/env -S python3 -u``, ``#!/usr/bin/env --split-string="python3"``, ``#!/bin/sh -e``
 _SHEBANG = re.compile(
-    rb"#![ \t]*(?:\S*/env[ \t]+(?:-\S+[ \t]+|\w+=\S*[ \t]+)*)?(?:\S*/)?(?:(python|pypy)[\d.]*|(?:ba|da|k)?sh)(?:\s|$)"
+    rb"#![ \t]*(?:\S*/env[ \t]+(?:-\S+[ \t]+|\w+=\S*[ \t]+)*(?:-\w{0,8}S|--split-string=)?)?"
+    rb"[\"']?(?:[^\s\"']*/)?(?:(python|pypy)[\d.]*|(?:ba|da|k)?sh)(?:[\s\"']|$)"
 )
 
 

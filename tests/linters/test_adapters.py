@@ -244,6 +244,7 @@ CPPCHECK = [
     (error(places="h.hpp:1:0 a.cpp:3:5"), [("a.cpp", "nullPointer", "h.hpp:1")]),
     (error(file0="", places="h.hpp:1:2"), [("a.cpp", "nullPointer", "h.hpp:1:2")]),
     (error("syntaxError"), [("a.cpp", "Said <it>", 3)]),
+    (error("directiveAsMacroParameter"), [("a.cpp", "Said <it>", 3)]),
     (error("unknownMacro", places="h.hpp:4:1"), [("a.cpp", "Said <it> (h.hpp:4)", None)]),
     (error("syntaxError", file0="", places="h.hpp:4:1"), [("a.cpp", "Said <it> (h.hpp:4)", None)]),
     (error("syntaxError") + error("unknownMacro"), [("a.cpp", "Said <it>", 3)]),

@@ -24,7 +24,19 @@ SEEN = {
     f"#ifndef PCL_EXPORTS\n{CODE}\n#endif\n": "PCL_EXPORTS",
     f"#if X && !defined(PCL_EXPORTS)\n\n{CODE}\n#endif\n": "PCL_EXPORTS",
 }
+SEEN |= {
+    f"/* why *\\\n/ {CODE} /* */\n": "end is written over two lines",
+    f"/* why *\\ \r\n/ {CODE} /* */\n": "end is written over two lines",
+    f"/* why *??/\n/ {CODE} /* */\n": "end is written over two lines",
+    '#inc\\\f\nlude "part.glsl"\n': "form feed",
+    "struct _asm { static int & pick() { int a = 1; return a; } };\n": "_asm",
+    "int & _asm() { int a = 1; return a; }\n": "_asm",
+    "void f() { __asm { nop } }\n": "_asm",
+}
 QUIET = [
+    "/* one * \\\n / two */\n/**\n * text \\\n */\n",
+    "#define A(x) \\\n  (x * \\\n  /2)\n\f\nint a;\n",
+    'void f() { __asm__ volatile("nop"); asm("nop"); __asm("nop"); int my_asm = 1; f._asm_; }\n',
     CODE,
     '#include "part.hpp"\n#include <vector>\n',
     "// #include PART\n",
