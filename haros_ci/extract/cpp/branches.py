@@ -41,7 +41,7 @@ def _cuts(bare: str, directives: list[tuple[int, int]]) -> list[tuple[int, int]]
     is_inside = before.endswith(_MIDDLE) or _LIST.search(before) is not None
     if not is_inside and all(_is_whole(bare[start:end], after) for start, end in spans):
         return []
-    kept = 1 if len(spans) > 1 and _NEVER.fullmatch(bare[slice(*directives[0])]) else 0
+    kept = 1 if _NEVER.fullmatch(bare[slice(*directives[0])]) else 0  # of #if 0 alone nothing is compiled
     return [*directives, *(span for index, span in enumerate(spans) if index != kept)]
 
 
