@@ -30,6 +30,7 @@ NOT_FUZZED = {
     "streams": "opens the null device in place of streams that are closed",
     "workspace.base_settings": "opens files that linters.settings_files parses",
     "workspace.hiding": "compares bytes",
+    "workspace.object_name": "digests bytes, as git does",
     "workspace.settings_around": "opens files that linters.settings_files parses",
     "commands.baseline": "compares bytes",
     "baselines": "opens the files that results.compact and results.sarif_reader read",
