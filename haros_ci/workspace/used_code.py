@@ -28,6 +28,8 @@ _UNKNOWN = {"pyx": "Cython", "pxi": "Cython", "pyc": "Python that is compiled"} 
     ("egg", "whl", "pyz"), "an archive of Python"
 )
 _REFERRING = frozenset(("cpp", "python", "cmake", "launch", "setup", "package"))
+#: What a manifest says of packages, by their names, and in comments: no file is reached by it.
+_NAMES_PACKAGES = re.compile(r"<!--.{0,20000}?-->|<(?:\w{0,30}depend|name)\b[^<>]{0,400}>[^<>]{0,400}<", re.DOTALL)
 CODE = frozenset(("cpp", "python"))
 
 #: What may stand between the words of a directive, once lines are spliced.
@@ -181,6 +183,8 @@ class UsedCode:
         is_named = False
         for source in self._files(_REFERRING):
             text = self._workspace.text(source.path)
+            if name in text and source.language == "package":
+                text = _NAMES_PACKAGES.sub("", text)
             if name in text and place.search(text):
                 is_named = True
                 if source.language == "cmake" and (name.startswith(".") or "*" in text):

@@ -518,3 +518,41 @@ def test_launch_files_by_their_text_alone(name: str, text: str, other: str, is_s
 def test_languages_by_the_text_alone(name: str, text: str, language: str, tmp_path: Path) -> None:
     (tmp_path / name).write_text(text)
     assert UsedCode(discover(tmp_path, (".",))).language_by_text(name) == language
+
+
+def _reaches(root: Path, manifest: str) -> bool:
+    """Whether a file of the ignored package ``arm_sim`` is reached, where this stands in the manifest of another and that names the file, too."""
+    for path, text in {
+        "arm/package.xml": f"<package><name>arm</name>{manifest}</package>\n",
+        "arm/src/a.cpp": "int simulation;\n",
+        "arm_sim/COLCON_IGNORE": "",
+        "arm_sim/src/simulation.cpp": BODY,
+    }.items():
+        (root / path).parent.mkdir(parents=True, exist_ok=True)
+        (root / path).write_text(text, encoding="utf-8")
+    return UsedCode(discover(root, (".",))).reaches("arm_sim/src/simulation.cpp", "arm_sim")
+
+
+@pytest.mark.parametrize(
+    "manifest",
+    [
+        "",
+        "<exec_depend>arm_sim</exec_depend>",
+        '<build_export_depend condition="$ROS_VERSION == 2">arm_sim</build_export_depend>',
+        "<!-- <exec_depend>arm_sim</exec_depend> -->",
+        "<!--\\n arm_sim \\n-->",
+    ],
+)
+def test_a_dependency_on_an_ignored_package_reaches_no_file_of_it(manifest: str, tmp_path: Path) -> None:
+    assert not _reaches(tmp_path, manifest)
+
+
+@pytest.mark.parametrize(
+    "manifest",
+    [
+        '<export><arm plugin="${prefix}/../arm_sim/simulation.xml"/></export>',
+        "<!-- a --><export>arm_sim</export><!-- b -->",
+    ],
+)
+def test_another_word_of_a_manifest_may(manifest: str, tmp_path: Path) -> None:
+    assert _reaches(tmp_path, manifest)
