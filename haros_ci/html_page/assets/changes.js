@@ -34,6 +34,8 @@ function changePicture(picture) {
   const edges = picture.edges.map(([node, channel, gives, own, points]) => ({ from: gives ? `n${node}` : `c${channel}`, to: gives ? `c${channel}` : `n${node}`, channel: `c${channel}`, points, classes: state(own), tip: own || "there before" }));
   const made = makePicture({ label: "what has changed", select: () => {} });
   made.show({ size: picture.size, boxes: [], elements, edges });
-  requestAnimationFrame(() => made.begin());
-  return h("div", { class: "stage low" }, made.element);
+  const rest = h("p", { class: "quiet", role: "status" });
+  made.told = (isWhole) => { rest.textContent = isWhole ? "" : "Drag the picture for more of it; the wheel shows all."; };
+  requestAnimationFrame(() => made.begin(true));
+  return [h("div", { class: "stage low" }, made.element), rest];
 }

@@ -291,6 +291,10 @@ function makePicture({ label, select, folded, pick }) {
       view.scale = READABLE;
       view.x = 0;
       view.y = (tall - down(scene.size[1]) * view.scale) / 2;
+      const first = [...byId.keys()].map(rectangleOf).reduce((one, other) => (other && (!one || other[0] < one[0]) ? other : one), null);
+      const middle = first ? first[1] + first[3] / 2 : 0;
+      const seen = view.y + middle * view.scale;
+      if (first && (seen < 0 || seen > tall)) view.y = tall / 2 - middle * view.scale; // the window begins where something is
       place(true);
     }
     if (made.told) made.told(isWhole);
