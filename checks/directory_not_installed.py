@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
@@ -14,6 +14,7 @@ from haros_ci.api.packages import (
     DevelSpaces,
     Leftovers,
     Programs,
+    install_commands,
     install_directory,
     install_line,
     install_place,
@@ -48,7 +49,35 @@ class _Need:
     wrong: str = ""
 
 
-def check(project: Project) -> Iterator[Finding]:  # noqa: C901 - two passes over what one package installs, and one over launch files
+def check(project: Project) -> Iterator[Finding]:
+    needs = _used(project)
+    leftovers, devel = Leftovers(project), DevelSpaces(project)
+    for package in project.packages:
+        if _is_readable(package):
+            for folder in _launch_folders(package, leftovers):
+                needs.setdefault((package.name, folder), _Need())
+            yield from _headers(package, devel)
+    needed, programs = _needed(project, needs), Programs(project)
+    wanting: dict[str, dict[str, _Need]] = {}
+    for (name, thing), need in needs.items():
+        wanting.setdefault(name, {})[thing] = need
+    for name, asked in wanting.items():
+        owner = project.package(name)
+        if owner is None or not (things := _lacking(owner, asked)):
+            continue
+        is_alone = len(things) == 1 and owner.ros == 2
+        if not installs_nothing(owner):
+            for thing, need in things.items():
+                yield _finding(owner, thing, need, (name, thing) not in needed or devel.has(owner))
+        elif all(other_uninstalled.level is Level.NOTE for other_uninstalled in uninstalled(owner, programs)):
+            # else target-not-installed tells that the package has no install() at all
+            yield (
+                _finding(owner, *next(iter(things.items())), devel.has(owner)) if is_alone else _nothing(owner, things)
+            )
+
+
+def _used(project: Project) -> dict[tuple[str, str], _Need]:
+    """What something uses of a package, by package and directory or file, and is not installed to there."""
     needs: dict[tuple[str, str], _Need] = {}
     for place, name, inner in _named(project):
         package = project.package(name)
@@ -63,39 +92,18 @@ def check(project: Project) -> Iterator[Finding]:  # noqa: C901 - two passes ove
         need = needs.setdefault((name, inner.partition("/")[0]), _Need())
         need.places.append((place, f"needs {inner}"))
         need.wrong = need.wrong or next(iter(found), "")
-    leftovers, devel = Leftovers(project), DevelSpaces(project)
-    for package in project.packages:
-        if _is_readable(package):
-            for folder, _place in _launch_folders(package, leftovers):
-                needs.setdefault((package.name, folder), _Need())
-            yield from _headers(package, devel)
-    idle = needs.keys() - _needed(project, needs)
-    programs = Programs(project)
-    wanting: dict[str, dict[str, _Need]] = {}
-    for (name, thing), need in needs.items():
-        wanting.setdefault(name, {})[thing] = need
-    for name, things in wanting.items():
-        package = project.package(name)
-        if package is None:
-            continue
-        meant = left_out_on_purpose(package)
-        things = {thing: need for thing, need in things.items() if need.wrong or thing not in meant}
-        if package.ros == 1 and not installs_nothing(package):  # target-not-installed tells of it with the library
-            reported = {plugin.location.path for plugins in lost_plugins(package).values() for plugin in plugins}
-            things = {thing: need for thing, need in things.items() if not _is_reported(package, thing, need, reported)}
-        if not things:
-            continue
-        if not installs_nothing(package):
-            for thing, need in things.items():
-                yield _finding(package, thing, need, (name, thing) in idle or devel.has(package))
-        elif all(other_uninstalled.level is Level.NOTE for other_uninstalled in uninstalled(package, programs)):
-            # else target-not-installed tells that the package has no install() at all
-            is_one = len(things) == 1 and package.ros == 2
-            yield (
-                _finding(package, *next(iter(things.items())), devel.has(package))
-                if is_one
-                else _nothing(package, things)
-            )
+    return needs
+
+
+def _lacking(package: ProjectPackage, things: Mapping[str, _Need]) -> dict[str, _Need]:
+    """Those of *things* that are not left out on purpose, and of which no other check speaks."""
+    meant = left_out_on_purpose(package)
+    lacking = {thing: need for thing, need in things.items() if need.wrong or thing not in meant}
+    if package.ros != 1 or installs_nothing(package):
+        return lacking
+    # target-not-installed tells of plug-ins' descriptions with the library
+    reported = {plugin.location.path for plugins in lost_plugins(package).values() for plugin in plugins}
+    return {thing: need for thing, need in lacking.items() if not _is_reported(package, thing, need, reported)}
 
 
 def _is_filled(package: ProjectPackage, path: str, inner: str) -> bool:
@@ -140,14 +148,9 @@ def _named(project: Project) -> Iterator[tuple[Location, str, str]]:
     seen: set[tuple[Location, str]] = set()
     for system in project.systems:
         for use in system.facts(FileUse):
-            if (
-                use.package
-                and use.inner
-                and use.inner != "."
-                and use.is_found
-                and (use.location, use.inner) not in seen
-            ):
-                seen.add((use.location, use.inner))
+            key = (use.location, use.inner)
+            if use.package and use.inner not in ("", ".") and use.is_found and key not in seen:
+                seen.add(key)
                 yield use.location, use.package, use.inner
     for package in project.packages:
         text = project.text(package.manifest_path) if package.ros == 1 else ""
@@ -184,7 +187,7 @@ def _is_made(package: ProjectPackage, inner: str) -> bool:
     )
 
 
-def _launch_folders(package: ProjectPackage, leftovers: Leftovers) -> Iterator[tuple[str, Location]]:
+def _launch_folders(package: ProjectPackage, leftovers: Leftovers) -> Iterator[str]:
     """Directories with launch files of which none is installed (ROS 2: ros2 launch finds none of them)."""
     if package.ros != 2:
         return
@@ -197,12 +200,9 @@ def _launch_folders(package: ProjectPackage, leftovers: Leftovers) -> Iterator[t
             if "launch" in inner.partition("/")[0] and not _ASIDE.search(inner.lower()):
                 files.setdefault(inner.partition("/")[0], []).append(file.path)
     for folder, paths in files.items():
-        if _is_made(package, f"{folder}/"):
-            continue
-        if all(leftovers.starts_only_gone(path, package) for path in paths):
-            continue
-        if not any(landings(package, path) for path in paths):
-            yield folder, Location(paths[0], 1)
+        is_left = _is_made(package, f"{folder}/") or all(leftovers.starts_only_gone(path, package) for path in paths)
+        if not is_left and not any(landings(package, path) for path in paths):
+            yield folder
 
 
 def _headers(package: ProjectPackage, devel: DevelSpaces) -> Iterator[Finding]:
@@ -279,7 +279,7 @@ def _nothing(package: ProjectPackage, things: Mapping[str, _Need]) -> Finding:
     """One finding for a package without any install rule; a note in ROS 1, where such a package is used from its devel space."""
     names = ", ".join(things)
     places = list(dict.fromkeys(place for need in things.values() for place in need.places))
-    fix = install_line(package, _install_all(package, things), f"install {names}")
+    fix = install_line(package, install_commands(package, things), f"install {names}")
     is_needed = bool(places) and package.ros == 2
     finder = "ros2 launch and nodes" if package.ros == 2 else "in an install space roslaunch and nodes"
     return Finding(
@@ -291,14 +291,6 @@ def _nothing(package: ProjectPackage, things: Mapping[str, _Need]) -> Finding:
         level=Level.ERROR if is_needed else Level.WARNING if package.ros == 2 else Level.NOTE,
         fixes=(fix,) if fix is not None else (),
     )
-
-
-def _install_all(package: ProjectPackage, things: Iterable[str]) -> str:
-    share = "share/${PROJECT_NAME}" if package.ros == 2 else "${CATKIN_PACKAGE_SHARE_DESTINATION}"
-    folders = [thing for thing in things if package.inside(thing) in package.project.directories]
-    files = [thing for thing in things if thing not in folders]
-    kinds = (("DIRECTORY", folders), ("FILES", files))
-    return "\n".join(f"install({kind} {' '.join(names)} DESTINATION {share})" for kind, names in kinds if names)
 
 
 def _finding(package: ProjectPackage, thing: str, need: _Need, is_idle: bool) -> Finding:

@@ -121,13 +121,19 @@ def _by_directory(meshes: Iterable[list[Mesh]], project: Project, is_plain: bool
         if is_plain and _is_literal(mesh[0], project):
             found.setdefault((mesh[0].location.path, "$(find "), []).extend(mesh)
             continue
-        folder = (mesh[0].filename or "").rpartition("/")[0]
-        inside = folder.partition("://")[2].replace("$(find ", "").replace(")", "")
-        package = project.package(owner(mesh[0].filename or ""))
-        place = package.inside(inside.partition("/")[2]) if package is not None else ""
-        wrong = package is not None and mesh[0].is_missing and not _has_kind(project, place, mesh[0].filename or "")
+        name = mesh[0].filename or ""
+        folder, place = name.rpartition("/")[0], _folder(mesh[0], project)
+        wrong = place is not None and mesh[0].is_missing and not _has_kind(project, place, name)
         found.setdefault((mesh[0].location.path, folder if wrong else f"\0{number}"), []).extend(mesh)
     return list(found.values())
+
+
+def _folder(mesh: Mesh, project: Project) -> str | None:
+    """The root-relative directory in which a package of the workspace is to have the file; None for others."""
+    name = mesh.filename or ""
+    package = project.package(owner(name))
+    inside = name.rpartition("/")[0].partition("://")[2].replace("$(find ", "").replace(")", "")
+    return package.inside(inside.partition("/")[2]) if package is not None else None
 
 
 def _has_kind(project: Project, folder: str, filename: str) -> bool:
@@ -142,16 +148,8 @@ def _has_kind(project: Project, folder: str, filename: str) -> bool:
 
 def _lacks(mesh: Mesh, project: Project) -> str:
     """What the directory of *mesh* lacks: itself, or any file of the format."""
-    package = project.package(owner(mesh.filename or ""))
-    inner = (
-        (mesh.filename or "")
-        .rpartition("/")[0]
-        .partition("://")[2]
-        .replace("$(find ", "")
-        .replace(")", "")
-        .partition("/")[2]
-    )
-    is_there = package is not None and project.exists(package.inside(inner))
+    folder = _folder(mesh, project)
+    is_there = folder is not None and project.exists(folder)
     return f"which has no file *.{(mesh.filename or '').rpartition('.')[2]}" if is_there else "which does not exist"
 
 

@@ -26,6 +26,7 @@ from haros_ci.checking.editing import (
 )
 from haros_ci.checking.imports import imported, imports_of, is_called_after
 from haros_ci.checking.installing import (
+    install_commands,
     install_directory,
     install_line,
     install_place,
@@ -217,6 +218,7 @@ __all__ = [
     "imports_of",
     "is_called_after",
     "insert_line",
+    "install_commands",
     "install_directory",
     "install_line",
     "install_place",

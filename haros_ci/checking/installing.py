@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.model.build import Installed
@@ -175,3 +175,12 @@ def install_directory(package: ProjectPackage, directory: str) -> Fix | None:
             return Fix(f"install {directory}", (Edit(package.cmake_path, point, point, between + directory),))
     share = "share/${PROJECT_NAME}" if package.ros == 2 else "${CATKIN_PACKAGE_SHARE_DESTINATION}"
     return install_line(package, f"install(DIRECTORY {directory} DESTINATION {share})", f"install {directory}")
+
+
+def install_commands(package: ProjectPackage, things: Iterable[str]) -> str:
+    """The commands of CMake that install directories and files of the package, *things*, to its share."""
+    share = "share/${PROJECT_NAME}" if package.ros == 2 else "${CATKIN_PACKAGE_SHARE_DESTINATION}"
+    folders = [thing for thing in things if package.inside(thing) in package.project.directories]
+    files = [thing for thing in things if thing not in folders]
+    kinds = (("DIRECTORY", folders), ("FILES", files))
+    return "\n".join(f"install({kind} {' '.join(names)} DESTINATION {share})" for kind, names in kinds if names)

@@ -33,16 +33,10 @@ MAX_CONFIGS = 1
 LEVELS = {"error": Level.ERROR, "warning": Level.WARNING}
 #: It could not go on with the file.
 GAVE_UP = frozenset(
-    {
-        *("syntaxError", "unknownMacro", "preprocessorErrorDirective", "internalError", "internalAstError"),
-        *(
-            "unhandledChar",
-            "includeNestedTooDeeply",
-            "instantiationError",
-            "cppcheckError",
-            "directiveAsMacroParameter",
-        ),
-    }
+    """
+    syntaxError unknownMacro preprocessorErrorDirective internalError internalAstError unhandledChar includeNestedTooDeeply
+    instantiationError cppcheckError directiveAsMacroParameter
+    """.split()
 )
 #: It speaks of itself.
 ABOUT_ITSELF = frozenset(

@@ -65,46 +65,39 @@ def _needed(tree: Any) -> str:
     return best
 
 
-class QuickPatterns:
-    """``re.search`` and ``re.match``, which compile and try a pattern only on texts that contain what it needs (:func:`needed_text`)."""
+class Quick:
+    """``re.search`` or ``re.match``, by its name: a pattern is compiled and tried only on texts that contain what it needs (:func:`needed_text`)."""
 
-    def __init__(self) -> None:
+    def __init__(self, method: str) -> None:
+        self._method = method
+        self._plain: Callable[..., re.Match[str] | None] = getattr(re, method)
         self._needs: dict[str, str] = {}
-        self._compiled: dict[str, re.Pattern[str]] = {}
+        self._tries: dict[str, Callable[[str], re.Match[str] | None]] = {}
 
-    def search(self, pattern: Any, text: str, flags: int = 0) -> re.Match[str] | None:
+    def find(self, pattern: Any, text: str, flags: int = 0) -> re.Match[str] | None:
+        """As the function of ``re``, for a pattern and a text."""
         need = self._needs.get(pattern)
         if need is None or flags:
             if flags or not isinstance(pattern, str):
-                return re.search(pattern, text, flags)
+                return self._plain(pattern, text, flags)
             need = self._learn(pattern)
-        return self._compile(pattern).search(text) if need in text else None
-
-    def match(self, pattern: Any, text: str, flags: int = 0) -> re.Match[str] | None:
-        need = self._needs.get(pattern)
-        if need is None or flags:
-            if flags or not isinstance(pattern, str):
-                return re.match(pattern, text, flags)
-            need = self._learn(pattern)
-        return self._compile(pattern).match(text) if need in text else None
+        if need not in text:
+            return None
+        attempt = self._tries.get(pattern)
+        if attempt is None:
+            attempt = self._tries[pattern] = getattr(re.compile(pattern), self._method)
+        return attempt(text)
 
     def _learn(self, pattern: str) -> str:
         if len(self._needs) >= KEPT:
             self._needs.clear()
-            self._compiled.clear()
+            self._tries.clear()
         return self._needs.setdefault(pattern, needed_text(pattern))
-
-    def _compile(self, pattern: str) -> re.Pattern[str]:
-        compiled = self._compiled.get(pattern)
-        if compiled is None:
-            compiled = self._compiled[pattern] = re.compile(pattern)
-        return compiled
 
 
 def hasten(cpplint: Any) -> None:
     """Short cuts that change no verdict: much of cpplint's time goes to patterns whose word is not in the line."""
-    quick = QuickPatterns()
-    cpplint.re = SimpleNamespace(**{**vars(re), "search": quick.search, "match": quick.match})
+    cpplint.re = SimpleNamespace(**{**vars(re), **{name: Quick(name).find for name in ("search", "match")}})
     for name in ("_re_pattern_types_or_objs", "_re_pattern_functions", "_re_pattern_templates"):
         rows = getattr(cpplint, name, [])
         rows[:] = [_guarded(*row) if len(row) == 3 else row for row in rows]

@@ -10,11 +10,14 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterator
 
+from haros_ci.results.comments import BEGINS_CHARACTER
+
 #: Nothing else makes text dead that is looked at here.
 _MAY_HIDE = re.compile(r"R\"|/\*|^[ \t]*#[ \t]*if\b", re.M)
 #: Comments, the beginning of a raw text, and texts and characters of one line ([lex.string]).
 _LEXEME = re.compile(
-    r"//[^\n]*|/\*|\bu?8?[uUL]?R\"([^()\\\s\"]{0,16})\(|\"(?:[^\"\\\n]|\\.)*\"|(?<![0-9a-fA-F])'(?:[^'\\\n]|\\.){1,12}'"
+    r"//[^\n]*|/\*|\bu?8?[uUL]?R\"([^()\\\s\"]{0,16})\(|\"(?:[^\"\\\n]|\\.)*\""
+    rf"|'{BEGINS_CHARACTER}(?:[^'\\\n]|\\.){{1,12}}'"
 )
 _CONDITIONAL = re.compile(r"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|elifdef|elifndef|else|endif)\b([^\n]*)", re.M)
 _FALSE = re.compile(r"[\s(]*(?:0+[uUlL]*|false|![\s(]*(?:1|true))[\s)]*(?:&&.*)?")
@@ -59,7 +62,7 @@ def _under_false(text: str, hidden: tuple[tuple[int, int], ...]) -> Iterator[tup
     """What stands in branches whose condition is written false, or that follow one that is written true."""
     stack: list[
         tuple[int, bool]
-    ] = []  # from where the branch is dead, -1 if it is not, and whether one before it was written true
+    ] = []  # where the branch begins if it is dead, else -1; whether one before is written true
     for match in _CONDITIONAL.finditer(text):
         if is_in(match.start(), hidden):
             continue

@@ -7,20 +7,21 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-#: What may hide or be a comment, after its first character. Every pattern begins with a set of first characters,
-#: which Python's regular expressions skip to fast, and consumes what it starts, so that a scan is linear.
 #: A quote in a number of at most 90 characters separates digits (``1'000``); one behind any other word begins a character (``case'a'``).
 _LONGEST_NUMBER = 90
-_BEGINS_CHARACTER = (
+#: Stands behind a quote that begins a character.
+BEGINS_CHARACTER = (
     r"(?:(?<![0-9A-Fa-f]')|(?!"
     + "|".join(rf"(?<=(?<![\w'])[0-9][\w.']{{{n}}}')" for n in range(_LONGEST_NUMBER))
     + "))"
 )
+#: What may hide or be a comment, after its first character. Every pattern begins with a set of first characters,
+#: which Python's regular expressions skip to fast, and consumes what it starts, so that a scan is linear.
 C_SKIPPED = (
     r"(?<=/)(?:/[^\n\\]*(?:\\[\s\S]?[^\n\\]*)*|\*[^*]*(?:\*(?!/)[^*]*)*(?:\*/|\Z))"
     r'|(?<=")(?:(?:(?<=\bR")|(?<=\bu8R")|(?<=\b[uUL]R"))(?P<end>[^\s()\\"]{0,16})'
     r'\([^)]*(?:\)(?!(?P=end)")[^)]*)*(?:\)(?P=end)"|\Z)|[^"\\\n]*(?:\\[\s\S]?[^"\\\n]*)*"?)'
-    rf"|(?<='){_BEGINS_CHARACTER}"
+    rf"|(?<='){BEGINS_CHARACTER}"
     r"[^'\\\n]*(?:\\[\s\S]?[^'\\\n]*)*'?"
 )
 PYTHON_SKIPPED = (

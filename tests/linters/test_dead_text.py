@@ -26,6 +26,8 @@ DEAD = [
     f"#if 0 /* never */\n{LINE}#endif\n",
     f"#if 0\n{LINE}",
     f"/*\n{LINE}*/\n",
+    f"void f(int c) {{ switch (c) {{ case'\"': /* \"\n{LINE}*/ break; }} }}\n",
+    f"int a = 0x1'0; /* '\n{LINE}*/\n",
     f"/* no end\n{LINE}",
     f'const char * text = R"(\n{LINE})";\n',
     f'const char * text = R"--(\n)"\n{LINE})--";\n',
