@@ -11,10 +11,8 @@ way puts what stands behind it under the opposite of all that leads there. No co
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
-
-from msgspec import Struct
 
 from haros_ci import syntax
 from haros_ci.follow import conversions, expressions
@@ -57,7 +55,8 @@ SHUTDOWNS = frozenset(
 STARTS = frozenset("on_init on_configure on_activate init initRequest initialize configure".split())
 
 
-class Exit(Struct, frozen=True, eq=False):
+@dataclass(frozen=True, slots=True, eq=False)
+class Exit:
     """A way out: the *conditions* around it, from the entry on; *ends* is the loop of which it ends a turn, or the ``try``
     whose block it leaves, None where it is the function."""
 
