@@ -207,7 +207,7 @@ def _same(one: object, other: object) -> bool:
             if len(left) != len(right):
                 return False
             waiting += zip(left, right, strict=True)
-        elif type(left) is syntax.Record and type(right) is syntax.Record:
+        elif isinstance(left, syntax.Record) and isinstance(right, syntax.Record):
             if type(left) is not type(right) or (isinstance(left, STRICT) and left != right):
                 return False
             waiting += [(getattr(left, name), getattr(right, name)) for name in left.__struct_fields__]
