@@ -29,7 +29,7 @@ _UNKNOWN = {"pyx": "Cython", "pxi": "Cython", "pyc": "Python that is compiled"} 
 )
 _REFERRING = frozenset(("cpp", "python", "cmake", "launch", "setup", "package"))
 #: What a manifest says of packages, by their names, and in comments: no file is reached by it.
-_NAMES_PACKAGES = re.compile(r"<!--.{0,20000}?-->|<(?:\w{0,30}depend|name)\b[^<>]{0,400}>[^<>]{0,400}<", re.DOTALL)
+_NAMES_PACKAGES = re.compile(r"<!--.*?(?:-->|\Z)|<(?:\w{0,30}depend|name)\b[^<>]{0,400}>[^<>]{0,400}<", re.DOTALL)
 CODE = frozenset(("cpp", "python"))
 
 #: What may stand between the words of a directive, once lines are spliced.

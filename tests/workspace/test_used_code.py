@@ -540,7 +540,8 @@ def _reaches(root: Path, manifest: str) -> bool:
         "<exec_depend>arm_sim</exec_depend>",
         '<build_export_depend condition="$ROS_VERSION == 2">arm_sim</build_export_depend>',
         "<!-- <exec_depend>arm_sim</exec_depend> -->",
-        "<!--\\n arm_sim \\n-->",
+        "<!--\n arm_sim \n-->",
+        "<!-- no end: arm_sim " + "<!--" * 200_000,
     ],
 )
 def test_a_dependency_on_an_ignored_package_reaches_no_file_of_it(manifest: str, tmp_path: Path) -> None:
