@@ -80,7 +80,7 @@ def seen_otherwise(text: str) -> Iterator[str]:
     if _ODD_SPLICE.search(text) is not None:
         yield "a line that goes on behind a form feed or vertical tab"
     if _ASSEMBLER.search(text) is not None:
-        yield "what is called _asm"
+        yield "the name _asm, which it takes for an assembler's block,"
     if "#" not in text and "%:" not in text and not any(name in text for name in _WITH_ARGUMENTS):
         return
     text = _code(text)
