@@ -58,14 +58,12 @@ def silenced(
     """
     if not isinstance(base, Base):
         return Silenced()
+    from haros_ci.results.silenced import by_place
+
     found = _by_comments(workspace, base, runs)
     if settings.baseline is not None:
         return found
-    return replace(found, more=tuple(sorted({*found.more, *_more(workspace, base, runs, examine)}, key=_place)))
-
-
-def _place(pair: tuple[Location, str]) -> tuple[object, ...]:
-    return pair[0].sort_key, pair[1]
+    return replace(found, more=tuple(sorted({*found.more, *_more(workspace, base, runs, examine)}, key=by_place)))
 
 
 def _more(

@@ -57,7 +57,7 @@ def silenced(pairs: Iterable[SilencedPair], removed: Iterable[tuple[str, str, st
     A comment is old if one with the same words stands in the base on the line that maps to its own, or beside the line that maps to its code, or
     beside the same code that has moved: from another place of the file, from another changed file, or from one that is *removed* (path, language
     and text). If that code is still in its place, it has lost the comment, and the comment is new. Of a file that was generated before
-    and still is nothing is key.
+    and still is nothing is said.
     """
     new: list[_Mark] = []
     grown: list[tuple[Location, str]] = []
@@ -83,10 +83,11 @@ def silenced(pairs: Iterable[SilencedPair], removed: Iterable[tuple[str, str, st
     results = (result for run in runs for result in run.results if result.suppressions)
     count = sum(all(s.kind == "inSource" and s.location in own for s in result.suppressions) for result in results)
     others = [(mark.place, mark.name) for mark in added if not mark.is_own]
-    return Silenced(count, tuple(sorted(others, key=_order)), tuple(sorted({*grown} - {*others}, key=_order)))
+    return Silenced(count, tuple(sorted(others, key=by_place)), tuple(sorted({*grown} - {*others}, key=by_place)))
 
 
-def _order(pair: tuple[Location, str]) -> tuple[object, ...]:
+def by_place(pair: tuple[Location, str]) -> tuple[object, ...]:
+    """What to sort pairs of a place and a text by."""
     return pair[0].sort_key, pair[1]
 
 
