@@ -2,7 +2,7 @@
 const FOLDED = [190, 46];
 const LINE = 15;
 const HEAD = 38;
-// In a narrow window a picture begins no smaller than this.
+// A picture that does not begin as a whole begins at this scale.
 const READABLE = 0.6;
 
 function outline(what, [x, y, width, height]) {
@@ -291,10 +291,9 @@ function makePicture({ label, select, folded, pick }) {
       view.scale = READABLE;
       view.x = 0;
       view.y = (tall - down(scene.size[1]) * view.scale) / 2;
-      const first = [...byId.keys()].map(rectangleOf).reduce((one, other) => (other && (!one || other[0] < one[0]) ? other : one), null);
-      const middle = first ? first[1] + first[3] / 2 : 0;
-      const seen = view.y + middle * view.scale;
-      if (first && (seen < 0 || seen > tall)) view.y = tall / 2 - middle * view.scale; // the window begins where something is
+      const first = [...byId.keys()].map(rectangleOf).sort((one, other) => one[0] - other[0])[0];
+      const middle = first ? (first[1] + first[3] / 2) * view.scale : 0;
+      if (first && (view.y + middle < 0 || view.y + middle > tall)) view.y = tall / 2 - middle; // something is in sight
       place(true);
     }
     if (made.told) made.told(isWhole);
