@@ -382,6 +382,7 @@ def used(head: dict[str, str], more: dict[str, str], trap: Trap) -> list[str]:
         ({A: '#include "lift.inc"\n' + TEXT}, "src/lift.inc"),
         ({"CMakeLists.txt": COMPILED}, "src/lift.txt"),
         ({"src/a.py": "A = exec(open('part.txt').read())\n"}, "src/part.txt"),
+        ({"CMakeLists.txt": LIST + "add_compile_options(-specs=flags)\n"}, "CMakeLists.txt"),
     ],
 )
 def test_a_file_of_the_base_that_a_change_uses_first(head: dict[str, str], path: str, trap: Trap) -> None:
@@ -411,6 +412,8 @@ def test_a_file_of_the_base_that_was_used_or_still_is_not(
     [
         (A, "#include PART\n" + TEXT, "'#include PART'"),
         (A, "TP_ARGS(int g(int x) { return x; })\n" + TEXT, "code in the arguments of TP_ARGS"),
+        ("launch/a.launch.xml.in", "<launch/>\n", "made into data of ROS by a build"),
+        ("CMakeLists.txt", LIST + "file(STRINGS list.txt A)\n", "file(… STRINGS list.txt A) may compile, make or run"),
         ("colcon.pkg", '{"cmake-args": ["-DCMAKE_CXX_FLAGS=-DX"]}\n', "1 changed file sets flags of compilers"),
     ],
 )
