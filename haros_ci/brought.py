@@ -133,8 +133,11 @@ def _used_first(workspace: Workspace, base: Base) -> Iterator[Problem]:
         return
     from haros_ci.workspace.used_code import UsedCode
 
-    before = UsedCode(base.workspace, workspace.text)
-    yield from (problem for problem in workspace.hiding.used if not before.why(problem.path))
+    now = {origin: use.problem.path for use in workspace.hiding.used for origin in use.origins}
+    before = UsedCode(base.workspace, lambda path: workspace.text(now.get(path, path)))
+    for use in workspace.hiding.used:
+        if not any(before.is_used(origin, use.directory) for origin in use.origins):
+            yield use.problem
 
 
 def _unreadable(

@@ -10,12 +10,12 @@ from functools import cached_property
 from pathlib import Path
 
 from haros_ci.model.package import OTHER, Package
-from haros_ci.model.workspace import Hiding, Problem, Workspace
+from haros_ci.model.workspace import FirstUse, Hiding, Problem, Workspace
 from haros_ci.workspace.excludes import Excludes
 from haros_ci.workspace.files import FileTree
 from haros_ci.workspace.language import language_of, suffix_of
 from haros_ci.workspace.listing import PathListing
-from haros_ci.workspace.noted_files import named, noted
+from haros_ci.workspace.noted_files import MAX_NAMED, named, noted
 from haros_ci.workspace.object_name import object_name
 from haros_ci.workspace.past import Past
 from haros_ci.workspace.selection import (
@@ -26,7 +26,7 @@ from haros_ci.workspace.selection import (
     is_never_source,
     output_directories,
 )
-from haros_ci.workspace.used_code import UsedCode
+from haros_ci.workspace.used_code import UsedCode, is_opaque
 from haros_ci.workspace.used_names import CODE
 from haros_ci.workspace.views import doubles
 
@@ -125,13 +125,30 @@ class TrackedChange:
 
     def _first_used(
         self, used: UsedCode, analysed: Mapping[str, str], scope: AnalysedPaths, excludes: Excludes
-    ) -> Iterator[Problem]:
-        """The files that are as they were, and that are code by what changed files say of them."""
+    ) -> Iterator[FirstUse]:
+        """The files that are as they were, here or elsewhere, and that are code by what changed files say of them."""
         names = used.names_in(path for path in analysed if self.is_known and self.has_changed(path))
+        words = names | {word for name in names for word in name.split(".")}
+        outputs = output_directories(self.listed, self) if names else frozenset()
         for path, name in sorted(self.tracked.items()) if names else ():
-            if path.rpartition("/")[2] in names and self.base.get(path) == name and analysed.get(path) not in CODE:
-                if scope.given(path) is not None and not _excluded(path, excludes) and (why := used.why(path)):
-                    yield Problem(path, f"skipped: {why}")
+            file = path.rpartition("/")[2]
+            directory = self._never_analysed(path, outputs)
+            stem = file.partition(".")[0]
+            is_named = file in names or ((directory or is_opaque(path)) and stem in words)
+            is_named |= bool(directory) and directory.rpartition("/")[2] in words
+            if not is_named or analysed.get(path) in CODE or scope.given(path) is None or _excluded(path, excludes):
+                continue
+            if self.base.get(path) == name:
+                origins: tuple[str, ...] = (path,)
+            elif path not in self.base and not self.has_changed(path):
+                origins = tuple(old for old, it in self.base.items() if it == name)[:MAX_NAMED]
+            else:
+                continue
+            if directory and self._is_code(path, is_old=True) and used.reaches(path, directory):
+                why = f"it lies in {directory}, which is never analysed"
+                yield FirstUse(Problem(path, f"skipped: {why}"), origins, directory)
+            elif not directory and (why := used.why(path)):
+                yield FirstUse(Problem(path, f"skipped: {why}"), origins)
 
     def _is_new(self, package: Package) -> bool:
         """Whether the change brings the package: a manifest that is not in the base revision, or differs there."""

@@ -152,6 +152,15 @@ class UsedCode:
             return f"it holds Python, {user} names it, and no Python file is called so"
         return ""
 
+    def is_used(self, path: str, directory: str) -> bool:
+        """Whether the file at *path* is used as code here, below *directory* if that is never entered."""
+        if directory:
+            return self.reaches(path, directory)
+        if is_opaque(path):
+            stem = re.compile(rf"\b{re.escape(path.rpartition('/')[2].partition('.')[0])}\b")
+            return any(stem.search(self._workspace.text(file.path)) for file in self._files(_REFERRING))
+        return bool(self.why(path))
+
     def _user_of(self, name: str, is_reconfigure: bool) -> str:
         """The path of a file that names the file called *name*, and that may have it run; "" without one."""
         place = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w-])")
@@ -232,6 +241,11 @@ class UsedCode:
     def _is_among(self, name: str, language: str, find: Callable[[str], Iterable[str]]) -> bool:
         names = self._of(language, find)
         return name in names or any(_WILD.search(pattern) and fnmatchcase(name, pattern) for pattern in names)
+
+
+def is_opaque(path: str) -> bool:
+    """Whether the file at *path* is code by its name, of a kind that nothing here analyses."""
+    return suffix_of(path.rpartition("/")[2]) in _UNKNOWN
 
 
 def _may_be_cpp(text: str, language: str | None) -> bool:

@@ -21,7 +21,7 @@ _INCLUDE = re.compile(rf"{_HASH}(?:include|import|embed)[^\"<\n]{{0,1200}}[\"<](
 _DEFINE = re.compile(rf"{_HASH}define[^\"<\n]{{0,200}}[\"<]([^\">\n]{{1,1000}})[\">]", re.M)
 #: An #include that a macro makes: then any name in the file may be what it makes.
 _COMPUTED = re.compile(rf"{_HASH}include(?:_next)?{_GAP}[A-Za-z_]\w*", re.M)
-_SPLICE = re.compile(r"(?:\\|\?\?/)[ \t]*\r?\n")
+_SPLICE = re.compile(r"(?:\\|\?\?/)[ \t\f\v]*\r?\n")
 _COMMENT = re.compile(r"/\*[^*]*(?:\*(?!/)[^*]*)*\*/")
 
 #: What makes CMake compile, or include, a file whatever its name is.

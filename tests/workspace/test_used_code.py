@@ -185,6 +185,7 @@ FIRES = {
         "part.inc",
         BODY,
     ),
+    "a splice behind a form feed": ("src/a.cpp", '#inc\\\f\nlude "pa\\\v \nrt.inc"\n', "part.inc", BODY),
     "a form feed": ("src/a.cpp", '\f#\vinclude "part.inc"\n', "part.inc", BODY),
     "a long path": ("src/a.cpp", '#include "' + "./" * 900 + 'part.inc"\n', "part.inc", BODY),
     "a name in brackets": (
