@@ -178,7 +178,10 @@ class UsedCode:
             return True
         name = directory.rpartition("/")[2]
         stem = path.rpartition("/")[2].partition(".")[0]
-        place = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w-])")
+        place = re.compile(
+            rf"(?<![\w.-]){re.escape(name)}(?![\w-])|^[ \t]*(?:from|import)[ \t][^\n]{{0,500}}?\.{re.escape(name)}(?![\w-])",
+            re.M,
+        )
         file = re.compile(rf"(?<!\w){re.escape(stem)}(?!\w)")
         is_named = False
         for source in self._files(_REFERRING):
