@@ -132,9 +132,9 @@ def _are_names(names: Sequence[str | None]) -> bool:
 
 
 def _only_other(one: Sequence[str], other: Sequence[str]) -> str | None:
-    """The element of *other* that *one* has not, if there is one and the rest is the same."""
-    pairs = [pair for pair in zip(one, other) if pair[0] != pair[1]]
-    return pairs[0][1] if len(one) == len(other) and len(pairs) == 1 else None
+    """The element of *other* that *one* has not, if there is one and the rest is the same; subjects are sorted, so it may stand at another place."""
+    added = sorted({*other} - {*one})
+    return added[0] if len(one) == len(other) and len(added) == len({*one} - {*other}) == 1 else None
 
 
 def _places(others: Sequence[Result], names: Sequence[str | None] | None) -> Iterator[Related]:

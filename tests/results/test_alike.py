@@ -58,6 +58,29 @@ def test_what_they_are_about_is_named_where_sentences_differ() -> None:
     assert [place.message for place in whole.related[1:]] == ["rospy is idle", "tf is idle"]
 
 
+@pytest.mark.parametrize(
+    ("first", "others", "named"),
+    [
+        (("demo", "librealsense"), [("demo", "tf")], ", of tf"),
+        (
+            ("aa", "demo"),
+            [("demo", "tf"), ("bb", "demo")],
+            ", of tf and bb",
+        ),  # sorted, so the package changes its place
+        (("demo", "tf"), [("aa", "demo")], ", of aa"),
+        (("demo", "tf"), [("aa", "other")], ""),
+        (("demo", "tf"), [("demo", "tf")], ""),
+        (("demo",), [("demo", "tf")], ""),
+    ],
+)
+def test_what_another_is_about_whatever_its_place(
+    first: tuple[str, ...], others: list[tuple[str, ...]], named: str
+) -> None:
+    rest = [replace(lacking("x"), message=f"{subject} is idle", subject=subject) for subject in others]
+    (one,) = joined([replace(lacking("y"), subject=first), *rest])
+    assert one.message.endswith(f"; and {len(others)} more like it{named}")
+
+
 def test_many_are_counted() -> None:
     (one,) = joined([unused(f"n{number}", number) for number in range(1, 10)])
     assert f"n{NAMED + 1} and 3 more (lines 2, 3, 4, 5, 6 and 3 more)" in one.message
