@@ -6,6 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from every import every
 
 from haros_ci.api.testing import faults, faults_of_page
 from haros_ci.checking.check import Check
@@ -29,7 +30,7 @@ def test_a_page_is_true(check: Check, example: Example, tmp_path: Path) -> None:
     assert not faults(check, example, tmp_path)
 
 
-@pytest.mark.parametrize("check", checks(), ids=lambda check: check.id)
+@every("check", checks(), ids=lambda check: check.id)
 def test_a_page_is_whole(check: Check) -> None:
     assert not faults_of_page(check, page_of(check))
 
@@ -64,6 +65,6 @@ def test_a_new_check_fails_until_it_is_written(tmp_path: Path) -> None:
         new_check("other-topic", tmp_path / "checks")
 
 
-@pytest.mark.parametrize("check", checks(), ids=lambda check: check.id)
+@every("check", checks(), ids=lambda check: check.id)
 def test_a_check_looks_at_one_thing(check: Check) -> None:
     assert (check.run is None) != (check.project is None)
