@@ -73,7 +73,7 @@ class Provisions:
         names = {package.name, *declared, *self._aside(package)}
         todo = list(names - {package.name})
         steps = self._steps_by_ros.setdefault(package.ros, {})
-        said = 0
+        marks = 0
         while todo:
             name = todo.pop()
             self._left -= 1
@@ -83,12 +83,12 @@ class Provisions:
             if step is None:
                 step = steps[name] = self._step(name, package.ros)
             brought, says = step
-            said |= says
+            marks |= says
             new = brought - names
             names |= new
             todo += new
         names.update(*(_variants(name) for name in declared))
-        return Provision(frozenset(names), bool(said & _OPEN), bool(said & _OF_MESSAGES), bool(said & _OF_A_SYSTEM))
+        return Provision(frozenset(names), bool(marks & _OPEN), bool(marks & _OF_MESSAGES), bool(marks & _OF_A_SYSTEM))
 
     def _step(self, name: str, ros: int | None) -> tuple[frozenset[str], int]:
         """What *name* brings to a package of *ros*, and what it says of the whole."""
